@@ -17,7 +17,8 @@ static TITAN: RobotChoice = RobotChoice::Named(RobotName::Titan8);
 /// The options for reading a program.
 #[derive(Clone, Debug, Args)]
 pub(super) struct SourceArguments {
-    /// The robot that the program is for: a name that 'tip robot list' shows, or a description; else that of tip.toml, or titan8
+    /// The robot that the program is for: a name that 'tip robot list' shows, or a description; by default that of tip.toml, or
+    /// titan8
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
@@ -25,7 +26,7 @@ pub(super) struct SourceArguments {
     #[arg(long, value_name = "NUMBER", default_value_t = TIP_VERSION, value_parser = version_number)]
     tip_version: f64,
 
-    /// How the file spells text; auto, unless tip.toml says otherwise, takes UTF-8 if it is valid, else Shift_JIS
+    /// The encoding of the file; auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum)]
     pub(super) encoding: Option<EncodingName>,
 
@@ -96,7 +97,7 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "CYCLE", value_parser = count, allow_negative_numbers = true)]
     halt: Option<u64>,
 
-    /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
+    /// Set an input to this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
     #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
     sensors: Vec<SensorAt>,
 
@@ -104,12 +105,12 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "CYCLE:EVENT,...")]
     events: Option<Events>,
 
-    /// What surrounds the robot: cylinder, an object under a hand, or a scene of your own
+    /// The scene around the robot: cylinder, an object under a hand, or a scene of your own
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) scene: Option<SceneChoice>,
 
-    /// How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass; for 'tip run' also exec:COMMAND,
-    /// a process of yours that simulates any robot
+    /// The simulation of a walking robot: quasi-static, as if at rest at every moment, or dynamic, with mass; 'tip run' also takes
+    /// exec:COMMAND, a process of yours that simulates any robot
     #[arg(long, value_name = "PLANT")]
     pub(super) plant: Option<PlantChoice>,
 }

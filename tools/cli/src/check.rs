@@ -47,7 +47,7 @@ pub(super) struct Check {
     #[arg(value_name = "FILE", required = true)]
     pub(super) files: Vec<PathBuf>,
 
-    /// Apply the fixes that are certain, and write the files; from standard input to standard output
+    /// Apply certain fixes and write the files; for standard input, write to standard output
     #[arg(long)]
     fix: bool,
 
@@ -59,7 +59,7 @@ pub(super) struct Check {
     #[arg(long, conflicts_with = "fix")]
     pub(super) watch: bool,
 
-    /// Say nothing of programs in which nothing is found
+    /// Print nothing about programs without errors and warnings
     #[arg(long, short)]
     quiet: bool,
 
@@ -179,7 +179,7 @@ pub(super) fn fix(
     let repaired = repair(loaded, options, least);
     let text = fix_report(&repaired, output_options);
     let Repaired { applied, loaded } = repaired;
-    // Standard output is the program's.
+    // Standard output holds the program.
     if input::is_stream(path) && input::was_read(&loaded) {
         output::print(loaded.source.bytes())?;
         report::complain(&text);
@@ -192,7 +192,7 @@ pub(super) fn fix(
     match output_options.message_format {
         Format::Human => report::complain(&text),
         Format::Short | Format::Json => output::print(&text)?,
-        // Standard output holds one document of what is left.
+        // Standard output holds one document of the remaining diagnostics.
         Format::Sarif => (),
     }
     let loaded = confirmed(loaded, options, output_options);

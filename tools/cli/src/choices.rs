@@ -133,24 +133,24 @@ pub(super) enum Format {
     Human,
     /// One line each
     Short,
-    /// One JSON object a line
+    /// One JSON object per line
     Json,
-    /// One document of SARIF 2.1.0 for all files, by check alone
+    /// One document of SARIF 2.1.0 for all files (check only)
     Sarif,
 }
 
 /// The options of the output.
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct OutputOptions {
-    /// How findings are shown: snippets for people, or lines for tools
+    /// The format of diagnostics: snippets for people, or lines for tools
     #[arg(long, value_enum, default_value = "human")]
     pub(super) message_format: Format,
 
-    /// The language of reasons and helps, if not that of the locale
+    /// The language of messages; by default that of the locale
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 
-    /// Whether findings for people have colours; auto: on a terminal, unless NO_COLOR says otherwise
+    /// Colours of diagnostics for people; auto: on a terminal, unless NO_COLOR is set
     #[arg(long, value_enum, value_name = "WHEN", default_value = "auto")]
     color: ColourName,
 }

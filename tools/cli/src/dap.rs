@@ -22,8 +22,8 @@ use tipc::{Loaded, Options, render};
 /// `tip dap`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Editors start it; it speaks the Debug Adapter Protocol on standard input and output.
-A launch names what 'tip run' has as options:
+    after_help = "Editors start it; it uses the Debug Adapter Protocol on standard input and output.
+A launch has the same settings as the options of 'tip run':
 
   { \"request\": \"launch\", \"program\": \"walk.prg\", \"robot\": \"titan8\", \"scene\": \"cylinder\",
     \"events\": \"10:key F, 300:VR1=8\", \"stopOnEntry\": true, \"stopOnFall\": true }

@@ -19,11 +19,11 @@ use tipc::message::list::Each;
 
 Exit status: 0 if there is such a code, 2 otherwise.")]
 pub(super) struct Explain {
-    /// The code of a finding, as E205-03 or W109, or the class of one, as E205
+    /// The code of an error or warning, such as E205-03 or W109, or its class, such as E205
     #[arg(value_name = "CODE")]
     code: String,
 
-    /// The language of the page, if not that of the locale
+    /// The language of the page; by default that of the locale
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 }
@@ -195,7 +195,7 @@ mod tests {
                 let robot = tip_sim::Robot::named("titan8").expect("a robot");
                 let mut loaded = load("page.prg", text.as_bytes(), &Options::default());
                 robot.warn(&mut loaded);
-                // A warning may foresee it.
+                // A warning may predict the stop.
                 let program = loaded
                     .program
                     .take()
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn the_programs_of_each_page_are_wrong_and_right() {
-        // What no text causes.
+        // Codes that no text causes.
         let without = [
             "E101", "E102", "E103", "E104", "E105-06", "E306", "E405", "E406", "E407", "W125",
             "W129",

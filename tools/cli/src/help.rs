@@ -17,7 +17,7 @@ const TEMPLATE: &str = "{about-with-newline}\n使い方: {usage}\n\n{all-args}{a
 pub(super) fn command(lang: Lang) -> Command {
     let mut tip = Arguments::command();
     if lang == Lang::Japanese {
-        // Adds what every command has: options and a command for help.
+        // Adds the options and the command for help.
         tip.build();
         tip = translated(tip, "");
     }
@@ -78,7 +78,7 @@ fn option(arg: Arg) -> Arg {
         }
     }
     let (heading, arg) = match arg.get_index() {
-        // Else they stand in the order of their names.
+        // Otherwise clap sorts them by name.
         Some(place) => ("引数", arg.display_order(place)),
         None => ("オプション", arg),
     };
@@ -127,7 +127,7 @@ pub(super) struct Completions {
 #[command(after_help = "Examples:
   tip man -o ~/.local/share/man/man1")]
 pub(super) struct Man {
-    /// The folder for the pages, one for each command; it is made if need be
+    /// The folder for the pages, one for each command; it is created if necessary
     #[arg(short, long, value_name = "DIR")]
     out: PathBuf,
 }
@@ -207,7 +207,7 @@ mod tests {
         let missing: Vec<_> = said.difference(&rows).collect();
         let unused: Vec<_> = rows.difference(&said).collect();
         assert_eq!((missing, unused), (Vec::new(), Vec::new()));
-        assert_eq!(rows.len(), lines().count(), "a row stands twice");
+        assert_eq!(rows.len(), lines().count(), "a row is duplicated");
     }
 
     /// Returns the command lines of examples, without their explanations.

@@ -89,7 +89,7 @@ pub(super) fn load(
     if let Some(port) = events.ports().find(|port| !robot.has_input(*port)) {
         return Err(usage(Refused::NoInput(port).text(lang)).into());
     }
-    // What is found does not depend on the scene.
+    // The diagnostics do not depend on the scene.
     let loaded = judged(path, source, &plain);
     let is_ours = ours.is_some() || plant.is_none();
     if let Some(program) = loaded.program.as_ref().filter(|_| is_ours) {

@@ -22,16 +22,20 @@ use tipc::{Loaded, Options, render};
 /// `tip lsp`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "An editor starts it, and talks to it through standard input and output: findings while you type, with fixes,
-hover, definition, references, renaming, completion, signature help, hints, folding, colours and formatting.
+    after_help = "Editors start it and use it through standard input and output: diagnostics with fixes while you type, hover,
+definition, references, renaming, completion, signature help, inlay hints, folding, semantic tokens and formatting.
 docs/editors.md shows how to set up VS Code, neovim, helix and emacs.
+
+If your editor does not find tip: cargo installs it in ~/.cargo/bin, which may be missing from the PATH of an editor that is
+started from the desktop. Write the full path of tip in the settings of the editor (tip.path in VS Code). The command to
+install it, in a checkout of T.I.P., is cargo install --path tools/cli.
 
 The robot is that of --robot, of the client's option 'robot', of the nearest tip.toml, or titan8, in this order.
 
-Exit status: 0 after 'shutdown' and 'exit', 1 if the editor goes away without them, 2 wrong usage."
+Exit status: 0 after 'shutdown' and 'exit', 1 if the connection ends without them, 2 wrong usage."
 )]
 pub(super) struct Lsp {
-    /// Talk through standard input and output, as it always does
+    /// Use standard input and output, which is the default
     #[arg(long)]
     stdio: bool,
 
@@ -86,7 +90,7 @@ impl Files {
         }
         if let Some(name) = configured {
             let choice: RobotChoice = name.parse().map_err(|wrong: BadValue| wrong.text(lang))?;
-            return Ok(choice.beside(path));
+            return Ok(choice.relative_to(path));
         }
         let given = path.map_or(Ok(None), project::of);
         let given = given.map_err(|loaded| first_diagnostic(&loaded, lang))?;

@@ -43,21 +43,21 @@ use tipc::Loaded;
     version,
     arg_required_else_help = true,
     after_help = "A first session:
-  tip new demo                       make a crate whose robot moves at once
-  tip check walk.prg                 report all its errors at once
-  tip check --fix walk.prg           put right what is certain
+  tip new demo                       make a crate with a robot that moves
+  tip check walk.prg                 report all errors and warnings
+  tip check --fix walk.prg           apply certain fixes
   tip run walk.prg                   run it on the simulated TITAN VIII
-  tip fmt walk.prg                   lay it out in the one style
-  tip log walk.prg -o walk.mcap      write what it did, for Foxglove, Rerun or a table
-  tip plot walk.prg -o walk.svg      draw what it did
+  tip fmt walk.prg                   format it in the standard style
+  tip log walk.prg -o walk.mcap      write the log of a run, for Foxglove, Rerun or a table
+  tip plot walk.prg -o walk.svg      draw diagrams of a run
   tip emit rust walk.prg -o walk.rs  write it as Rust source
   tip cycles walk.prg                count the control cycles of its parts
   tip view walk.prg                  write walk.html, a page that replays the run
-  tip serve walk.prg                 run it live in a page, with keys and knobs, and edit it there
+  tip serve walk.prg                 run it live in a web page, with keys, knobs and an editor
   tip verify walk.prg                compare its compiled code with the interpreter
-  tip migrate old.prg -o walk.prg    turn an older program into version 3.1
-  tip explain E205                   say what the code of a finding means
-  tip lsp                            serve an editor, which starts it
+  tip migrate old.prg -o walk.prg    migrate an older program to version 3.1
+  tip explain E205                   explain the code of an error or warning
+  tip lsp                            start the language server, as editors do
   tip robot check hexapod.toml       check the description of your robot
 
 'tip help COMMAND' shows examples of each command.
@@ -73,17 +73,17 @@ struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 enum Verb {
-    /// Make a crate whose robot moves at once, with a test and an editor's configuration
+    /// Make a crate with a robot that moves, a test and settings for editors
     New(new::New),
-    /// Report everything that is wrong with programs
+    /// Check programs and report all errors and warnings
     Check(check::Check),
     /// Run a program on the simulated robot
     Run(run::Run),
-    /// Lay programs out in the one style
+    /// Format programs in the standard style
     Fmt(translate::Fmt),
-    /// Write what a run did as a log for other tools: MCAP or CSV
+    /// Write the log of a run for other tools: MCAP or CSV
     Log(record::Log),
-    /// Draw what a run did as diagrams: SVG
+    /// Draw diagrams of a run: SVG
     Plot(record::Plot),
     /// Write a program in another form
     Emit(translate::Emit),
@@ -91,25 +91,25 @@ enum Verb {
     Cycles(translate::Cycles),
     /// Compare a program's compiled code with the reference interpreter
     Verify(verify::Verify),
-    /// Write a page that replays a run: the robot in 3-D beside its program
+    /// Write a page that replays a run, with the robot in 3-D next to its program
     View(record::View),
-    /// Run a program live in a page, where it is steered and edited
+    /// Run a program live in a web page, with controls and an editor
     Serve(serve::Serve),
-    /// Debug a program on the terminal, forwards and backwards
+    /// Debug a program in the terminal, forwards and backwards
     Debug(debug::Debug),
-    /// Serve a debugger to editors: the Debug Adapter Protocol
+    /// Start the debug adapter for editors (Debug Adapter Protocol)
     Dap(dap::Dap),
-    /// Turn a program of an older version into one of version 3.1
+    /// Migrate a program of an older version to version 3.1
     Migrate(translate::Migrate),
-    /// Say what the code of a finding means, with a wrong and a right program
+    /// Explain the code of an error or warning, with a wrong and a right program
     Explain(explain::Explain),
-    /// Serve an editor: the language server
+    /// Start the language server for editors
     Lsp(lsp::Lsp),
-    /// Print what a shell completes the command line with
+    /// Print a completion script for a shell
     Completions(help::Completions),
-    /// Write the pages of man
+    /// Write manual pages
     Man(help::Man),
-    /// Descriptions of robots
+    /// Work with robots and their descriptions
     #[command(subcommand)]
     Robot(robot::RobotVerb),
 }
@@ -212,9 +212,9 @@ fn main() -> ExitCode {
         return exit(Status::Failure);
     }
     let outcome = match &arguments.verb {
-        verb if verb.format() == Some(Format::Sarif) => Err(Error::Usage(
-            "tip check writes SARIF, no other command does".to_owned(),
-        )),
+        verb if verb.format() == Some(Format::Sarif) => {
+            Err(Error::Usage("only tip check writes SARIF".to_owned()))
+        }
         Verb::New(arguments) => new::new(arguments),
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),

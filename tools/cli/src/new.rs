@@ -1,4 +1,4 @@
-//! `tip new`: a crate that moves a robot at once, with a test and an editor's configuration.
+//! `tip new`: makes a crate with a robot that moves, a test and settings for editors.
 
 mod files;
 mod motion;
@@ -32,7 +32,7 @@ use tipc::message::Lang;
 
 Exit status: 0 if the crate is made, 1 if not: then nothing is written; 2 if NAME cannot be the name of a crate.")]
 pub(super) struct New {
-    /// The crate's name, or a new folder that ends with it
+    /// The name of the crate, or the path of a new folder with that name
     #[arg(value_name = "NAME")]
     place: CratePath,
 
@@ -40,11 +40,11 @@ pub(super) struct New {
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
     robot: Choice,
 
-    /// Add a skeleton for drives of your own: the trait Hardware
+    /// Add a skeleton for drives of your own (trait Hardware)
     #[arg(long)]
     hardware: bool,
 
-    /// The checkout of this project to depend on; else the one that tip was built from, else the published crates
+    /// The checkout of this project to depend on; by default the one that tip was built from, or the published crates
     #[arg(long, value_name = "FOLDER")]
     workspace: Option<PathBuf>,
 

@@ -39,13 +39,13 @@ fn given(path: &Path, is_there: fn(&Path) -> bool) -> Result<Option<Settings>, B
     let names = program.strip_prefix(&folder).unwrap_or(&program).iter();
     let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
     let found = project.of(&names.join("/"));
-    let beside = |choice: RobotChoice| choice.beside(Some(&file));
+    let resolve = |choice: RobotChoice| choice.relative_to(Some(&file));
     let settings = Settings {
-        robot: found.robot.and_then(|name| name.parse().ok()).map(beside),
+        robot: found.robot.and_then(|name| name.parse().ok()).map(resolve),
         encoding: found.encoding.map(EncodingName::of),
         scene: found
             .scene
-            .and_then(|name| SceneChoice::beside(name, &file)),
+            .and_then(|name| SceneChoice::relative_to(name, &file)),
         file,
     };
     Ok(Some(settings).filter(Settings::is_some))
@@ -56,7 +56,7 @@ fn given(path: &Path, is_there: fn(&Path) -> bool) -> Result<Option<Settings>, B
 pub(super) fn files(path: &Path) -> Vec<PathBuf> {
     let program = real(path);
     let projects = program.ancestors().skip(1).map(|folder| folder.join(NAME));
-    // What is not there yet may come.
+    // A file that does not exist may be created later.
     let given = given(path, |_| true).ok().flatten();
     let robot = given.and_then(|given| given.robot);
     let description = robot.and_then(|robot| robot.file().map(Path::to_owned));
@@ -83,7 +83,7 @@ pub(super) fn real(path: &Path) -> PathBuf {
         let here = env::current_dir().unwrap_or_default();
         return resolve(&here).join("-");
     }
-    // `..` stays in it: where it leads to is known to the system only.
+    // `..` is kept: only the system can resolve it.
     absolute(path).map_or_else(|_| path.to_owned(), |path| resolve(&path))
 }
 

@@ -139,13 +139,12 @@ impl RecordedArguments {
   tip run walk.prg --trace walk.jsonl --trace-motion
   tip view walk.jsonl --program walk.prg       the run of that trace
 
-The page is one file that asks for nothing: it opens by double click, and can be sent or put into
-another page. It shows the robot in three dimensions beside the line that runs, with messages,
-falls, slips, forces and plots on one time axis. Its address takes #cycle=611.
+The page is one file that makes no network requests: it opens by double click, and can be sent or
+embedded in another page. It shows the robot in three dimensions next to the running line, with
+messages, falls, slips, forces and plots on one time axis. Its address takes #cycle=611.
 
 A run is recorded for ten minutes of the robot's time, or for --cycles; without --cycles it also ends
-when it has waited for a minute without a motion. However it ends, the page
-is written.
+when it has waited for a minute without a motion. The page is written however the run ends.
 
 Exit status: 0 written, 1 the program does not load or a file cannot be read or written,
 2 wrong usage, 130 interrupted; what was recorded until then is written.")]
@@ -157,11 +156,11 @@ pub(super) struct View {
     #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
     pub(super) program: Option<PathBuf>,
 
-    /// Write the page here; otherwise beside FILE, as FILE.html
+    /// Write the page to this file; by default next to FILE, as FILE.html
     #[arg(short, long, value_name = "OUT.html")]
     out: Option<PathBuf>,
 
-    /// Say nothing but errors
+    /// Print only errors
     #[arg(long, short)]
     quiet: bool,
 }
@@ -251,7 +250,7 @@ Examples:
   tip log walk.prg -o walk.mcap
   tip log grasp.prg --robot hand --scene scene.toml -o grasp.csv --every 10
 
-A run that has no end is recorded for ten minutes of the robot's time, or until it has waited for a minute without a motion;
+A run without an end is recorded for ten minutes of the robot's time, or until it has waited for a minute without a motion;
 --cycles sets another end.
 
 Exit status: as for 'tip run'."
@@ -260,11 +259,11 @@ pub(super) struct Log {
     #[command(flatten)]
     pub(super) recorded: RecordedArguments,
 
-    /// The file; its ending says what it is
+    /// The file; its extension selects the format
     #[arg(short, long, value_name = "OUT.mcap|OUT.csv")]
     out: PathBuf,
 
-    /// Keep the motion of one cycle in so many; without it MCAP has 50 Hz at most, CSV each cycle
+    /// Keep the motion of every Nth cycle; by default MCAP has 50 Hz at most, CSV every cycle
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     every: Option<u64>,
 }
@@ -282,7 +281,7 @@ impl LogFormat {
             Some("mcap") => Ok(LogFormat::Mcap),
             Some("csv") => Ok(LogFormat::Csv),
             _ => Err(Error::Usage(
-                "a log is a file that ends in .mcap or .csv".to_owned(),
+                "the name of a log must end in .mcap or .csv".to_owned(),
             )),
         }
     }
@@ -342,7 +341,7 @@ pub(super) struct Plot {
     #[arg(short, long, value_name = "OUT.svg")]
     out: PathBuf,
 
-    /// What is drawn, from top to bottom; everything without it
+    /// The diagrams from top to bottom; by default all of them
     #[arg(long, value_name = "WHAT", value_enum)]
     of: Vec<DiagramName>,
 }
@@ -350,15 +349,15 @@ pub(super) struct Plot {
 /// The names of diagrams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum DiagramName {
-    /// Which feet carry the robot, or which fingertips touch something
+    /// The feet that carry the robot, or the fingertips that touch something
     Gait,
-    /// Where the feet go: mm
+    /// The paths of the feet, mm
     Feet,
-    /// The angle of each joint: deg
+    /// The angle of each joint, deg
     Angles,
-    /// What each motor gives: N·m or mN·m
+    /// The torque of each motor, N·m or mN·m
     Torques,
-    /// The load of each foot, or the force of each fingertip: N
+    /// The load of each foot, or the force of each fingertip, N
     Forces,
 }
 

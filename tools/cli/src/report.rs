@@ -223,7 +223,7 @@ pub(super) fn plural(count: usize, what: &str) -> String {
 /// The option `--deny`.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Deny {
-    /// Fail over these: the codes of warnings, as W112; 'warnings' for all of them; 'falls' of the robot in a run
+    /// Fail on these: codes of warnings such as W112, 'warnings' for all of them, 'falls' for falls of the robot in a run
     #[arg(long, value_name = "WHAT,...", value_delimiter = ',', value_parser = denied_value)]
     deny: Vec<Denied>,
 }
@@ -256,7 +256,7 @@ fn denied_value(word: &str) -> Result<Denied, String> {
                 let codes: Vec<&str> = warnings().map(Code::id).collect();
                 let codes = codes.join(", ");
                 Err(format!(
-                    "what can be denied is {FALLS}, {WARNINGS}, {codes}"
+                    "the values of --deny are {FALLS}, {WARNINGS}, {codes}"
                 ))
             }
         },

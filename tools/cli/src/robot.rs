@@ -24,11 +24,11 @@ use tipc::published;
 pub(super) enum RobotVerb {
     /// List the robots that have a name
     List(List),
-    /// Show what a robot has, and where the figures of a published one come from
+    /// Show what a robot has, and the sources of a published one
     Show(Show),
-    /// Report everything that is wrong with a description, or what the robot has
+    /// Check a description, and show what the robot has if there are no errors
     Check(CheckRobot),
-    /// Make a description of a URDF file
+    /// Make a description from a URDF file
     Import(Import),
     /// Write a robot as URDF, or as a model of MuJoCo
     Export(Export),
@@ -109,7 +109,7 @@ fn summary(robot: &Robot) -> String {
         inverse.name()
     );
     for (number, foot) in (1..).zip(feet) {
-        // Adding 0 makes of −0 a plain 0.
+        // Adding 0 turns −0 into 0.
         let [x, y, z] = foot.map(|at| at + 0.0);
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  F{number}  {x:.1} {y:.1} {z:.1}");
@@ -239,22 +239,21 @@ Examples:
 
 Exit status: 0 if the description is written, 1 otherwise."
 )]
-struct Import {
+pub(super) struct Import {
     /// The URDF file; xacro has to be expanded first
     #[arg(value_name = "FILE.urdf")]
     file: PathBuf,
 
-    /// A link that is a chain's foot, where that is not the last one; with '=X,Y,Z' a place in its frame, in m; several with commas
-    /// between them
+    /// A link to use as the foot of its chain instead of the last one; '=X,Y,Z' gives a position in its frame, in m; separate
+    /// several with commas
     #[arg(long, value_name = "LINK[=X,Y,Z]", value_parser = feet)]
     foot: Vec<Feet>,
 
-    /// Leave a chain out, such as an arm or a head; several with commas between them
+    /// Leave out a chain, such as an arm or a head; separate several with commas
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
     skip: Vec<String>,
 
-    /// The chains that become F1, F2, …, with commas between them; else by place, from front to rear and left before
-    /// right
+    /// The chains that become F1, F2, …, separated by commas; by default in order of position, front to rear and left before right
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
     order: Vec<String>,
 
@@ -262,7 +261,7 @@ struct Import {
     #[arg(long, value_enum, value_name = "x|y|z")]
     up: Option<Up>,
 
-    /// Begin with all feet so many mm below the robot frame, the body level; else in the middle of the limits
+    /// Start with all feet this many mm below the robot frame and the body level; by default in the middle of the limits
     #[arg(long, value_name = "HEIGHT", value_parser = height)]
     stand: Option<f64>,
 
@@ -270,7 +269,7 @@ struct Import {
     #[arg(short, long, value_name = "OUT.toml")]
     out: Option<PathBuf>,
 
-    /// The language of the report and of errors, if not that of the locale
+    /// The language of the report and of errors; by default that of the locale
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 }
@@ -373,20 +372,20 @@ Examples:
 
 Exit status: 0 if the file is written, 1 otherwise."
 )]
-struct Export {
+pub(super) struct Export {
     /// Write URDF, with boxes, cylinders and spheres for its shapes
     #[arg(long, required_unless_present = "mjcf")]
     urdf: bool,
 
-    /// Write a model of MuJoCo (MJCF), with motors, contacts and what surrounds the robot
+    /// Write a model of MuJoCo (MJCF), with motors, contacts and the scene
     #[arg(long, conflicts_with = "urdf")]
     mjcf: bool,
 
-    /// What surrounds the robot: cylinder, an object under a hand, or a scene of your own
+    /// The scene around the robot: cylinder, an object under a hand, or a scene of your own
     #[arg(long, value_name = "NAME|FILE.toml", conflicts_with = "urdf")]
     scene: Option<SceneChoice>,
 
-    /// The robot: a name that 'tip robot list' shows, a description, or a URDF file that is to be made regular
+    /// The robot: a name that 'tip robot list' shows, a description, or a URDF file to normalise
     #[arg(
         long,
         value_name = "NAME|FILE.toml|FILE.urdf",

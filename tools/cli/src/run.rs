@@ -68,16 +68,16 @@ pub(super) struct Run {
     #[command(flatten)]
     pub(super) inputs: InputArguments,
 
-    /// Write the trace, one JSON object a line, to a file, or to standard output for '-'
+    /// Write the trace, one JSON object per line, to a file, or to standard output for '-'
     #[arg(long, value_name = "OUT.jsonl|-")]
     pub(super) trace: Option<PathBuf>,
 
-    /// End each record of the trace with a hash of the robot's commands and measurements
+    /// Add a hash of the robot's commands and measurements to each record of the trace
     #[arg(long, requires = "trace")]
     pub(super) trace_state: bool,
 
-    /// End each record of the trace with what the simulated robot did: pose, angles, loads, margin, falls, and what a robot without
-    /// mass leaves out
+    /// Add the motion of the simulated robot to each record of the trace: pose, angles, loads, margin, falls, and what a simulation
+    /// without mass leaves out
     #[arg(long, requires = "trace")]
     pub(super) trace_motion: bool,
 
@@ -85,14 +85,14 @@ pub(super) struct Run {
     #[arg(long, value_name = "DIR")]
     pub(super) out_dir: Option<PathBuf>,
 
-    /// Run as fast as the robot does, and show how it is; keys are those of the terminal
+    /// Run in real time, with a status line and keys from the terminal
     #[arg(long)]
     pub(super) realtime: bool,
 
     #[command(flatten)]
     pub(super) deny: Deny,
 
-    /// Say nothing but the program's messages and the errors that end a run
+    /// Print only messages of the program and errors that end a run
     #[arg(long, short)]
     pub(super) quiet: bool,
 }
@@ -133,7 +133,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         Some(program) => Some(job.new_run(program, &robot)?),
         None => None,
     };
-    // Then the trace: it changes nothing before the end, and where it cannot be written no log is touched.
+    // The trace comes next: it changes nothing before the end, and if it cannot be written, no log is touched.
     let trace = match (&arguments.trace, &begun) {
         (Some(path), Some(_)) => {
             let extras = Extras {
@@ -246,7 +246,7 @@ impl Job<'_> {
     fn progress(&self) -> Progress {
         match (self.arguments.quiet, self.arguments.realtime) {
             (true, _) => Progress::hidden(),
-            // What a process says would be written into its line.
+            // The output of a process would be mixed with its line.
             (false, false) if self.process.is_some() => Progress::hidden(),
             (false, true) => Progress::live(),
             (false, false) => Progress::of(self.inputs.cycles),

@@ -33,12 +33,12 @@ use tipc::message::{Lang, Reading};
   tip serve walk.prg --listen 0.0.0.0:8000    for other machines too
 
 The page runs the program on the simulated robot in real time, or slower or faster. Keys, knobs,
-halt and emergency stop reach the program. The run rests, steps forward and back, and goes on from
-any cycle of its last five minutes. The program is edited in the page, with its findings in place,
-run from the beginning, and saved to FILE. A change of FILE by another editor is run at once.
+halt and emergency stop reach the program. The run can be paused, stepped forward and back, and continued
+from any cycle of its last five minutes. The program can be edited in the page, which shows its
+errors and warnings, restarted, and saved to FILE. A change of FILE by another editor is run immediately.
 
-Everyone with the address sees the same run and may do all that. Only this machine reaches it,
-unless --listen says otherwise. Ctrl-C ends it.
+Everyone with the address sees the same run and may do all that. The page is reachable from this
+machine only, unless --listen is given. Ctrl-C ends the command.
 
 Exit status: 130 ended by Ctrl-C, 1 the program does not load or the address cannot be used,
 2 wrong usage.")]
@@ -46,15 +46,15 @@ pub(super) struct Serve {
     #[command(flatten)]
     pub(super) recorded: RecordedArguments,
 
-    /// The address to listen at; port 0 is any that is free
+    /// The address to listen on; port 0 selects a free one
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:0")]
     listen: SocketAddr,
 
-    /// Do not run until someone asks for it
+    /// Do not start the run until a viewer does
     #[arg(long)]
     paused: bool,
 
-    /// Say nothing but the address and errors
+    /// Print only the address and errors
     #[arg(long, short)]
     quiet: bool,
 }
@@ -112,7 +112,7 @@ impl Serve {
             rest: inputs.cycles,
             ..Setup::new(&name, &bytes, robot)
         };
-        let refused = |_| Error::Usage("an event cannot happen to this program".to_owned());
+        let refused = |_| Error::Usage("an event is not possible for this program".to_owned());
         let mut session = Session::new(setup).map_err(refused)?;
         if !self.paused {
             session.play();
@@ -153,7 +153,7 @@ impl ServedFile {
     fn content(&self) -> Result<Vec<u8>, Reading> {
         let file = open_file(&self.path)?;
         let opened = file.metadata().ok();
-        // What was opened is compared after that with what stands there, so that no link can come between.
+        // The opened file is compared with the entry afterwards, so that a link cannot replace it in between.
         let is_unlinked = fs::canonicalize(&self.path).is_ok_and(|real| real == self.path);
         let entry = fs::symlink_metadata(&self.path).ok();
         match opened.zip(entry) {

@@ -98,7 +98,7 @@ impl RobotChoice {
     }
 
     /// Returns the choice with its path relative to the folder of another file.
-    pub(super) fn beside(self, other: Option<&Path>) -> Self {
+    pub(super) fn relative_to(self, other: Option<&Path>) -> Self {
         match (self, other.and_then(Path::parent)) {
             (RobotChoice::File(path), Some(folder)) => RobotChoice::File(folder.join(path)),
             (choice, _) => choice,
@@ -154,7 +154,7 @@ impl SceneChoice {
     }
 
     /// Returns a scene by its name, or by its path from the folder of another file.
-    pub(super) fn beside(name: &str, other: &Path) -> Option<Self> {
+    pub(super) fn relative_to(name: &str, other: &Path) -> Option<Self> {
         Some(match (name.parse().ok()?, other.parent()) {
             (SceneChoice::File(path), Some(folder)) => SceneChoice::File(folder.join(path)),
             (choice, _) => choice,
@@ -179,7 +179,7 @@ impl FromStr for SceneChoice {
         match Scene::by_name(text) {
             Some(scene) => Ok(SceneChoice::Named(Box::new(scene))),
             None if is_file => Ok(SceneChoice::File(text.into())),
-            None => Err("the scene is cylinder, or one of your own in a FILE.toml".to_owned()),
+            None => Err("the scene must be cylinder, or a FILE.toml of your own".to_owned()),
         }
     }
 }
@@ -329,7 +329,7 @@ mod tests {
             split("exec:  sim  'a b' \"c d\"e f\\ g ''"),
             ["sim", "a b", "c de", "f g", ""]
         );
-        // No shell is between.
+        // No shell expands the words.
         assert_eq!(
             split("exec:sim $HOME *.xml | cat"),
             ["sim", "$HOME", "*.xml", "|", "cat"]

@@ -25,10 +25,10 @@ use tipc::{Loaded, Options, Robot};
 /// `tip fmt`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "There is one style and no option of it: blocks indented by two blanks, capital letters, one blank between words and
-around operators, comments of neighbouring lines in one column. Lines stay apart, and no byte of a comment, of a text, of
-the first two lines or of what follows END changes: docs/style.md. What is written loads to the same program, which each
-call checks. A file with errors is left as it is.
+    after_help = "There is one style without options: blocks indented by two blanks, capital letters, one blank between words and
+around operators, comments of neighbouring lines in one column. Lines are neither joined nor split, and no byte of a
+comment, of a text, of the first two lines or after END changes: docs/style.md. Each call checks that the result loads to
+the same program. A file with errors is left as it is.
 
 Examples:
   tip fmt walk.prg turn.prg
@@ -36,8 +36,8 @@ Examples:
   tip fmt --diff walk.prg    show what would change
   tip fmt - < walk.prg       from standard input to standard output
 
-Exit status: 0 if every file is in the style now, 1 if one is left as it is, or is not in the style with --check or
---diff."
+Exit status: 0 if every file is in the style now, 1 if one was left as it is or, with --check or --diff, is not in the
+style."
 )]
 pub(super) struct Fmt {
     /// The programs; '-' is standard input
@@ -52,7 +52,7 @@ pub(super) struct Fmt {
     #[arg(long, conflicts_with = "check")]
     pub(super) diff: bool,
 
-    /// The robot that the programs are for, if it is none that has a name
+    /// The robot that the programs are for, if it has no name
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
@@ -60,7 +60,7 @@ pub(super) struct Fmt {
     #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
     tip_version: f64,
 
-    /// How the files spell text; auto, unless tip.toml says otherwise, takes UTF-8 if it is valid, else Shift_JIS
+    /// The encoding of the files; auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum)]
     encoding: Option<EncodingName>,
 
@@ -235,7 +235,7 @@ Examples:
   tip emit rust walk.prg -o walk.rs
   tip emit label walk.prg")]
 pub(super) struct Emit {
-    /// Which form
+    /// The form
     #[arg(value_enum)]
     pub(super) form: Form,
 
@@ -284,7 +284,7 @@ fn as_rust(program: &Program) -> Result<String, Error> {
     };
     rust::pretty(program, &options).map_err(|error| {
         Error::Usage(format!(
-            "{} cannot be spelt in Rust: {error}",
+            "{} cannot be written as Rust: {error}",
             program.source_name()
         ))
     })
@@ -313,7 +313,7 @@ pub(super) struct Migrate {
     #[arg(short, long, value_name = "NEW")]
     pub(super) out: Option<PathBuf>,
 
-    /// How the file spells text; auto takes UTF-8 if it is valid, else Shift_JIS
+    /// The encoding of the file; auto is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum, default_value = "auto")]
     pub(super) encoding: EncodingName,
 

@@ -81,10 +81,10 @@ pub(super) fn report(error: &clap::Error) {
     } else if error.use_stderr()
         && env::args_os().any(|word| word.to_string_lossy().chars().any(acts))
     {
-        // It repeats words of the command line, so that its colours have to go as well.
+        // It repeats words of the command line, which are made printable; that removes colours, too.
         complain(&error.render().to_string());
     } else {
-        // A closed output is no reason to fail over help.
+        // A closed output is not an error.
         let _ = error.print();
     }
 }

@@ -52,11 +52,11 @@ pub(super) struct Verify {
     #[command(flatten)]
     pub(super) inputs: InputArguments,
 
-    /// How many runs a search makes
+    /// The number of runs of a search
     #[arg(long, value_name = "N", default_value = "256", value_parser = positive, allow_negative_numbers = true)]
     pub(super) runs: u64,
 
-    /// The Cargo.toml of the project whose tip-runtime is used, if not that of the current folder
+    /// The Cargo.toml of the project whose tip-runtime is used; by default that of the current folder
     #[arg(long, value_name = "Cargo.toml")]
     pub(super) manifest_path: Option<PathBuf>,
 }

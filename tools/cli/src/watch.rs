@@ -50,7 +50,7 @@ impl Watch {
     /// Watches more files, as far as the system allows it.
     pub(super) fn extend(&mut self, files: impl IntoIterator<Item = PathBuf>) {
         for file in files {
-            // A folder that cannot be watched holds nothing that a check could read.
+            // A check could not read files in a folder that cannot be watched.
             let _ = self.add(&file);
         }
     }
@@ -90,7 +90,7 @@ impl Watch {
                 // The check itself opens the files.
                 Ok(Ok(event)) if event.kind.is_access() => {}
                 Ok(Ok(event)) if !event.paths.iter().any(|path| self.files.contains(path)) => {}
-                // What was missed may have been a change.
+                // Missed events may be changes.
                 Ok(_) => return true,
                 Err(_) => return false,
             }

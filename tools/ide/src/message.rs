@@ -33,7 +33,7 @@ tipc::message_table! {
         "T.I.P. 3.1 {section}, clause {clause} of the language reference",
         "T.I.P. 3.1 {section}、言語リファレンス {clause}";
     Value { value: f64 }
-        "stands for {value}",
+        "value: {value}",
         "値は{value}です";
 
     // At a name.
@@ -41,19 +41,19 @@ tipc::message_table! {
         "declared on line {line}",
         "{line}行目で宣言されています";
     Predeclared
-        "every program has it",
+        "predeclared in every program",
         "すべてのプログラムにあります";
     Touched { assigned: usize, read: usize }
-        "places that assign it: {assigned}; that read it: {read}",
+        "assignments: {assigned}, reads: {read}",
         "代入: {assigned}か所、参照: {read}か所";
     Given { values: List }
-        "all that is assigned to it: {values}",
+        "assigned values: {values}",
         "代入される値: {values}";
     Counted { from: f64, to: f64 }
         "FOR counts it from {from} to {to}",
         "FORが{from}から{to}まで数えます";
     Jumped { jumps: usize, calls: usize }
-        "places that jump to it: {jumps}; that call it: {calls}",
+        "jumps: {jumps}, calls: {calls}",
         "ジャンプ: {jumps}か所、呼び出し: {calls}か所";
     Returns { duration: Box<Message> }
         "until it returns: {duration}",
@@ -84,15 +84,15 @@ tipc::message_table! {
 
     // Titles of code actions.
     FixAll
-        "Put right everything that is certain",
+        "Apply all certain fixes",
         "確実な修正をすべて適用する";
 
     // Names that cannot be changed.
     NoName
-        "there is no name here that can be changed",
+        "there is no name to rename here",
         "ここには変更できる名前がありません";
     KeepsName { word: SmolStr }
-        "`{word}` is a word of the language and keeps its name",
+        "`{word}` is a word of the language and cannot be renamed",
         "`{word}` はこの言語の語なので、名前は変えられません";
     LoopLabel
         "GOTO without a label leads to LOOP: another name would change what the program does",
@@ -101,13 +101,13 @@ tipc::message_table! {
         "`{name}` is declared on line {line}; choose another name",
         "`{name}` は{line}行目で宣言されています。別の名前にしてください";
     OtherMeaning { name: SmolStr }
-        "with the name `{name}` this would be another program",
+        "the name `{name}` would change the meaning of the program",
         "名前を `{name}` にすると別のプログラムになってしまいます";
 }
 
 tipc::message_table! {
     /// Messages of the debug adapter; those that every debugger shows are in `tip-sim`.
-    Adapting;
+    DebugAdapter;
 
     // Titles.
     Robot
@@ -148,7 +148,7 @@ tipc::message_table! {
         "the robot falls in cycle {cycle}",
         "サイクル{cycle}でロボットが転倒しました";
     FellBy { cycle: usize, outside: Text }
-        "the robot falls in cycle {cycle}, {outside} mm outside of its feet",
+        "the robot falls in cycle {cycle}, {outside} mm outside its feet",
         "サイクル{cycle}でロボットが転倒しました(支持多角形の外{outside} mm)";
     EndedBy { word: &'static str }
         "the program is over ({word})",
@@ -162,22 +162,22 @@ tipc::message_table! {
         "a program is being debugged already",
         "すでに別のプログラムをデバッグしています";
     NothingToAttach
-        "a program is launched; there is none to attach to",
+        "there is no program to attach to: use launch",
         "プログラムは launch で起動します。attach はできません";
     IsRunning
         "the program is running",
         "プログラムは実行中です";
     NothingHappened
-        "nothing happened here",
-        "ここでは何も起きていません";
+        "neither a fall nor an emergency stopped the program here",
+        "ここで転倒や非常停止は起きていません";
     OtherFile
-        "this file is not the program that is debugged",
+        "this file is not the program being debugged",
         "このファイルはデバッグ中のプログラムではありません";
     OnlyVariables
-        "only variables of the program are watched",
+        "only variables of the program can be watched",
         "監視できるのはプログラムの変数だけです";
     WatchHasNoCondition
-        "a watch has no condition; a breakpoint on a line has",
+        "a watch cannot have a condition; a breakpoint on a line can",
         "変数の監視に条件は付けられません。行のブレークポイントに付けてください";
     NoSuchList
         "there is no such list of variables",
@@ -186,6 +186,6 @@ tipc::message_table! {
         "`{text}` is a condition, not a number",
         "`{text}` は数ではなく条件です";
     AgainConfirms { refused: Text }
-        "{refused}; do it again to confirm",
+        "{refused}; repeat it to confirm",
         "{refused}。よければもう一度実行してください";
 }

@@ -1,5 +1,6 @@
 //! The state of the debugger: the program, questions and their answers, and the commands of keys.
 
+use crate::message::DebugText;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use std::collections::BTreeMap;
 use tip_runtime::plant::Scene;
@@ -7,7 +8,7 @@ use tip_sim::debug::{Debugger, Discard, Move, Progress, Refused, Value, Variable
 use tip_sim::message::Debugging;
 use tip_sim::{Event, Robot};
 use tip_view::Skeleton;
-use tipc::message::{Lang, Text};
+use tipc::message::{Lang, Message, Text};
 use tipc::source::Source;
 
 /// The state of the screen.
@@ -72,8 +73,8 @@ impl App {
         self.debugger.is_going()
     }
 
-    pub(crate) fn say(&self, message: Debugging) -> String {
-        message.in_lang(self.lang).to_string()
+    pub(crate) fn say(&self, message: impl Into<Message>) -> String {
+        message.into().in_lang(self.lang).to_string()
     }
 
     /// Starts a movement.
@@ -170,17 +171,17 @@ pub(crate) enum Question {
 
 impl Question {
     /// Returns the text of the question for a line of the cursor.
-    pub(crate) fn message(&self, line: u32) -> Debugging {
+    pub(crate) fn message(&self, line: u32) -> DebugText {
         match self {
-            Question::Event => Debugging::AskEvent,
-            Question::Expression => Debugging::AskExpression,
-            Question::Watch => Debugging::AskWatch,
-            Question::Who => Debugging::AskWho,
-            Question::Cycle => Debugging::AskCycle,
-            Question::Condition => Debugging::AskCondition { line },
-            Question::Passes(_) => Debugging::AskPasses,
-            Question::Name => Debugging::AskName,
-            Question::Discard(_, cycles) => Debugging::AskDiscard {
+            Question::Event => DebugText::AskEvent,
+            Question::Expression => DebugText::AskExpression,
+            Question::Watch => DebugText::AskWatch,
+            Question::Who => DebugText::AskWho,
+            Question::Cycle => DebugText::AskCycle,
+            Question::Condition => DebugText::AskCondition { line },
+            Question::Passes(_) => DebugText::AskPasses,
+            Question::Name => DebugText::AskName,
+            Question::Discard(_, cycles) => DebugText::AskDiscard {
                 count: usize::try_from(*cycles).unwrap_or(usize::MAX),
             },
         }
@@ -212,7 +213,7 @@ impl App {
             }
             Question::Cycle => match text.parse() {
                 Ok(cycle) => self.go(Move::To(cycle)),
-                Err(_) => self.answer = Some(self.say(Debugging::NotANumber { text: owned(text) })),
+                Err(_) => self.answer = Some(self.say(DebugText::NotANumber { text: owned(text) })),
             },
             Question::Condition => self.ask(Question::Passes(text.to_owned())),
             Question::Passes(condition) => self.place(&When {
@@ -238,7 +239,7 @@ impl App {
             Some(event) => self.change(event, Discard::Nothing),
             None => {
                 let text = owned(text);
-                self.answer = Some(self.say(Debugging::NeitherEventNorAssignment { text }));
+                self.answer = Some(self.say(DebugText::NeitherEventNorAssignment { text }));
             }
         }
     }
@@ -252,7 +253,7 @@ impl App {
             (_, Err(refused)) => return self.refuse(&refused),
         };
         let (text, value) = (owned(text), owned(&value));
-        self.answer = Some(self.say(Debugging::Comes { text, value }));
+        self.answer = Some(self.say(DebugText::Comes { text, value }));
     }
 
     /// Stops before every step of a name, or no longer.
@@ -261,13 +262,13 @@ impl App {
         let name = owned(&upper);
         if let Some(id) = self.named.remove(&upper) {
             self.debugger.remove_breakpoint(id);
-            self.answer = Some(self.say(Debugging::StopsNoMore { name }));
+            self.answer = Some(self.say(DebugText::StopsNoMore { name }));
             return;
         }
         match self.debugger.break_at_name(&upper, &When::default()) {
             Ok(placed) => {
                 self.named.insert(upper, placed.id);
-                self.answer = Some(self.say(Debugging::StopsBefore { name }));
+                self.answer = Some(self.say(DebugText::StopsBefore { name }));
             }
             Err(refused) => self.refuse(&refused),
         }
@@ -285,7 +286,7 @@ impl App {
                 let upper = name.to_ascii_uppercase();
                 let name = owned(&upper);
                 self.watched = Some(upper);
-                self.answer = Some(self.say(Debugging::Watches { name }));
+                self.answer = Some(self.say(DebugText::Watches { name }));
                 Some(id)
             }
             Err(refused) => {

@@ -1,6 +1,7 @@
 //! Drawings of the robot from above and from the side.
 
 use super::app::App;
+use crate::message::DebugText;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Color;
@@ -83,7 +84,7 @@ pub(super) fn draw_robot(app: &App, frame: &mut Frame<'_>, area: Rect) {
         false => (View::from_above(0, 1), View::from_side(1, 2)),
     };
     figure.draw(frame, above, from_above, app.say(Debugging::Above));
-    figure.draw(frame, side, from_side, app.say(Debugging::Side));
+    figure.draw(frame, side, from_side, app.say(DebugText::Side));
 }
 
 impl Figure {
@@ -149,7 +150,7 @@ impl Figure {
 
     fn draw(&self, frame: &mut Frame<'_>, area: Rect, view: View, title: String) {
         let reach = self.reach(view);
-        // Each cell has two dots beside each other and four above each other, all at one distance.
+        // Each cell has two columns and four rows of dots, all at the same distance.
         let inner = area.height.saturating_sub(1).max(1);
         let (across, high) = (2.0 * f64::from(area.width.max(1)), 4.0 * f64::from(inner));
         let (half_x, half_y) = match across > high {

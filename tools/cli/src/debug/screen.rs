@@ -2,6 +2,7 @@
 
 use crate::debug::app::App;
 use crate::debug::figure::{block, draw_robot};
+use crate::message::DebugText;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
@@ -13,6 +14,7 @@ use tip_runtime::controller::Aim;
 use tip_runtime::printable::Printable;
 use tip_sim::debug::{By, Reason, Variable, control};
 use tip_sim::message::Debugging;
+use tipc::message::Message;
 use tipc::program::VariableKind;
 
 /// Minimum width for help in one line.
@@ -90,7 +92,7 @@ fn draw_last_line(app: &App, frame: &mut Frame<'_>, area: Rect) {
 }
 
 fn draw_help(app: &App, frame: &mut Frame<'_>, area: Rect) {
-    let [moves, others] = [Debugging::HelpMoves, Debugging::HelpOthers].map(|help| app.say(help));
+    let [moves, others] = [DebugText::HelpMoves, DebugText::HelpOthers].map(|help| app.say(help));
     let text = match area.height {
         1 => format!("{moves}  {others}"),
         _ => format!("{moves}\n{others}"),
@@ -104,28 +106,30 @@ pub(crate) fn state(app: &App) -> String {
     if let Some(progress) = app.progress.filter(|_| app.is_going()) {
         let percent = progress.done.saturating_mul(100) / progress.of.unwrap_or(1).max(1);
         let percent = u32::try_from(percent.min(100)).unwrap_or(100);
-        return app.say(Debugging::Searching { percent });
+        return app.say(DebugText::Searching { percent });
     }
     if app.is_going() {
-        return app.say(Debugging::Running);
+        return app.say(DebugText::Running);
     }
-    app.say(match &app.debugger.stop().reason {
-        Reason::Start => Debugging::Start,
-        Reason::Step => Debugging::Stepped,
-        Reason::There => Debugging::There,
-        Reason::Breakpoint(_) => Debugging::AtBreakpoint,
+    let message: Message = match &app.debugger.stop().reason {
+        Reason::Start => Debugging::Start.into(),
+        Reason::Step => DebugText::Stepped.into(),
+        Reason::There => DebugText::There.into(),
+        Reason::Breakpoint(_) => DebugText::AtBreakpoint.into(),
         Reason::Watch {
             by: By::Step(step), ..
-        } => Debugging::Assigned {
+        } => DebugText::Assigned {
             line: app.debugger.run().program().line(*step),
-        },
-        Reason::Watch { by: By::Event, .. } => Debugging::AssignedByEvent,
-        Reason::Fall(_) => Debugging::Fell,
+        }
+        .into(),
+        Reason::Watch { by: By::Event, .. } => DebugText::AssignedByEvent.into(),
+        Reason::Fall(_) => DebugText::Fell.into(),
         Reason::Fault(emergency) => return emergency.to_string(),
-        Reason::Ended(_) => Debugging::Ended,
-        Reason::Change => Debugging::Changed,
-        _ => Debugging::Interrupted,
-    })
+        Reason::Ended(_) => Debugging::Ended.into(),
+        Reason::Change => DebugText::Changed.into(),
+        _ => DebugText::Interrupted.into(),
+    };
+    app.say(message)
 }
 
 /// Draws the program around the line of the cursor.
@@ -177,16 +181,16 @@ pub(super) fn draw_messages(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let lines = last
         .iter()
         .map(|(at, text)| Line::from(format!("{at:>6} {}", Printable::line(text))));
-    let block = block(app.say(Debugging::Said));
+    let block = block(app.say(DebugText::Said));
     frame.render_widget(Paragraph::new(lines.collect::<Vec<_>>()).block(block), area);
 }
 
 pub(super) fn draw_calls(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let lines = app.debugger.frames().into_iter().map(|call| {
-        let name = call.name.unwrap_or_else(|| app.say(Debugging::MainProgram));
+        let name = call.name.unwrap_or_else(|| app.say(DebugText::MainProgram));
         Line::from(format!("{:>4} {name}", call.line))
     });
-    let block = block(app.say(Debugging::Calls));
+    let block = block(app.say(DebugText::Calls));
     frame.render_widget(Paragraph::new(lines.collect::<Vec<_>>()).block(block), area);
 }
 

@@ -45,7 +45,7 @@ fn screen(app: &App, width: u16, height: u16) -> String {
         .draw(|frame| view::draw(app, frame))
         .expect("memory");
     let shown = terminal.backend().to_string();
-    // What follows a wide character is not a character of its own.
+    // A blank follows each wide character.
     shown.replace(' ', "")
 }
 
@@ -133,7 +133,7 @@ fn a_breakpoint_stops_at_the_passes_that_count() {
     assert_eq!(app.debugger.value("N"), Ok(Some(2.0)));
     press(&mut app, "r");
     assert!(matches!(app.debugger.stop().reason, Reason::Ended(_)));
-    // A count that is none is said so, and the breakpoint stays as it was.
+    // An invalid count is refused, and the breakpoint stays.
     app.cursor = 13;
     press(&mut app, "B\noften\n");
     assert!(app.answer.as_deref().is_some_and(|it| it.contains("often")));
@@ -149,7 +149,7 @@ fn a_name_stops_before_each_of_its_steps_until_it_is_given_again() {
         (app.debugger.line(), app.debugger.value("N")),
         (9, Ok(Some(1.0)))
     );
-    // Line 9 is marked, wherever the program stands.
+    // Line 9 is marked wherever the program is paused.
     assert!(screen(&app, 80, 24).contains("●▶9"));
     press(&mut app, "r");
     assert_eq!(

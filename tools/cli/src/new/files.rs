@@ -96,7 +96,7 @@ impl Placeholders {
         let default_run = format!("default-run = \"{}\"\n", place.name());
         let has_scene = template.scene.is_some();
         let mut placeholders = vec![
-            // These have holes themselves.
+            // These have placeholders themselves.
             ("lib_scene", when(has_scene, template_text!("lib_scene.rs"))),
             (
                 "lib_hardware",
@@ -248,7 +248,7 @@ impl TemporaryFolder {
             path.parent().map_or(Ok(()), fs::create_dir_all)?;
             fs::write(path, &file.content)?;
         }
-        // An empty folder in its place is given up only now.
+        // An empty folder in its place is removed only now.
         match fs::remove_dir(folder) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
             _ => fs::rename(&self.0, folder),
@@ -258,7 +258,7 @@ impl TemporaryFolder {
 
 impl Drop for TemporaryFolder {
     fn drop(&mut self) {
-        // After its renaming it is not there.
+        // It does not exist any more after its renaming.
         let _ = fs::remove_dir_all(&self.0);
     }
 }

@@ -75,7 +75,7 @@ pub(super) fn find_gait(robot: &Robot) -> Result<Gait, Making> {
                         });
                     }
                 }
-                // What is shortest and lowest comes last.
+                // The shortest and lowest gait comes last.
                 Err(reason) => why = reason,
             }
         }
@@ -150,7 +150,7 @@ impl Plan {
         let (ahead, aside) = (motion.travel.y, motion.travel.x.abs());
         let comes = ahead >= COMES * self.way()
             && aside <= (1.0 - COMES) * self.way() + self.offset[0].abs();
-        // On its belly it may lie without a fall.
+        // A robot that lies on its belly does not fall.
         let stays_up = motion.falls == 0 && motion.least_margin >= 0.0;
         match (stays_up, comes && run.cycles() < LONGEST) {
             (true, true) => Ok(ahead),
@@ -262,7 +262,7 @@ fn size([x, y, z]: Point) -> f64 {
 /// Rounds a number for people: to a tenth, or to two digits below 1.
 fn round(value: f64) -> f64 {
     let parts = if value.abs() < 1.0 { 100.0 } else { 10.0 };
-    // Adding 0 makes of −0 a plain 0.
+    // Adding 0 turns −0 into 0.
     (value * parts).round() / parts + 0.0
 }
 

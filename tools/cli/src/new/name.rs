@@ -69,7 +69,7 @@ const TAKEN: &[&str] = &[
     "proc_macro",
     "std",
     "test",
-    // What cargo writes beside an executable.
+    // Folders that cargo writes next to an executable.
     "build",
     "deps",
     "examples",

@@ -112,7 +112,7 @@ fn is_plain(path: &str) -> bool {
 
 /// Converts a path from here to one from a new folder.
 fn seen_from(place: &Path, path: &Path) -> PathBuf {
-    // Through a link the way back is another one.
+    // `..` after a link leads elsewhere.
     let here = real(Path::new("."));
     let is_below = place.is_relative() && real(place) == here.join(place);
     if path.is_absolute() || !is_below {

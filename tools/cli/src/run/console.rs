@@ -108,7 +108,7 @@ impl Console for Screen {
             let mut out = io::stdout().lock();
             writeln!(out, "{text}").and_then(|()| out.flush())
         });
-        // No one reads the messages any more: the run has lost its audience.
+        // Nobody reads the messages any more: the run ends.
         if let Err(error) = written {
             interrupt::request();
             if !is_closed(&error) {

@@ -78,7 +78,7 @@ pub(super) fn claim(folder: &Path, loaded: &Loaded) -> Result<LogFiles<()>, Erro
 fn seen_from(folder: &Path, program: &Path) -> String {
     let path = match (fs::canonicalize(folder), fs::canonicalize(program)) {
         (Ok(folder), Ok(program)) => relative(&folder, &program),
-        // One of them has gone since it was read: what was asked for names it well enough.
+        // One of them was removed after reading; the given path is good enough.
         _ => program.to_owned(),
     };
     let parts = path.iter().map(OsStr::to_string_lossy);

@@ -7,7 +7,7 @@ use super::protocol::{
 };
 use super::session::{Answer, Session};
 use super::{Debuggee, Launcher};
-use crate::message::Adapting;
+use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_sim::debug::{Placed, Refused, When};
 use tipc::message::Lang;
@@ -51,7 +51,7 @@ impl<L: Launcher> Session<L> {
 
     /// Rejects breakpoints in a file that is not debugged; those of the program stay.
     fn reject_other_file(&self, wanted: &[SourceBreakpoint]) -> Answer {
-        let reason = self.text(Adapting::OtherFile);
+        let reason = self.text(DebugAdapter::OtherFile);
         let answers = wanted
             .iter()
             .map(|one| unverified(reason.clone(), Some(one.line)));
@@ -100,14 +100,14 @@ impl<L: Launcher> Session<L> {
                 "canPersist": true,
             }),
             false => {
-                json!({ "dataId": null, "description": self.text(Adapting::OnlyVariables) })
+                json!({ "dataId": null, "description": self.text(DebugAdapter::OnlyVariables) })
             }
         }))
     }
 
     pub(super) fn set_data_breakpoints(&mut self, wanted: SetDataBreakpoints) -> Answer {
         self.clear(Kind::Watch)?;
-        let (lang, reason) = (self.lang(), self.text(Adapting::WatchHasNoCondition));
+        let (lang, reason) = (self.lang(), self.text(DebugAdapter::WatchHasNoCondition));
         let debuggee = self.debuggee()?;
         let watch = |one: &super::protocol::DataBreakpoint| {
             if text(&one.condition).or(text(&one.hit_condition)).is_some() {

@@ -4,7 +4,7 @@ use super::Launcher;
 use super::breakpoints::Kind;
 use super::protocol::Step;
 use super::session::{Answer, Session, THREAD, read};
-use crate::message::Adapting;
+use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_runtime::program::End;
 use tip_sim::debug::{Move, Progress, Reason};
@@ -135,7 +135,7 @@ impl<L: Launcher> Session<L> {
         let percentage = progress.done.saturating_mul(100) / of;
         if !self.has_progress {
             self.has_progress = true;
-            let title = self.text(Adapting::Searches);
+            let title = self.text(DebugAdapter::Searches);
             self.event(
                 "progressStart",
                 Some(json!({ "progressId": PROGRESS, "title": title, "cancellable": true, "percentage": 0 })),
@@ -181,7 +181,7 @@ impl<L: Launcher> Session<L> {
             }
             Reason::Watch { id, .. } => self.stopped_at("data breakpoint", None, Some(*id)),
             Reason::Fall(fall) => {
-                let text = self.text(Adapting::FellIn {
+                let text = self.text(DebugAdapter::FellIn {
                     cycle: count(fall.cycle),
                 });
                 self.stopped_because("exception", Some(text));
@@ -195,7 +195,7 @@ impl<L: Launcher> Session<L> {
                     End::Exit => Keyword::Exit,
                 };
                 let word = end.word();
-                let text = self.text(Adapting::EndedBy { word });
+                let text = self.text(DebugAdapter::EndedBy { word });
                 self.stopped_because("pause", Some(text));
             }
             _ => self.stopped_because("pause", None),
@@ -228,13 +228,13 @@ impl<L: Launcher> Session<L> {
                 let cycle = count(fall.cycle);
                 let fell = if fall.margin < 0.0 {
                     let outside = format!("{:.1}", -fall.margin).into();
-                    Adapting::FellBy { cycle, outside }
+                    DebugAdapter::FellBy { cycle, outside }
                 } else {
-                    Adapting::FellIn { cycle }
+                    DebugAdapter::FellIn { cycle }
                 };
                 ("fall".to_owned(), fell.in_lang(lang).to_string())
             }
-            _ => return Err(self.text(Adapting::NothingHappened)),
+            _ => return Err(self.text(DebugAdapter::NothingHappened)),
         };
         Ok(Some(
             json!({ "exceptionId": id, "description": text, "breakMode": "always" }),

@@ -5,7 +5,7 @@ use super::protocol::{
     Evaluate, Scope, SetVariable, SourceFile, StackFrame, StackTrace, Variable, Variables,
 };
 use super::session::{Answer, Session, THREAD};
-use crate::message::Adapting;
+use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_runtime::controller::Aim;
 use tip_sim::Event;
@@ -79,7 +79,7 @@ impl<L: Launcher> Session<L> {
         };
         let scopes = [
             scope(Debugging::Variables.into(), PROGRAM, Some("locals")),
-            scope(Adapting::Robot.into(), ROBOT, None),
+            scope(DebugAdapter::Robot.into(), ROBOT, None),
             scope(Debugging::Legs.into(), LEGS, None),
         ];
         let scopes: Vec<Value> = scopes
@@ -91,7 +91,7 @@ impl<L: Launcher> Session<L> {
 
     pub(super) fn variables(&mut self, asked: &Variables) -> Answer {
         let lang = self.lang();
-        let no_such_list = self.text(Adapting::NoSuchList);
+        let no_such_list = self.text(DebugAdapter::NoSuchList);
         let debugger = &self.paused()?.debugger;
         let from = usize::try_from(asked.start.unwrap_or(0)).unwrap_or(usize::MAX);
         let count = asked.count.filter(|count| *count > 0).unwrap_or(u64::MAX);
@@ -133,7 +133,7 @@ impl<L: Launcher> Session<L> {
                 Ok(Evaluated::Number(value)) => value,
                 Ok(Evaluated::Truth(_)) => {
                     let text = asked.value.trim().to_owned().into();
-                    return Err(self.text(Adapting::Truth { text }));
+                    return Err(self.text(DebugAdapter::Truth { text }));
                 }
                 Err(refused) => return Err(refused.text(self.lang())),
             },
@@ -166,7 +166,7 @@ impl<L: Launcher> Session<L> {
             Err(refused @ Refused::WouldDiscard(_)) => {
                 self.unconfirmed = Some(this);
                 let refused = refused.text(lang).into();
-                let again = Adapting::AgainConfirms { refused };
+                let again = DebugAdapter::AgainConfirms { refused };
                 Err(again.in_lang(lang).to_string())
             }
             Err(refused) => Err(refused.text(lang)),
@@ -283,30 +283,30 @@ fn plain(name: String, value: String) -> Variable {
 
 /// Returns time, pose, falls, angles and loads.
 fn robot(debugger: &Debugger, lang: Lang) -> Vec<Variable> {
-    let plain = |name: Adapting, value| plain(name.in_lang(lang).to_string(), value);
+    let plain = |name: DebugAdapter, value| plain(name.in_lang(lang).to_string(), value);
     let run = debugger.run();
     let mut shown = vec![
-        plain(Adapting::Cycle, debugger.now().to_string()),
-        plain(Adapting::Time, format!("{} ms", run.time())),
+        plain(DebugAdapter::Cycle, debugger.now().to_string()),
+        plain(DebugAdapter::Time, format!("{} ms", run.time())),
     ];
     if let Some(motion) = run.motion() {
         let pose = motion.pose;
         let [x, y, z] = pose.position;
         let place = format!("({x:.1}, {y:.1}, {z:.1}) mm");
-        shown.push(plain(Adapting::Pose, place));
+        shown.push(plain(DebugAdapter::Pose, place));
         let (roll, pitch, yaw) = (pose.roll, pose.pitch, pose.yaw);
         let lean = format!("({roll:.2}, {pitch:.2}, {yaw:.2}) deg");
-        shown.push(plain(Adapting::Lean, lean));
-        shown.push(plain(Adapting::Falls, motion.falls.to_string()));
+        shown.push(plain(DebugAdapter::Lean, lean));
+        shown.push(plain(DebugAdapter::Falls, motion.falls.to_string()));
     }
     if let Some(limbs) = run.limbs() {
         for (leg, angles) in (1..).zip(&limbs.angles) {
             let angles = format!("{} deg", list(angles));
-            shown.push(plain(Adapting::Angles { leg }, angles));
+            shown.push(plain(DebugAdapter::Angles { leg }, angles));
         }
         if !limbs.loads.is_empty() {
             let loads = format!("{} N", list(&limbs.loads));
-            shown.push(plain(Adapting::Loads, loads));
+            shown.push(plain(DebugAdapter::Loads, loads));
         }
     }
     shown

@@ -2,7 +2,7 @@
 
 use super::protocol::{Capabilities, Client, Event, Filter, Launch, Request, Response, Sent};
 use super::{Debuggee, Launcher};
-use crate::message::Adapting;
+use crate::message::DebugAdapter;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -126,7 +126,7 @@ impl<L: Launcher> Session<L> {
                 body(&self.capabilities())
             }
             "launch" => self.start(read(arguments)?),
-            "attach" => Err(self.text(Adapting::NothingToAttach)),
+            "attach" => Err(self.text(DebugAdapter::NothingToAttach)),
             "configurationDone" | "cancel" => Ok(None),
             "disconnect" | "terminate" => {
                 self.is_over = command == "disconnect";
@@ -187,7 +187,7 @@ impl<L: Launcher> Session<L> {
             supports_cancel_request: true,
             exception_breakpoint_filters: vec![Filter {
                 filter: "fall",
-                label: self.text(Adapting::FallsStop),
+                label: self.text(DebugAdapter::FallsStop),
                 default: false,
             }],
         }
@@ -195,7 +195,7 @@ impl<L: Launcher> Session<L> {
 
     fn start(&mut self, launch: Launch) -> Answer {
         if self.debuggee.is_some() {
-            return Err(self.text(Adapting::AlreadyDebugged));
+            return Err(self.text(DebugAdapter::AlreadyDebugged));
         }
         let mut debuggee = self.launcher.launch(&launch, self.lang())?;
         debuggee.debugger.stop_at_fall(launch.stop_on_fall);
@@ -242,13 +242,13 @@ impl<L: Launcher> Session<L> {
 
     pub(super) fn debuggee(&mut self) -> Result<&mut Debuggee, String> {
         let lang = self.lang();
-        let nothing = || Adapting::NothingDebugged.in_lang(lang).to_string();
+        let nothing = || DebugAdapter::NothingDebugged.in_lang(lang).to_string();
         self.debuggee.as_mut().ok_or_else(nothing)
     }
 
     /// Returns the program if it is paused.
     pub(super) fn paused(&mut self) -> Result<&mut Debuggee, String> {
-        let running = self.text(Adapting::IsRunning);
+        let running = self.text(DebugAdapter::IsRunning);
         let debuggee = self.debuggee()?;
         match debuggee.debugger.is_going() {
             true => Err(running),

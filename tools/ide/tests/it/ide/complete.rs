@@ -1,4 +1,4 @@
-//! What can be written at a place, and how.
+//! Completion and signature help.
 
 use super::{cursor, on};
 use tip_ide::CompletionItem;
@@ -182,7 +182,7 @@ fn the_word_that_is_begun_goes() {
     assert_eq!(document.source().slice(offer.span), "SLEEP");
 }
 
-/// What a word is completed to.
+/// Checks the snippet of a word.
 #[track_caller]
 fn check_snippet(robot: Robot, word: &str, expected: Option<&str>) {
     let (document, at) = on(robot, "$0\nEND\n");

@@ -4,7 +4,7 @@ use super::cursor;
 use tip_ide::{Outline, OutlineKind, ReferenceKind};
 use tipc::syntax::VariableKind;
 
-/// Where the declaration is: line and text.
+/// Returns the declaration: line and text.
 #[track_caller]
 fn check(statements: &str, expected: Option<(u32, &str)>) {
     let (document, at) = cursor(statements);

@@ -17,7 +17,7 @@ pub(crate) struct Snippet {
     is_file_template: bool,
 }
 
-/// Those of every command that has something to fill in, and that of a program.
+/// Returns the snippets of every command with placeholders, and that of a program.
 pub(crate) fn snippets() -> BTreeMap<String, Snippet> {
     let commands = COMMANDS.iter().filter_map(|row| {
         let mut robots = Robot::ALL.iter().copied();

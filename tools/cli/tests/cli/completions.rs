@@ -1,4 +1,4 @@
-//! What shells and man show of the command.
+//! Completion scripts and manual pages.
 
 use crate::support::Folder;
 

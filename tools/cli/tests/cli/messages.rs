@@ -364,7 +364,7 @@ fn a_quiet_run_says_what_its_program_says() {
     assert!(
         outcome
             .err
-            .starts_with("error[E303]: nothing called what returns here\n"),
+            .starts_with("error[E303]: this returns from a subroutine that was not called\n"),
         "{outcome:#?}"
     );
     assert!(!outcome.err.contains("robot time"), "{outcome:#?}");
@@ -489,18 +489,21 @@ fn a_run_that_waits_says_where_for_what_and_how_long() {
     };
     let hand = run("grasp.prg", &["--robot", "hand", "--scene", "cylinder"]);
     assert!(
-        hand.contains("\n  waits   line 22 waits for INPOS_ALL since "),
+        hand.contains("\n  waits   line 22 has been waiting for INPOS_ALL for "),
         "{hand}"
     );
     for (program, expected) in [
-        ("key.prg", "line 4 waits for a key since 1.0 s, for 79.0 s"),
+        (
+            "key.prg",
+            "line 4 has been waiting for a key for 79.0 s, since 1.0 s",
+        ),
         (
             "knob.prg",
-            "lines 5 to 7 wait for VR1 since 0.1 s, for 79.9 s",
+            "lines 5 to 7 have been waiting for VR1 for 79.9 s, since 0.1 s",
         ),
         (
             "ever.prg",
-            "lines 3 to 4 repeat without a motion since 0.0 s, for 80.0 s",
+            "lines 3 to 4 have repeated without a motion for 80.0 s, since 0.0 s",
         ),
     ] {
         let said = run(program, &[]);
@@ -515,7 +518,7 @@ fn a_run_that_waits_says_where_for_what_and_how_long() {
     }
     let flag = run("flag.prg", &[]);
     assert!(
-        flag.contains("\n  waits   lines 4 to 6 wait for KB_HIT since "),
+        flag.contains("\n  waits   lines 4 to 6 have been waiting for KB_HIT for "),
         "{flag}"
     );
     for program in ["sleep.prg", "lamp.prg", "count.prg"] {
@@ -533,7 +536,7 @@ fn view_and_log_end_after_a_long_wait_and_say_so() {
     let folder = Folder::new("speaks-stopped")
         .program("key.prg", "SLEEP 1000\nKEY_IN\nEND")
         .program("sleep.prg", "SLEEP 90000\nEND");
-    let expected = "stopped after 60 s without a motion: line 4 waits for a key since 1.0 s, for 60.0 s; --cycles sets another end";
+    let expected = "stopped after 60 s without a motion: line 4 has been waiting for a key for 60.0 s, since 1.0 s; --cycles sets another end";
     for command in [
         ["log", "key.prg", "-o", "key.csv"],
         ["view", "key.prg", "-o", "key.html"],
