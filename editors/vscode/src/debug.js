@@ -33,7 +33,7 @@ async function complete(folder, given) {
     vscode.window.showErrorMessage(vscode.l10n.t('There is no program to debug: open one, or name it in launch.json.'));
     return undefined;
   }
-  // Someone who knows that the command is missing needs no second message.
+  // tip() has shown a message already.
   if ((await tip()) === undefined) return undefined;
   const robot = vscode.workspace.getConfiguration('tip', folder?.uri).get('robot');
   return robot && !config.robot ? { ...config, robot } : config;

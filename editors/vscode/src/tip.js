@@ -1,8 +1,8 @@
-// What runs and debugging need: the command `tip` of this editor's settings, and a program that is saved.
+// The command `tip` of the settings, with a message if it is missing, and programs that are saved before they run.
 import * as vscode from 'vscode';
-import { find } from './command.js';
+import { cargoFolder, find } from './command.js';
 
-/** The path of the command; nothing if there is none, after a message to the user. */
+/** Returns the path of the command; undefined after a message to the user if there is none. */
 export async function tip() {
   const setting = vscode.workspace.getConfiguration('tip').get('path', '');
   const { path, reason } = await find(setting, vscode.workspace.workspaceFolders?.[0]?.uri.fsPath);
@@ -10,7 +10,7 @@ export async function tip() {
   return path;
 }
 
-/** The program of a button, or of the editor in front, once it is saved; nothing if the user would not. */
+/** Saves the program of a button or of the active editor; undefined if the user cancels. */
 export async function savedProgram(uri) {
   const program = uri ?? vscode.window.activeTextEditor?.document.uri;
   return program && vscode.workspace.save(program);
@@ -19,12 +19,15 @@ export async function savedProgram(uri) {
 async function complain(setting, reason) {
   const { t } = vscode.l10n;
   const name = setting || 'tip';
-  const why = {
-    missing: t('The command {0} is not found. Findings, completion, runs and debugging need it.', name),
-    other: t('{0} is another program, not the command tip of T.I.P.', name),
+  const missing = setting
+    ? t('There is no command {0}, which the setting tip.path names. Correct the setting, or clear it to search PATH and {1}.', setting, cargoFolder())
+    : t('The command tip was not found on PATH or in {0}. To install it, run “cargo install --path tools/cli” in a checkout of T.I.P.; if it is in another folder, set tip.path. Diagnostics, completion, runs and debugging need it.', cargoFolder());
+  const texts = {
+    missing,
+    other: t('{0} is another program, not the command tip of T.I.P. Set tip.path to the command of T.I.P.; Cargo installs it in {1}.', name, cargoFolder()),
   };
   const [install, choose] = [t('How to Install'), t('Choose the File…')];
-  const text = why[reason] ?? t('{0} does not start: {1}', name, reason);
+  const text = texts[reason] ?? t('{0} does not start: {1}', name, reason);
   const answer = await vscode.window.showErrorMessage(text, install, choose);
   if (answer === install) await showInstallation();
   if (answer === choose) await chooseFile();
@@ -32,7 +35,7 @@ async function complain(setting, reason) {
 
 async function showInstallation() {
   const { extensionUri } = vscode.extensions.getExtension('tip.tip');
-  // The package spells the first one so.
+  // The package has the English file in small letters.
   const file = vscode.env.language.startsWith('ja') ? 'README.ja.md' : 'readme.md';
   await vscode.commands.executeCommand('markdown.showPreview', vscode.Uri.joinPath(extensionUri, file));
 }

@@ -6,7 +6,7 @@ import { homedir, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { runArguments, traceArguments, traceOf } from '../../../editors/vscode/src/arguments.js';
-import { find, places } from '../../../editors/vscode/src/command.js';
+import { candidates, find } from '../../../editors/vscode/src/command.js';
 
 const extension = join(import.meta.dirname, '../../../editors/vscode');
 const json = (name) => JSON.parse(readFileSync(join(extension, name), 'utf8'));
@@ -15,9 +15,9 @@ const folder = mkdtempSync(join(tmpdir(), 'tip-vscode-'));
 after(() => rmSync(folder, { recursive: true }));
 
 test('the command is where the settings say, else on PATH or where Cargo installs', async () => {
-  assert.deepEqual(places('', '/robot'), ['tip', join(homedir(), '.cargo/bin/tip')]);
-  assert.deepEqual(places(' ${workspaceFolder}/bin/tip ', '/robot'), ['/robot/bin/tip']);
-  assert.deepEqual(places('~/tip', undefined), [join(homedir(), 'tip')]);
+  assert.deepEqual(candidates('', '/robot'), ['tip', join(homedir(), '.cargo/bin/tip')]);
+  assert.deepEqual(candidates(' ${workspaceFolder}/bin/tip ', '/robot'), ['/robot/bin/tip']);
+  assert.deepEqual(candidates('~/tip', undefined), [join(homedir(), 'tip')]);
   assert.deepEqual(await find(process.env.TIP), { path: process.env.TIP });
   assert.deepEqual(await find(join(folder, 'none')), { reason: 'missing' });
   assert.deepEqual(await find('echo'), { reason: 'other' });

@@ -27,8 +27,8 @@ const freePort = () =>
     });
   });
 
-/** An editor on files, by their names; `tip` is where it looks for the command. */
-export async function open(files, tip = TIP) {
+/** An editor on files, by their names; `tip` is its setting tip.path, and `env` adds to its environment. */
+export async function open(files, tip = TIP, env = {}) {
   const home = mkdtempSync(join(tmpdir(), 'tip-host-'));
   const folder = join(home, 'robot');
   mkdirSync(folder);
@@ -44,7 +44,10 @@ export async function open(files, tip = TIP) {
   if (installed.status !== 0) throw new Error(installed.stdout + installed.stderr);
   const port = await freePort();
   const options = ['--auth', 'none', '--bind-addr', `127.0.0.1:${port}`, '--disable-telemetry', '--disable-update-check'];
-  const server = spawn(CODE_NODE, [CODE_SERVER, ...folders, ...options, folder], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const server = spawn(CODE_NODE, [CODE_SERVER, ...folders, ...options, folder], {
+    env: { ...process.env, ...env },
+    stdio: ['ignore', 'pipe', 'inherit'],
+  });
   await new Promise((resolve, reject) => {
     server.stdout.on('data', (text) => String(text).includes('listening on') && resolve());
     server.on('exit', () => reject(new Error('code-server ended')));

@@ -1,11 +1,8 @@
-//! What every command that reads a program takes.
+//! The option groups that several commands share: the program with its robot, and the inputs of a run.
 
-use super::choices::{EncodingName, LangName, RobotName};
-use super::plant::PlantChoice;
-use super::robot::RobotChoice;
-use super::scene::SceneChoice;
-use super::shown::Shown;
-use super::usage::{Wrong, count};
+use super::choices::{EncodingName, LangName, OutputOptions, RobotName};
+use super::setup::{PlantChoice, RobotChoice, SceneChoice};
+use super::usage::{BadValue, count};
 use crate::message::Using;
 use clap::Args;
 use std::path::PathBuf;
@@ -14,13 +11,14 @@ use tipc::message::Lang;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
-/// The robot of a program that nobody says anything of.
+/// The default robot.
 static TITAN: RobotChoice = RobotChoice::Named(RobotName::Titan8);
 
-/// How a source file is to be read. Every command takes these.
+/// The options for reading a program.
 #[derive(Clone, Debug, Args)]
 pub(super) struct SourceArguments {
-    /// The robot that the program is for: a name that 'tip robot list' shows, or a description; else that of tip.toml, or titan8
+    /// The robot that the program is for: a name that 'tip robot list' shows, or a description; by default that of tip.toml, or
+    /// titan8
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
@@ -28,23 +26,23 @@ pub(super) struct SourceArguments {
     #[arg(long, value_name = "NUMBER", default_value_t = TIP_VERSION, value_parser = version_number)]
     tip_version: f64,
 
-    /// How the file spells text; auto, unless tip.toml says otherwise, takes UTF-8 if it is valid, else Shift_JIS
+    /// The encoding of the file; auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum)]
     pub(super) encoding: Option<EncodingName>,
 
     #[command(flatten)]
-    pub(super) shown: Shown,
+    pub(super) output_options: OutputOptions,
 
-    /// The tip.toml that gives the robot, and that robot.
+    /// The `tip.toml` that gives the robot, and that robot.
     #[arg(skip)]
     pub(super) given: Option<(PathBuf, RobotChoice)>,
 }
 
-/// The version of the language.
+/// The default of `--tip-version`.
 const TIP_VERSION: f64 = 3.1;
 
 impl SourceArguments {
-    /// The arguments of a client that has no command line.
+    /// Returns the arguments of a client without a command line.
     pub(super) fn of_client(
         robot: Option<RobotChoice>,
         encoding: Option<EncodingName>,
@@ -54,17 +52,17 @@ impl SourceArguments {
             robot,
             tip_version: TIP_VERSION,
             encoding,
-            shown: Shown::of(LangName::of(lang)),
+            output_options: OutputOptions::of(LangName::of(lang)),
             given: None,
         }
     }
 
-    /// The robot.
+    /// Returns the chosen robot, or the default one.
     pub(super) fn robot(&self) -> &RobotChoice {
         self.robot.as_ref().unwrap_or(&TITAN)
     }
 
-    /// The options of the compiler.
+    /// Returns the options of the compiler for a robot.
     pub(super) fn options(&self, robot: Robot) -> Options {
         Options {
             robot,
@@ -74,17 +72,17 @@ impl SourceArguments {
     }
 }
 
-/// A version of the language.
-pub(super) fn version_number(text: &str) -> Result<f64, Wrong> {
+/// Parses a version of the language.
+pub(super) fn version_number(text: &str) -> Result<f64, BadValue> {
     match text.parse() {
         Ok(number) if f64::is_finite(number) && number > 0.0 => Ok(number),
-        _ => Err(Wrong(Using::NotAVersion {
+        _ => Err(BadValue(Using::NotAVersion {
             text: text.to_owned(),
         })),
     }
 }
 
-/// What happens around a simulated robot, and how long it runs.
+/// The inputs and the length of a simulated run.
 #[derive(Debug, Default, Args)]
 pub(super) struct InputArguments {
     /// Stop after this many control cycles
@@ -99,7 +97,7 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "CYCLE", value_parser = count, allow_negative_numbers = true)]
     halt: Option<u64>,
 
-    /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
+    /// Set an input to this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
     #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
     sensors: Vec<SensorAt>,
 
@@ -107,18 +105,18 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "CYCLE:EVENT,...")]
     events: Option<Events>,
 
-    /// What surrounds the robot: cylinder, an object under a hand, or a scene of your own
+    /// The scene around the robot: cylinder, an object under a hand, or a scene of your own
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) scene: Option<SceneChoice>,
 
-    /// How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass; for 'tip run' also exec:COMMAND,
-    /// a process of yours that simulates any robot
+    /// The simulation of a walking robot: quasi-static, as if at rest at every moment, or dynamic, with mass; 'tip run' also takes
+    /// exec:COMMAND, a process of yours that simulates any robot
     #[arg(long, value_name = "PLANT")]
     pub(super) plant: Option<PlantChoice>,
 }
 
 impl InputArguments {
-    /// The arguments of a client that has no command line.
+    /// Returns the arguments of a client without a command line.
     pub(super) fn of_client(
         events: Option<Events>,
         scene: Option<SceneChoice>,
@@ -132,7 +130,7 @@ impl InputArguments {
         }
     }
 
-    /// What happens to the run.
+    /// Returns the events and the number of cycles.
     pub(super) fn inputs(&self) -> Inputs {
         let keys = self.keys.clone().unwrap_or_default().0;
         let sensors = self.sensors.iter().map(|sensor| sensor.0.clone());

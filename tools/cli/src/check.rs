@@ -1,17 +1,24 @@
-//! `tip check`: reports everything that is wrong with programs.
+//! `tip check`: reports the diagnostics of programs, once or after each change, and applies fixes.
 
-use super::arguments::SourceArguments;
-use super::choices::Format;
-use super::deny::Deny;
-use super::error::Error;
-use super::loader::{self, NotLoaded};
-use super::watch::Watch;
-use super::{Status, fix, input, interrupt, project, report};
+use crate::arguments::SourceArguments;
+use crate::choices::Format;
+use crate::choices::OutputOptions;
+use crate::error::Error;
+use crate::loader::{self, NotLoaded};
 use crate::message::{Checking, Using};
+use crate::report::Deny;
+use crate::report::Total;
+use crate::watch::Watch;
+use crate::{Status, input, interrupt, output, project, report};
 use clap::Args;
 use std::io::{self, IsTerminal};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use tip_lint::message::Fixing;
+use tip_lint::repair::{Repaired, confirm, preview, render_json, render_short, repair};
+use tip_runtime::printable::Printable;
+use tip_sim::Robot;
 use tipc::diagnostic::Applicability;
+use tipc::{Loaded, Options};
 
 /// `tip check`
 #[derive(Debug, Args)]
@@ -41,7 +48,7 @@ pub(super) struct Check {
     #[arg(value_name = "FILE", required = true)]
     pub(super) files: Vec<PathBuf>,
 
-    /// Apply the fixes that are certain, and write the files; from standard input to standard output
+    /// Apply certain fixes and write the files; for standard input, write to standard output
     #[arg(long)]
     fix: bool,
 
@@ -53,7 +60,7 @@ pub(super) struct Check {
     #[arg(long, conflicts_with = "fix")]
     pub(super) watch: bool,
 
-    /// Say nothing of programs in which nothing is found
+    /// Print nothing about programs without errors and warnings
     #[arg(long, short)]
     quiet: bool,
 
@@ -65,8 +72,8 @@ pub(super) struct Check {
 }
 
 impl Check {
-    /// How sure a fix must be to be applied, if any is.
-    fn least(&self) -> Option<Applicability> {
+    /// Returns the least certainty of the fixes that are applied; `None` without `--fix`.
+    fn least_certainty(&self) -> Option<Applicability> {
         self.fix.then_some(match self.unsafe_fixes {
             true => Applicability::Likely,
             false => Applicability::Certain,
@@ -77,32 +84,32 @@ impl Check {
 /// Checks each file, once or whenever one changes.
 pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
     match arguments.watch {
-        true => again_and_again(arguments),
-        false => once(arguments),
+        true => watch(arguments),
+        false => check_once(arguments),
     }
 }
 
 /// Checks until Ctrl-C.
-fn again_and_again(arguments: &Check) -> Result<Status, Error> {
-    let lang = arguments.source.shown.lang();
+fn watch(arguments: &Check) -> Result<Status, Error> {
+    let lang = arguments.source.output_options.lang();
     if arguments.files.iter().any(|file| input::is_stream(file)) {
         return Err(Error::Usage(Using::WatchInput.in_lang(lang).to_string()));
     }
     interrupt::catch();
     let programs = arguments.files.iter().map(PathBuf::as_path);
-    let mut watch = Watch::begin(programs.chain(arguments.source.robot().file()))?;
-    let is_human = arguments.source.shown.message_format == Format::Human;
+    let mut watcher = Watch::begin(programs.chain(arguments.source.robot().file()))?;
+    let is_human = arguments.source.output_options.message_format == Format::Human;
     let says = |message: Checking| {
         if is_human {
             report::complain(&format!("{RULE} {} {RULE}\n", message.in_lang(lang)));
         }
     };
     for count in 2.. {
-        watch.extend(arguments.files.iter().flat_map(|file| project::files(file)));
-        once(arguments)?;
+        watcher.extend(arguments.files.iter().flat_map(|file| project::files(file)));
+        check_once(arguments)?;
         let files = arguments.files.len().into();
         says(Checking::Watching { files });
-        if !watch.changed() {
+        if !watcher.changed() {
             break;
         }
         if is_human && io::stderr().is_terminal() {
@@ -113,49 +120,158 @@ fn again_and_again(arguments: &Check) -> Result<Status, Error> {
     Ok(Status::Interrupted)
 }
 
-/// What parts the findings of one check from those of the next.
+/// The rule between two checks.
 const RULE: &str = "────────";
 
 /// Checks each file; one that does not load makes the whole command fail.
-fn once(arguments: &Check) -> Result<Status, Error> {
-    let shown = arguments.source.shown;
-    let mut total = report::Total::new(shown, arguments.quiet);
+fn check_once(arguments: &Check) -> Result<Status, Error> {
+    let output_options = arguments.source.output_options;
+    let mut total = report::Total::new(output_options, arguments.quiet);
     let mut status = Status::Success;
-    let mut fixable = fix::Fixable::default();
+    let mut fixable = Fixable::default();
     for file in &arguments.files {
         let mut source = arguments.source.clone();
         let given = source.complete(file).map_err(NotLoaded::Found);
-        let found = given.and_then(|_| match arguments.least() {
+        let found = given.and_then(|_| match arguments.least_certainty() {
             Some(least) => {
                 let robot = source.robot().load()?.simulated()?;
-                let loaded = fix::fix(file, &source, &robot, least, &total)?;
+                let loaded = fix(file, &source, &robot, least, &total, output_options)?;
                 Ok((loaded, source.options(robot.options().robot)))
             }
             None => {
                 let subject = loader::check(file, &source)?;
                 let options = source.options(subject.chosen.robot());
-                let loaded = fix::offered(subject.loaded, &options, shown);
-                total.check(&loaded, shown)?;
+                let loaded = confirmed(subject.loaded, &options, output_options);
+                total.check(&loaded, output_options)?;
                 Ok((loaded, options))
             }
         });
         let (loaded, options) = match found {
             Ok(found) => found,
             Err(NotLoaded::Found(loaded)) => {
-                total.check(&loaded, shown)?;
+                total.check(&loaded, output_options)?;
                 total.add(&loaded);
-                total.report(shown)?;
+                total.report(output_options)?;
                 return Ok(Status::Failure);
             }
             Err(NotLoaded::Failed(error)) => return Err(error),
         };
         total.add(&loaded);
-        fixable.add(&loaded, &options, shown);
-        if arguments.deny.refuses(&loaded) || loaded.program.is_none() {
+        fixable.add(&loaded, &options, output_options);
+        if arguments.deny.rejects(&loaded) || loaded.program.is_none() {
             status = Status::Failure;
         }
     }
-    total.report(shown)?;
-    fixable.report(shown);
+    total.report(output_options)?;
+    fixable.report(output_options);
     Ok(status)
+}
+
+/// Applies fixes to a program and writes it if there were any; reports and returns the remaining diagnostics.
+pub(super) fn fix(
+    path: &Path,
+    source: &SourceArguments,
+    robot: &Robot,
+    least: Applicability,
+    total: &Total,
+    output_options: OutputOptions,
+) -> Result<Loaded, Error> {
+    let options = source.options(robot.options().robot);
+    let loaded = input::load(path, &options);
+    let read = loaded.source.bytes();
+    let repaired = repair(loaded, &options, least);
+    let text = fix_report(&repaired, output_options);
+    let Repaired {
+        applied,
+        mut loaded,
+    } = repaired;
+    loader::warn(&mut loaded, path, source, robot);
+    // Standard output holds the program.
+    if input::is_stream(path) && input::was_read(&loaded) {
+        output::print(loaded.source.bytes())?;
+        report::complain(&text);
+        report::diagnostics(&loaded, output_options);
+        return Ok(loaded);
+    }
+    if !applied.is_empty() {
+        output::update(path, &read, &loaded.source.bytes(), output_options.lang())?;
+    }
+    match output_options.message_format {
+        Format::Human => report::complain(&text),
+        Format::Short | Format::Json => output::print(&text)?,
+        // Standard output holds one document of the remaining diagnostics.
+        Format::Sarif => (),
+    }
+    let loaded = confirmed(loaded, &options, output_options);
+    total.check(&loaded, output_options)?;
+    Ok(loaded)
+}
+
+/// Keeps only the fixes that were tried, for output that tools read.
+pub(super) fn confirmed(
+    loaded: Loaded,
+    options: &Options,
+    output_options: OutputOptions,
+) -> Loaded {
+    match output_options.message_format {
+        Format::Json | Format::Sarif => confirm(loaded, options),
+        Format::Human | Format::Short => loaded,
+    }
+}
+
+/// Returns what was fixed: a count for people, a line per fix for tools.
+fn fix_report(repaired: &Repaired, output_options: OutputOptions) -> String {
+    let lang = output_options.lang();
+    match output_options.message_format {
+        Format::Human if repaired.applied.is_empty() => String::new(),
+        Format::Human => {
+            let findings = repaired.applied.len().into();
+            let fixed = Fixing::Fixed { findings };
+            let name = Printable::line(repaired.loaded.source.name());
+            format!("{name}: {}\n", fixed.in_lang(lang))
+        }
+        Format::Short => render_short(repaired, lang),
+        Format::Json => render_json(repaired, lang),
+        Format::Sarif => String::new(),
+    }
+}
+
+/// Number of diagnostics that can be fixed.
+#[derive(Debug, Default)]
+pub(super) struct Fixable {
+    certain: usize,
+    all: usize,
+}
+
+impl Fixable {
+    /// Counts the fixable diagnostics of a file.
+    pub(super) fn add(
+        &mut self,
+        loaded: &Loaded,
+        options: &Options,
+        output_options: OutputOptions,
+    ) {
+        let is_known = loaded.diagnostics.iter().any(|one| !one.fixes.is_empty());
+        if !is_known || output_options.message_format != Format::Human {
+            return;
+        }
+        let certain = preview(loaded.clone(), options, Applicability::Certain);
+        let likely = preview(certain.loaded, options, Applicability::Likely);
+        self.certain += certain.applied.len();
+        self.all += certain.applied.len() + likely.applied.len();
+    }
+
+    /// Reports the counts to people.
+    pub(super) fn report(self, output_options: OutputOptions) {
+        let findings = self.certain.into();
+        let can = match (self.certain, self.all) {
+            (_, 0) => return,
+            (0, all) => Fixing::CanFixLikely {
+                findings: all.into(),
+            },
+            (certain, all) if all > certain => Fixing::CanFixMore { findings, all },
+            _ => Fixing::CanFix { findings },
+        };
+        report::complain(&format!("{}\n", can.in_lang(output_options.lang())));
+    }
 }

@@ -1,12 +1,17 @@
-//! The words that options choose from.
+//! Values of options that have names, and the options of the output: format, language and colours.
 
-use clap::ValueEnum;
+use clap::{Args, ValueEnum};
+use std::env;
+use std::io::{self, IsTerminal};
 use tip_runtime::plant::Simulation;
+use tip_runtime::printable::Printable;
 use tipc::Robot;
 use tipc::message::Lang;
-use tipc::source::Encoding;
+use tipc::program::{Program, StepId};
+use tipc::render::Style;
+use tipc::source::{Encoding, Source};
 
-/// The robots by name.
+/// The names of robots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum RobotName {
     /// TITAN VIII, the quadruped
@@ -27,7 +32,7 @@ impl RobotName {
     }
 }
 
-/// The plants of walking robots by name.
+/// The names of plants for walking robots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum PlantName {
     QuasiStatic,
@@ -35,7 +40,7 @@ pub(super) enum PlantName {
 }
 
 impl PlantName {
-    /// As the option and scenes write it.
+    /// Returns the name in options and scenes.
     pub(super) fn name(self) -> String {
         let value = self.to_possible_value();
         value.map_or_else(String::new, |value| value.get_name().to_owned())
@@ -49,7 +54,7 @@ impl PlantName {
     }
 }
 
-/// The encodings by name.
+/// The names of encodings.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub(super) enum EncodingName {
     #[default]
@@ -61,7 +66,7 @@ pub(super) enum EncodingName {
 }
 
 impl EncodingName {
-    /// The name of an encoding.
+    /// Returns the name of an encoding.
     pub(super) fn of(encoding: Encoding) -> Self {
         match encoding {
             Encoding::Auto => EncodingName::Auto,
@@ -70,7 +75,7 @@ impl EncodingName {
         }
     }
 
-    /// As options and `tip.toml` write it.
+    /// Returns the name in options and `tip.toml`.
     pub(super) fn name(self) -> String {
         let value = self.to_possible_value();
         value.map_or_else(String::new, |value| value.get_name().to_owned())
@@ -85,7 +90,7 @@ impl EncodingName {
     }
 }
 
-/// The languages of messages by name.
+/// The names of languages of messages.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(super) enum LangName {
     /// English
@@ -110,7 +115,7 @@ impl LangName {
     }
 }
 
-/// When findings have colours.
+/// The values of `--color`.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(super) enum ColourName {
     /// On a terminal
@@ -121,15 +126,101 @@ pub(super) enum ColourName {
     Never,
 }
 
-/// How findings are shown.
+/// The values of `--message-format`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
     /// With the source line, help and colour
     Human,
     /// One line each
     Short,
-    /// One JSON object a line
+    /// One JSON object per line
     Json,
-    /// One document of SARIF 2.1.0 for all files, by check alone
+    /// One document of SARIF 2.1.0 for all files (check only)
     Sarif,
+}
+
+/// The options of the output.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct OutputOptions {
+    /// The format of diagnostics: snippets for people, or lines for tools
+    #[arg(long, value_enum, default_value = "human")]
+    pub(super) message_format: Format,
+
+    /// The language of messages; by default that of the locale
+    #[arg(long, value_enum, value_name = "en|ja")]
+    lang: Option<LangName>,
+
+    /// Colours of diagnostics for people; auto: on a terminal, unless NO_COLOR is set
+    #[arg(long, value_enum, value_name = "WHEN", default_value = "auto")]
+    color: ColourName,
+}
+
+impl OutputOptions {
+    /// Returns the form for people, in a language and without colours.
+    pub(super) fn of(lang: LangName) -> Self {
+        OutputOptions {
+            message_format: Format::Human,
+            lang: Some(lang),
+            color: ColourName::Never,
+        }
+    }
+
+    /// Returns the chosen language, or that of the locale.
+    pub(super) fn lang(self) -> Lang {
+        lang(self.lang)
+    }
+
+    /// Returns the style of diagnostics on standard error.
+    pub(super) fn style(self) -> Style {
+        let width = terminal_size::terminal_size_of(io::stderr());
+        Style::default()
+            .lang(self.lang())
+            .colour(self.color.wanted())
+            .width(width.map(|(width, _)| width.0.into()))
+    }
+}
+
+/// Returns the chosen language, or that of the locale.
+pub(super) fn lang(asked: Option<LangName>) -> Lang {
+    asked.map_or_else(of_locale, LangName::lang)
+}
+
+/// Returns Japanese if the first of the variables of POSIX that is set begins with `ja`.
+fn of_locale() -> Lang {
+    let says = |name: &&str| env::var_os(name).filter(|value| !value.is_empty());
+    let locale = ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(says);
+    locale.map_or(Lang::English, |locale| Lang::of(&locale.to_string_lossy()))
+}
+
+impl ColourName {
+    /// Returns true if standard error gets colours.
+    fn wanted(self) -> bool {
+        match self {
+            ColourName::Always => true,
+            ColourName::Never => false,
+            ColourName::Auto => wants_colour(),
+        }
+    }
+}
+
+/// Returns true for a terminal, unless the environment refuses colours (<https://no-color.org>) or forces them
+/// (<https://bixense.com/clicolors/>).
+fn wants_colour() -> bool {
+    let is_set = |name: &str| env::var_os(name).is_some_and(|value| !value.is_empty());
+    let insists =
+        env::var_os("CLICOLOR_FORCE").is_some_and(|value| !value.is_empty() && value != "0");
+    let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
+    !is_set("NO_COLOR") && (insists || io::stderr().is_terminal() && !dumb)
+}
+
+/// Returns the line of a step with its file and position; nothing if there is no such step.
+pub(super) fn step_location(source: &Source, program: &Program, step: StepId) -> String {
+    let Some(step) = program.steps().get(step as usize) else {
+        return String::new();
+    };
+    let (line, column) = (step.line, step.column);
+    let gutter = " ".repeat(line.to_string().len());
+    let statement = Printable::line(source.line_text(line));
+    let name = Printable::line(source.name());
+    format!("{gutter}--> {name}:{line}:{column}\n{gutter} |\n{line} | {statement}\n{gutter} |\n")
 }

@@ -1,28 +1,29 @@
-//! `tip dap`: a debugger behind the Debug Adapter Protocol, on standard input and output.
-
-mod breakpoints;
-mod changes;
-mod launch;
-mod message;
-mod moves;
-mod session;
-mod shown;
+//! `tip dap`: the debug adapter of `tip-ide` on standard input and output, and the loading of programs for it.
 
 use super::Status;
+use super::arguments::{InputArguments, SourceArguments};
+use super::choices::EncodingName;
 use super::error::{self, Error};
-use super::framing::{self, Frame};
-use clap::Args;
-use launch::Files;
-use session::Session;
+use super::input;
+use super::loader::{self, NotLoaded, Subject};
+use super::setup::{BuiltInOnly, RobotChoice, SceneChoice};
+use super::usage::BadValue;
+use clap::{Args, ValueEnum};
 use std::io::{self, BufReader};
-use std::sync::mpsc::{Receiver, TryRecvError, sync_channel};
-use std::thread;
+use std::path::{Path, PathBuf};
+use tip_ide::dap::{self, Debuggee, Launch, Launcher};
+use tip_ide::transport::Connection;
+use tip_lint::message::More;
+use tip_sim::debug::Debugger;
+use tip_sim::event::EventError;
+use tipc::message::Lang;
+use tipc::{Loaded, Options, render};
 
 /// `tip dap`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Editors start it; it speaks the Debug Adapter Protocol on standard input and output.
-A launch names what 'tip run' has as options:
+    after_help = "Editors start it; it uses the Debug Adapter Protocol on standard input and output.
+A launch has the same settings as the options of 'tip run':
 
   { \"request\": \"launch\", \"program\": \"walk.prg\", \"robot\": \"titan8\", \"scene\": \"cylinder\",
     \"events\": \"10:key F, 300:VR1=8\", \"stopOnEntry\": true, \"stopOnFall\": true }
@@ -32,19 +33,10 @@ VR1=8, halt, to 300 (a cycle). See docs/debugging.md."
 )]
 pub(super) struct Dap {}
 
-/// Serves a client until it says goodbye.
+/// Serves a client until it disconnects.
 pub(super) fn dap(_: &Dap) -> Result<Status, Error> {
-    let (sender, frames) = sync_channel(64);
-    // It ends with the process, or when the client closes its end.
-    thread::spawn(move || {
-        let mut input = BufReader::new(io::stdin());
-        while let Ok(Some(frame)) = framing::read(&mut input) {
-            if sender.send(frame).is_err() {
-                return;
-            }
-        }
-    });
-    match serve(&frames) {
+    let connection = Connection::new(BufReader::new(io::stdin()), io::stdout());
+    match dap::serve(connection, Files) {
         Ok(()) => Ok(Status::Success),
         Err(error) if error::is_closed(&error) => Ok(Status::Success),
         Err(error) => Err(Error::Failed(format!(
@@ -53,24 +45,88 @@ pub(super) fn dap(_: &Dap) -> Result<Status, Error> {
     }
 }
 
-fn serve(frames: &Receiver<Frame>) -> io::Result<()> {
-    let mut session = Session::new(Files);
-    let mut output = io::stdout().lock();
-    while !session.is_over() {
-        let next = match session.is_going() {
-            // What is under way goes on where nobody asks for anything.
-            true => frames.try_recv(),
-            false => frames.recv().map_err(|_| TryRecvError::Disconnected),
+/// Loads programs from files.
+struct Files;
+
+impl Launcher for Files {
+    fn launch(&mut self, launch: &Launch, lang: Lang) -> Result<Debuggee, String> {
+        let path = Path::new(&launch.program);
+        if input::is_stream(path) {
+            // It is the connection to the client.
+            return Err(diagnostics(
+                &input::load_file(path, &Options::default()),
+                lang,
+            ));
+        }
+        let (mut source, mut inputs) = arguments(launch, path, lang)?;
+        let given = source.complete_run(path, &mut inputs);
+        given.map_err(|loaded| diagnostics(&loaded, lang))?;
+        let subject = loader::load(path, &source, &inputs, Some(BuiltInOnly::RunsAgain("dap")));
+        let Subject { loaded, robot, .. } = subject.map_err(|refused| match refused {
+            NotLoaded::Found(loaded) => diagnostics(&loaded, lang),
+            NotLoaded::Failed(error) => error.to_string(),
+        })?;
+        let found = diagnostics(&loaded, lang);
+        let Some(program) = loaded.program else {
+            return Err(found);
         };
-        match next {
-            Ok(Frame::Message(message)) => session.handle(&message),
-            Ok(Frame::Bad(_)) => session.broken(),
-            Err(TryRecvError::Empty) => session.work(),
-            Err(TryRecvError::Disconnected) => return Ok(()),
-        }
-        for message in session.sent() {
-            framing::write(&mut output, &message)?;
-        }
+        let debugger = Debugger::new(program, &robot).map_err(|mismatch| mismatch.to_string())?;
+        let debugger = debugger
+            .with_events(&inputs.inputs().events)
+            .map_err(|refused| refused.text(lang))?;
+        Ok(Debuggee {
+            debugger,
+            source: loaded.source,
+            path: launch.program.clone(),
+            warnings: found,
+        })
     }
-    Ok(())
+}
+
+/// Converts a launch to arguments of the command line. Files are also found from the folder of the program.
+fn arguments(
+    launch: &Launch,
+    program: &Path,
+    lang: Lang,
+) -> Result<(SourceArguments, InputArguments), String> {
+    let wrong = |wrong: BadValue| wrong.text(lang);
+    let robot = parsed(&launch.robot)
+        .map_err(wrong)?
+        .map(|robot| match robot {
+            RobotChoice::File(path) => RobotChoice::File(from_program(program, path)),
+            named => named,
+        });
+    let scene = parsed(&launch.scene)?.map(|scene| match scene {
+        SceneChoice::File(path) => SceneChoice::File(from_program(program, path)),
+        named => named,
+    });
+    let encoding = launch.encoding.as_ref();
+    let encoding = encoding.map(|name| EncodingName::from_str(name, true));
+    let events = parsed(&launch.events).map_err(|error: EventError| error.to_string())?;
+    let plant = parsed(&launch.plant).map_err(wrong)?;
+    let inputs = InputArguments::of_client(events, scene, plant);
+    let source = SourceArguments::of_client(robot, encoding.transpose()?, lang);
+    Ok((source, inputs))
+}
+
+fn parsed<T: std::str::FromStr>(text: &Option<String>) -> Result<Option<T>, T::Err> {
+    text.as_deref().map(str::parse).transpose()
+}
+
+/// Returns the path of a file, from the folder of the program unless it exists as it is.
+fn from_program(program: &Path, path: PathBuf) -> PathBuf {
+    match program.parent() {
+        Some(folder) if path.is_relative() && !path.exists() => folder.join(path),
+        _ => path,
+    }
+}
+
+/// Returns all diagnostics, one line each.
+fn diagnostics(loaded: &Loaded, lang: Lang) -> String {
+    let lines = loaded.diagnostics.iter();
+    let lines = lines.map(|one| render::short(&loaded.source, one, lang));
+    let omitted = loaded.omitted.count();
+    let more = (omitted > 0).then(|| More::from(omitted).in_lang(lang).to_string());
+    let lines: Vec<String> = lines.chain(more).collect();
+    lines.join("\n")
 }

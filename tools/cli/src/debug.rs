@@ -1,12 +1,8 @@
 //! `tip debug`: a debugger on the terminal.
 
 mod app;
-mod ask;
-mod draw;
 mod figure;
-mod keys;
-mod panes;
-mod variables;
+mod screen;
 
 #[cfg(test)]
 mod tests;
@@ -14,7 +10,7 @@ mod tests;
 use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
 use super::loader::{self, Subject};
-use super::plant::Ours;
+use super::setup::BuiltInOnly;
 use super::{Status, interrupt};
 use app::App;
 use clap::Args;
@@ -28,15 +24,15 @@ use tip_sim::debug::Debugger;
 /// `tip debug`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tip debug walk.prg                            stands before the first step
+  tip debug walk.prg                            stops before the first step
   tip debug walk.prg --events '120:key F'       a key is pressed before cycle 120
   tip debug --robot hand grasp.prg --scene scene.toml
 
 Keys: r runs, n goes over the next step, s into routines, o out of one, c one control cycle,
 l to the line of the cursor, g to a cycle; the same in capitals goes back. b places and removes a
 breakpoint, B one with a condition and a count of passes, f stops before each command, label or
-routine of a name. w watches a variable, W goes back to who set one last. i makes something happen,
-such as 'key F', 'VR1=8' or 'N = 5'; e shows what an expression comes to. Esc interrupts, q ends.")]
+routine of a name. w watches a variable, W goes back to the last assignment of one. i applies an event,
+such as 'key F', 'VR1=8' or 'N = 5'; e shows the value of an expression. Esc interrupts, q ends.")]
 pub(super) struct Debug {
     /// The program
     pub(super) file: PathBuf,
@@ -48,16 +44,16 @@ pub(super) struct Debug {
     pub(super) inputs: InputArguments,
 }
 
-/// How long to wait for a key before looking whether the process is to end.
+/// Time to wait for a key before checking for signals.
 const PATIENCE: Duration = Duration::from_millis(200);
 
-/// How often the screen is drawn while the program runs.
+/// Time between two drawings of the screen while the program runs.
 const FRAME: Duration = Duration::from_millis(40);
 
-/// Cycles between two looks at the keyboard.
+/// Number of control cycles between two looks at the keyboard.
 const PORTION: u64 = 200;
 
-/// Debugs a program until its user has enough.
+/// Debugs a program until the user quits.
 pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
     let Some(app) = load(arguments)? else {
         return Ok(Status::Failure);
@@ -81,11 +77,16 @@ pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
     }
 }
 
-/// The program on its robot; none, with its findings reported, if something does not load.
+/// Loads the program; `None` if there are errors, which were reported.
 fn load(arguments: &Debug) -> Result<Option<App>, Error> {
-    let shown = arguments.source.shown;
+    let output_options = arguments.source.output_options;
     let (source, inputs) = (&arguments.source, &arguments.inputs);
-    let subject = loader::load(&arguments.file, source, inputs, Some(Ours::Again("debug")));
+    let subject = loader::load(
+        &arguments.file,
+        source,
+        inputs,
+        Some(BuiltInOnly::RunsAgain("debug")),
+    );
     let Some(Subject { loaded, robot, .. }) = loader::reported(subject, source, false)? else {
         return Ok(None);
     };
@@ -102,17 +103,17 @@ fn load(arguments: &Debug) -> Result<Option<App>, Error> {
         debugger,
         loaded.source,
         &robot,
-        shown.lang(),
+        output_options.lang(),
     )))
 }
 
-/// Shows the program, and does what keys say.
+/// Draws the screen and handles keys until the user quits.
 fn show(mut app: App, terminal: &mut DefaultTerminal) -> io::Result<()> {
     let mut drawn = None;
     while !app.is_over() && !interrupt::is_requested() {
         let is_due = drawn.is_none_or(|at: Instant| at.elapsed() >= FRAME);
         if is_due || !app.is_going() {
-            terminal.draw(|frame| draw::draw(&app, frame))?;
+            terminal.draw(|frame| screen::draw(&app, frame))?;
             drawn = Some(Instant::now());
         }
         let patience = match app.is_going() {
@@ -123,7 +124,7 @@ fn show(mut app: App, terminal: &mut DefaultTerminal) -> io::Result<()> {
             if let Event::Key(key) = event::read()?
                 && key.kind != KeyEventKind::Release
             {
-                keys::press(&mut app, key);
+                app::press(&mut app, key);
             }
         } else {
             app.work(PORTION);

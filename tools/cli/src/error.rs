@@ -1,4 +1,4 @@
-//! Why a command can fail, besides a program that does not load.
+//! Errors of a command, besides programs that do not load.
 
 use super::Status;
 use std::fmt;
@@ -10,33 +10,33 @@ use tipc::diagnostic::Diagnostic;
 use tipc::message::Reading;
 use tipc::source::Span;
 
-/// Why a command stopped.
+/// The error of a command.
 #[derive(Debug)]
 pub(super) enum Error {
     /// The command line asks for something that does not exist.
     Usage(String),
-    /// Something outside of this tool does not do what it is asked.
+    /// Something outside of this tool failed.
     Failed(String),
-    /// Ctrl-C ended it; how far it came.
+    /// Ctrl-C ended it; the progress so far.
     Interrupted(String),
-    /// The same, after what cargo says of it.
+    /// Cargo failed.
     Cargo {
-        /// What is wrong.
+        /// The reason.
         reason: String,
-        /// What cargo says.
-        said: String,
+        /// The output of cargo.
+        output: String,
     },
     /// A file cannot be written.
     CannotWrite {
-        /// Which one.
+        /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }
 
 impl Error {
-    /// A file that cannot be written.
+    /// Returns the error of a file that cannot be written.
     pub(super) fn cannot_write(path: &Path, reason: impl fmt::Display) -> Self {
         Error::CannotWrite {
             path: path.to_owned(),
@@ -44,7 +44,7 @@ impl Error {
         }
     }
 
-    /// The exit status that belongs to it.
+    /// Returns the exit status.
     pub(super) fn status(&self) -> Status {
         match self {
             Error::Usage(_) => Status::Usage,
@@ -57,7 +57,10 @@ impl Error {
 impl From<NotBuilt> for Error {
     fn from(error: NotBuilt) -> Self {
         match error {
-            NotBuilt::NoProject { reason, said } => Error::Cargo { reason, said },
+            NotBuilt::NoProject {
+                reason,
+                said: output,
+            } => Error::Cargo { reason, output },
             NotBuilt::CannotWrite { path, reason } => Error::CannotWrite { path, reason },
             other => Error::Failed(other.to_string()),
         }
@@ -82,7 +85,7 @@ impl fmt::Display for Error {
     }
 }
 
-/// Whether the reader of a pipe went away, which is not our fault.
+/// Returns true if the reader of a pipe has closed it, which is not an error of the command.
 pub(super) fn is_closed(error: &io::Error) -> bool {
     error.kind() == io::ErrorKind::BrokenPipe
 }

@@ -31,7 +31,7 @@ fn loaded(name: String, read: Result<Vec<u8>, Reading>, options: &Options) -> Lo
     }
 }
 
-/// The bytes of the program at `path`, and how findings call it.
+/// Reads the program at `path`; returns its name in diagnostics, too.
 pub(super) fn bytes(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
     let name = name(path);
     match read(path, LIMIT) {
@@ -79,23 +79,23 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
     }
 }
 
-/// What stands for standard input in the place of a file.
+/// The name of standard input.
 const STANDARD_INPUT: &str = "-";
 
-/// Whether this is no file but standard input.
+/// Returns true if the path names standard input.
 fn is_standard(path: &Path) -> bool {
     path.to_str() == Some(STANDARD_INPUT)
 }
 
-/// Returns true if the path names standard input or another open descriptor of this process, as the shell's `<(COMMAND)` does.
-/// A link that leads to one does not count: it may stand in a checkout.
+/// Returns true if the path names standard input or another open descriptor of this process, as the shell's `<(COMMAND)` does. A
+/// link to one does not count: it may be part of a checkout.
 pub(super) fn is_stream(path: &Path) -> bool {
     let folders = ["/dev/fd", "/proc/self/fd"].map(Path::new);
     let is_descriptor = || folders.contains(&path.parent().unwrap_or(path));
     is_standard(path) || path == Path::new("/dev/stdin") || is_descriptor()
 }
 
-/// How findings call a file.
+/// Returns the name of a file in diagnostics.
 fn name(path: &Path) -> String {
     match is_standard(path) {
         true => "standard input".to_owned(),
@@ -118,11 +118,11 @@ pub(super) fn read(path: &Path, limit: usize) -> Result<Vec<u8>, Reading> {
 
 fn unreadable(name: String, reason: Reading) -> Loaded {
     let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
-    let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
-    Loaded::refused(source, vec![finding.about(name)])
+    let diagnostic = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
+    Loaded::refused(source, vec![diagnostic.about(name)])
 }
 
-/// Whether there was a file to load, good or bad.
+/// Returns true if the file could be read.
 pub(super) fn was_read(loaded: &Loaded) -> bool {
     let mut codes = loaded.diagnostics.iter().map(|diagnostic| diagnostic.code);
     codes.all(|code| code != Code::FileNotFound)

@@ -9,34 +9,34 @@ use tip_runtime::console::TerminalState;
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// The signal that asked first, which the exit status names. A key asks as Ctrl-C does.
+/// The first signal, which the exit status names. A key counts as Ctrl-C.
 static SIGNAL: AtomicU8 = AtomicU8::new(SIGINT);
 
 /// The number of SIGINT on every system.
 const SIGINT: u8 = 2;
 
-/// What a process that ends at once leaves in order; none where it would only disturb the completion of files.
+/// The cleanup of a process that ends immediately; `None` while files are being completed.
 static LAST: Mutex<Option<Last>> = Mutex::new(None);
 
-/// A run that does not end by itself so long after a signal is stuck: in a full pipe, or before one that nobody reads.
+/// Time after a signal until a command counts as stuck, in a full pipe or before one that nobody reads.
 const PATIENCE: Duration = Duration::from_secs(3);
 
 struct Last {
     terminal: TerminalState,
-    /// Of a trace, which is given up.
+    /// The unfinished file of a trace, which is removed.
     part: Option<PathBuf>,
 }
 
-/// From now on a first Ctrl-C is a request; a second one, or time, ends a command that is stuck.
+/// Makes the first Ctrl-C a request; a second one, or time, ends a command that is stuck.
 pub(super) fn catch() {
     static ONCE: Once = Once::new();
     release();
     ONCE.call_once(listen);
 }
 
-/// Takes signals in a thread of its own. A signal that was ignored before the process began, as `nohup` and background jobs
-/// have it, stays ignored. Blocked signals wait for the thread, so that none is lost while it begins, as one between the
-/// installation of a handler and of what the handler does would be. The standard library unblocks them in child processes.
+/// Handles signals in a thread. A signal that was ignored before the process began, as with `nohup` and background jobs, stays
+/// ignored. Blocked signals wait for the thread, so that none is lost while it starts, as it could be between installing a handler
+/// and its data. The standard library unblocks them in child processes.
 #[cfg(unix)]
 fn listen() {
     use nix::sys::signal::{SigSet, Signal};
@@ -58,7 +58,7 @@ fn listen() {
     let _ = ctrlc::set_handler(|| signalled(SIGINT));
 }
 
-/// Returns true if the process ignores a signal: by the system's own word, or else because a shell that it starts does.
+/// Returns true if the process ignores a signal, according to the system or to a shell that it starts.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -74,7 +74,7 @@ fn is_ignored(signal: i32) -> bool {
     }
 }
 
-/// A signal came.
+/// Handles a signal.
 fn signalled(signal: u8) {
     if REQUESTED.load(Ordering::Relaxed) {
         return end();
@@ -89,7 +89,7 @@ fn signalled(signal: u8) {
     });
 }
 
-/// The exit status of an interrupted command: 130 after Ctrl-C, 143 after SIGTERM, 129 after SIGHUP.
+/// Returns the exit status of an interrupted command: 130 after Ctrl-C, 143 after SIGTERM, 129 after SIGHUP.
 pub(super) fn status() -> u8 {
     128 + SIGNAL.load(Ordering::Relaxed)
 }
@@ -107,19 +107,19 @@ fn end() {
     }
 }
 
-/// A process that ends at once does not leave this part of a file.
+/// Sets the unfinished file that a process removes when it ends immediately.
 pub(super) fn discards(part: Option<&Path>) {
     if let Some(last) = last().as_mut() {
         last.part = part.map(Path::to_owned);
     }
 }
 
-/// The run is over: what it leaves is completed, whoever presses Ctrl-C.
+/// Lets the command complete its files after the run, whatever signals come.
 pub(super) fn hold() {
     *last() = None;
 }
 
-/// No file is left to complete: what is still written may never find a reader.
+/// Lets a signal end the process: no file is left to complete, and output may wait for a reader.
 pub(super) fn release() {
     *last() = Some(Last {
         terminal: TerminalState::now(),
@@ -132,7 +132,7 @@ pub(super) fn request() {
     REQUESTED.store(true, Ordering::Relaxed);
 }
 
-/// Whether the command is to end.
+/// Returns true if the command should end.
 pub(super) fn is_requested() -> bool {
     REQUESTED.load(Ordering::Relaxed)
 }

@@ -2,9 +2,8 @@
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
-use super::plant::{self, Ours, PlantChoice};
-use super::robot::ChosenRobot;
-use super::{embedded, input, report, scene};
+use super::setup::{BuiltInOnly, ChosenRobot, PlantChoice, built_in_plant, in_scene, load_scene};
+use super::{embedded, input, report};
 use std::fmt;
 use std::path::Path;
 use tip_runtime::plant::Scene;
@@ -16,13 +15,13 @@ use tipc::program::Program;
 use tipc::source::Source;
 use tipc::syntax::Module;
 
-/// A program as it was read, with all that is found in it.
+/// A loaded program with its diagnostics.
 pub(super) struct Subject {
-    /// It has no program if there are errors.
+    /// The module; it has no program if there are errors.
     pub(super) loaded: Loaded,
     /// The robot that it was checked for.
     pub(super) chosen: ChosenRobot,
-    /// That robot in its scene.
+    /// The robot in its scene.
     pub(super) robot: Robot,
     pub(super) scene: Scene,
 }
@@ -34,7 +33,7 @@ pub(super) struct Checked {
     pub(super) program: Program,
     pub(super) source: Source,
     pub(super) module: Module,
-    /// The warnings about it, already reported.
+    /// The warnings about it, which were reported.
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
@@ -69,28 +68,28 @@ pub(super) fn check(path: &Path, source: &SourceArguments) -> Result<Subject, No
     })
 }
 
-/// Loads the program at `path` for a command that runs it; `why` says why the command takes our plants alone, if it does.
+/// Loads the program at `path` for a command that runs it; `why` is the reason of a command that takes only the built-in plants.
 pub(super) fn load(
     path: &Path,
     source: &SourceArguments,
     inputs: &InputArguments,
-    why: Option<Ours>,
+    why: Option<BuiltInOnly>,
 ) -> Result<Subject, NotLoaded> {
-    let lang = source.shown.lang();
+    let lang = source.output_options.lang();
     let plant = inputs.plant.as_ref();
     let ours = match why {
-        Some(why) => plant::ours(plant, why, lang)?,
+        Some(why) => built_in_plant(plant, why, lang)?,
         None => plant.and_then(PlantChoice::name),
     };
     let chosen = source.robot().load()?;
-    let scene = scene::load(inputs.scene.as_ref(), ours)?;
+    let scene = load_scene(inputs.scene.as_ref(), ours)?;
     let plain = chosen.simulated()?;
-    let robot = scene::around(plain.clone(), &scene)?;
+    let robot = in_scene(plain.clone(), &scene)?;
     let events = inputs.inputs().events;
     if let Some(port) = events.ports().find(|port| !robot.has_input(*port)) {
         return Err(usage(Refused::NoInput(port).text(lang)).into());
     }
-    // What is found does not depend on the scene.
+    // The diagnostics do not depend on the scene.
     let loaded = judged(path, source, &plain);
     let is_ours = ours.is_some() || plant.is_none();
     if let Some(program) = loaded.program.as_ref().filter(|_| is_ours) {
@@ -104,7 +103,7 @@ pub(super) fn load(
     })
 }
 
-/// Reads a program, and adds the warnings that only its robot and the crate around its file tell.
+/// Reads a program, and adds the warnings that depend on its robot and on the crate around its file.
 fn judged(path: &Path, source: &SourceArguments, robot: &Robot) -> Loaded {
     let mut loaded = input::load(path, &source.options(robot.options().robot));
     warn(&mut loaded, path, source, robot);
@@ -134,7 +133,7 @@ fn usage(reason: impl fmt::Display) -> Error {
     Error::Usage(reason.to_string())
 }
 
-/// Reports what was found in the files of a command that reports it once; `None` if one of them cannot be used.
+/// Reports the diagnostics of a command that reports them once; `None` if a file cannot be used.
 pub(super) fn reported(
     subject: Result<Subject, NotLoaded>,
     source: &SourceArguments,
@@ -143,19 +142,19 @@ pub(super) fn reported(
     match subject {
         Ok(subject) => {
             if subject.loaded.program.is_none() || !quiet {
-                report::findings(&subject.loaded, source.shown);
+                report::diagnostics(&subject.loaded, source.output_options);
             }
             Ok(Some(subject))
         }
         Err(NotLoaded::Found(loaded)) => {
-            report::findings(&loaded, source.shown);
+            report::diagnostics(&loaded, source.output_options);
             Ok(None)
         }
         Err(NotLoaded::Failed(error)) => Err(error),
     }
 }
 
-/// Reports what was found; `None` if there is no program without errors.
+/// Reports the diagnostics; `None` if there is no program without errors.
 pub(super) fn checked(
     subject: Result<Subject, NotLoaded>,
     source: &SourceArguments,

@@ -1,48 +1,41 @@
-//! `tip lsp`: the language server, over standard input and output. What it answers comes from `tip-ide`.
-
-mod answers;
-mod client;
-mod files;
-mod findings;
-mod open;
-mod places;
-mod server;
-mod shapes;
-mod surroundings;
-mod tokens;
+//! `tip lsp`: the language server of `tip-ide` on standard input and output, and the files that it needs.
 
 use super::Status;
+use super::choices::EncodingName;
 use super::error::Error;
-use super::framing::{self, Frame};
-use super::robot::RobotChoice;
+use super::setup::RobotChoice;
+use super::usage::BadValue;
+use super::{embedded, explain, project, sarif};
 use clap::Args;
-use files::Files;
-use lsp_server::{ErrorCode, Message, RequestId, Response};
-use serde_json::json;
-use server::{Incoming, Server, parse};
+use std::collections::HashMap;
 use std::hint::black_box;
-use std::io::{self, Write};
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::thread;
-use std::time::Duration;
-
-/// How long nothing has to be asked before the server finds out what may be asked next: whoever types would wait for that.
-const PAUSE: Duration = Duration::from_millis(50);
+use std::io::{self, BufReader};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::{env, fs};
+use tip_ide::lsp::{self, RobotConfig, Workspace};
+use tip_ide::transport::Connection;
+use tipc::diagnostic::Diagnostic;
+use tipc::message::Lang;
+use tipc::{Loaded, Options, render};
 
 /// `tip lsp`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "An editor starts it, and talks to it through standard input and output: findings while you type, with fixes,
-hover, definition, references, renaming, completion, signature help, hints, folding, colours and formatting.
+    after_help = "Editors start it and use it through standard input and output: diagnostics with fixes while you type, hover,
+definition, references, renaming, completion, signature help, inlay hints, folding, semantic tokens and formatting.
 docs/editors.md shows how to set up VS Code, neovim, helix and emacs.
+
+If your editor does not find tip: cargo installs it in ~/.cargo/bin, which may be missing from the PATH of an editor that is
+started from the desktop. Write the full path of tip in the settings of the editor (tip.path in VS Code). The command to
+install it, in a checkout of T.I.P., is cargo install --path tools/cli.
 
 The robot is that of --robot, of the client's option 'robot', of the nearest tip.toml, or titan8, in this order.
 
-Exit status: 0 after 'shutdown' and 'exit', 1 if the editor goes away without them, 2 wrong usage."
+Exit status: 0 after 'shutdown' and 'exit', 1 if the connection ends without them, 2 wrong usage."
 )]
 pub(super) struct Lsp {
-    /// Talk through standard input and output, as it always does
+    /// Use standard input and output, which is the default
     #[arg(long)]
     stdio: bool,
 
@@ -51,107 +44,159 @@ pub(super) struct Lsp {
     robot: Option<RobotChoice>,
 }
 
-/// glibc gives memory back to the kernel, and has to ask for it again with the next text, unless a block of such a size was freed.
+/// Size of a block whose release stops glibc from returning memory to the kernel after each text, bytes.
 const KEPT: usize = 16 << 20;
 
 /// Serves one editor.
 pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
     drop(black_box(Vec::<u8>::with_capacity(KEPT)));
-    let mut server = Server::new(Files::new(arguments.robot.clone()));
-    let frames = incoming();
-    let mut next = frames.recv().ok();
-    while let Some(frame) = next {
-        let mut waiting = Some(frame);
-        // What waits may change the same text again: findings can wait as well.
-        while let Some(frame) = waiting {
-            if let Some(end) = take(&mut server, frame)? {
-                return Ok(end);
-            }
-            waiting = frames.try_recv().ok();
+    let connection = Connection::new(BufReader::new(io::stdin()), io::stdout());
+    match lsp::serve(connection, Files::new(arguments.robot.clone())) {
+        Ok(true) => Ok(Status::Success),
+        Ok(false) => Ok(Status::Failure),
+        Err(error) => Err(Error::Failed(format!("the editor is gone: {error}"))),
+    }
+}
+
+/// The files of this machine, with what was read from them.
+struct Files {
+    /// The robot of `--robot`.
+    robot: Option<RobotChoice>,
+    configs: HashMap<String, Rc<RobotConfig>>,
+    /// Warnings about the crates around programs, by program and `tip.toml`.
+    crates: HashMap<(PathBuf, String), Option<Diagnostic>>,
+    pages: HashMap<(String, Lang), Option<String>>,
+}
+
+impl Files {
+    fn new(robot: Option<RobotChoice>) -> Self {
+        Files {
+            robot,
+            configs: HashMap::new(),
+            crates: HashMap::new(),
+            pages: HashMap::new(),
         }
-        let due = catch_unwind(AssertUnwindSafe(|| server.due()));
-        send(due.unwrap_or_default())?;
-        next = match frames.recv_timeout(PAUSE) {
-            Err(RecvTimeoutError::Timeout) => {
-                let _ = catch_unwind(AssertUnwindSafe(|| server.rest()));
-                frames.recv().ok()
-            }
-            frame => frame.ok(),
+    }
+
+    /// Returns the first robot that is given: by the command line, by settings, or by the nearest `tip.toml`.
+    fn choice(
+        &self,
+        path: Option<&Path>,
+        configured: Option<&str>,
+        lang: Lang,
+    ) -> Result<RobotChoice, String> {
+        if let Some(choice) = &self.robot {
+            return Ok(choice.clone());
+        }
+        if let Some(name) = configured {
+            let choice: RobotChoice = name.parse().map_err(|wrong: BadValue| wrong.text(lang))?;
+            return Ok(choice.relative_to(path));
+        }
+        let given = path.map_or(Ok(None), project::of);
+        let given = given.map_err(|loaded| first_diagnostic(&loaded, lang))?;
+        Ok(given.and_then(|given| given.robot).unwrap_or_default())
+    }
+}
+
+impl Workspace for Files {
+    fn robot(
+        &mut self,
+        path: Option<&Path>,
+        configured: Option<&str>,
+        lang: Lang,
+    ) -> Rc<RobotConfig> {
+        let (choice, error) = match self.choice(path, configured, lang) {
+            Ok(choice) => (choice, None),
+            Err(error) => (RobotChoice::default(), Some(error)),
         };
-    }
-    Ok(Status::Failure)
-}
-
-/// The messages of the editor, read beside the work.
-fn incoming() -> Receiver<Incoming> {
-    let (sender, receiver) = channel();
-    thread::spawn(move || {
-        let mut input = io::stdin().lock();
-        while let Ok(Some(frame)) = framing::read(&mut input) {
-            let message = match frame {
-                Frame::Message(bytes) => parse(&bytes),
-                Frame::Bad(reason) => Err(reason),
-            };
-            if sender.send(message).is_err() {
-                break;
-            }
+        let key = format!("{choice:?} {error:?} {lang:?}");
+        if let Some(config) = self.configs.get(&key) {
+            return Rc::clone(config);
         }
-    });
-    receiver
-}
-
-/// Answers a message; how the process ends, if it does.
-fn take(server: &mut Server<Files>, incoming: Incoming) -> Result<Option<Status>, Error> {
-    let message = match incoming {
-        Ok(message) => *message,
-        Err(reason) => {
-            let code = ErrorCode::ParseError as i32;
-            let error = json!({ "code": code, "message": reason });
-            // Nobody knows to which request it belongs.
-            let answer = json!({ "jsonrpc": "2.0", "id": null, "error": error });
-            let mut bytes = Vec::new();
-            let written = framing::write(&mut bytes, &answer.to_string());
-            written.map_err(|error| Error::Failed(error.to_string()))?;
-            write(&bytes)?;
-            return Ok(None);
-        }
-    };
-    let id = match &message {
-        Message::Request(request) => Some(request.id.clone()),
-        _ => None,
-    };
-    // A defect here is one answer less, not the end of a session.
-    let answered = catch_unwind(AssertUnwindSafe(|| server.take(message)));
-    let answers = match (answered, id) {
-        (Ok(answers), _) => answers,
-        (Err(_), Some(id)) => vec![defect(id)],
-        (Err(_), None) => Vec::new(),
-    };
-    send(answers)?;
-    Ok(server.end().map(|is_proper| match is_proper {
-        true => Status::Success,
-        false => Status::Failure,
-    }))
-}
-
-/// The answer where this program failed itself.
-fn defect(id: RequestId) -> Message {
-    let message = "tip failed; this is a defect of tip, please report it".to_owned();
-    Response::new_err(id, ErrorCode::InternalError as i32, message).into()
-}
-
-fn send(messages: Vec<Message>) -> Result<(), Error> {
-    for message in messages {
-        let mut bytes = Vec::new();
-        let written = message.write(&mut bytes);
-        written.map_err(|error| Error::Failed(error.to_string()))?;
-        write(&bytes)?;
+        let config = Rc::new(config(&choice, error, lang));
+        self.configs.insert(key, Rc::clone(&config));
+        config
     }
-    Ok(())
+
+    fn other_robot(&mut self, path: &Path, configured: Option<&str>) -> Option<Diagnostic> {
+        if self.robot.is_some() || configured.is_some() {
+            return None;
+        }
+        let given = project::of(path).ok().flatten()?;
+        let key = (path.to_owned(), given.to_string());
+        let warning = || embedded::warning(path, given.file(), given.robot.as_ref()?);
+        self.crates.entry(key).or_insert_with(warning).clone()
+    }
+
+    fn page(&mut self, code: &str, lang: Lang) -> Option<String> {
+        let key = (code.to_owned(), lang);
+        let page = self
+            .pages
+            .entry(key)
+            .or_insert_with(|| write_page(code, lang));
+        page.clone()
+    }
+
+    fn encoding(&mut self, path: &Path) -> Option<String> {
+        let given = project::of(path).ok().flatten()?;
+        given.encoding.map(EncodingName::name)
+    }
+
+    fn invalidate(&mut self) {
+        self.configs.clear();
+        self.crates.clear();
+    }
 }
 
-fn write(bytes: &[u8]) -> Result<(), Error> {
-    let mut out = io::stdout().lock();
-    let written = out.write_all(bytes).and_then(|()| out.flush());
-    written.map_err(|error| Error::Failed(format!("the editor is gone: {error}")))
+/// Returns the chosen robot; if it cannot be loaded, the default one with the error.
+fn config(choice: &RobotChoice, error: Option<String>, lang: Lang) -> RobotConfig {
+    match choice.load() {
+        Ok(robot) => RobotConfig {
+            options: Options {
+                robot: robot.robot(),
+                ..Options::default()
+            },
+            robot: robot.simulated().ok(),
+            error,
+        },
+        Err(loaded) => RobotConfig {
+            error: Some(first_diagnostic(&loaded, lang)),
+            ..config(&RobotChoice::default(), None, lang)
+        },
+    }
+}
+
+/// Returns the first diagnostic of a file, in one line.
+fn first_diagnostic(loaded: &Loaded, lang: Lang) -> String {
+    let first = loaded.diagnostics.first();
+    first.map_or_else(String::new, |first| {
+        let line = render::short(&loaded.source, first, lang);
+        line.trim_end().to_owned()
+    })
+}
+
+/// Writes the page about a code to the cache of this user; returns its address.
+fn write_page(code: &str, lang: Lang) -> Option<String> {
+    let text = explain::page(code, lang)?;
+    let language = if lang == Lang::Japanese { "ja" } else { "en" };
+    let version = env!("CARGO_PKG_VERSION");
+    let folder = cache()?.join("tip").join(version).join(language);
+    let path = folder.join(format!("{code}.md"));
+    if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
+        fs::create_dir_all(&folder).ok()?;
+        fs::write(&path, text).ok()?;
+    }
+    Some(sarif::uri(path.to_str()?))
+}
+
+/// Returns the folder of cached files.
+fn cache() -> Option<PathBuf> {
+    let named = |name: &str| {
+        env::var_os(name)
+            .map(PathBuf::from)
+            .filter(|path| path.is_absolute())
+    };
+    named("XDG_CACHE_HOME")
+        .or_else(|| named("LOCALAPPDATA"))
+        .or_else(|| Some(named("HOME")?.join(".cache")))
 }

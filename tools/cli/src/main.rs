@@ -1,52 +1,38 @@
-//! The command `tip`: its commands, one file each, and what they share.
+//! The command `tip`: a module for each command or family of commands, and the modules that they share.
 #![forbid(unsafe_code)]
 
 mod arguments;
 mod check;
 mod choices;
-mod cycles;
 mod dap;
 mod debug;
-mod deny;
-mod describe;
 mod embedded;
-mod emit;
 mod error;
 mod explain;
-mod fix;
-mod fmt;
-mod framing;
 mod help;
 mod input;
 mod interrupt;
 mod loader;
-mod log;
 mod lsp;
 mod message;
-mod migrate;
 mod new;
 mod output;
-mod plant;
-mod plot;
 mod project;
-mod recorded;
+mod record;
 mod report;
 mod robot;
 mod run;
 mod sarif;
-mod scene;
 mod serve;
-mod shell;
-mod shown;
+mod setup;
+mod translate;
 mod usage;
 mod verify;
-mod view;
 mod watch;
 
-use choices::Format;
+use choices::{Format, OutputOptions};
 use clap::{FromArgMatches, Parser, Subcommand};
 use error::Error;
-use shown::Shown;
 use std::process::ExitCode;
 use tipc::Loaded;
 
@@ -57,21 +43,21 @@ use tipc::Loaded;
     version,
     arg_required_else_help = true,
     after_help = "A first session:
-  tip new demo                       make a crate whose robot moves at once
-  tip check walk.prg                 report all its errors at once
-  tip check --fix walk.prg           put right what is certain
+  tip new demo                       make a crate with a robot that moves
+  tip check walk.prg                 report all errors and warnings
+  tip check --fix walk.prg           apply certain fixes
   tip run walk.prg                   run it on the simulated TITAN VIII
-  tip fmt walk.prg                   lay it out in the one style
-  tip log walk.prg -o walk.mcap      write what it did, for Foxglove, Rerun or a table
-  tip plot walk.prg -o walk.svg      draw what it did
+  tip fmt walk.prg                   format it in the standard style
+  tip log walk.prg -o walk.mcap      write the log of a run, for Foxglove, Rerun or a table
+  tip plot walk.prg -o walk.svg      draw diagrams of a run
   tip emit rust walk.prg -o walk.rs  write it as Rust source
   tip cycles walk.prg                count the control cycles of its parts
   tip view walk.prg                  write walk.html, a page that replays the run
-  tip serve walk.prg                 run it live in a page, with keys and knobs, and edit it there
+  tip serve walk.prg                 run it live in a web page, with keys, knobs and an editor
   tip verify walk.prg                compare its compiled code with the interpreter
-  tip migrate old.prg -o walk.prg    turn an older program into version 3.1
-  tip explain E205                   say what the code of a finding means
-  tip lsp                            serve an editor, which starts it
+  tip migrate old.prg -o walk.prg    migrate an older program to version 3.1
+  tip explain E205                   explain the code of an error or warning
+  tip lsp                            start the language server, as editors do
   tip robot check hexapod.toml       check the description of your robot
 
 'tip help COMMAND' shows examples of each command.
@@ -84,83 +70,83 @@ struct Arguments {
     verb: Verb,
 }
 
-/// What to do.
+/// The commands.
 #[derive(Debug, Subcommand)]
 enum Verb {
-    /// Make a crate whose robot moves at once, with a test and an editor's configuration
+    /// Make a crate with a robot that moves, a test and settings for editors
     New(new::New),
-    /// Report everything that is wrong with programs
+    /// Check programs and report all errors and warnings
     Check(check::Check),
     /// Run a program on the simulated robot
     Run(run::Run),
-    /// Lay programs out in the one style
-    Fmt(fmt::Fmt),
-    /// Write what a run did as a log for other tools: MCAP or CSV
-    Log(log::Log),
-    /// Draw what a run did as diagrams: SVG
-    Plot(plot::Plot),
+    /// Format programs in the standard style
+    Fmt(translate::Fmt),
+    /// Write the log of a run for other tools: MCAP or CSV
+    Log(record::Log),
+    /// Draw diagrams of a run: SVG
+    Plot(record::Plot),
     /// Write a program in another form
-    Emit(emit::Emit),
+    Emit(translate::Emit),
     /// Count the control cycles that the parts of a program take
-    Cycles(cycles::Cycles),
+    Cycles(translate::Cycles),
     /// Compare a program's compiled code with the reference interpreter
     Verify(verify::Verify),
-    /// Write a page that replays a run: the robot in 3-D beside its program
-    View(view::View),
-    /// Run a program live in a page, where it is steered and edited
+    /// Write a page that replays a run, with the robot in 3-D next to its program
+    View(record::View),
+    /// Run a program live in a web page, with controls and an editor
     Serve(serve::Serve),
-    /// Debug a program on the terminal, forwards and backwards
+    /// Debug a program in the terminal, forwards and backwards
     Debug(debug::Debug),
-    /// Serve a debugger to editors: the Debug Adapter Protocol
+    /// Start the debug adapter for editors (Debug Adapter Protocol)
     Dap(dap::Dap),
-    /// Turn a program of an older version into one of version 3.1
-    Migrate(migrate::Migrate),
-    /// Say what the code of a finding means, with a wrong and a right program
+    /// Migrate a program of an older version to version 3.1
+    Migrate(translate::Migrate),
+    /// Explain the code of an error or warning, with a wrong and a right program
     Explain(explain::Explain),
-    /// Serve an editor: the language server
+    /// Start the language server for editors
     Lsp(lsp::Lsp),
-    /// Print what a shell completes the command line with
-    Completions(shell::Completions),
-    /// Write the pages of man
-    Man(shell::Man),
-    /// Descriptions of robots
+    /// Print a completion script for a shell
+    Completions(help::Completions),
+    /// Write manual pages
+    Man(help::Man),
+    /// Work with robots and their descriptions
     #[command(subcommand)]
-    Robot(describe::RobotVerb),
+    Robot(robot::RobotVerb),
 }
 
 impl Verb {
-    /// The form of findings that it is asked for, if it is one of those that write no document.
+    /// Returns the format of diagnostics, for commands that write no document.
     fn format(&self) -> Option<Format> {
-        let shown = match self {
-            Verb::Run(arguments) => arguments.source.shown,
-            Verb::Fmt(arguments) => arguments.shown,
-            Verb::Emit(arguments) => arguments.source.shown,
-            Verb::Cycles(arguments) => arguments.source.shown,
-            Verb::Verify(arguments) => arguments.source.shown,
-            Verb::Migrate(arguments) => arguments.shown,
-            Verb::New(arguments) => arguments.shown,
-            Verb::Robot(describe::RobotVerb::Check(arguments)) => arguments.shown,
-            Verb::Robot(describe::RobotVerb::Show(arguments)) => arguments.shown,
+        let output_options = match self {
+            Verb::Run(arguments) => arguments.source.output_options,
+            Verb::Fmt(arguments) => arguments.output_options,
+            Verb::Emit(arguments) => arguments.source.output_options,
+            Verb::Cycles(arguments) => arguments.source.output_options,
+            Verb::Verify(arguments) => arguments.source.output_options,
+            Verb::Migrate(arguments) => arguments.output_options,
+            Verb::New(arguments) => arguments.output_options,
+            Verb::Robot(robot::RobotVerb::Check(arguments)) => arguments.output_options,
+            Verb::Robot(robot::RobotVerb::Show(arguments)) => arguments.output_options,
             _ => return None,
         };
-        Some(shown.message_format)
+        Some(output_options.message_format)
     }
 }
 
 impl Verb {
-    /// Takes what options leave open from the nearest `tip.toml`; of commands for several programs each takes its own.
+    /// Completes the options from the nearest `tip.toml`; commands for several programs do so for each of them.
     ///
     /// # Errors
     /// What is wrong with it, and how to show that.
-    fn complete(&mut self) -> Result<(), (Box<Loaded>, Shown)> {
+    fn complete(&mut self) -> Result<(), (Box<Loaded>, OutputOptions)> {
         let (file, source, inputs, says) = match self {
             Verb::Run(it) => (&it.file, &mut it.source, Some(&mut it.inputs), !it.quiet),
             Verb::Verify(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
             Verb::Emit(it) => (&it.file, &mut it.source, None, false),
             Verb::Cycles(it) => (&it.file, &mut it.source, None, false),
             Verb::Debug(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
-            Verb::Log(log::Log { recorded: it, .. })
-            | Verb::Plot(plot::Plot { recorded: it, .. })
+            Verb::Log(record::Log { recorded: it, .. })
+            | Verb::Plot(record::Plot { recorded: it, .. })
             | Verb::Serve(serve::Serve { recorded: it, .. }) => {
                 (&it.file, &mut it.source, Some(&mut it.inputs), false)
             }
@@ -176,12 +162,12 @@ impl Verb {
             }
             _ => return Ok(()),
         };
-        let shown = source.shown;
+        let output_options = source.output_options;
         let given = match inputs {
             Some(inputs) => source.complete_run(file, inputs),
             None => source.complete(file),
         };
-        let given = given.map_err(|loaded| (loaded, shown))?;
+        let given = given.map_err(|loaded| (loaded, output_options))?;
         if let Some(given) = given.filter(|_| says) {
             report::complain(&format!("{given}\n"));
         }
@@ -189,10 +175,10 @@ impl Verb {
     }
 }
 
-/// How the process ends.
+/// The exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Status {
-    /// Everything went well: END, EXIT or LIMIT of a run.
+    /// Success: END, EXIT or LIMIT of a run.
     Success = 0,
     /// A program does not load or does not verify, or a file cannot be written.
     Failure = 1,
@@ -206,7 +192,7 @@ enum Status {
     Interrupted = 130,
 }
 
-/// Does what the command line says.
+/// Runs the command of the command line.
 fn main() -> ExitCode {
     let matches = help::command(usage::lang()).try_get_matches();
     let arguments = matches.and_then(|matches| Arguments::from_arg_matches(&matches));
@@ -221,33 +207,33 @@ fn main() -> ExitCode {
             });
         }
     };
-    if let Err((loaded, shown)) = arguments.verb.complete() {
-        report::findings(&loaded, shown);
+    if let Err((loaded, output_options)) = arguments.verb.complete() {
+        report::diagnostics(&loaded, output_options);
         return exit(Status::Failure);
     }
     let outcome = match &arguments.verb {
-        verb if verb.format() == Some(Format::Sarif) => Err(Error::Usage(
-            "tip check writes SARIF, no other command does".to_owned(),
-        )),
+        verb if verb.format() == Some(Format::Sarif) => {
+            Err(Error::Usage("only tip check writes SARIF".to_owned()))
+        }
         Verb::New(arguments) => new::new(arguments),
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),
-        Verb::Fmt(arguments) => fmt::fmt(arguments),
-        Verb::Log(arguments) => log::log(arguments),
-        Verb::Plot(arguments) => plot::plot(arguments),
-        Verb::Emit(arguments) => emit::emit(arguments),
-        Verb::Cycles(arguments) => cycles::cycles(arguments),
+        Verb::Fmt(arguments) => translate::fmt(arguments),
+        Verb::Log(arguments) => record::log(arguments),
+        Verb::Plot(arguments) => record::plot(arguments),
+        Verb::Emit(arguments) => translate::emit(arguments),
+        Verb::Cycles(arguments) => translate::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),
-        Verb::View(arguments) => view::view(arguments),
+        Verb::View(arguments) => record::view(arguments),
         Verb::Serve(arguments) => serve::serve(arguments),
         Verb::Debug(arguments) => debug::debug(arguments),
         Verb::Dap(arguments) => dap::dap(arguments),
-        Verb::Migrate(arguments) => migrate::migrate(arguments),
+        Verb::Migrate(arguments) => translate::migrate(arguments),
         Verb::Explain(arguments) => explain::explain(arguments),
         Verb::Lsp(arguments) => lsp::lsp(arguments),
-        Verb::Completions(arguments) => shell::completions(arguments),
-        Verb::Man(arguments) => shell::man(arguments),
-        Verb::Robot(verb) => describe::robot(verb),
+        Verb::Completions(arguments) => help::completions(arguments),
+        Verb::Man(arguments) => help::man(arguments),
+        Verb::Robot(verb) => robot::robot(verb),
     };
     exit(outcome.unwrap_or_else(|error| {
         report::error(&error);

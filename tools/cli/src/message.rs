@@ -8,30 +8,30 @@ use tipc::language::Keyword;
 use tipc::message::Text;
 use tipc::message::list::{Each, List};
 
-/// So many of something, as an argument of messages.
+/// Numbers of something, as arguments of messages.
 pub(crate) mod count {
     tipc::count_table! {
-        /// So many errors.
+        /// Number of errors.
         Errors: "1 error", "エラー1件"; "{count} errors", "エラー{count}件";
     }
 
     tipc::count_table! {
-        /// So many warnings.
+        /// Number of warnings.
         Warnings: "1 warning", "警告1件"; "{count} warnings", "警告{count}件";
     }
 
     tipc::count_table! {
-        /// So many steps.
+        /// Number of steps.
         Steps: "1 step", "1ステップ"; "{count} steps", "{count}ステップ";
     }
 
     tipc::count_table! {
-        /// So many control cycles.
+        /// Number of control cycles.
         Cycles: "1 cycle", "1周期"; "{count} cycles", "{count}周期";
     }
 
     tipc::count_table! {
-        /// So many files.
+        /// Number of files.
         Files: "1 file", "1ファイル"; "{count} files", "{count}ファイル";
     }
 }
@@ -50,57 +50,57 @@ tipc::message_table! {
         "`{word}` is not a command of tip; the commands are {commands}",
         "`{word}` はtipのコマンドではありません。コマンドは{commands}です";
     NoFile { command: String }
-        "which program? `tip {command}` needs a file, as `tip {command} walk.prg`",
+        "which program? `tip {command}` needs a file, as in `tip {command} walk.prg`",
         "どのプログラムですか? `tip {command} walk.prg` のようにファイルを指定してください";
     NoCode { code: String, codes: Each }
-        "no finding has the code {code}; the codes are {codes}",
+        "there is no code {code}; the codes are {codes}",
         "{code}というコードはありません。コードは{codes}です";
     NotACount { text: String }
         "`{text}` is not a count: write a whole number, 0 or more",
         "`{text}` は数えられません。0以上の整数を指定してください";
     NotPositive { text: String }
-        "`{text}` compares nothing: write a whole number, 1 or more",
+        "`{text}` is not a number of runs or cycles: write a whole number, 1 or more",
         "`{text}` では何も比較されません。1以上の整数を指定してください";
     NotAFoot { text: String }
-        "`{text}` is not a foot: write the name of a link, or `LINK=X,Y,Z` for a place in its frame, in metres, as `shank=0,0,-0.13`",
+        "`{text}` is not a foot: write the name of a link, or `LINK=X,Y,Z` for a position in its frame in metres, such as `shank=0,0,-0.13`",
         "`{text}` は足先の指定ではありません。リンクの名前か、`shank=0,0,-0.13` のようにリンク座標系での位置(メートル)を付けて書いてください";
     NotAHeight { text: String }
-        "`{text}` is not a height: write a number of mm above 0, as 250",
+        "`{text}` is not a height: write a number of mm above 0, such as 250",
         "`{text}` は高さではありません。250のように0より大きいmmの値を指定してください";
     NoRobot { word: String, robots: Each }
-        "no robot is called `{word}`; there are {robots}, and yours in a FILE.toml",
+        "there is no robot `{word}`; the robots are {robots}, and your own in a FILE.toml",
         "`{word}` というロボットはありません。{robots}か、自分のロボットのファイル(FILE.toml)を指定してください";
     NearRobot { word: String, near: String, robots: Each }
-        "no robot is called `{word}`: did you mean `{near}`? There are {robots}, and yours in a FILE.toml",
+        "there is no robot `{word}`: did you mean `{near}`? The robots are {robots}, and your own in a FILE.toml",
         "`{word}` というロボットはありません。`{near}` のことですか? {robots}か、自分のロボットのファイル(FILE.toml)を指定してください";
     NoPlant { word: String, plants: Each }
-        "no plant is called `{word}`; there are {plants}, and a process of yours as `exec:COMMAND`",
+        "there is no plant `{word}`; the plants are {plants}, and a process of your own as `exec:COMMAND`",
         "`{word}` というプラントはありません。{plants}か、自分のプロセスを `exec:COMMAND` の形で指定してください";
     NoProcess { command: String }
         "`{command}` is not a command line: write a program and its arguments, and close every quote, as in `exec:python3 simulate.py`",
         "`{command}` はコマンドラインではありません。`exec:python3 simulate.py` のようにプログラムと引数を書き、引用符は閉じてください";
     ProcessRunsOnce { command: &'static str }
-        "`tip {command}` runs programs again or backwards, and a process can neither be copied nor taken back: take --plant dynamic here, and the process with `tip run`",
+        "`tip {command}` repeats or rewinds runs, which a process cannot do: use --plant dynamic here, and the process with `tip run`",
         "`tip {command}` はプログラムを繰り返し、または逆向きに実行しますが、プロセスはコピーも巻き戻しもできません。ここでは --plant dynamic を使い、プロセスは `tip run` で使ってください";
     ProcessIsRun { command: &'static str }
-        "`tip {command}` records our plants only; `tip run --plant exec:COMMAND --trace FILE --trace-motion` runs the process, and `tip view FILE --program PROGRAM` shows what it did",
+        "`tip {command}` records only the built-in plants; `tip run --plant exec:COMMAND --trace FILE --trace-motion` runs the process, and `tip view FILE --program PROGRAM` shows what it did",
         "`tip {command}` が記録できるのは内蔵のプラントだけです。プロセスは `tip run --plant exec:COMMAND --trace FILE --trace-motion` で実行し、`tip view FILE --program PROGRAM` で表示してください";
     SceneIsElsewhere
-        "--scene surrounds our plants, and a process has its own surroundings: give the scene to the process",
+        "--scene is for the built-in plants; a process has surroundings of its own: pass the scene to the process",
         "--scene は内蔵のプラントの周囲を決めるもので、プロセスの周囲はプロセス自身が決めます。シーンはプロセスに渡してください";
     FallsAreElsewhere
-        "--deny falls needs a plant of ours: nobody counts the falls of a process's robot",
+        "--deny falls needs a built-in plant: the falls of a process's robot are not counted",
         "--deny falls を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒は数えられません";
     NotAVersion { text: String }
-        "`{text}` is not a version of the language, as 3.1 is",
+        "`{text}` is not a version of the language, such as 3.1",
         "`{text}` は3.1のような言語のバージョンではありません";
     NotACrateName { name: String, near: String }
         "`{name}` cannot be the name of a crate: begin with a small letter, go on with small letters and digits, and put a single `-` or `_` between them, as in `{near}`",
         "`{name}` はクレート名にできません。`{near}` のように、英小文字で始め、英小文字と数字を使い、その間を `-` か `_` 1つでつないでください";
     CrateNameTaken { name: String, near: String }
-        "`{name}` means something else to Rust or cargo, and cannot be the name of a crate: `{near}` can",
+        "`{name}` cannot be the name of a crate, since it means something else to Rust or cargo: use `{near}`",
         "`{name}` はRustやcargoで別の意味をもつため、クレート名にできません。`{near}` なら使えます";
-    // What the library of the command line says in English itself.
+    // Errors that clap has in English only.
     NoOption { option: String }
         "there is no option `{option}`",
         "`{option}` というオプションはありません";
@@ -108,13 +108,13 @@ tipc::message_table! {
         "there is no option `{option}`: did you mean `{near}`?",
         "`{option}` というオプションはありません。`{near}` のことですか?";
     NoSuchValue { value: String, values: Each }
-        "`{value}` is not a value of it; the values are {values}",
+        "`{value}` is not a possible value; the values are {values}",
         "`{value}` は指定できません。指定できるのは{values}です";
     NeedsValue
-        "it wants a value",
+        "a value is missing",
         "値を指定してください";
     NotTogether { option: String, other: String }
-        "`{option}` and `{other}` do not go together",
+        "`{option}` and `{other}` cannot be used together",
         "`{option}` と `{other}` は同時に使えません";
     MissingArgument { what: String }
         "`{what}` is missing",
@@ -129,10 +129,10 @@ tipc::message_table! {
         "standard input cannot be saved or read again: serve a file",
         "標準入力は保存も再読み込みもできません。ファイルを指定してください";
     ServeOthers
-        "whoever has this address can run, edit and save the program",
+        "anyone with this address can run, edit and save the program",
         "このアドレスを知る人は誰でも、プログラムの実行・編集・保存ができます";
     ServeEnds
-        "Ctrl-C ends",
+        "press Ctrl-C to stop",
         "Ctrl-Cで終了します";
     SeeHelp { command: String }
         "`tip help {command}` shows examples",
@@ -140,7 +140,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What checks come to.
+    /// Results of checks.
     Checking;
 
     Sound { file: Text, steps: Steps, robot: String, warnings: Warnings }
@@ -153,7 +153,7 @@ tipc::message_table! {
         "{files}: {errors}, {warnings}",
         "{files}の合計: {errors}、{warnings}";
     Watching { files: Files }
-        "watching {files}; Ctrl-C ends",
+        "watching {files}; press Ctrl-C to stop",
         "{files}の変更を待っています。Ctrl-Cで終わります";
     Again { count: usize }
         "check {count}",
@@ -161,7 +161,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What a run says of itself.
+    /// Summaries and warnings of runs.
     Running;
 
     Ended { file: Text, how: How, line: u32, cycles: Cycles, time: String }
@@ -223,7 +223,7 @@ tipc::message_table! {
         "commanded to turn faster than its servo can in {cycles}",
         "{cycles}でサーボの最高速度を超える指令";
     Strays { cycles: Cycles, by: String }
-        "a foot beside its path in {cycles}, by {by} mm at most",
+        "a foot off its path in {cycles}, by {by} mm at most",
         "{cycles}で足先が経路の外、最大{by} mm";
     MassMatters
         "dynamics matter here: --plant dynamic",
@@ -267,7 +267,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// How bad something is.
+    /// Severities.
     Weight;
 
     Error "error", "エラー";
@@ -275,7 +275,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// How a run ended.
+    /// Endings of runs.
     How;
 
     By { word: Keyword } "{word}", "{word}で終了";
@@ -285,7 +285,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What a line of the summary is about.
+    /// Labels of the lines of a summary.
     Figure;
 
     Next "next", "次";
@@ -307,7 +307,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// Where a robot went along its front.
+    /// Directions along the front of a robot.
     Along;
 
     Forward "forward", "前へ";
@@ -315,7 +315,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// To which side it went or turned.
+    /// Directions to the side of a robot.
     Aside;
 
     Right "to the right", "右へ";
@@ -323,7 +323,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// Where its body went.
+    /// Vertical directions.
     Upright;
 
     Up "up", "上へ";
@@ -331,7 +331,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What a statement waits for.
+    /// Conditions that statements wait for.
     Until;
 
     Time "the time is over", "時間がたつまで";
@@ -339,33 +339,33 @@ tipc::message_table! {
     Near { target: Target } "{target} is within the NEAR tolerance", "{target}がNEARの許容範囲に入るまで";
     Key "a key is pressed", "キーが押されるまで";
     Motion "its motion is done", "動作が終わるまで";
-    Touch "it feels a contact", "接触を感じるまで";
+    Touch "it detects a contact", "接触を感じるまで";
     Native "its native code is done", "ネイティブコードが終わるまで";
 }
 
 tipc::message_table! {
-    /// The place, condition and duration of a wait.
+    /// Waits with line, condition and duration.
     Waiting;
 
     Line { line: u32, what: Awaited, since: String, time: String }
-        "line {line} waits for {what} since {since} s, for {time} s",
+        "line {line} has been waiting for {what} for {time} s, since {since} s",
         "{line}行目が{what}を待っています({since} sから{time} s間)";
     Loop { first: u32, last: u32, what: Awaited, since: String, time: String }
-        "lines {first} to {last} wait for {what} since {since} s, for {time} s",
+        "lines {first} to {last} have been waiting for {what} for {time} s, since {since} s",
         "{first}~{last}行目が{what}を待って繰り返しています({since} sから{time} s間)";
     Still { line: u32, since: String, time: String }
-        "line {line} lets time pass without a motion since {since} s, for {time} s",
+        "line {line} has let time pass without a motion for {time} s, since {since} s",
         "{line}行目が動作のないまま時間の経過を待っています({since} sから{time} s間)";
     Endless { first: u32, last: u32, since: String, time: String }
-        "lines {first} to {last} repeat without a motion since {since} s, for {time} s",
+        "lines {first} to {last} have repeated without a motion for {time} s, since {since} s",
         "{first}~{last}行目が動作のないまま繰り返しています({since} sから{time} s間)";
 }
 
 tipc::message_table! {
-    /// Why a run has stopped.
+    /// Reasons of emergency stops.
     Stopping;
 
-    // What the program did.
+    // Faults of programs.
     NoValue { name: SmolStr }
         "`{name}` has no value yet",
         "`{name}` にまだ値がありません";
@@ -376,10 +376,10 @@ tipc::message_table! {
         "a value is out of range, or the result is not a finite number",
         "値が範囲外か、計算結果が有限の数になりません";
     NoCall
-        "nothing called what returns here",
+        "this returns from a subroutine that was not called",
         "呼び出されていないのに戻ろうとしています";
     OtherMode
-        "the target is under another control than this command needs",
+        "the target is not in the control mode that this command needs",
         "対象の制御モードがこのコマンドに合いません";
     TooDeep
         "more than ten calls are open at once",
@@ -391,27 +391,27 @@ tipc::message_table! {
         "there is no such step",
         "そのようなステップはありません";
 
-    // What the robot did.
+    // Faults of robots.
     AtLimit { joint: Target, angle: f64, min: f64, max: f64 }
-        "{joint} is at {angle} deg and cannot go on: its limits are {min} and {max} deg",
+        "{joint} is at {angle} deg and cannot move further: its limits are {min} and {max} deg",
         "{joint}は現在{angle} degで、これ以上動けません。動作範囲は{min}から{max} degです";
     OutOfReach { target: Target }
-        "{target} cannot reach its target, or a place on the way there",
+        "{target} cannot reach its target, or a point on the way there",
         "{target}が目標か、その途中の位置に届きません";
     JointsAre { joints: List }
         "the joints and their limits in deg: {joints}",
         "関節の角度と動作範囲(deg): {joints}";
     Nonsense { sensor: SmolStr }
-        "the sensor of {sensor} reads nonsense: see to it and its cable",
+        "the sensor of {sensor} reads invalid values: check the sensor and its cable",
         "{sensor}のセンサの値が異常です。センサと配線を確かめてください";
     Broken { what: &'static str }
         "the hardware of the robot failed: {what}",
         "ロボットのハードウェアの異常です: {what}";
     KeyPressed
-        "someone pressed RETURN, the emergency stop",
+        "RETURN, the emergency stop, was pressed",
         "RETURNキー(非常停止)が押されました";
 
-    // The moment, and its values.
+    // The time of the stop, and the values.
     Moment { step: u32, cycle: SmolStr, time: SmolStr }
         "step {step}, cycle {cycle}, {time}",
         "ステップ{step}、サイクル{cycle}、{time}";
@@ -419,7 +419,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What becomes of a new crate.
+    /// Results of making a crate.
     Making;
 
     Made { folder: Text, robot: String }
@@ -429,34 +429,34 @@ tipc::message_table! {
         "next:",
         "次のコマンド:";
     Walks { travel: f64 }
-        "the motion was tried: the simulated robot comes {travel} mm forward and does not fall, with mass and without",
+        "the motion was tried: the simulated robot walks {travel} mm forward and does not fall, with or without mass",
         "動作を試しました: シミュレーションのロボットは、質量の有無にかかわらず倒れずに{travel} mm前進します";
     WalksWithoutMass { travel: f64 }
-        "the motion was tried: the simulated robot comes {travel} mm forward and does not fall; with mass (`--plant dynamic`) it falls, or comes less far",
+        "the motion was tried: the simulated robot walks {travel} mm forward and does not fall; with mass (`--plant dynamic`) it falls, or gets less far",
         "動作を試しました: シミュレーションのロボットは倒れずに{travel} mm前進しますが、質量を持つプラント(`--plant dynamic`)では倒れるか、そこまで進みません";
     NoGait { falls: u32 }
-        "no gait was found; the motion bends one leg after the other instead, and the simulated robot falls {falls} times in it:",
+        "no gait was found; the motion bends one leg after the other instead, and the simulated robot falls {falls} times:",
         "歩容が見つからないので、脚を1本ずつ曲げる動作にしました。シミュレーションで倒れる回数は{falls}です。理由:";
     TooFewLegs
-        "a robot that stands on its feet needs four legs to lift one",
+        "to lift one leg and stand on the others, a robot needs four legs",
         "1本を上げて立つには脚が4本必要です";
     OutOfReach
-        "feet do not reach where a gait has them, or slip: set another `initial`, as by `tip robot import --stand`, or wider limits",
+        "feet do not reach their positions in the gait, or slip: set another `initial`, for example with `tip robot import --stand`, or wider limits",
         "足先が歩容の位置に届かないか、滑ります。`tip robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
     Falls
-        "the simulated robot falls on every gait that was tried: set another `initial`, as by `tip robot import --stand`",
+        "the simulated robot falls on every gait that was tried: set another `initial`, for example with `tip robot import --stand`",
         "試したどの歩容でも、シミュレーションのロボットが倒れます。`tip robot import --stand` などで `initial` を変えてください";
     FolderTaken { folder: Text }
-        "`{folder}` is there already: choose another name, or move it away",
+        "`{folder}` already exists: choose another name, or move it away",
         "`{folder}` はすでにあります。別の名前を指定するか、移動してください";
     NoFolder { folder: Text }
-        "there is no folder `{folder}`: `mkdir -p {folder}` makes it",
+        "there is no folder `{folder}`: create it with `mkdir -p {folder}`",
         "フォルダー `{folder}` がありません。`mkdir -p {folder}` で作成できます";
     NotMade { folder: Text, error: Text, name: String }
-        "`{folder}` cannot be made: {error}; name a folder that you may write to, as `tip new ~/{name}` does",
+        "`{folder}` cannot be made: {error}; choose a folder that you may write to, as in `tip new ~/{name}`",
         "`{folder}` を作成できません: {error}。`tip new ~/{name}` のように、書き込めるフォルダーを指定してください";
     NotForManifest { folder: Text }
-        "`{folder}` is not UTF-8, or has a control character, so that a Cargo.toml cannot name it: rename the folder of the checkout",
+        "`{folder}` is not UTF-8, or has a control character, and cannot be written in a Cargo.toml: rename the folder of the checkout",
         "`{folder}` はUTF-8でないか制御文字を含むため、Cargo.tomlに書けません。チェックアウトのフォルダー名を変えてください";
     NotACheckout { folder: Text, version: String }
         "`{folder}` is not a checkout of this project in version {version}: name the folder that holds tip-runtime and tip-macros",
@@ -473,4 +473,112 @@ tipc::message_table! {
     SayOneRobot { project: Text }
         "let both say the same: the macro or build script, and {project}",
         "マクロまたはビルドスクリプトと{project}を一致させてください";
+}
+
+tipc::message_table! {
+    /// Texts of the terminal debugger; those that every debugger shows are in `tip-sim`.
+    DebugText;
+
+    // Titles.
+    Calls
+        "Calls",
+        "呼び出し";
+    Side
+        "From the side",
+        "側面図";
+    Said
+        "Messages",
+        "メッセージ";
+    MainProgram
+        "(program)",
+        "(本体)";
+
+    // States.
+    Stepped
+        "paused",
+        "停止中";
+    There
+        "arrived",
+        "到達しました";
+    AtBreakpoint
+        "breakpoint",
+        "ブレークポイント";
+    Assigned { line: u32 }
+        "assigned by line {line}",
+        "{line}行目で代入";
+    AssignedByEvent
+        "assigned by an event",
+        "イベントによる代入";
+    Fell
+        "the robot falls",
+        "ロボットが転倒しました";
+    Interrupted
+        "interrupted",
+        "中断しました";
+    Changed
+        "changed",
+        "変更しました";
+    Running
+        "running; Esc interrupts",
+        "実行中(Escで中断)";
+    Searching { percent: u32 }
+        "searching backwards, {percent} %; Esc interrupts",
+        "逆方向に検索中 {percent}%(Escで中断)";
+
+    // Questions.
+    AskEvent
+        "event (key F, VR1=8, N = 5)",
+        "イベント(key F、VR1=8、N = 5)";
+    AskExpression
+        "expression",
+        "式";
+    AskWatch
+        "variable to watch (empty: none)",
+        "監視する変数(空欄で解除)";
+    AskWho
+        "variable, to go back to its last assignment",
+        "変数(最後に代入した箇所へ戻ります)";
+    AskCycle
+        "cycle",
+        "サイクル";
+    AskCondition { line: u32 }
+        "condition of the breakpoint on line {line} (empty: none)",
+        "{line}行目のブレークポイントの条件(空欄で無条件)";
+    AskPasses
+        "passes that stop: 5, >= 5, % 5 (empty: each)",
+        "停止する通過回数: 5、>= 5、% 5(空欄で毎回)";
+    AskName
+        "command, label or routine to stop before; enter it again to remove it",
+        "直前で停止するコマンド、ラベル、ルーチン(再入力で解除)";
+    AskDiscard { count: usize }
+        "{count} cycles that have been run after this one would be discarded: y or n",
+        "これより後の{count}サイクルの実行結果は破棄されます。よろしいですか(y/n)";
+
+    // Answers.
+    Comes { text: Text, value: Text }
+        "{text} = {value}",
+        "{text} = {value}";
+    Watches { name: Text }
+        "watching {name}",
+        "{name}を監視します";
+    StopsBefore { name: Text }
+        "stops before each {name}",
+        "{name}の直前で停止します";
+    StopsNoMore { name: Text }
+        "no longer stops before {name}",
+        "{name}の直前では停止しません";
+    NotANumber { text: Text }
+        "`{text}` is not a cycle",
+        "`{text}` はサイクル番号ではありません";
+    NeitherEventNorAssignment { text: Text }
+        "`{text}` is not an event, such as `key F`, `VR1=8`, `halt` or `N = 5`",
+        "`{text}` はイベントではありません。`key F`、`VR1=8`、`halt`、`N = 5` のように書いてください";
+
+    // Help.
+    HelpMoves
+        "r run, n over, s into, o out, c cycle, l to line, g to cycle, CAPITALS: back",
+        "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 大文字:逆方向";
+    HelpOthers
+        "b break, B when, f name, w watch, W last set, i event, e value, ↑↓ ., Esc, q",
+        "b:ブレーク B:条件 f:名前 w:監視 W:代入元 i:イベント e:式 ↑↓ .:行 Esc:中断 q:終了";
 }

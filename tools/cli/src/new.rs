@@ -1,24 +1,22 @@
-//! `tip new`: a crate that moves a robot at once, with a test and an editor's configuration.
+//! `tip new`: makes a crate with a robot that moves, a test and settings for editors.
 
-mod bend;
 mod files;
-mod folder;
-mod gait;
-mod kit;
+mod motion;
 mod name;
 mod origin;
+mod template;
 
+use super::choices::OutputOptions;
 use super::error::Error;
-use super::shown::Shown;
 use super::{Status, output, report};
 use crate::message::Making;
 use clap::Args;
 use files::File;
-use kit::{Choice, Kit};
-use name::Place;
+use name::CratePath;
 use origin::Origin;
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use template::{Choice, Template};
 use tip_runtime::printable::Printable;
 use tipc::message::Lang;
 
@@ -34,48 +32,48 @@ use tipc::message::Lang;
 
 Exit status: 0 if the crate is made, 1 if not: then nothing is written; 2 if NAME cannot be the name of a crate.")]
 pub(super) struct New {
-    /// The crate's name, or a new folder that ends with it
+    /// The name of the crate, or the path of a new folder with that name
     #[arg(value_name = "NAME")]
-    place: Place,
+    place: CratePath,
 
     /// The robot: hexapod, a name that 'tip robot list' shows, or a description
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
     robot: Choice,
 
-    /// Add a skeleton for drives of your own: the trait Hardware
+    /// Add a skeleton for drives of your own (trait Hardware)
     #[arg(long)]
     hardware: bool,
 
-    /// The checkout of this project to depend on; else the one that tip was built from, else the published crates
+    /// The checkout of this project to depend on; by default the one that tip was built from, or the published crates
     #[arg(long, value_name = "FOLDER")]
     workspace: Option<PathBuf>,
 
     #[command(flatten)]
-    pub(super) shown: Shown,
+    pub(super) output_options: OutputOptions,
 }
 
-/// Makes the crate.
+/// Makes a crate.
 pub(super) fn new(arguments: &New) -> Result<Status, Error> {
-    let (place, lang) = (&arguments.place, arguments.shown.lang());
+    let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let refused = |reason: Making| Error::Failed(reason.in_lang(lang).to_string());
     let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(refused)?;
-    let kit = match arguments.robot.kit() {
-        Ok(kit) => kit,
+    let template = match arguments.robot.template() {
+        Ok(template) => template,
         Err(loaded) => {
-            report::findings(&loaded, arguments.shown);
+            report::diagnostics(&loaded, arguments.output_options);
             return Ok(Status::Failure);
         }
     };
-    let files = files::of(place, &kit, &origin, arguments.hardware);
-    folder::write(place, &files).map_err(refused)?;
-    output::print(made(place, &kit, &files, lang))?;
+    let files = files::crate_files(place, &template, &origin, arguments.hardware);
+    files::write_crate(place, &files).map_err(refused)?;
+    output::print(made(place, &template, &files, lang))?;
     Ok(Status::Success)
 }
 
-/// What was made, and what to do with it.
-fn made(place: &Place, kit: &Kit, files: &[File], lang: Lang) -> String {
+/// Returns the report: files, results of trying the motion, and the next commands.
+fn made(place: &CratePath, template: &Template, files: &[File], lang: Lang) -> String {
     let folder = Printable::line(place.folder().display()).to_string();
-    let robot = Printable::line(&kit.robot).to_string();
+    let robot = Printable::line(&template.robot).to_string();
     let made = Making::Made {
         folder: folder.clone().into(),
         robot,
@@ -85,7 +83,7 @@ fn made(place: &Place, kit: &Kit, files: &[File], lang: Lang) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  {}", file.name);
     }
-    for tried in &kit.motion.tried {
+    for tried in &template.motion.tried {
         let _ = writeln!(text, "{}", tried.in_lang(lang));
     }
     let next = Making::Next.in_lang(lang);
@@ -93,9 +91,9 @@ fn made(place: &Place, kit: &Kit, files: &[File], lang: Lang) -> String {
     text
 }
 
-/// The text with its holes filled.
-fn fill(text: &str, holes: &[(&str, &str)]) -> String {
+/// Replaces the placeholders of a text.
+fn fill(text: &str, placeholders: &[(&str, &str)]) -> String {
     let fill_one =
         |text: String, (name, value): &(&str, &str)| text.replace(&format!("<<{name}>>"), value);
-    holes.iter().fold(text.to_owned(), fill_one)
+    placeholders.iter().fold(text.to_owned(), fill_one)
 }

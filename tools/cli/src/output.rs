@@ -14,7 +14,7 @@ use tip_runtime::record::AtomicFile;
 use tipc::embed;
 use tipc::message::{Lang, Reading};
 
-/// Gives the file at `path` a new content. Whoever should read a pipe may never come: a signal ends the process then.
+/// Replaces the content of a file. A pipe may never get a reader: a signal ends the process then.
 pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
     if is_pipe(path) {
         interrupt::release();
@@ -26,7 +26,7 @@ pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Erro
     written.map_err(|error| Error::cannot_write(path, error))
 }
 
-/// Gives the file at `path` a new content, unless it is not what was `read` any more: an editor may have saved it since.
+/// Replaces the content of a file, unless it differs from what was `read`: an editor may have saved it since.
 pub(super) fn update(path: &Path, read: &[u8], content: &[u8], lang: Lang) -> Result<(), Error> {
     let changed = || io::Error::other(Reading::Changed.in_lang(lang).to_string());
     let place = || {
@@ -48,7 +48,7 @@ pub(super) fn update(path: &Path, read: &[u8], content: &[u8], lang: Lang) -> Re
     written.map_err(|error| Error::cannot_write(path, error))
 }
 
-/// Begins a file; at a pipe it waits for a reader, until a signal ends the process.
+/// Opens a file for writing; for a pipe, waits for a reader until a signal ends the process.
 pub(super) fn begin(path: &Path) -> io::Result<AtomicFile> {
     loop {
         match AtomicFile::create(path) {
@@ -60,9 +60,9 @@ pub(super) fn begin(path: &Path) -> io::Result<AtomicFile> {
     }
 }
 
-/// The error of a pipe that nobody reads: ENXIO.
+/// The error number of a pipe without a reader: ENXIO.
 const NO_READER: i32 = 6;
-/// How often a pipe is tried.
+/// Time between two attempts to open a pipe.
 const PAUSE: Duration = Duration::from_millis(20);
 
 #[cfg(unix)]
@@ -76,7 +76,7 @@ fn is_pipe(_: &Path) -> bool {
     false
 }
 
-/// Writes to standard output, to the byte unless it is a terminal; a reader that went away has seen enough.
+/// Writes bytes to standard output, made printable for a terminal. A closed output is not an error.
 pub(super) fn print(content: impl AsRef<[u8]>) -> Result<(), Error> {
     let mut out = io::stdout().lock();
     let content = match out.is_terminal() {
@@ -91,13 +91,13 @@ pub(super) fn print(content: impl AsRef<[u8]>) -> Result<(), Error> {
     }
 }
 
-/// What a terminal shows of it.
+/// Makes content printable for a terminal.
 fn on_terminal(content: &[u8]) -> Vec<u8> {
     let text = String::from_utf8_lossy(content).replace("\r\n", "\n");
     Printable::lines(text).to_string().into_bytes()
 }
 
-/// Refuses to write over what the command reads.
+/// Returns an error if a file to write is one of those that are read.
 pub(super) fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
     match inputs.iter().find(|input| is_same(out, input)) {
         Some(input) => {
@@ -108,7 +108,7 @@ pub(super) fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
     }
 }
 
-/// Whether two paths lead to one file.
+/// Returns true if two paths lead to the same file.
 pub(super) fn is_same(one: &Path, other: &Path) -> bool {
     let is_one_path = fs::canonicalize(one)
         .and_then(|one| Ok(one == fs::canonicalize(other)?))
@@ -117,12 +117,12 @@ pub(super) fn is_same(one: &Path, other: &Path) -> bool {
     (is_one_path || is_linked(one, other)) && is_file()
 }
 
-/// Whether two paths are names of one file.
+/// Returns true if two paths are names of the same file.
 fn is_linked(one: &Path, other: &Path) -> bool {
     matches!((fs::metadata(one), fs::metadata(other)), (Ok(one), Ok(other)) if is_one(&one, &other))
 }
 
-/// Returns true if both are of one file, as far as the system numbers files.
+/// Returns true if both belong to the same file, as far as the system numbers files.
 #[cfg(unix)]
 pub(super) fn is_one(one: &fs::Metadata, other: &fs::Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -134,7 +134,7 @@ pub(super) fn is_one(_: &fs::Metadata, other: &fs::Metadata) -> bool {
     other.is_file()
 }
 
-/// The text of a JSON value, with escapes for characters that could act on a terminal. They occur in strings only.
+/// Escapes characters of JSON that could act on a terminal. They occur in strings only.
 pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for char in text.chars() {

@@ -1,61 +1,62 @@
-//! `tip.toml` beside programs: the robot, the encoding and the scene that options leave open. The nearest one counts.
+//! `tip.toml`: the robot, the encoding and the scene that options leave open. The nearest file counts.
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::choices::EncodingName;
 use super::input;
-use super::robot::RobotChoice;
-use super::scene::SceneChoice;
+use super::setup::{RobotChoice, SceneChoice};
 use std::path::{Path, PathBuf, absolute};
 use std::{env, fmt, fs};
 use tipc::Loaded;
 
-/// How the file is called.
+/// The name of the file.
 const NAME: &str = "tip.toml";
 
-/// What a `tip.toml` gives a program.
+/// The settings that a `tip.toml` gives a program.
 #[derive(Clone, Debug)]
-pub(super) struct Given {
-    /// The file that gives it.
+pub(super) struct Settings {
+    /// The `tip.toml`.
     file: PathBuf,
     pub(super) robot: Option<RobotChoice>,
     pub(super) encoding: Option<EncodingName>,
     pub(super) scene: Option<SceneChoice>,
 }
 
-/// What the nearest `tip.toml` gives the program at `path`; nothing if there is none.
+/// Returns the settings of the nearest `tip.toml` for the program at `path`; `None` if there are none.
 ///
 /// # Errors
-/// What is wrong with it.
-pub(super) fn of(path: &Path) -> Result<Option<Given>, Box<Loaded>> {
+/// The `tip.toml` has errors.
+pub(super) fn of(path: &Path) -> Result<Option<Settings>, Box<Loaded>> {
     given(path, Path::exists)
 }
 
-/// The same, where `is_there` says whether a file that it names is there.
-fn given(path: &Path, is_there: fn(&Path) -> bool) -> Result<Option<Given>, Box<Loaded>> {
+/// Returns the settings; `is_there` returns true if a file that they name exists.
+fn given(path: &Path, is_there: fn(&Path) -> bool) -> Result<Option<Settings>, Box<Loaded>> {
     let Some((program, folder)) = nearest(path) else {
         return Ok(None);
     };
-    let file = shown(&folder.join(NAME));
+    let file = display_path(&folder.join(NAME));
     let project = input::project(&file, |named| is_there(&folder.join(named)))?;
     let names = program.strip_prefix(&folder).unwrap_or(&program).iter();
     let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
-    let said = project.of(&names.join("/"));
-    let beside = |choice: RobotChoice| choice.beside(Some(&file));
-    let given = Given {
-        robot: said.robot.and_then(|name| name.parse().ok()).map(beside),
-        encoding: said.encoding.map(EncodingName::of),
-        scene: said.scene.and_then(|name| SceneChoice::beside(name, &file)),
+    let found = project.of(&names.join("/"));
+    let resolve = |choice: RobotChoice| choice.relative_to(Some(&file));
+    let settings = Settings {
+        robot: found.robot.and_then(|name| name.parse().ok()).map(resolve),
+        encoding: found.encoding.map(EncodingName::of),
+        scene: found
+            .scene
+            .and_then(|name| SceneChoice::relative_to(name, &file)),
         file,
     };
-    Ok(Some(given).filter(Given::is_something))
+    Ok(Some(settings).filter(Settings::is_some))
 }
 
-/// The files that decide what the program at `path` is given: every `tip.toml` that may stand above it, and the description that
-/// the nearest one names.
+/// Returns the files that settings depend on: every `tip.toml` that may exist above the program, and the description that the
+/// nearest one names.
 pub(super) fn files(path: &Path) -> Vec<PathBuf> {
     let program = real(path);
     let projects = program.ancestors().skip(1).map(|folder| folder.join(NAME));
-    // What is not there yet may come.
+    // A file that does not exist may be created later.
     let given = given(path, |_| true).ok().flatten();
     let robot = given.and_then(|given| given.robot);
     let description = robot.and_then(|robot| robot.file().map(Path::to_owned));
@@ -82,52 +83,52 @@ pub(super) fn real(path: &Path) -> PathBuf {
         let here = env::current_dir().unwrap_or_default();
         return resolve(&here).join("-");
     }
-    // `..` stays in it: where it leads to is known to the system only.
+    // `..` is kept: only the system can resolve it.
     absolute(path).map_or_else(|_| path.to_owned(), |path| resolve(&path))
 }
 
-/// A path as people write it: from the folder that they are in.
-pub(super) fn shown(path: &Path) -> PathBuf {
+/// Returns a path relative to the working directory if it is inside.
+pub(super) fn display_path(path: &Path) -> PathBuf {
     let here = env::current_dir().and_then(fs::canonicalize).ok();
     let inside = here.and_then(|here| path.strip_prefix(here).ok().map(Path::to_owned));
     inside.unwrap_or_else(|| path.to_owned())
 }
 
 impl SourceArguments {
-    /// Takes what options leave open from the nearest `tip.toml`, and returns what that gives.
+    /// Completes the options from the nearest `tip.toml`; returns the settings that it used.
     ///
     /// # Errors
-    /// What is wrong with it.
-    pub(super) fn complete(&mut self, program: &Path) -> Result<Option<Given>, Box<Loaded>> {
+    /// The `tip.toml` has errors.
+    pub(super) fn complete(&mut self, program: &Path) -> Result<Option<Settings>, Box<Loaded>> {
         let mut given = of(program)?;
         if let Some(given) = &mut given {
             given.scene = given.scene_for(self.robot.as_ref()).cloned();
             complete(&mut self.robot, &mut given.robot);
             complete(&mut self.encoding, &mut given.encoding);
         }
-        let robot = |given: &Given| Some((given.file.clone(), given.robot.clone()?));
+        let robot = |given: &Settings| Some((given.file.clone(), given.robot.clone()?));
         self.given = given.as_ref().and_then(robot);
-        Ok(given.filter(Given::is_something))
+        Ok(given.filter(Settings::is_some))
     }
 
-    /// The same for a run, which has surroundings.
+    /// Completes the options of a run, which also has a scene.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The `tip.toml` has errors.
     pub(super) fn complete_run(
         &mut self,
         program: &Path,
         inputs: &mut InputArguments,
-    ) -> Result<Option<Given>, Box<Loaded>> {
+    ) -> Result<Option<Settings>, Box<Loaded>> {
         let mut given = self.complete(program)?;
         if let Some(given) = &mut given {
             complete(&mut inputs.scene, &mut given.scene);
         }
-        Ok(given.filter(Given::is_something))
+        Ok(given.filter(Settings::is_some))
     }
 }
 
-/// Takes what an option leaves open; what the option says is not given.
+/// Completes an option; a setting that the option overrides is dropped.
 fn complete<T: Clone>(option: &mut Option<T>, given: &mut Option<T>) {
     match option {
         Some(_) => *given = None,
@@ -135,25 +136,25 @@ fn complete<T: Clone>(option: &mut Option<T>, given: &mut Option<T>) {
     }
 }
 
-impl Given {
-    /// The file that gives it.
+impl Settings {
+    /// The `tip.toml`.
     pub(super) fn file(&self) -> &Path {
         &self.file
     }
 
-    /// The scene, unless an option names another robot than the one that it is around.
+    /// Returns the scene, unless an option names another robot than the settings do.
     pub(super) fn scene_for(&self, option: Option<&RobotChoice>) -> Option<&SceneChoice> {
         let both = self.robot.as_ref().zip(option);
         let is_other = both.is_some_and(|(own, option)| own != option);
         self.scene.as_ref().filter(|_| !is_other)
     }
 
-    fn is_something(&self) -> bool {
+    fn is_some(&self) -> bool {
         self.robot.is_some() || self.encoding.is_some() || self.scene.is_some()
     }
 }
 
-impl fmt::Display for Given {
+impl fmt::Display for Settings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let robot = self.robot.as_ref().map(|robot| format!("robot {robot}"));
         let encoding = self.encoding.map(|it| format!("encoding {}", it.name()));

@@ -1,49 +1,50 @@
-//! Findings and errors, for people on standard error and for tools on standard output.
+//! Reports of diagnostics and errors, for people on standard error and for tools on standard output, and `--deny`.
 
-use super::choices::Format;
-use super::error::Error;
-use super::output;
-use super::sarif::Document;
-use super::shown::Shown;
+use crate::choices::Format;
+use crate::choices::OutputOptions;
+use crate::error::Error;
 use crate::message::Checking;
+use crate::output;
+use crate::sarif::Document;
+use clap::Args;
 use std::io::{self, Write};
 use tip_lint::message::More;
 use tip_runtime::printable::Printable;
-use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
+use tipc::language::Edition;
 use tipc::message::Lang;
-use tipc::render;
+use tipc::{Loaded, render};
 
-/// The most findings of a file that people see at once.
-const MOST: usize = 50;
+/// Maximum number of diagnostics of a file that people see.
+const MAX_SHOWN: usize = 50;
 
-/// What was found in several files.
+/// Counts of diagnostics of several files.
 #[derive(Debug)]
 pub(super) struct Total {
     files: usize,
     errors: usize,
     warnings: usize,
-    /// Programs in which nothing is found are not mentioned.
+    /// Files without diagnostics are not mentioned.
     quiet: bool,
-    /// All of it, where one document is asked for.
+    /// The document, if one is written.
     document: Option<Document>,
 }
 
 impl Total {
-    /// Nothing yet.
-    pub(super) fn new(shown: Shown, quiet: bool) -> Self {
-        let is_document = shown.message_format == Format::Sarif;
+    /// Returns empty counts.
+    pub(super) fn new(output_options: OutputOptions, quiet: bool) -> Self {
+        let is_document = output_options.message_format == Format::Sarif;
         Total {
             files: 0,
             errors: 0,
             warnings: 0,
             quiet,
-            document: is_document.then(|| Document::new(shown.lang())),
+            document: is_document.then(|| Document::new(output_options.lang())),
         }
     }
 
-    /// Another file.
+    /// Adds a file.
     pub(super) fn add(&mut self, loaded: &Loaded) {
         self.files += 1;
         self.errors += count(loaded, Level::Error);
@@ -53,39 +54,46 @@ impl Total {
         }
     }
 
-    /// What is found in a file, to where findings go.
-    pub(super) fn check(&self, loaded: &Loaded, shown: Shown) -> Result<(), Error> {
+    /// Reports the diagnostics of a file.
+    pub(super) fn check(
+        &self,
+        loaded: &Loaded,
+        output_options: OutputOptions,
+    ) -> Result<(), Error> {
         match self.quiet && loaded.diagnostics.is_empty() {
             true => Ok(()),
-            false => check(loaded, shown),
+            false => check(loaded, output_options),
         }
     }
 
-    /// The sum over all files: for people, if there are several; or the document.
-    pub(super) fn report(self, shown: Shown) -> Result<(), Error> {
+    /// Reports the sum over several files to people, or writes the document.
+    pub(super) fn report(self, output_options: OutputOptions) -> Result<(), Error> {
         if let Some(document) = self.document {
             return output::print(document.text());
         }
         let is_silent = self.quiet && self.errors + self.warnings == 0;
-        if self.files > 1 && shown.message_format == Format::Human && !is_silent {
+        if self.files > 1 && output_options.message_format == Format::Human && !is_silent {
             let total = Checking::Total {
                 files: self.files.into(),
                 errors: self.errors.into(),
                 warnings: self.warnings.into(),
             };
-            complain(&format!("{}\n", total.in_lang(shown.lang())));
+            complain(&format!("{}\n", total.in_lang(output_options.lang())));
         }
         Ok(())
     }
 }
 
-/// Where the findings about programs go: snippets for people to standard error, the forms for tools to standard output.
-pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
-    let text = render(loaded, shown);
-    match shown.message_format {
+/// Reports diagnostics: snippets for people to standard error, the formats of tools to standard output.
+pub(super) fn check(loaded: &Loaded, output_options: OutputOptions) -> Result<(), Error> {
+    let text = render(loaded, output_options);
+    match output_options.message_format {
         Format::Human => {
-            shows(&text);
-            complain(&format!("{}\n", summary(loaded).in_lang(shown.lang())));
+            write_stderr(&text);
+            complain(&format!(
+                "{}\n",
+                summary(loaded).in_lang(output_options.lang())
+            ));
             Ok(())
         }
         Format::Short | Format::Json => output::print(&text),
@@ -94,15 +102,15 @@ pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
     }
 }
 
-/// The findings about a program that a command is going to use: all to standard error.
-pub(super) fn findings(loaded: &Loaded, shown: Shown) {
-    shows(&render(loaded, shown));
+/// Reports the diagnostics of a program that a command is going to use, to standard error.
+pub(super) fn diagnostics(loaded: &Loaded, output_options: OutputOptions) {
+    write_stderr(&render(loaded, output_options));
 }
 
-/// An error that is about no program.
+/// Reports an error.
 pub(super) fn error(error: &Error) {
-    if let Error::Cargo { said, .. } = error {
-        complain(said);
+    if let Error::Cargo { output, .. } = error {
+        complain(output);
     }
     let level = match error {
         Error::Interrupted(_) => "",
@@ -111,26 +119,26 @@ pub(super) fn error(error: &Error) {
     complain(&format!("{level}{}\n", Printable::line(error)));
 }
 
-/// Writes to standard error; if that is closed, there is no one to report it to.
+/// Writes to standard error, made printable; errors are ignored.
 pub(super) fn complain(text: &str) {
-    shows(&Printable::lines(text).to_string());
+    write_stderr(&Printable::lines(text).to_string());
 }
 
-/// Empties the terminal that standard error is.
+/// Clears the terminal of standard error.
 pub(super) fn clear() {
-    shows("\u{1b}[2J\u{1b}[H");
+    write_stderr("\u{1b}[2J\u{1b}[H");
 }
 
-/// Writes to standard error what may have colours.
-pub(super) fn shows(text: &str) {
+/// Writes text that may have colours to standard error.
+pub(super) fn write_stderr(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
 
-fn render(loaded: &Loaded, shown: Shown) -> String {
-    let format = shown.message_format;
-    let (lang, style) = (shown.lang(), shown.style());
+fn render(loaded: &Loaded, output_options: OutputOptions) -> String {
+    let format = output_options.message_format;
+    let (lang, style) = (output_options.lang(), output_options.style());
     let most = match format {
-        Format::Human => MOST,
+        Format::Human => MAX_SHOWN,
         Format::Short | Format::Json | Format::Sarif => usize::MAX,
     };
     let lines = loaded.diagnostics.iter().take(most).map(|diagnostic| {
@@ -146,19 +154,19 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
         let gap = if format == Format::Human { "\n" } else { "" };
         format!("{line}{end}{gap}")
     });
-    lines.chain(render_more(loaded, shown)).collect()
+    lines.chain(render_more(loaded, output_options)).collect()
 }
 
-/// Returns the last line, about the findings that are left out, if there are any.
-fn render_more(loaded: &Loaded, shown: Shown) -> Option<String> {
+/// Returns the line about omitted diagnostics, if there are any.
+fn render_more(loaded: &Loaded, output_options: OutputOptions) -> Option<String> {
     let (found, omitted) = (loaded.diagnostics.len(), loaded.omitted.count());
-    let count = match shown.message_format {
-        Format::Human => found.saturating_sub(MOST) + omitted,
+    let count = match output_options.message_format {
+        Format::Human => found.saturating_sub(MAX_SHOWN) + omitted,
         Format::Short | Format::Json | Format::Sarif => omitted,
     };
-    let more = More::from(count).in_lang(shown.lang()).to_string();
+    let more = More::from(count).in_lang(output_options.lang()).to_string();
     let file = loaded.source.name();
-    let line = match shown.message_format {
+    let line = match output_options.message_format {
         Format::Human => more + "\n\n",
         Format::Short => format!("{}: note: {more}\n", Printable::line(file)),
         Format::Json => {
@@ -172,7 +180,7 @@ fn render_more(loaded: &Loaded, shown: Shown) -> Option<String> {
     (count > 0).then_some(line)
 }
 
-/// A finding about a file that has no text.
+/// Renders a diagnostic of a file without text.
 fn no_snippet(diagnostic: &Diagnostic, lang: Lang) -> String {
     let file = diagnostic.subject.as_deref().unwrap_or_default();
     let (code, reason) = (diagnostic.id(), diagnostic.reason.in_lang(lang));
@@ -182,7 +190,7 @@ fn no_snippet(diagnostic: &Diagnostic, lang: Lang) -> String {
     format!("{headline}\n  = {note}: {classical}")
 }
 
-/// What came of a program, in a sentence.
+/// Returns the result of a check.
 fn summary(loaded: &Loaded) -> Checking {
     let (errors, warnings) = (count(loaded, Level::Error), count(loaded, Level::Warning));
     let file = Printable::line(loaded.source.name()).to_string().into();
@@ -206,8 +214,85 @@ fn count(loaded: &Loaded, level: Level) -> usize {
     of_level.count() + loaded.omitted.of_level(level, loaded.module.edition)
 }
 
-/// So many of something.
+/// Returns a count with a noun in English.
 pub(super) fn plural(count: usize, what: &str) -> String {
     let end = if count == 1 { "" } else { "s" };
     format!("{count} {what}{end}")
+}
+
+/// The option `--deny`.
+#[derive(Clone, Debug, Args)]
+pub(super) struct Deny {
+    /// Fail on these: codes of warnings such as W112, 'warnings' for all of them, 'falls' for falls of the robot in a run
+    #[arg(long, value_name = "WHAT,...", value_delimiter = ',', value_parser = denied_value)]
+    deny: Vec<Denied>,
+}
+
+/// A value of `--deny`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Denied {
+    /// The robot fell, or would have: its body came down, or its support was lost.
+    Falls,
+    /// Every warning.
+    Warnings,
+    /// A warning.
+    Warning(Code),
+}
+
+const FALLS: &str = "falls";
+const WARNINGS: &str = "warnings";
+
+fn denied_value(word: &str) -> Result<Denied, String> {
+    let warnings = || {
+        let codes = Code::ALL.iter().copied();
+        codes.filter(|code| code.level(Edition::default()) == Level::Warning)
+    };
+    match word {
+        FALLS => Ok(Denied::Falls),
+        WARNINGS => Ok(Denied::Warnings),
+        _ => match warnings().find(|code| code.id().eq_ignore_ascii_case(word)) {
+            Some(code) => Ok(Denied::Warning(code)),
+            None => {
+                let codes: Vec<&str> = warnings().map(Code::id).collect();
+                let codes = codes.join(", ");
+                Err(format!(
+                    "the values of --deny are {FALLS}, {WARNINGS}, {codes}"
+                ))
+            }
+        },
+    }
+}
+
+impl Deny {
+    /// Returns true if falls are denied.
+    pub(super) fn falls(&self) -> bool {
+        self.deny.contains(&Denied::Falls)
+    }
+
+    /// Returns true if a program has a denied warning, after reporting it.
+    pub(super) fn rejects(&self, loaded: &Loaded) -> bool {
+        let is_denied = |code: Code| {
+            code.level(Edition::default()) == Level::Warning
+                && (self.deny.contains(&Denied::Warnings)
+                    || self.deny.contains(&Denied::Warning(code)))
+        };
+        let codes = loaded.diagnostics.iter().map(|diagnostic| diagnostic.code);
+        let mut denied: Vec<Code> = codes.filter(|code| is_denied(*code)).collect();
+        let omitted = loaded.omitted.codes();
+        let omitted = omitted.filter(|(code, _)| is_denied(*code));
+        let mut count = denied.len();
+        for (code, more) in omitted {
+            denied.push(code);
+            count += more;
+        }
+        denied.sort_unstable();
+        denied.dedup();
+        if count > 0 {
+            let codes: Vec<&str> = denied.into_iter().map(Code::id).collect();
+            let (name, codes) = (loaded.source.name(), codes.join(", "));
+            let warnings = plural(count, "denied warning");
+            complain(&format!("error: {name}: {warnings}: {codes}\n"));
+        }
+        count > 0
+    }
 }

@@ -1,133 +1,508 @@
-//! The robot of the command line: one with a name, or one with a description.
+//! `tip robot`: lists, shows, checks, imports and exports robots.
 
-use super::choices::RobotName;
-use super::error::Error;
-use super::input;
-use super::usage::Wrong;
-use crate::message::Using;
-use clap::ValueEnum;
-use std::fmt;
+use crate::choices::OutputOptions;
+use crate::choices::{Format, LangName, RobotName};
+use crate::error::Error;
+use crate::message::{Using, Weight};
+use crate::setup::RobotChoice;
+use crate::setup::{SceneChoice, in_scene, load_scene};
+use crate::usage::BadValue;
+use crate::{Status, choices, input, output, report};
+use clap::{Args, Subcommand, ValueEnum};
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use tipc::description::Description;
-use tipc::message::list::Each;
-use tipc::published::{self, Published};
-use tipc::{Loaded, Robot};
+use tip_runtime::printable::Printable;
+use tip_sim::urdf::Foot;
+use tip_sim::{Anatomy, Robot, mjcf, urdf};
+use tipc::embed::LIMIT;
+use tipc::message::Lang;
+use tipc::published;
 
-/// `NAME` or `FILE.toml`, as `--robot` has it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum RobotChoice {
-    Named(RobotName),
-    Published(&'static Published),
-    File(PathBuf),
+/// The commands of `tip robot`.
+#[derive(Debug, Subcommand)]
+pub(super) enum RobotVerb {
+    /// List the robots that have a name
+    List(List),
+    /// Show what a robot has, and the sources of a published one
+    Show(Show),
+    /// Check a description, and show what the robot has if there are no errors
+    Check(CheckRobot),
+    /// Make a description from a URDF file
+    Import(Import),
+    /// Write a robot as URDF, or as a model of MuJoCo
+    Export(Export),
 }
 
-impl FromStr for RobotChoice {
-    type Err = Wrong;
+/// `tip robot check`
+#[derive(Debug, Args)]
+#[command(after_help = "Example:
+  tip robot check hexapod.toml
 
-    fn from_str(text: &str) -> Result<Self, Wrong> {
-        let is_file = Path::new(text).extension().is_some_and(|end| end == "toml");
-        if let Ok(name) = RobotName::from_str(text, true) {
-            Ok(RobotChoice::Named(name))
-        } else if let Some(robot) = published::find(&text.to_lowercase()) {
-            Ok(RobotChoice::Published(robot))
-        } else if is_file {
-            Ok(RobotChoice::File(text.into()))
-        } else {
-            Err(Wrong(no_robot(text)))
-        }
+Exit status: 0 if the description can be used, 1 otherwise.")]
+pub(super) struct CheckRobot {
+    /// The description
+    #[arg(value_name = "FILE.toml")]
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) output_options: OutputOptions,
+}
+
+/// Runs a command.
+pub(super) fn robot(verb: &RobotVerb) -> Result<Status, Error> {
+    match verb {
+        RobotVerb::List(_) => list(),
+        RobotVerb::Show(arguments) => show(arguments),
+        RobotVerb::Check(arguments) => check(arguments),
+        RobotVerb::Import(arguments) => import(arguments),
+        RobotVerb::Export(arguments) => export(arguments),
     }
 }
 
-impl Default for RobotChoice {
-    fn default() -> Self {
-        RobotChoice::Named(RobotName::Titan8)
-    }
-}
-
-impl fmt::Display for RobotChoice {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            RobotChoice::Named(name) => f.write_str(name.robot().name()),
-            RobotChoice::Published(robot) => f.write_str(robot.name),
-            RobotChoice::File(path) => path.display().fmt(f),
-        }
-    }
-}
-
-/// How alike two names are of which one may be meant by the other, from 0 to 1.
-const ALIKE: f64 = 0.75;
-
-/// A name that no robot has.
-fn no_robot(text: &str) -> Using {
-    let values = RobotName::value_variants().iter();
-    let names = values.filter_map(|name| Some(name.to_possible_value()?.get_name().to_owned()));
-    let published = published::ALL.iter().map(|robot| robot.name.to_owned());
-    let names: Vec<String> = names.chain(published).collect();
-    let small = text.to_lowercase();
-    let likeness = |name: &String| strsim::jaro_winkler(&small, name);
-    let near = names
-        .iter()
-        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-    let near = near.filter(|near| likeness(near) >= ALIKE).cloned();
-    let (word, robots) = (text.to_owned(), Each(names));
-    match near {
-        Some(near) => Using::NearRobot { word, near, robots },
-        None => Using::NoRobot { word, robots },
-    }
-}
-
-/// A robot that is there to be used.
-pub(super) enum ChosenRobot {
-    Named(RobotName),
-    Described(Box<Description>),
-}
-
-impl RobotChoice {
-    /// The file that it is read from, if there is one.
-    pub(super) fn file(&self) -> Option<&Path> {
-        match self {
-            RobotChoice::Named(_) | RobotChoice::Published(_) => None,
-            RobotChoice::File(path) => Some(path),
-        }
-    }
-
-    /// The same; a file that has no folder of its own is beside another one.
-    pub(super) fn beside(self, other: Option<&Path>) -> Self {
-        match (self, other.and_then(Path::parent)) {
-            (RobotChoice::File(path), Some(folder)) => RobotChoice::File(folder.join(path)),
-            (choice, _) => choice,
-        }
-    }
-
-    /// Reads the description, if there is one.
-    pub(super) fn load(&self) -> Result<ChosenRobot, Box<Loaded>> {
-        match self {
-            RobotChoice::Named(name) => Ok(ChosenRobot::Named(*name)),
-            RobotChoice::Published(robot) => Ok(ChosenRobot::Described(Box::new(robot.read()?))),
-            RobotChoice::File(path) => {
-                let description = input::describe(path)?;
-                Ok(ChosenRobot::Described(Box::new(description)))
+/// Reports all errors of a description, or the properties of the robot.
+fn check(arguments: &CheckRobot) -> Result<Status, Error> {
+    match input::describe(&arguments.file) {
+        Ok(description) => {
+            if arguments.output_options.message_format == Format::Human {
+                output::print(summary(&Robot::described(&description)))?;
             }
+            Ok(Status::Success)
+        }
+        Err(loaded) => {
+            report::check(&loaded, arguments.output_options)?;
+            Ok(Status::Failure)
         }
     }
 }
 
-impl ChosenRobot {
-    /// The robot before its first control cycle.
-    pub(super) fn simulated(&self) -> Result<tip_sim::Robot, Error> {
+/// Returns the properties of a robot.
+fn summary(robot: &Robot) -> String {
+    let Anatomy {
+        body,
+        forces,
+        inverse,
+        joints,
+        feet,
+        ..
+    } = robot.anatomy();
+    let standing = body.map_or("bolted down".to_owned(), |body| {
+        format!("body of {} kg", body.mass)
+    });
+    let forces = forces.map_or(
+        "no commands of torque, force and compliance".to_owned(),
+        |forces| {
+            format!(
+                "torque up to {} {}",
+                forces.torque_max,
+                forces.unit.symbol()
+            )
+        },
+    );
+    let (name, legs) = (robot.name(), feet.len());
+    let (of_legs, of_joints) = (report::plural(legs, "leg"), report::plural(joints, "joint"));
+    let mut text = format!(
+        "{name}: {of_legs} of {of_joints}, {standing}\n\
+         F1 to F{legs}, J11 to J{legs}{joints}, members J1 to J{joints}; {forces}\n\
+         inverse kinematics: {}\n\
+         feet in the initial posture, in mm:\n",
+        inverse.name()
+    );
+    for (number, foot) in (1..).zip(feet) {
+        // Adding 0 turns −0 into 0.
+        let [x, y, z] = foot.map(|at| at + 0.0);
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "  F{number}  {x:.1} {y:.1} {z:.1}");
+    }
+    text
+}
+
+/// `tip robot list`
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  tip robot list
+  tip run march.prg --robot phantomx    wherever a robot is chosen, any of these names is
+
+docs/robots.md says where the figures come from.")]
+pub(crate) struct List {}
+
+/// `tip robot show`
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  tip robot show titan8
+  tip robot show a1                 with its figures and where they come from
+  tip robot show a1 > mine.toml     a description to be changed
+
+Exit status: 0 if there is such a robot and its description can be used, 1 otherwise.")]
+pub(crate) struct Show {
+    /// The robot: a name that 'tip robot list' shows, or a description
+    #[arg(value_name = "NAME|FILE.toml")]
+    robot: RobotChoice,
+
+    #[command(flatten)]
+    pub(crate) output_options: OutputOptions,
+}
+
+/// Prints the names of robots with their descriptions.
+fn list() -> Result<Status, Error> {
+    let values = RobotName::value_variants().iter();
+    let values = values.filter_map(ValueEnum::to_possible_value);
+    let named = values.map(|value| {
+        let what = value.get_help().map(ToString::to_string);
+        (value.get_name().to_owned(), what.unwrap_or_default())
+    });
+    let published = published::ALL.iter();
+    let published = published.map(|robot| (robot.name.to_owned(), robot.summary().to_owned()));
+    let mut text = String::new();
+    for (name, what) in named.chain(published) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{name:<10}  {what}");
+    }
+    output::print(text)?;
+    Ok(Status::Success)
+}
+
+/// Prints the properties of a robot; of a published one also its description, so that the output is a description.
+fn show(arguments: &Show) -> Result<Status, Error> {
+    let robot = match arguments.robot.load() {
+        Ok(robot) => robot.simulated()?,
+        Err(loaded) => {
+            report::check(&loaded, arguments.output_options)?;
+            return Ok(Status::Failure);
+        }
+    };
+    let has = summary(&robot);
+    let text = match &arguments.robot {
+        RobotChoice::Published(robot) => {
+            let has: String = has.lines().map(|line| format!("# {line}\n")).collect();
+            format!("{}\n{has}", robot.text)
+        }
+        _ => has,
+    };
+    output::print(text)?;
+    Ok(Status::Success)
+}
+
+/// The value of one `--foot`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Feet(pub(super) Vec<Foot>);
+
+/// Parses feet separated by commas: each a link, or `LINK=X,Y,Z`.
+pub(super) fn feet(text: &str) -> Result<Feet, BadValue> {
+    let wrong = || {
+        BadValue(Using::NotAFoot {
+            text: text.to_owned(),
+        })
+    };
+    let mut words = text.split(',');
+    let mut feet = Vec::new();
+    while let Some(word) = words.next() {
+        let foot = match word.split_once('=') {
+            None => Some(Foot::from(word)),
+            Some((link, x)) => coordinates([Some(x), words.next(), words.next()]).map(|at| Foot {
+                link: link.to_owned(),
+                at,
+            }),
+        };
+        feet.push(
+            foot.filter(|foot| !foot.link.is_empty())
+                .ok_or_else(wrong)?,
+        );
+    }
+    Ok(Feet(feet))
+}
+
+/// Parses three finite numbers.
+fn coordinates(words: [Option<&str>; 3]) -> Option<[f64; 3]> {
+    let mut at = [0.0; 3];
+    for (place, word) in at.iter_mut().zip(words) {
+        *place = word?
+            .trim()
+            .parse()
+            .ok()
+            .filter(|it: &f64| it.is_finite())?;
+    }
+    Some(at)
+}
+
+/// `tip robot import`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
+foot is the link at the end, on a fixed joint, or what --foot says. A report on standard error lists what was assumed and what was dropped.
+A CHAIN is named by one of its joints or links, or by what only its first joint's name has: FL for FL_hip_joint.
+
+Examples:
+  tip robot import quadruped.urdf -o quadruped.toml
+  tip robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint --stand 280 -o dog.toml
+  tip robot import arm.urdf --foot hand=0.05,0,0.12 -o arm.toml
+
+Exit status: 0 if the description is written, 1 otherwise."
+)]
+pub(super) struct Import {
+    /// The URDF file; xacro has to be expanded first
+    #[arg(value_name = "FILE.urdf")]
+    file: PathBuf,
+
+    /// A link to use as the foot of its chain instead of the last one; '=X,Y,Z' gives a position in its frame, in m; separate
+    /// several with commas
+    #[arg(long, value_name = "LINK[=X,Y,Z]", value_parser = feet)]
+    foot: Vec<Feet>,
+
+    /// Leave out a chain, such as an arm or a head; separate several with commas
+    #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
+    skip: Vec<String>,
+
+    /// The chains that become F1, F2, …, separated by commas; by default in order of position, front to rear and left before right
+    #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
+    order: Vec<String>,
+
+    /// The axis of the file that points up, if that is not z; forward is x, or -z where x points up
+    #[arg(long, value_enum, value_name = "x|y|z")]
+    up: Option<Up>,
+
+    /// Start with all feet this many mm below the robot frame and the body level; by default in the middle of the limits
+    #[arg(long, value_name = "HEIGHT", value_parser = height)]
+    stand: Option<f64>,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "OUT.toml")]
+    out: Option<PathBuf>,
+
+    /// The language of the report and of errors; by default that of the locale
+    #[arg(long, value_enum, value_name = "en|ja")]
+    lang: Option<LangName>,
+}
+
+/// An axis of the file.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Up {
+    X,
+    Y,
+    Z,
+}
+
+impl Up {
+    fn axis(self) -> urdf::Up {
         match self {
-            ChosenRobot::Named(name) => tip_sim::Robot::named(name.robot().name())
-                .map_err(|unknown| Error::Usage(unknown.to_string())),
-            ChosenRobot::Described(description) => Ok(tip_sim::Robot::described(description)),
+            Up::X => urdf::Up::X,
+            Up::Y => urdf::Up::Y,
+            Up::Z => urdf::Up::Z,
         }
     }
+}
 
-    /// What programs are checked for.
-    pub(super) fn robot(&self) -> Robot {
-        match self {
-            ChosenRobot::Named(name) => name.robot(),
-            ChosenRobot::Described(description) => description.robot(),
+/// Parses a height, mm.
+fn height(text: &str) -> Result<f64, BadValue> {
+    let number = text.trim().parse().ok();
+    let height = number.filter(|height: &f64| height.is_finite() && *height > 0.0);
+    height.ok_or_else(|| {
+        BadValue(Using::NotAHeight {
+            text: text.to_owned(),
+        })
+    })
+}
+
+/// Returns true if a file is called URDF by its extension.
+fn is_urdf(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "urdf")
+}
+
+/// Imports a URDF file; errors are reported to standard error.
+fn read_urdf(path: &Path, options: &urdf::ImportOptions, lang: Lang) -> Option<urdf::Import> {
+    let read = input::read(path, LIMIT).map_err(|reason| reason.in_lang(lang).to_string());
+    let imported = read.and_then(|bytes| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let text = urdf::decode(&bytes);
+        let imported = text.and_then(|text| urdf::import_with(&name, &text, options));
+        imported.map_err(|refused| refused.message().in_lang(lang).to_string())
+    });
+    let complain = |reason: &String| {
+        let error = Weight::Error.in_lang(lang);
+        let (name, reason) = (Printable::line(path.display()), Printable::line(reason));
+        report::complain(&format!("{error}: {name}: {reason}\n"));
+    };
+    imported.inspect_err(complain).ok()
+}
+
+/// Writes the description; the report goes to standard error.
+fn import(arguments: &Import) -> Result<Status, Error> {
+    let path = &arguments.file;
+    let choices = urdf::ImportOptions {
+        feet: arguments
+            .foot
+            .iter()
+            .flat_map(|feet| feet.0.clone())
+            .collect(),
+        skip: arguments.skip.clone(),
+        order: arguments.order.clone(),
+        up: arguments.up.map(Up::axis),
+        stand: arguments.stand,
+    };
+    let lang = choices::lang(arguments.lang);
+    let Some(imported) = read_urdf(path, &choices, lang) else {
+        return Ok(Status::Failure);
+    };
+    match &arguments.out {
+        Some(out) => {
+            output::refuse_inputs(out, &[path])?;
+            output::replace(out, &imported.toml)?;
+        }
+        None => output::print(&imported.toml)?,
+    }
+    let name = Printable::line(path.display());
+    for line in &imported.report {
+        let line = line.in_lang(lang);
+        report::complain(&format!("{name}: {}\n", Printable::line(line)));
+    }
+    Ok(Status::Success)
+}
+
+/// `tip robot export`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The joints are J11, J12, …, each link is link11, link12, …, the feet are F1, F2, …; base_link is the robot frame, with x
+forward, y left and z up. A robot that is bolted down hangs on the link world. A slider becomes prismatic joints to the link floor.
+A model of MuJoCo has the same names, x to the right and y forward; its motors take the angles that joints are commanded (rad).
+
+Examples:
+  tip robot export --urdf -o titan8.urdf
+  tip robot export --urdf --robot hexapod.toml -o hexapod.urdf
+  tip robot export --mjcf --scene steps.toml -o titan8.xml
+
+Exit status: 0 if the file is written, 1 otherwise."
+)]
+pub(super) struct Export {
+    /// Write URDF, with boxes, cylinders and spheres for its shapes
+    #[arg(long, required_unless_present = "mjcf")]
+    urdf: bool,
+
+    /// Write a model of MuJoCo (MJCF), with motors, contacts and the scene
+    #[arg(long, conflicts_with = "urdf")]
+    mjcf: bool,
+
+    /// The scene around the robot: cylinder, an object under a hand, or a scene of your own
+    #[arg(long, value_name = "NAME|FILE.toml", conflicts_with = "urdf")]
+    scene: Option<SceneChoice>,
+
+    /// The robot: a name that 'tip robot list' shows, a description, or a URDF file to normalise
+    #[arg(
+        long,
+        value_name = "NAME|FILE.toml|FILE.urdf",
+        default_value = "titan8"
+    )]
+    robot: Model,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    out: Option<PathBuf>,
+
+    #[command(flatten)]
+    output_options: OutputOptions,
+}
+
+/// The source of the robot.
+#[derive(Clone, Debug)]
+enum Model {
+    Robot(RobotChoice),
+    Urdf(PathBuf),
+}
+
+impl FromStr for Model {
+    type Err = BadValue;
+
+    fn from_str(text: &str) -> Result<Self, BadValue> {
+        match is_urdf(Path::new(text)) {
+            true => Ok(Model::Urdf(text.into())),
+            false => text.parse().map(Model::Robot),
+        }
+    }
+}
+
+/// Writes the robot.
+fn export(arguments: &Export) -> Result<Status, Error> {
+    let Some(robot) = exported_robot(arguments)? else {
+        return Ok(Status::Failure);
+    };
+    let text = match arguments.mjcf {
+        false => urdf::export(&robot),
+        true => match load_scene(arguments.scene.as_ref(), None) {
+            Ok(scene) => mjcf::export(&in_scene(robot, &scene)?),
+            Err(loaded) => {
+                report::diagnostics(&loaded, arguments.output_options);
+                return Ok(Status::Failure);
+            }
+        },
+    };
+    match &arguments.out {
+        Some(out) => {
+            let robot = match &arguments.robot {
+                Model::Robot(choice) => choice.file(),
+                Model::Urdf(path) => Some(path.as_path()),
+            };
+            let scene = arguments.scene.as_ref().and_then(SceneChoice::file);
+            let files: Vec<&Path> = robot.into_iter().chain(scene).collect();
+            output::refuse_inputs(out, &files)?;
+            output::replace(out, text)?;
+        }
+        None => output::print(text)?,
+    }
+    Ok(Status::Success)
+}
+
+/// Loads the robot; `None` if there are errors, which were reported.
+fn exported_robot(arguments: &Export) -> Result<Option<Robot>, Error> {
+    match &arguments.robot {
+        Model::Robot(choice) => match choice.load() {
+            Ok(robot) => Ok(Some(robot.simulated()?)),
+            Err(loaded) => {
+                report::diagnostics(&loaded, arguments.output_options);
+                Ok(None)
+            }
+        },
+        Model::Urdf(path) => {
+            let choices = urdf::ImportOptions::default();
+            let Some(imported) = read_urdf(path, &choices, arguments.output_options.lang()) else {
+                return Ok(None);
+            };
+            let robot = Robot::description(&imported.toml);
+            robot.map(Some).map_err(|bad| Error::Usage(bad.to_string()))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::feet;
+    use tip_sim::urdf::Foot;
+
+    #[test]
+    fn links_and_places_on_them_stand_side_by_side() {
+        let foot = |link: &str, at| Foot {
+            link: link.to_owned(),
+            at,
+        };
+        let read = |text: &str| feet(text).ok().map(|feet| feet.0);
+        assert_eq!(read("toe"), Some(vec![foot("toe", [0.0; 3])]));
+        assert_eq!(
+            read("l=0.1,-2e-3,0,r,m=1, 2 ,3"),
+            Some(vec![
+                foot("l", [0.1, -0.002, 0.0]),
+                foot("r", [0.0; 3]),
+                foot("m", [1.0, 2.0, 3.0]),
+            ])
+        );
+        for wrong in [
+            "",
+            "toe,",
+            "l=",
+            "l=1",
+            "l=1,2",
+            "l=1,2,r",
+            "l=1,2,inf",
+            "=1,2,3",
+        ] {
+            assert_eq!(read(wrong), None, "{wrong}");
         }
     }
 }

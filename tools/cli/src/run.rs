@@ -1,39 +1,33 @@
 //! `tip run`: a program on the simulated robot, by the reference interpreter.
 
+mod console;
 mod emergency;
 mod files;
-mod live;
-mod progress;
-mod screen;
 mod summary;
-mod trace;
-mod values;
 
 use super::arguments::{InputArguments, SourceArguments};
-use super::deny::Deny;
 use super::error::Error;
 use super::loader::{self, Subject};
-use super::plant::PlantChoice;
+use super::report::Deny;
+use super::setup::PlantChoice;
 use super::{Status, input, interrupt, report};
 use crate::message::{Running, Using, Weight};
 use clap::Args;
+use console::{Live, Progress, Screen};
 use emergency::Stopped;
-use live::Live;
-use progress::Progress;
-use screen::Screen;
+use files::{Extras, Trace};
 use std::path::PathBuf;
 use summary::{fall, summary};
-
-pub(super) use summary::said;
 
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, Waits};
 use tipc::Loaded;
 use tipc::program::Program;
-use trace::{Extras, Trace};
 
-/// A robot that rests so long probably waits for something that does not come: ms.
+pub(super) use summary::wait_message;
+
+/// Time without a motion after which a run probably waits for something that does not come, ms.
 pub(super) const LONG_WAIT: f64 = 60_000.0;
 
 /// `tip run`
@@ -74,16 +68,16 @@ pub(super) struct Run {
     #[command(flatten)]
     pub(super) inputs: InputArguments,
 
-    /// Write the trace, one JSON object a line, to a file, or to standard output for '-'
+    /// Write the trace, one JSON object per line, to a file, or to standard output for '-'
     #[arg(long, value_name = "OUT.jsonl|-")]
     pub(super) trace: Option<PathBuf>,
 
-    /// End each record of the trace with a hash of the robot's commands and measurements
+    /// Add a hash of the robot's commands and measurements to each record of the trace
     #[arg(long, requires = "trace")]
     pub(super) trace_state: bool,
 
-    /// End each record of the trace with what the simulated robot did: pose, angles, loads, margin, falls, and what a robot without
-    /// mass leaves out
+    /// Add the motion of the simulated robot to each record of the trace: pose, angles, loads, margin, falls, and what a simulation
+    /// without mass leaves out
     #[arg(long, requires = "trace")]
     pub(super) trace_motion: bool,
 
@@ -91,14 +85,14 @@ pub(super) struct Run {
     #[arg(long, value_name = "DIR")]
     pub(super) out_dir: Option<PathBuf>,
 
-    /// Run as fast as the robot does, and show how it is; keys are those of the terminal
+    /// Run in real time, with a status line and keys from the terminal
     #[arg(long)]
     pub(super) realtime: bool,
 
     #[command(flatten)]
     pub(super) deny: Deny,
 
-    /// Say nothing but the program's messages and the errors that end a run
+    /// Print only messages of the program and errors that end a run
     #[arg(long, short)]
     pub(super) quiet: bool,
 }
@@ -109,7 +103,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     let plant = arguments.inputs.plant.as_ref();
     let process = plant.and_then(PlantChoice::process);
     if process.is_some() {
-        refuse_ours(arguments)?;
+        reject_built_in_options(arguments)?;
     }
     let source = &arguments.source;
     let subject = loader::load(&arguments.file, source, &arguments.inputs, None);
@@ -121,7 +115,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         return Ok(Status::Failure);
     };
     let inputs = arguments.inputs.inputs();
-    if arguments.deny.refuses(&loaded) {
+    if arguments.deny.rejects(&loaded) {
         return Ok(Status::Failure);
     }
     if loaded.program.is_some() {
@@ -136,10 +130,10 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     };
     // A process that does not start leaves no file.
     let begun = match program {
-        Some(program) => Some(job.begin(program, &robot)?),
+        Some(program) => Some(job.new_run(program, &robot)?),
         None => None,
     };
-    // Then the trace: it changes nothing before the end, and where it cannot be written no log is touched.
+    // The trace comes next: it changes nothing before the end, and if it cannot be written, no log is touched.
     let trace = match (&arguments.trace, &begun) {
         (Some(path), Some(_)) => {
             let extras = Extras {
@@ -160,25 +154,26 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     }
 }
 
-/// A program that was loaded, and what is to happen to it.
+/// A loaded program with the options of its run.
 struct Job<'a> {
     arguments: &'a Run,
-    /// What it was loaded from.
+    /// The loaded source.
     loaded: &'a Loaded,
     inputs: &'a Inputs,
-    /// What simulates the robot, if it is not one of our plants.
+    /// The process that simulates the robot, if it is not a built-in plant.
     process: Option<ExternalPlant>,
 }
 
 impl Job<'_> {
-    /// The run before its first cycle.
-    fn begin(&self, program: Program, robot: &Robot) -> Result<tip_sim::Run, Error> {
+    /// Returns the run before its first cycle.
+    fn new_run(&self, program: Program, robot: &Robot) -> Result<tip_sim::Run, Error> {
         let run = self.start(Interpreter::new(program), robot)?;
-        run.with_events(&self.inputs.events)
-            .map_err(|refused| Error::Usage(refused.text(self.arguments.source.shown.lang())))
+        run.with_events(&self.inputs.events).map_err(|refused| {
+            Error::Usage(refused.text(self.arguments.source.output_options.lang()))
+        })
     }
 
-    /// Runs it, and reports how it ended.
+    /// Runs the program and reports the end.
     fn simulate(
         &self,
         begun: tip_sim::Run,
@@ -202,7 +197,7 @@ impl Job<'_> {
         if self.arguments.realtime {
             watch.live = Some(Live::begin(
                 self.arguments.quiet,
-                self.arguments.source.shown.lang(),
+                self.arguments.source.output_options.lang(),
             ));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
@@ -222,10 +217,10 @@ impl Job<'_> {
                 options,
                 anatomy: &anatomy,
             };
-            report::shows(&stopped.report(self.arguments.source.shown));
+            report::write_stderr(&stopped.report(self.arguments.source.output_options));
         }
         if !self.arguments.quiet {
-            let lang = self.arguments.source.shown.lang();
+            let lang = self.arguments.source.output_options.lang();
             let summary = summary(&run, ending, wait.as_ref(), &self.loaded.source, lang);
             report::complain(&summary);
             live.iter()
@@ -239,7 +234,7 @@ impl Job<'_> {
     fn start(&self, program: Interpreter, robot: &Robot) -> Result<tip_sim::Run, Error> {
         match &self.process {
             Some(process) => {
-                let lang = self.arguments.source.shown.lang();
+                let lang = self.arguments.source.output_options.lang();
                 let run = tip_sim::Run::external(program, robot, process);
                 run.map_err(|refused| Error::Failed(refused.text(lang)))
             }
@@ -251,14 +246,14 @@ impl Job<'_> {
     fn progress(&self) -> Progress {
         match (self.arguments.quiet, self.arguments.realtime) {
             (true, _) => Progress::hidden(),
-            // What a process says would be written into its line.
+            // The output of a process would be mixed with its line.
             (false, false) if self.process.is_some() => Progress::hidden(),
             (false, true) => Progress::live(),
             (false, false) => Progress::of(self.inputs.cycles),
         }
     }
 
-    /// The exit status that belongs to an ending.
+    /// Returns the exit status of an ending.
     fn status(&self, ending: &Ending, fell: bool) -> Status {
         match ending {
             Ending::Interrupted => Status::Interrupted,
@@ -280,13 +275,13 @@ struct Watch<'a> {
     live: Option<Live>,
     fell: bool,
     waits: Waits,
-    /// Whether a long wait was reported.
+    /// True if a long wait was reported.
     has_waited: bool,
 }
 
 impl Watch<'_> {
-    /// Reports the first fall in the cycle in which it is.
-    fn look_for_a_fall(&mut self, run: &tip_sim::Run) {
+    /// Reports the first fall in its cycle.
+    fn report_fall(&mut self, run: &tip_sim::Run) {
         let Some(found) = run.first_fall().filter(|_| !self.fell) else {
             return;
         };
@@ -301,7 +296,7 @@ impl Watch<'_> {
             Weight::Warning
         };
         if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
-            let lang = self.job.arguments.source.shown.lang();
+            let lang = self.job.arguments.source.output_options.lang();
             let has_mass = (run.motion()).is_some_and(|motion| motion.unmodelled.is_none());
             let source = &self.job.loaded.source;
             let text = fall(&found, &weight, has_mass, source, program, lang);
@@ -311,23 +306,23 @@ impl Watch<'_> {
 }
 
 impl Watch<'_> {
-    /// Says what a run waits for, in its line on a terminal, else once when it has waited long.
-    fn look_for_a_wait(&mut self, run: &mut tip_sim::Run, cycle: u64) {
+    /// Reports what a run waits for: in the line of progress on a terminal, else once after a long wait.
+    fn report_wait(&mut self, run: &mut tip_sim::Run, cycle: u64) {
         self.waits.after(run);
         let is_long = self.waits.rest(run) >= LONG_WAIT;
-        let lang = self.job.arguments.source.shown.lang();
+        let lang = self.job.arguments.source.output_options.lang();
         let Some(screen) = run.console::<Screen>() else {
             return;
         };
         if screen.is_due(cycle) {
             let wait = self.waits.now(run);
-            let text = wait.map(|wait| format!(" | {}", said(&wait).in_lang(lang)));
+            let text = wait.map(|wait| format!(" | {}", wait_message(&wait).in_lang(lang)));
             screen.waits(text.unwrap_or_default());
         } else if is_long && !self.has_waited && self.live.is_none() && !self.job.arguments.quiet {
             let Some(wait) = self.waits.now(run) else {
                 return;
             };
-            let wait = said(&wait);
+            let wait = wait_message(&wait);
             let text = Running::GoesOn { wait };
             screen.above(|| report::complain(&format!("{}\n", text.in_lang(lang))));
         }
@@ -348,7 +343,7 @@ impl Observer for Watch<'_> {
         if let Some(trace) = &mut self.trace {
             trace.after(run);
         }
-        self.look_for_a_fall(run);
+        self.report_fall(run);
         if run.ending().is_some() {
             return;
         }
@@ -359,15 +354,15 @@ impl Observer for Watch<'_> {
         if let Some(screen) = run.console_mut::<Screen>() {
             screen.at(cycle);
         }
-        self.look_for_a_wait(run, cycle);
+        self.report_wait(run, cycle);
         if let Some(live) = &mut self.live {
             live.after(run, &self.waits, &self.job.loaded.source);
         }
     }
 }
 
-/// Refuses what only our plants can do.
-fn refuse_ours(arguments: &Run) -> Result<(), Error> {
+/// Refuses options that need a built-in plant.
+fn reject_built_in_options(arguments: &Run) -> Result<(), Error> {
     let refused = if arguments.inputs.scene.is_some() {
         Using::SceneIsElsewhere
     } else if arguments.deny.falls() {
@@ -375,6 +370,6 @@ fn refuse_ours(arguments: &Run) -> Result<(), Error> {
     } else {
         return Ok(());
     };
-    let lang = arguments.source.shown.lang();
+    let lang = arguments.source.output_options.lang();
     Err(Error::Usage(refused.in_lang(lang).to_string()))
 }

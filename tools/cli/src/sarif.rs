@@ -1,4 +1,4 @@
-//! Findings as one document of SARIF 2.1.0, the form in which tools exchange the results of static analysis
+//! Diagnostics as one document of SARIF 2.1.0, the exchange format of static analysis
 //! (<https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html>).
 
 use super::explain::page;
@@ -14,24 +14,24 @@ use tipc::diagnostic::{Diagnostic, Fix};
 use tipc::message::Lang;
 use tipc::source::{Source, Span, Unit};
 
-/// Where the schema of the standard is.
+/// The address of the schema.
 const SCHEMA: &str =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 
-/// Collects what is found in all files, until it is written.
+/// A document that collects the diagnostics of all files.
 #[derive(Debug)]
 pub(super) struct Document {
     lang: Lang,
     artifacts: Vec<Value>,
     results: Vec<Value>,
-    /// What is said of findings that are omitted.
+    /// Notes about omitted diagnostics.
     notes: Vec<Value>,
-    /// The first finding of each code.
+    /// The first diagnostic of each code.
     rules: BTreeMap<&'static str, Diagnostic>,
 }
 
 impl Document {
-    /// An empty one, with texts in a language.
+    /// Returns an empty document with texts in a language.
     pub(super) fn new(lang: Lang) -> Self {
         Document {
             lang,
@@ -42,7 +42,7 @@ impl Document {
         }
     }
 
-    /// Adds a file and all that was found in it.
+    /// Adds a file and its diagnostics.
     pub(super) fn add(&mut self, loaded: &Loaded) {
         let file = File {
             source: &loaded.source,
@@ -50,15 +50,15 @@ impl Document {
             lang: self.lang,
         };
         self.artifacts.push(file.artifact());
-        for finding in &loaded.diagnostics {
-            self.results.push(file.result(finding));
-            let rule = self.rules.entry(finding.id());
-            rule.or_insert_with(|| finding.clone());
+        for diagnostic in &loaded.diagnostics {
+            self.results.push(file.result(diagnostic));
+            let rule = self.rules.entry(diagnostic.id());
+            rule.or_insert_with(|| diagnostic.clone());
         }
         self.notes.extend(file.note(loaded.omitted.count()));
     }
 
-    /// The text of the document, with a line end.
+    /// Returns the text of the document, with a line end.
     pub(super) fn text(mut self) -> String {
         let rules = self.rules.values().map(|one| rule(one, self.lang));
         let rules: Vec<Value> = rules.collect();
@@ -99,7 +99,7 @@ impl Document {
 /// A file as the standard describes it.
 struct File<'a> {
     source: &'a Source,
-    /// Its place among the artifacts.
+    /// Its index among the artifacts.
     index: usize,
     lang: Lang,
 }
@@ -116,7 +116,7 @@ impl File<'_> {
         json!({ "uri": uri(self.source.name()), "index": self.index })
     }
 
-    /// What is said of so many findings that are omitted, if there are any.
+    /// Returns the note about omitted diagnostics, if there are any.
     fn note(&self, omitted: usize) -> Option<Value> {
         let text = More::from(omitted).in_lang(self.lang).to_string();
         let note = json!({
@@ -127,19 +127,19 @@ impl File<'_> {
         (omitted > 0).then_some(note)
     }
 
-    fn result(&self, finding: &Diagnostic) -> Value {
+    fn result(&self, diagnostic: &Diagnostic) -> Value {
         let mut result = json!({
-            "ruleId": finding.id(),
-            "level": finding.level().name(),
-            "message": { "text": escaped(&text(finding, self.lang)) },
-            "locations": [self.place(finding)],
-            "properties": { "class": finding.code.id(), "message": finding.message() },
+            "ruleId": diagnostic.id(),
+            "level": diagnostic.level().name(),
+            "message": { "text": escaped(&text(diagnostic, self.lang)) },
+            "locations": [self.place(diagnostic)],
+            "properties": { "class": diagnostic.code.id(), "message": diagnostic.message() },
         });
-        if let Some(kind) = finding.code.kind() {
+        if let Some(kind) = diagnostic.code.kind() {
             result["properties"]["kind"] = json!(kind.name());
         }
-        if !finding.labels.is_empty() {
-            let labels = finding.labels.iter().map(|label| {
+        if !diagnostic.labels.is_empty() {
+            let labels = diagnostic.labels.iter().map(|label| {
                 let text = label.text.in_lang(self.lang).to_string();
                 json!({
                     "physicalLocation": self.physical(label.span),
@@ -148,8 +148,8 @@ impl File<'_> {
             });
             result["relatedLocations"] = labels.collect();
         }
-        if !finding.fixes.is_empty() {
-            result["fixes"] = finding.fixes.iter().map(|fix| self.fix(fix)).collect();
+        if !diagnostic.fixes.is_empty() {
+            result["fixes"] = diagnostic.fixes.iter().map(|fix| self.fix(fix)).collect();
         }
         result
     }
@@ -171,13 +171,13 @@ impl File<'_> {
         })
     }
 
-    /// The place of a finding; of a file that cannot be read, the file.
-    fn place(&self, finding: &Diagnostic) -> Value {
-        match finding.code {
+    /// Returns the location of a diagnostic; for a file that cannot be read, the file.
+    fn place(&self, diagnostic: &Diagnostic) -> Value {
+        match diagnostic.code {
             Code::FileNotFound => {
                 json!({ "physicalLocation": { "artifactLocation": self.location() } })
             }
-            _ => json!({ "physicalLocation": self.physical(finding.span) }),
+            _ => json!({ "physicalLocation": self.physical(diagnostic.span) }),
         }
     }
 
@@ -185,7 +185,7 @@ impl File<'_> {
         json!({ "artifactLocation": self.location(), "region": self.region(span) })
     }
 
-    /// Lines and columns from 1, the end after the last character; bytes of the file from 0.
+    /// Returns the region of a span: lines and columns from 1, the end after the last character; bytes of the file from 0.
     fn region(&self, span: Span) -> Value {
         let place = |offset| self.source.position(offset, Unit::Character);
         let (start, end) = (place(span.start), place(span.end));
@@ -201,21 +201,21 @@ impl File<'_> {
     }
 }
 
-/// What is wrong, and below it what to do.
-fn text(finding: &Diagnostic, lang: Lang) -> String {
-    let mut text = finding.headline(lang);
-    if finding.level() == Level::Warning {
-        text += &format!(": {}", finding.reason.in_lang(lang));
+/// Returns the message: the reason, and the help on the next line.
+fn text(diagnostic: &Diagnostic, lang: Lang) -> String {
+    let mut text = diagnostic.headline(lang);
+    if diagnostic.level() == Level::Warning {
+        text += &format!(": {}", diagnostic.reason.in_lang(lang));
     }
-    if let Some(help) = &finding.help {
+    if let Some(help) = &diagnostic.help {
         text += &format!("\n{}", help.in_lang(lang));
     }
     text
 }
 
-/// The rule that a finding breaks.
-fn rule(finding: &Diagnostic, lang: Lang) -> Value {
-    let id = finding.id();
+/// Returns the rule of a diagnostic.
+fn rule(diagnostic: &Diagnostic, lang: Lang) -> Value {
+    let id = diagnostic.id();
     let page = page(id, lang).unwrap_or_default();
     let title = page.lines().next().and_then(|line| line.split_once(": "));
     let title = title.map_or(id, |(_, title)| title);
@@ -223,16 +223,16 @@ fn rule(finding: &Diagnostic, lang: Lang) -> Value {
         "id": id,
         "shortDescription": { "text": escaped(title) },
         "help": { "text": escaped(page), "markdown": escaped(page) },
-        "defaultConfiguration": { "level": finding.level().name() },
+        "defaultConfiguration": { "level": diagnostic.level().name() },
     })
 }
 
-/// A text in which no brace begins a placeholder.
+/// Escapes braces, which begin placeholders.
 fn escaped(text: &str) -> String {
     text.replace('{', "{{").replace('}', "}}")
 }
 
-/// The reference to a file (RFC 3986): relative if its path is.
+/// Returns the reference to a file (RFC 3986): relative if its path is.
 pub(super) fn uri(name: &str) -> String {
     let mut uri = match (Path::new(name).is_absolute(), name.starts_with('/')) {
         (true, true) => "file://".to_owned(),

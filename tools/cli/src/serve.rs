@@ -1,30 +1,28 @@
-//! `tip serve`: a page with a run that goes on, for as many viewers as look at it.
+//! `tip serve`: serves a page with a live run to any number of viewers. The session belongs to one thread (`hub`); connections
+//! (`listen`), their admission (`guard`), requests and responses (`http`) and WebSockets (`viewer`) have their own.
 
-mod file;
 mod guard;
-mod head;
+mod http;
 mod hub;
 mod listen;
-mod outbox;
-mod reply;
 mod viewer;
 
-use super::error::Error;
-use super::loader::Subject;
-use super::plant::Ours;
-use super::recorded::RecordedArguments;
-use super::robot::ChosenRobot;
-use super::watch::Watch;
-use super::{Status, input, interrupt, output, project, report};
+use crate::error::Error;
+use crate::loader::Subject;
 use crate::message::Using;
+use crate::record::RecordedArguments;
+use crate::setup::{BuiltInOnly, ChosenRobot};
+use crate::watch::Watch;
+use crate::{Status, input, interrupt, output, project, report};
 use clap::Args;
-use file::ServedFile;
 use guard::Guard;
-use hub::{Hub, News, Post};
+use hub::{Hub, HubEvent, HubSender};
 use std::net::SocketAddr;
-use std::path::Path;
-use std::thread;
-use tip_view::live::{Session, Setup};
+use std::path::{Path, PathBuf};
+use std::{fs, thread};
+use tip_view::live::{Host, Session, Setup};
+use tipc::embed::{LIMIT, open_file, read_stream};
+use tipc::message::{Lang, Reading};
 
 /// `tip serve`
 #[derive(Debug, Args)]
@@ -35,12 +33,12 @@ use tip_view::live::{Session, Setup};
   tip serve walk.prg --listen 0.0.0.0:8000    for other machines too
 
 The page runs the program on the simulated robot in real time, or slower or faster. Keys, knobs,
-halt and emergency stop reach the program. The run rests, steps forward and back, and goes on from
-any cycle of its last five minutes. The program is edited in the page, with its findings in place,
-run from the beginning, and saved to FILE. A change of FILE by another editor is run at once.
+halt and emergency stop reach the program. The run can be paused, stepped forward and back, and continued
+from any cycle of its last five minutes. The program can be edited in the page, which shows its
+errors and warnings, restarted, and saved to FILE. A change of FILE by another editor is run immediately.
 
-Everyone with the address sees the same run and may do all that. Only this machine reaches it,
-unless --listen says otherwise. Ctrl-C ends it.
+Everyone with the address sees the same run and may do all that. The page is reachable from this
+machine only, unless --listen is given. Ctrl-C ends the command.
 
 Exit status: 130 ended by Ctrl-C, 1 the program does not load or the address cannot be used,
 2 wrong usage.")]
@@ -48,15 +46,15 @@ pub(super) struct Serve {
     #[command(flatten)]
     pub(super) recorded: RecordedArguments,
 
-    /// The address to listen at; port 0 is any that is free
+    /// The address to listen on; port 0 selects a free one
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:0")]
     listen: SocketAddr,
 
-    /// Do not run until someone asks for it
+    /// Do not start the run until a viewer does
     #[arg(long)]
     paused: bool,
 
-    /// Say nothing but the address and errors
+    /// Print only the address and errors
     #[arg(long, short)]
     quiet: bool,
 }
@@ -64,7 +62,7 @@ pub(super) struct Serve {
 /// Serves the page until Ctrl-C.
 pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
     let path = arguments.recorded.file.as_path();
-    let lang = arguments.recorded.source.shown.lang();
+    let lang = arguments.recorded.source.output_options.lang();
     if input::is_stream(path) {
         return Err(Error::Usage(Using::ServeInput.in_lang(lang).to_string()));
     }
@@ -75,7 +73,7 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
     let listener = listen::open(arguments.listen).map_err(failed)?;
     let own = listener.local_addr().map_err(failed)?;
     let guard = Guard::new(own).map_err(Error::Failed)?;
-    let (hub, post) = Hub::new(session, file, robot);
+    let (hub, sender) = Hub::new(session, file, robot);
     output::print(format!("{}\n", guard.address()))?;
     let says = |message: Using| report::complain(&format!("{}\n", message.in_lang(lang)));
     if !arguments.quiet && !own.ip().is_loopback() {
@@ -84,24 +82,24 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
     if !arguments.quiet {
         says(Using::ServeEnds);
     }
-    watch(path, post.clone())?;
-    listen::accept(listener, guard, post);
+    watch(path, sender.clone())?;
+    listen::accept(listener, guard, sender);
     hub.run();
     Ok(Status::Interrupted)
 }
 
 impl Serve {
-    /// Returns the program on its robot, its file, and the choice of the robot; none if something was found, and reported.
+    /// Loads the program; returns its session, its file, and its robot; `None` if there are errors, which were reported.
     fn session(&self, path: &Path) -> Result<Option<(Session, ServedFile, ChosenRobot)>, Error> {
         let recorded = &self.recorded;
-        let lang = recorded.source.shown.lang();
+        let lang = recorded.source.output_options.lang();
         let place = project::real(path);
         let Some(Subject {
             loaded,
             robot,
             chosen,
             ..
-        }) = recorded.load(path, self.quiet, Ours::Again("serve"))?
+        }) = recorded.load(path, self.quiet, BuiltInOnly::RunsAgain("serve"))?
         else {
             return Ok(None);
         };
@@ -114,7 +112,7 @@ impl Serve {
             rest: inputs.cycles,
             ..Setup::new(&name, &bytes, robot)
         };
-        let refused = |_| Error::Usage("an event cannot happen to this program".to_owned());
+        let refused = |_| Error::Usage("an event is not possible for this program".to_owned());
         let mut session = Session::new(setup).map_err(refused)?;
         if !self.paused {
             session.play();
@@ -123,14 +121,72 @@ impl Serve {
     }
 }
 
-/// Tells the hub of each change of the file.
-fn watch(path: &Path, post: Post) -> Result<(), Error> {
+/// Reports each change of the file to the hub.
+fn watch(path: &Path, hub: HubSender) -> Result<(), Error> {
     let watch = Watch::begin([path])?;
-    thread::spawn(move || while watch.changed() && post.send(News::FileChanged) {});
+    thread::spawn(move || while watch.changed() && hub.send(HubEvent::FileChanged) {});
     Ok(())
 }
 
-/// Whether the command is to end.
+/// Returns true if the command should end.
 fn is_over() -> bool {
     interrupt::is_requested()
+}
+
+/// The served file: the only one that is read or written. Links on the way to it were followed once; a link that takes its place
+/// later is refused.
+#[derive(Debug)]
+pub(super) struct ServedFile {
+    /// The path without links.
+    path: PathBuf,
+    /// The content that was last read or written: an edit of another program is never overwritten unseen.
+    known: Vec<u8>,
+    lang: Lang,
+}
+
+impl ServedFile {
+    pub(super) fn new(path: PathBuf, known: Vec<u8>, lang: Lang) -> Self {
+        ServedFile { path, known, lang }
+    }
+
+    /// Returns the content of the file, unless a link has taken its place or that of a folder above it.
+    fn content(&self) -> Result<Vec<u8>, Reading> {
+        let file = open_file(&self.path)?;
+        let opened = file.metadata().ok();
+        // The opened file is compared with the entry afterwards, so that a link cannot replace it in between.
+        let is_unlinked = fs::canonicalize(&self.path).is_ok_and(|real| real == self.path);
+        let entry = fs::symlink_metadata(&self.path).ok();
+        match opened.zip(entry) {
+            Some((opened, entry)) if is_unlinked && output::is_one(&opened, &entry) => {
+                read_stream(file, LIMIT)
+            }
+            _ => Err(Reading::Linked),
+        }
+    }
+}
+
+impl Host for ServedFile {
+    fn write(&mut self, bytes: &[u8]) -> Result<(), String> {
+        let lang = self.lang;
+        let written = match self.content() {
+            Ok(content) if content == self.known => {
+                output::update(&self.path, &content, bytes, lang)
+            }
+            // Some editors move the file away first, and a link would be there.
+            Err(Reading::NoFile) if fs::symlink_metadata(&self.path).is_err() => {
+                output::replace(&self.path, bytes)
+            }
+            Ok(_) => return Err(Reading::Changed.in_lang(lang).to_string()),
+            Err(reason) => return Err(reason.in_lang(lang).to_string()),
+        };
+        written.map_err(|error| error.to_string())?;
+        self.known = bytes.to_vec();
+        Ok(())
+    }
+
+    fn read(&mut self) -> Result<Vec<u8>, String> {
+        let read = self.content();
+        self.known = read.map_err(|reason| reason.in_lang(self.lang).to_string())?;
+        Ok(self.known.clone())
+    }
 }

@@ -1,8 +1,8 @@
-//! What is wrong with a command line, in words that lead to a right one.
+//! Errors of the command line, with suggestions.
 
 use super::choices::LangName;
 use super::report::complain;
-use super::{Arguments, shown};
+use super::{Arguments, choices};
 use crate::message::{Using, Weight};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, ValueEnum};
@@ -13,8 +13,8 @@ use tip_runtime::printable::is_control;
 use tipc::message::Lang;
 use tipc::message::list::Each;
 
-/// The words of other tools for what is here.
-const OTHERS: &[(&str, &str)] = &[
+/// Commands of other tools, and the commands that they mean here.
+const OTHER_TOOLS: &[(&str, &str)] = &[
     ("build", "emit rust"),
     ("compile", "emit rust"),
     ("convert", "migrate"),
@@ -27,47 +27,47 @@ const OTHERS: &[(&str, &str)] = &[
     ("upgrade", "migrate"),
 ];
 
-/// A value that an option cannot have, and what is said of it.
+/// The error of an option's value.
 #[derive(Clone, Debug)]
-pub(super) struct Wrong(pub(super) Using);
+pub(super) struct BadValue(pub(super) Using);
 
-impl Wrong {
-    /// What is said of it in a language.
+impl BadValue {
+    /// Returns the message in a language.
     pub(super) fn text(&self, lang: Lang) -> String {
         self.0.in_lang(lang).to_string()
     }
 }
 
-impl fmt::Display for Wrong {
+impl fmt::Display for BadValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
 }
 
-impl std::error::Error for Wrong {}
+impl std::error::Error for BadValue {}
 
-/// A whole number, as a value of an option.
-pub(super) fn count(text: &str) -> Result<u64, Wrong> {
+/// Parses a whole number.
+pub(super) fn count(text: &str) -> Result<u64, BadValue> {
     let text_of = || text.to_owned();
     text.parse()
-        .map_err(|_| Wrong(Using::NotACount { text: text_of() }))
+        .map_err(|_| BadValue(Using::NotACount { text: text_of() }))
 }
 
-/// A whole number that is not 0: how many runs or cycles are compared.
-pub(super) fn positive(text: &str) -> Result<u64, Wrong> {
+/// Parses a whole number above 0.
+pub(super) fn positive(text: &str) -> Result<u64, BadValue> {
     match count(text)? {
-        0 => Err(Wrong(Using::NotPositive {
+        0 => Err(BadValue(Using::NotPositive {
             text: text.to_owned(),
         })),
         count => Ok(count),
     }
 }
 
-/// Says what is wrong, or gives the help that is asked for.
+/// Reports an error of the command line, or prints the help that was asked for.
 pub(super) fn report(error: &clap::Error) {
     let lang = lang();
-    let in_japanese = || general(error).filter(|_| lang == Lang::Japanese);
-    if let Some(reason) = reason(error).or_else(in_japanese) {
+    let in_japanese = || translated(error).filter(|_| lang == Lang::Japanese);
+    if let Some(reason) = specific(error).or_else(in_japanese) {
         let option = text(error, ContextKind::InvalidArg);
         let names_it = [ErrorKind::ValueValidation, ErrorKind::InvalidValue];
         let option = option.filter(|_| names_it.contains(&error.kind()));
@@ -81,21 +81,21 @@ pub(super) fn report(error: &clap::Error) {
     } else if error.use_stderr()
         && env::args_os().any(|word| word.to_string_lossy().chars().any(is_control))
     {
-        // It repeats words of the command line, so that its colours have to go as well.
+        // It repeats words of the command line, which are made printable; that removes colours, too.
         complain(&error.render().to_string());
     } else {
-        // A closed output is no reason to fail over help.
+        // A closed output is not an error.
         let _ = error.print();
     }
 }
 
-/// What can be said better than in general.
-fn reason(error: &clap::Error) -> Option<Using> {
+/// Returns the message of an error that has a specific one.
+fn specific(error: &clap::Error) -> Option<Using> {
     match error.kind() {
         ErrorKind::InvalidSubcommand => {
             let word = text(error, ContextKind::InvalidSubcommand)?;
             let near = strings(error, ContextKind::SuggestedSubcommand);
-            Some(no_command(word, near.first()))
+            Some(unknown_command(word, near.first()))
         }
         ErrorKind::MissingRequiredArgument => {
             let missing = strings(error, ContextKind::InvalidArg);
@@ -109,19 +109,19 @@ fn reason(error: &clap::Error) -> Option<Using> {
         }
         ErrorKind::UnknownArgument => {
             let option = text(error, ContextKind::InvalidArg)?;
-            let near = longer(&option)?;
+            let near = full_option(&option)?;
             Some(Using::NearOption { option, near })
         }
         ErrorKind::ValueValidation => {
-            let wrong = error.source()?.downcast_ref::<Wrong>()?;
+            let wrong = error.source()?.downcast_ref::<BadValue>()?;
             Some(wrong.0.clone())
         }
         _ => None,
     }
 }
 
-/// What the library says in English only.
-fn general(error: &clap::Error) -> Option<Using> {
+/// Returns the translated message of an error that clap has in English only.
+fn translated(error: &clap::Error) -> Option<Using> {
     let option = text(error, ContextKind::InvalidArg);
     Some(match error.kind() {
         ErrorKind::UnknownArgument => {
@@ -156,8 +156,8 @@ fn general(error: &clap::Error) -> Option<Using> {
     })
 }
 
-/// A first word that is not a command.
-fn no_command(word: String, near: Option<&String>) -> Using {
+/// Returns the message about an unknown command.
+fn unknown_command(word: String, near: Option<&String>) -> Using {
     let path = Path::new(&word);
     let is_program = path
         .extension()
@@ -165,7 +165,7 @@ fn no_command(word: String, near: Option<&String>) -> Using {
     if is_program || path.is_file() {
         return Using::RunThat { file: word.into() };
     }
-    let other = OTHERS.iter().find(|(other, _)| *other == word);
+    let other = OTHER_TOOLS.iter().find(|(other, _)| *other == word);
     let meant = other.map(|(_, command)| (*command).to_owned());
     match meant.or_else(|| near.cloned()) {
         Some(command) => Using::OtherWord { word, command },
@@ -176,8 +176,8 @@ fn no_command(word: String, near: Option<&String>) -> Using {
     }
 }
 
-/// The option of the command whose last words these are: `--format`.
-fn longer(option: &str) -> Option<String> {
+/// Returns the option that ends in these words: `--message-format` for `--format`.
+fn full_option(option: &str) -> Option<String> {
     let end = option.strip_prefix('-').filter(|end| end.len() > 2)?;
     let tip = Arguments::command();
     let mut options = tip.find_subcommand(command()?)?.get_arguments();
@@ -185,7 +185,7 @@ fn longer(option: &str) -> Option<String> {
     Some(format!("--{near}"))
 }
 
-/// The commands of tip.
+/// Returns the names of the commands.
 fn commands() -> Vec<String> {
     let tip = Arguments::command();
     let commands = tip.get_subcommands();
@@ -194,13 +194,13 @@ fn commands() -> Vec<String> {
         .collect()
 }
 
-/// The command on the command line.
+/// Returns the command of the command line.
 fn command() -> Option<String> {
     let first = env::args().nth(1)?;
     commands().into_iter().find(|command| *command == first)
 }
 
-/// The language that the command line asks for, which could not be read as a whole; else that of the locale.
+/// Returns the language of the command line, which may be invalid otherwise, or that of the locale.
 pub(super) fn lang() -> Lang {
     let words: Vec<String> = env::args_os()
         .map(|word| word.to_string_lossy().into_owned())
@@ -213,7 +213,7 @@ pub(super) fn lang() -> Lang {
     let end = String::new();
     let nexts = words.iter().skip(1).chain([&end]);
     let asked = words.iter().zip(nexts).find_map(value);
-    shown::lang(asked.and_then(|name| LangName::from_str(&name, false).ok()))
+    choices::lang(asked.and_then(|name| LangName::from_str(&name, false).ok()))
 }
 
 fn text(error: &clap::Error, kind: ContextKind) -> Option<String> {

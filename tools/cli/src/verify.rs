@@ -1,24 +1,29 @@
-//! `tip verify`: compiled code against the reference interpreter, on searched or given inputs.
+//! `tip verify`: compares compiled code with the reference interpreter on searched or given inputs, and prints a certificate or the
+//! shortest inputs on which they differ.
 
-mod certificate;
-mod finding;
-mod watched;
-
-use super::arguments::{InputArguments, SourceArguments};
-use super::error::Error;
-use super::loader::{checked, load};
-use super::plant::Ours;
-use super::robot::ChosenRobot;
-use super::usage::positive;
-use super::{Status, interrupt, output};
+use crate::arguments::{InputArguments, SourceArguments};
+use crate::choices::{PlantName, step_location};
+use crate::error::Error;
+use crate::loader::{Checked, checked, load};
 use crate::message::Using;
-use certificate::certificate;
+use crate::setup::{BuiltInOnly, ChosenRobot, PlantChoice};
+use crate::usage::positive;
+use crate::{Status, interrupt, output, report};
 use clap::Args;
-use finding::finding;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::env;
+use std::fmt::Write as _;
+use std::io::{self, IsTerminal};
 use std::path::PathBuf;
-use tip_sim::search::{self, Failed};
-use tip_sim::verify::{Project, Subject};
-use watched::{Watched, building, interrupted_building};
+use std::thread::sleep;
+use std::time::Duration;
+use tip_lint::spots::Spot;
+use tip_runtime::printable::Printable;
+use tip_sim::Inputs;
+use tip_sim::lockstep::{Answer, Divergence};
+use tip_sim::search::{self, Diverging, Engines, Failed, Tally};
+use tip_sim::verify::{Project, Subject, VERSION};
+use tipc::program::Step;
 
 /// `tip verify`
 #[derive(Debug, Args)]
@@ -26,7 +31,7 @@ use watched::{Watched, building, interrupted_building};
     after_help = "The program is compiled by tip and cargo, in release mode, with the tip-runtime of your project. Compiled code and
 interpreter run side by side on two simulated robots; every record must be the same, floats by bits. Without inputs
 tip makes many runs: it searches for keys, sensor readings and halt requests that lead to new steps and branches,
-and always tries the same ones. What no run reached is listed. If the engines differ, the shortest inputs are shown.
+and always tries the same ones. What no run reached is listed. If the engines differ, the shortest inputs are output_options.
 
 Examples:
   tip verify walk.prg
@@ -47,11 +52,11 @@ pub(super) struct Verify {
     #[command(flatten)]
     pub(super) inputs: InputArguments,
 
-    /// How many runs a search makes
+    /// The number of runs of a search
     #[arg(long, value_name = "N", default_value = "256", value_parser = positive, allow_negative_numbers = true)]
     pub(super) runs: u64,
 
-    /// The Cargo.toml of the project whose tip-runtime is used, if not that of the current folder
+    /// The Cargo.toml of the project whose tip-runtime is used; by default that of the current folder
     #[arg(long, value_name = "Cargo.toml")]
     pub(super) manifest_path: Option<PathBuf>,
 }
@@ -59,7 +64,7 @@ pub(super) struct Verify {
 /// Builds the program, runs both engines, and prints a certificate, or the shortest input on which they differ.
 pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     interrupt::catch();
-    let lang = arguments.source.shown.lang();
+    let lang = arguments.source.output_options.lang();
     let inputs = arguments.inputs.inputs();
     if let Some(0) = inputs.cycles {
         let text = "--cycles 0".to_owned();
@@ -67,7 +72,12 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
         return Err(Error::Usage(reason.in_lang(lang).to_string()));
     }
     let (file, source) = (&arguments.file, &arguments.source);
-    let loaded = load(file, source, &arguments.inputs, Some(Ours::Again("verify")));
+    let loaded = load(
+        file,
+        source,
+        &arguments.inputs,
+        Some(BuiltInOnly::RunsAgain("verify")),
+    );
     let Some(checked) = checked(loaded, source)? else {
         return Ok(Status::Failure);
     };
@@ -88,7 +98,7 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     } else {
         1
     };
-    let mut engines = Watched::new(built.given_up_if(interrupt::is_requested), runs);
+    let mut engines = CountedEngines::new(built.given_up_if(interrupt::is_requested), runs);
     let compared = search::verify(&mut engines, &checked.program, &inputs, arguments.runs);
     drop(engines);
     let (tally, diverging) = compared.map_err(|failed| match failed {
@@ -101,8 +111,279 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
             Ok(Status::Success)
         }
         Some(shortest) => {
-            output::print(finding(&checked, &shortest))?;
+            output::print(divergence_text(&checked, &shortest))?;
             Ok(Status::Failure)
         }
+    }
+}
+
+/// Returns the certificate: what was compared, with what, and what no run reached.
+fn certificate(
+    checked: &Checked,
+    project: &Project,
+    inputs: &InputArguments,
+    tally: &Tally,
+) -> String {
+    let name = Printable::line(checked.source.name());
+    let hash = checked.program.source_hash();
+    let robot = checked.program.signature();
+    let (robot, legs, joints) = (robot.robot, robot.legs, robot.joints);
+    let scene = inputs.scene.as_ref();
+    let mut scene = scene.map_or("level floor".to_owned(), |scene| {
+        format!("scene {}", Printable::line(scene))
+    });
+    if let Some(plant) = inputs
+        .plant
+        .as_ref()
+        .and_then(PlantChoice::name)
+        .map(PlantName::name)
+    {
+        scene = format!("{scene}, {plant} plant");
+    }
+    let (rustc, cargo) = (
+        project.version_of("RUSTC", "rustc"),
+        project.version_of("CARGO", "cargo"),
+    );
+    let (runs, cycles) = (tally.runs(), tally.cycles);
+    let (finished, limited, stopped) = (tally.finished, tally.limited, tally.stopped);
+    let all = tally.reach.spots().all();
+    let missed: Vec<&Spot> = (0..)
+        .zip(all)
+        .filter(|(spot, _)| !tally.reach.has(*spot))
+        .map(|(_, spot)| spot)
+        .collect();
+    let covered = |is_kind: fn(&Spot) -> bool| {
+        let of = all.iter().filter(|spot| is_kind(spot)).count();
+        let missed = missed.iter().filter(|spot| is_kind(spot)).count();
+        format!("{} of {of}", of - missed)
+    };
+    let steps = covered(|spot| spot.way.is_none());
+    let edges = covered(|spot| spot.way.is_some());
+    let mut text = format!(
+        "{name}: compiled code and interpreter agree\n\
+         source       {hash:016x}\n\
+         tools        tip {VERSION}, {rustc}, {cargo}\n\
+         robot        {robot}, {legs} x {joints} joints, {scene}\n\
+         runs         {runs}: {finished} to END or EXIT, {limited} to the last cycle allowed, {stopped} to an emergency stop\n\
+         compared     {cycles} cycles, each record with the state of every joint, floats by bits\n\
+         steps        {steps}\n\
+         branch edges {edges}\n"
+    );
+    let lines = missed.iter().filter(|spot| !follows(spot, &missed));
+    let lines = lines.map(|spot| {
+        (
+            spot.step,
+            spot.way
+                .map_or("not reached".to_owned(), |way| format!("never {way}")),
+        )
+    });
+    let dead = (0..)
+        .take(checked.program.steps().len())
+        .filter(|step| !tally.reach.spots().can_reach(*step));
+    let dead = dead.map(|step| (step, "no way leads here".to_owned()));
+    let mut lines: Vec<_> = lines.chain(dead).collect();
+    lines.sort();
+    for (step, what) in lines {
+        if let Some(Step {
+            line,
+            text: statement,
+            ..
+        }) = checked.program.steps().get(step as usize)
+        {
+            // Writing to a String cannot fail.
+            let _ = writeln!(
+                text,
+                "  {name}:{line}: {what}: {}",
+                Printable::line(statement)
+            );
+        }
+    }
+    text
+}
+
+/// Returns true for an edge of a step that was not reached: the step is listed already.
+fn follows(spot: &Spot, missed: &[&Spot]) -> bool {
+    spot.way.is_some()
+        && missed
+            .iter()
+            .any(|other| other.way.is_none() && other.step == spot.step)
+}
+
+/// The options that are replaced by the shortest inputs.
+const INPUTS: [&str; 6] = [
+    "--keys", "--sensor", "--halt", "--events", "--cycles", "--runs",
+];
+
+/// Returns the report of a divergence: location, the two records, and a command that repeats it.
+fn divergence_text(checked: &Checked, diverging: &Diverging) -> String {
+    let Diverging { inputs, divergence } = diverging;
+    let Divergence {
+        cycle,
+        step,
+        interpreted,
+        compiled,
+    } = divergence;
+    let name = Printable::line(checked.source.name());
+    let location = step_location(&checked.source, &checked.program, *step);
+    let command = Printable::line(without_inputs(env::args().skip(1)));
+    format!(
+        "{name}: compiled code and interpreter DIFFER in cycle {cycle}, step {step}\n\
+         {location}interpreter  {interpreted}\ncompiled     {compiled}\n\
+         again        tip {command} {inputs}\n"
+    )
+}
+
+/// Returns a command line without the options of inputs.
+fn without_inputs(arguments: impl Iterator<Item = String>) -> String {
+    let mut words = Vec::new();
+    let mut skips_value = false;
+    for argument in arguments {
+        let is_input = INPUTS.iter().any(|option| {
+            let value = argument.strip_prefix(option);
+            value.is_some_and(|value| value.is_empty() || value.starts_with('='))
+        });
+        if is_input {
+            skips_value = !argument.contains('=');
+        } else if !std::mem::take(&mut skips_value) {
+            words.push(quoted(&argument));
+        }
+    }
+    words.join(" ")
+}
+
+/// Quotes a word for a shell.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-=".contains(c);
+    if word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
+/// Rate of drawing, Hz.
+const RATE: u8 = 5;
+const COMPARES: &str = "comparing {wide_bar} {pos} of {len} runs, {msg} cycles, {eta} left";
+const SHRINKS: &str = "they differ: looking for the shortest inputs, {pos} runs so far";
+/// Time until the signal that ended cargo arrives here.
+const MOMENT: Duration = Duration::from_millis(100);
+
+/// Reports the build on a terminal; cargo shows its own progress.
+fn building() {
+    if io::stderr().is_terminal() {
+        report::complain("building compiled code and interpreter with cargo (Ctrl-C ends it)\n");
+    }
+}
+
+/// Returns the error of a build, which Ctrl-C may have ended.
+fn interrupted_building(error: Error) -> Error {
+    sleep(MOMENT);
+    match interrupt::is_requested() {
+        true => Error::Interrupted("while cargo built: nothing was compared".to_owned()),
+        false => error,
+    }
+}
+
+/// Engines with counts of their runs, for a line of progress and for the report of an interruption.
+#[derive(Debug)]
+struct CountedEngines<E> {
+    engines: E,
+    bar: ProgressBar,
+    all: u64,
+    runs: u64,
+    cycles: u64,
+    differ: bool,
+}
+
+impl<E> CountedEngines<E> {
+    /// Returns engines for a search of `all` runs.
+    fn new(engines: E, all: u64) -> Self {
+        let target = ProgressDrawTarget::stderr_with_hz(RATE);
+        let bar = ProgressBar::with_draw_target(Some(all), target);
+        bar.set_style(style(COMPARES));
+        bar.set_message("0");
+        CountedEngines {
+            engines,
+            bar,
+            all,
+            runs: 0,
+            cycles: 0,
+            differ: false,
+        }
+    }
+
+    fn count(&mut self, answer: &Answer) {
+        self.runs += 1;
+        match answer {
+            Answer::Agreed { cycles, .. } => self.cycles += cycles,
+            Answer::Diverged(_) if !self.differ => {
+                self.differ = true;
+                self.bar.set_style(style(SHRINKS));
+            }
+            Answer::Diverged(_) | Answer::Refused(_) => {}
+        }
+        self.bar.set_message(self.cycles.to_string());
+        self.bar.set_position(self.runs);
+    }
+
+    fn interrupted(&self) -> Error {
+        let (runs, all, cycles) = (self.runs, self.all, self.cycles);
+        Error::Interrupted(match self.differ {
+            true => "while looking for the shortest inputs: compiled code and interpreter DIFFER"
+                .to_owned(),
+            false => format!("after {runs} of {all} runs, {cycles} cycles: no difference so far"),
+        })
+    }
+}
+
+impl<E: Engines> Engines for CountedEngines<E>
+where
+    Error: From<E::Error>,
+{
+    type Error = Error;
+
+    fn ask(&mut self, inputs: &Inputs) -> Result<Answer, Error> {
+        let answer = match interrupt::is_requested() {
+            true => Err(self.interrupted()),
+            false => self.engines.ask(inputs).map_err(Error::from),
+        };
+        match answer {
+            // They were given up.
+            Err(_) if interrupt::is_requested() => Err(self.interrupted()),
+            Err(error) => Err(error),
+            Ok(answer) => {
+                self.count(&answer);
+                Ok(answer)
+            }
+        }
+    }
+}
+
+impl<E> Drop for CountedEngines<E> {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+fn style(template: &str) -> ProgressStyle {
+    let plain = ProgressStyle::default_bar();
+    let style = ProgressStyle::with_template(template);
+    style.unwrap_or(plain).progress_chars("=> ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_line_loses_its_inputs_and_keeps_the_rest() {
+        let words =
+            "verify --keys 3:a --robot six legs.toml --halt=5 p.prg --cycles 9 --sensor VR1=2@3";
+        let words = words.replace("six legs", "six\u{1}legs");
+        let words = words.split(' ').map(|word| word.replace('\u{1}', " "));
+        assert_eq!(
+            without_inputs(words),
+            "verify --robot 'six legs.toml' p.prg"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! Something is done again after each change of a file.
+//! Watches files for changes.
 
 use super::error::Error;
 use super::interrupt;
@@ -9,23 +9,23 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
-/// How soon Ctrl-C ends the watch.
+/// Maximum delay of Ctrl-C.
 const NAP: Duration = Duration::from_millis(100);
-/// An editor writes a file in several steps: as long as they follow each other so quickly, they are one change.
+/// Maximum time between the steps in which an editor writes a file, which are one change.
 const QUIET: Duration = Duration::from_millis(50);
-/// Such a change is over after so long in any case.
+/// Maximum time of such a change.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// Files whose changes are awaited.
+/// The watched files.
 pub(super) struct Watch {
-    /// It watches as long as it lives.
+    /// The watcher; dropping it ends the watch.
     watcher: RecommendedWatcher,
     events: Receiver<notify::Result<Event>>,
     files: BTreeSet<PathBuf>,
 }
 
 impl Watch {
-    /// From now on. Folders are watched, since editors put a new file in the place of the old one.
+    /// Starts to watch. Folders are watched, since editors replace files.
     ///
     /// # Errors
     /// A file is in no folder that exists, or the system does not report changes.
@@ -47,10 +47,10 @@ impl Watch {
         Ok(watch)
     }
 
-    /// Watches these as well, as far as the system lets it.
+    /// Watches more files, as far as the system allows it.
     pub(super) fn extend(&mut self, files: impl IntoIterator<Item = PathBuf>) {
         for file in files {
-            // A folder that cannot be watched holds nothing that a check could read.
+            // A check could not read files in a folder that cannot be watched.
             let _ = self.add(&file);
         }
     }
@@ -70,7 +70,7 @@ impl Watch {
         Ok(())
     }
 
-    /// Waits for a change of a file; false if Ctrl-C came before one.
+    /// Waits for a change of a file; returns false if Ctrl-C comes first.
     pub(super) fn changed(&self) -> bool {
         while !interrupt::is_requested() {
             if self.is_changed_within(NAP) {
@@ -90,7 +90,7 @@ impl Watch {
                 // The check itself opens the files.
                 Ok(Ok(event)) if event.kind.is_access() => {}
                 Ok(Ok(event)) if !event.paths.iter().any(|path| self.files.contains(path)) => {}
-                // What was missed may have been a change.
+                // Missed events may be changes.
                 Ok(_) => return true,
                 Err(_) => return false,
             }
@@ -98,7 +98,7 @@ impl Watch {
     }
 }
 
-/// The path of a file, which need not exist, in the folder that it is really in.
+/// Returns the path of a file, which need not exist, in its folder without links.
 fn real(file: &Path) -> std::io::Result<PathBuf> {
     let folder = file
         .parent()

@@ -1,4 +1,4 @@
-//! A program in an editor: its text, and all that is known of it.
+//! A program in an editor: its text with diagnostics, symbols and program, as other modules use them.
 
 use std::cell::OnceCell;
 use tip_lint::cycles::{self, Part, Sampling};
@@ -8,19 +8,19 @@ use tipc::symbols::{Definition, Use};
 use tipc::syntax::Statement;
 use tipc::{Loaded, Options, Robot};
 
-/// A program in an editor. It answers for one text; another text is another document.
+/// A program in an editor. A document is one version of the text; a change makes another document.
 #[derive(Clone, Debug)]
 pub struct Document {
     pub(crate) loaded: Loaded,
     pub(crate) options: Options,
-    /// What the parts of the program take, once somebody asks.
+    /// The durations of the parts of the program, once they are needed.
     parts: OnceCell<Vec<Part>>,
-    /// Whether the program sets a sampling time of its own, once somebody asks.
+    /// True if the program sets the sampling time, once it is needed.
     pub(crate) sets_sampling: OnceCell<bool>,
 }
 
 impl Document {
-    /// Reads a text; the encoding of the options is that of files and plays no part. `name` is how findings call it.
+    /// Compiles a text. `name` is the file of its diagnostics. The encoding of the options does not matter: it is for files.
     pub fn new(name: &str, text: &str, options: &Options) -> Self {
         let options = Options {
             encoding: Encoding::Utf8,
@@ -29,7 +29,7 @@ impl Document {
         Document::of(load(name, text.as_bytes(), &options), &options)
     }
 
-    /// A program that has been read by these options.
+    /// Returns a document of a program that was loaded with some options.
     pub fn of(loaded: Loaded, options: &Options) -> Self {
         Document {
             loaded,
@@ -39,22 +39,22 @@ impl Document {
         }
     }
 
-    /// Finds out now what hovers and hints need, and would have to wait for.
+    /// Computes what hovers and inlay hints need, so that they need not wait for it.
     pub fn prepare(&self) {
         self.parts();
     }
 
-    /// Lets someone add to what was found, as `tip_sim::reach::warn` does.
+    /// Adds diagnostics, as `tip_sim::Robot::warn` does.
     pub fn judge(&mut self, judge: impl FnOnce(&mut Loaded)) {
         judge(&mut self.loaded);
     }
 
-    /// The text as it was read: findings, statements, names and program.
+    /// Returns diagnostics, statements, symbols and program.
     pub fn loaded(&self) -> &Loaded {
         &self.loaded
     }
 
-    /// The text and its lines.
+    /// Returns the text and its lines.
     pub fn source(&self) -> &Source {
         &self.loaded.source
     }
@@ -71,7 +71,7 @@ impl Document {
         &self.loaded.module.statements
     }
 
-    /// The line of a byte of the text, from 1.
+    /// Returns the line of a byte of the text, from 1.
     pub(crate) fn line_of(&self, offset: usize) -> u32 {
         self.loaded.source.line_column(offset).0
     }
@@ -80,12 +80,12 @@ impl Document {
         self.loaded.symbols.definition(named.definition)
     }
 
-    /// The name, label or placeholder at a byte of the text, or right before it.
+    /// Returns the name, label or placeholder at a byte of the text, or right before it.
     pub(crate) fn name_at(&self, offset: usize) -> Option<&Use> {
         self.loaded.symbols.at(offset)
     }
 
-    /// How many cycles the parts of the program take; nothing of a program with errors.
+    /// Returns the durations of the parts of the program; none for a program with errors.
     pub(crate) fn parts(&self) -> &[Part] {
         self.parts.get_or_init(|| {
             let program = self.loaded.program.as_ref();

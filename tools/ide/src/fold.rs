@@ -1,21 +1,21 @@
-//! What can be folded: blocks, and comments of several lines.
+//! Folding ranges: blocks, and comments of several lines.
 
 use crate::Document;
 use tipc::lex::split_comment;
 use tipc::syntax::Shape;
 
-/// Lines that can be folded into their first.
+/// Lines that can be folded into the first of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fold {
-    /// The line that stays, from 1.
+    /// The line that stays visible, from 1.
     pub first: u32,
-    /// The last line that goes.
+    /// The last line that is hidden.
     pub last: u32,
-    /// What they are.
+    /// Their kind.
     pub kind: FoldKind,
 }
 
-/// What is folded.
+/// The kind of a fold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FoldKind {
     /// A block of statements.
@@ -25,7 +25,7 @@ pub enum FoldKind {
 }
 
 impl Document {
-    /// Every stretch of lines that can be folded, in the order of their first lines.
+    /// Returns all folds in the order of their first lines.
     pub fn folds(&self) -> Vec<Fold> {
         let mut folds = self.blocks();
         folds.extend(self.comments());
@@ -102,7 +102,7 @@ fn opens(shape: Shape) -> bool {
     )
 }
 
-/// What a statement closes.
+/// Returns the shapes that a statement closes.
 fn opener(shape: Shape) -> Option<&'static [Shape]> {
     Some(match shape {
         Shape::ElseIf | Shape::Else | Shape::EndIf => &[Shape::If, Shape::ElseIf, Shape::Else],

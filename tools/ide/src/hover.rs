@@ -1,35 +1,41 @@
-//! What is known of a word, as Markdown.
-
-mod facts;
+//! Hovers: facts about the word under the cursor, as Markdown. A word of the language shows its row of the tables, a name what the
+//! program does with it.
 
 use crate::Document;
 use crate::message::Editing;
-use crate::word::{What, Word};
+use crate::word::{Word, WordKind};
+use tip_lint::cycles::{Part, Span as PartSpan};
 use tipc::code::Code;
 use tipc::language::commands::{self, Command, Cycles, Robots};
 use tipc::language::functions::{self, Operation};
 use tipc::language::{Bilingual, Keyword, flags, inputs, reserved};
-use tipc::message::list::Each;
+use tipc::message::list::{Each, List};
 use tipc::message::{Lang, Message};
+use tipc::program::StepId;
 use tipc::source::Span;
+use tipc::symbols::{Access, Definition, DefinitionKind, Use};
+use tipc::syntax::{Counting, Expression, OperandKind, StatementKind, VariableKind};
 
-/// What is known of a word.
+/// Maximum number of values that are listed.
+const MAX_VALUES: usize = 8;
+
+/// Facts about a word.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hover {
     /// The word.
     pub span: Span,
-    /// What is known of it, as Markdown.
+    /// The facts, as Markdown.
     pub text: String,
 }
 
-/// The parts of a text, each a paragraph or an item of a list.
+/// The Markdown of a hover while it is written: code, a paragraph, and a list.
 struct Card {
     lang: Lang,
     text: String,
 }
 
 impl Document {
-    /// What is known of the word at a byte of the text: its row of the language's tables, or what the program does with its name.
+    /// Returns the facts about the word at a byte of the text.
     pub fn hover(&self, offset: usize, lang: Lang) -> Option<Hover> {
         let word = self.word_at(offset)?;
         let mut card = Card {
@@ -44,33 +50,33 @@ impl Document {
     }
 
     fn describe(&self, word: &Word, card: &mut Card) -> Option<()> {
-        match word.what {
-            What::Command(command) => self.command(command, card),
-            What::Keyword(keyword) => self.keyword_card(keyword, card),
-            What::Function(row) => function(row, card),
-            What::Flag(row) => self.flag(row, self.slice(word.span), card),
-            What::Input(row) => self.input(row, self.slice(word.span), card),
-            What::Target(row) | What::MotionFlag(row) | What::Member(row) => {
+        match word.kind {
+            WordKind::Command(command) => self.command(command, card),
+            WordKind::Keyword(keyword) => self.keyword_card(keyword, card),
+            WordKind::Function(row) => function(row, card),
+            WordKind::Flag(row) => self.flag(row, self.slice(word.span), card),
+            WordKind::Input(row) => self.input(row, self.slice(word.span), card),
+            WordKind::Target(row) | WordKind::MotionFlag(row) | WordKind::Member(row) => {
                 reserved(row, self.slice(word.span), card);
             }
-            What::Constant(value, row) => {
+            WordKind::Constant(value, row) => {
                 reserved(row, self.slice(word.span), card);
                 card.item(Editing::Value { value });
             }
-            What::Name(named) => return self.name_card(&named, card),
-            What::Version
-            | What::Text
-            | What::Comment
-            | What::Number
-            | What::Operator
-            | What::Unknown => return None,
+            WordKind::Name(named) => return self.name_card(&named, card),
+            WordKind::Version
+            | WordKind::Text
+            | WordKind::Comment
+            | WordKind::Number
+            | WordKind::Operator
+            | WordKind::Unknown => return None,
         }
-        self.add_place(word, card);
+        self.add_step(word, card);
         Some(())
     }
 
-    /// What the program adds at a command or keyword: its step, and what its loop takes.
-    fn add_place(&self, word: &Word, card: &mut Card) {
+    /// Adds the step of a command or keyword, and the duration of the loop that it opens.
+    fn add_step(&self, word: &Word, card: &mut Card) {
         let module = &self.loaded.module;
         let Some(index) = module.statement_at(word.span.start) else {
             return;
@@ -131,6 +137,127 @@ impl Document {
     }
 }
 
+impl Document {
+    fn name_card(&self, named: &Use, card: &mut Card) -> Option<()> {
+        let definition = self.definition_of(named);
+        card.code(&declaration(definition));
+        match definition.place {
+            Some(place) => card.item(Editing::DeclaredOn {
+                line: self.line_of(place.start),
+            }),
+            None => card.item(Editing::Predeclared),
+        }
+        match definition.kind {
+            DefinitionKind::Variable(_) => self.variable(named, card),
+            DefinitionKind::Label | DefinitionKind::Subroutine => self.label(named, card),
+        }
+        Some(())
+    }
+
+    fn variable(&self, named: &Use, card: &mut Card) {
+        let uses = || self.loaded.symbols.uses(named.definition);
+        let count = |wanted: &[Access]| uses().filter(|it| wanted.contains(&it.access)).count();
+        card.item(Editing::Touched {
+            assigned: count(&[Access::Assign, Access::Update, Access::Count]),
+            read: count(&[Access::Read, Access::Update, Access::Count]),
+        });
+        let same: Vec<&Use> = uses().filter(|it| overlaps(named, it)).collect();
+        if let Some(counting) = self.counting(&same) {
+            card.item(counting);
+        }
+        if let Some(values) = self.constants(&same).filter(|values| !values.is_empty()) {
+            card.item(Editing::Given {
+                values: List(values),
+            });
+        }
+    }
+
+    /// Returns the numbers that are assigned, unless other values are assigned, too, or there are too many.
+    fn constants(&self, uses: &[&Use]) -> Option<Vec<String>> {
+        let mut values = Vec::new();
+        for it in uses {
+            match it.access {
+                Access::Assign => {
+                    let value = self.constant(it)?.to_string();
+                    if !values.contains(&value) {
+                        values.push(value);
+                    }
+                    if values.len() > MAX_VALUES {
+                        return None;
+                    }
+                }
+                Access::Update | Access::Count | Access::Unclear => return None,
+                Access::Define | Access::Read | Access::Jump | Access::Call => {}
+            }
+        }
+        Some(values)
+    }
+
+    /// Returns the number that the equation at a use assigns.
+    fn constant(&self, named: &Use) -> Option<f64> {
+        let module = &self.loaded.module;
+        let statement = &module.statements[module.statement_at(named.place.start)?];
+        let StatementKind::Equation(equation) = &statement.kind else {
+            return None;
+        };
+        match &equation.value {
+            Expression::Operand(operand) if equation.update.is_none() => match operand.kind {
+                OperandKind::Number(value) => Some(value),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Returns the range of the FOR that alone changes a variable.
+    fn counting(&self, uses: &[&Use]) -> Option<Editing> {
+        let mut updates = uses.iter().filter(|it| it.access == Access::Update);
+        let (update, None) = (updates.next()?, updates.next()) else {
+            return None;
+        };
+        let module = &self.loaded.module;
+        let statement = &module.statements[module.statement_at(update.place.start)?];
+        let StatementKind::For { counting, .. } = &statement.kind else {
+            return None;
+        };
+        let Counting { from, to, .. } = &**counting;
+        match (&from.kind, &to.kind) {
+            (OperandKind::Number(from), OperandKind::Number(to)) => Some(Editing::Counted {
+                from: *from,
+                to: *to,
+            }),
+            _ => None,
+        }
+    }
+
+    fn label(&self, named: &Use, card: &mut Card) {
+        let uses = || self.loaded.symbols.uses(named.definition);
+        let count = |wanted: Access| uses().filter(|it| it.access == wanted).count();
+        card.item(Editing::Jumped {
+            jumps: count(Access::Jump),
+            calls: count(Access::Call),
+        });
+        let Some(step) = self.step_of(self.definition_of(named)) else {
+            return;
+        };
+        card.item(Editing::Step { step });
+        let of_it = |part: &&Part| part.span == PartSpan::Subroutine { entry: step };
+        if let Some(part) = self.parts().iter().find(of_it) {
+            let duration = Box::new(self.duration(part.cycles));
+            card.item(Editing::Returns { duration });
+        }
+        if let Some(turns) = self.turns_of(step) {
+            card.item(turns);
+        }
+    }
+
+    fn step_of(&self, definition: &Definition) -> Option<StepId> {
+        let module = &self.loaded.module;
+        let index = module.statement_at(definition.place?.start)?;
+        Some(module.statements[index].step)
+    }
+}
+
 fn function(row: &functions::Row, card: &mut Card) {
     card.code(&usage(row));
     card.paragraph(row.description);
@@ -143,7 +270,7 @@ fn reserved(row: &reserved::Row, word: &str, card: &mut Card) {
     card.reference(row.section, row.clause);
 }
 
-/// How a function is written.
+/// Returns the form of a function, as `NORM POS|JOINT`.
 pub(crate) fn usage(row: &functions::Row) -> String {
     let operands = match row.operation {
         Operation::Scalar(_) => "number",
@@ -181,4 +308,22 @@ impl Card {
     fn reference(&mut self, section: &'static str, clause: &'static str) {
         self.item(Editing::Reference { section, clause });
     }
+}
+
+/// Returns true if two uses may mean the same number: the same member, or a whole variable.
+fn overlaps(one: &Use, other: &Use) -> bool {
+    one.member.is_none() || other.member.is_none() || one.member == other.member
+}
+
+/// Returns the declaration of a name as it is written.
+fn declaration(definition: &Definition) -> String {
+    let name = &definition.name;
+    let keyword = match definition.kind {
+        DefinitionKind::Variable(VariableKind::Var) => Keyword::DefVar,
+        DefinitionKind::Variable(VariableKind::Pos) => Keyword::DefPos,
+        DefinitionKind::Variable(VariableKind::Joint) => Keyword::DefJoint,
+        DefinitionKind::Subroutine => return format!("{} {name}:", Keyword::Subroutine),
+        DefinitionKind::Label => return format!("{name}:"),
+    };
+    format!("{keyword} {name}")
 }

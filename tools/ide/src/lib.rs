@@ -3,35 +3,31 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
-mod action;
-mod complete;
+mod code_actions;
+mod completion;
+pub mod dap;
 mod document;
 mod fold;
-mod format;
-mod hint;
 mod hover;
-mod length;
+mod inlay_hints;
+pub mod lsp;
 pub mod message;
-mod navigate;
-mod offer;
 mod outline;
-mod paint;
-mod rename;
+mod references;
+mod semantic_tokens;
 mod signature;
-mod targets;
-mod template;
+mod timing;
+pub mod transport;
 mod word;
 
-pub use action::Action;
+pub use code_actions::CodeAction;
+pub use completion::{CompletionItem, CompletionKind, snippet};
 pub use document::Document;
 pub use fold::{Fold, FoldKind};
-pub use hint::Hint;
 pub use hover::Hover;
-pub use navigate::{Mention, MentionKind};
-pub use offer::{Offer, OfferKind};
+pub use inlay_hints::InlayHint;
 pub use outline::{Outline, OutlineKind};
-pub use paint::{Paint, Painted};
-pub use rename::Nameable;
+pub use references::{Reference, ReferenceKind, RenameTarget};
+pub use semantic_tokens::{SemanticToken, TokenClass};
 pub use signature::{Signature, Signatures};
-pub use template::template;
 pub use tipc::diagnostic::Edit;

@@ -1,26 +1,26 @@
-//! What a program declares, as a tree.
+//! The outline: variables, labels and subroutines of a program as a tree.
 
 use crate::Document;
 use tipc::source::Span;
 use tipc::symbols::DefinitionKind;
 use tipc::syntax::{Shape, VariableKind};
 
-/// Something that a program declares.
+/// A declaration of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outline {
-    /// Its name as it is written.
+    /// Its name as written.
     pub name: String,
-    /// What it is.
+    /// Its kind.
     pub kind: OutlineKind,
-    /// All of it: of a subroutine up to its end, of a label up to the next one.
+    /// Its extent: a subroutine up to its end, a label up to the next one.
     pub span: Span,
-    /// Its name where it is declared.
+    /// The span of its name.
     pub name_span: Span,
-    /// What is declared inside it.
+    /// The declarations inside it.
     pub children: Vec<Outline>,
 }
 
-/// What is declared.
+/// The kind of a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum OutlineKind {
     /// A variable of this type.
@@ -32,35 +32,35 @@ pub enum OutlineKind {
 }
 
 impl Document {
-    /// Variables, labels and subroutines in the order of the text. A label inside a subroutine is its child.
+    /// Returns variables, labels and subroutines in the order of the text. A label inside a subroutine is its child.
     pub fn outline(&self) -> Vec<Outline> {
         let mut found: Vec<Outline> = Vec::new();
         let definitions = self.loaded.symbols.definitions().iter();
-        let mut places: Vec<(Span, OutlineKind)> = definitions
+        let mut names: Vec<(Span, OutlineKind)> = definitions
             .filter_map(|it| Some((it.place?, kind(it.kind))))
             .collect();
-        places.sort_unstable_by_key(|(place, _)| *place);
-        let mut labels = places
+        names.sort_unstable_by_key(|(name, _)| *name);
+        let mut labels = names
             .iter()
             .filter(|(_, kind)| !matches!(kind, OutlineKind::Variable(_)))
-            .map(|(place, _)| place.start)
+            .map(|(name, _)| name.start)
             .skip(1)
             .collect::<Vec<_>>()
             .into_iter();
-        for (place, kind) in places {
+        for (name, kind) in names {
             let end = match kind {
-                OutlineKind::Variable(_) => place.end,
+                OutlineKind::Variable(_) => name.end,
                 OutlineKind::Subroutine => {
                     labels.next();
-                    self.end_of_subroutine(place)
+                    self.end_of_subroutine(name)
                 }
-                OutlineKind::Label => self.end_of_label(place, labels.next()),
+                OutlineKind::Label => self.end_of_label(name, labels.next()),
             };
             let one = Outline {
-                name: self.slice(place).to_owned(),
+                name: self.slice(name).to_owned(),
                 kind,
-                span: Span::new(place.start, end.max(place.end)),
-                name_span: place,
+                span: Span::new(name.start, end.max(name.end)),
+                name_span: name,
                 children: Vec::new(),
             };
             let is_variable = matches!(kind, OutlineKind::Variable(_));
@@ -78,7 +78,7 @@ impl Document {
         found
     }
 
-    /// What is inside each SUBROUTINE, in order.
+    /// Returns the inside of each SUBROUTINE, in order.
     pub(crate) fn subroutines(&self) -> Vec<Span> {
         let mut inside: Vec<Span> = Vec::new();
         let mut start = None;
@@ -105,7 +105,7 @@ impl Document {
         end.map_or(name.end, |it| it.span.end)
     }
 
-    /// The end of the last statement before the next label or the end of its subroutine.
+    /// Returns the end of the last statement before the next label or the end of its subroutine.
     fn end_of_label(&self, name: Span, next: Option<usize>) -> usize {
         let statements = self.statements();
         let first = statements.partition_point(|it| it.span.end < name.end);

@@ -1,37 +1,37 @@
-//! The forms of a command, and the argument that is being written.
+//! Signature help: the forms of a command or function, and the argument under the cursor.
 
 use crate::Document;
 use crate::hover::usage;
-use crate::word::{What, Word};
+use crate::word::{Word, WordKind};
 use tipc::language::Bilingual;
 use tipc::language::commands::{self, Command, Form};
 use tipc::lex::{self, Piece, Pieces, split_comment};
 use tipc::source::{Span, Unit};
 
-/// A command as it can be written.
+/// A form of a command or function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signature {
     /// The form, as `PTP [HS] F1 [R] x [R] y [R] z`.
     pub text: String,
-    /// Where its arguments are in that text; those that may be left out are part of what follows them.
+    /// The spans of its arguments in that text. An optional one is part of the argument that follows it.
     pub arguments: Vec<Span>,
 }
 
-/// The forms of the command at a place.
+/// The forms of the command or function under the cursor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signatures {
     /// Its forms.
     pub forms: Vec<Signature>,
-    /// What it does, in one line.
+    /// Its description, in one line.
     pub description: Bilingual,
-    /// The form that fits what is written.
+    /// The index of the form that has the current argument.
     pub form: usize,
-    /// The argument that is being written, from 0.
+    /// The index of the current argument.
     pub argument: usize,
 }
 
 impl Document {
-    /// The forms of the command or function whose arguments are written at a byte of the text.
+    /// Returns the forms of the command or function whose arguments are at a byte of the text.
     pub fn signatures(&self, offset: usize) -> Option<Signatures> {
         let text = self.loaded.source.text();
         let number = self.loaded.source.position(offset, Unit::Utf8).line;
@@ -42,7 +42,7 @@ impl Document {
         if is_text || split_comment(text, before).1.is_some() {
             return None;
         }
-        if let Some(found) = self.of_function(line, offset) {
+        if let Some(found) = self.function_signatures(line, offset) {
             return Some(found);
         }
         let Some(Piece::Statement { word, span, .. }) = Pieces::new(text, before, false).last()
@@ -56,13 +56,13 @@ impl Document {
         tokens.retain(|token| token.span.end < offset && token.span.start > word.start);
         let argument = match command.form {
             Form::Words(_) => 0,
-            _ => self.counted(command, &tokens),
+            _ => self.argument_count(command, &tokens),
         };
         Some(forms(command, self, argument))
     }
 
-    /// The function before a place on the right side of an equation.
-    fn of_function(&self, line: tipc::source::Line, offset: usize) -> Option<Signatures> {
+    /// Returns the forms of the function before an offset on the right side of an equation.
+    fn function_signatures(&self, line: tipc::source::Line, offset: usize) -> Option<Signatures> {
         let words = self.words(line);
         let before: Vec<&Word> = words
             .iter()
@@ -70,8 +70,8 @@ impl Document {
             .collect();
         let last = before
             .iter()
-            .rposition(|word| matches!(word.what, What::Function(_)))?;
-        let What::Function(row) = before[last].what else {
+            .rposition(|word| matches!(word.kind, WordKind::Function(_)))?;
+        let WordKind::Function(row) = before[last].kind else {
             return None;
         };
         let after = &before[last + 1..];
@@ -81,11 +81,12 @@ impl Document {
         if is_over
             || after
                 .iter()
-                .any(|word| matches!(word.what, What::Command(_) | What::Keyword(_)))
+                .any(|word| matches!(word.kind, WordKind::Command(_) | WordKind::Keyword(_)))
         {
             return None;
         }
-        let is_operand = |word: &&&Word| !matches!(word.what, What::Operator | What::Member(_));
+        let is_operand =
+            |word: &&&Word| !matches!(word.kind, WordKind::Operator | WordKind::Member(_));
         Some(Signatures {
             forms: vec![signature(usage(row))],
             description: row.description,
@@ -98,7 +99,7 @@ impl Document {
 fn forms(command: &Command, document: &Document, argument: usize) -> Signatures {
     let usage = command.usage(document.robot());
     let forms: Vec<Signature> = match command.form {
-        Form::Words(_) => usage.into_iter().map(whole).collect(),
+        Form::Words(_) => usage.into_iter().map(statement_signature).collect(),
         _ => usage.into_iter().map(signature).collect(),
     };
     let form = forms
@@ -112,7 +113,7 @@ fn forms(command: &Command, document: &Document, argument: usize) -> Signatures 
     }
 }
 
-/// A form whose arguments are words.
+/// Returns a form whose arguments are its words.
 fn signature(text: String) -> Signature {
     let mut arguments = Vec::new();
     let mut at = 0;
@@ -135,8 +136,8 @@ fn signature(text: String) -> Signature {
     Signature { text, arguments }
 }
 
-/// A form that the parser reads: all of it is one argument.
-fn whole(text: String) -> Signature {
+/// Returns a form of a statement: all words after the first are one argument.
+fn statement_signature(text: String) -> Signature {
     let rest = text.find(' ').map(|at| Span::new(at + 1, text.len()));
     Signature {
         arguments: rest.into_iter().collect(),

@@ -1,4 +1,5 @@
-//! The words of a line, each with what it is there.
+//! The words of a line with their kinds: what each means where it is written. Hovers, semantic tokens and signatures are made from
+//! them.
 
 use crate::Document;
 use tip_runtime::command::Target;
@@ -14,15 +15,15 @@ use tipc::syntax::StatementKind;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Word {
     pub(crate) span: Span,
-    pub(crate) what: What,
+    pub(crate) kind: WordKind,
 }
 
-/// What a word is.
+/// The meaning of a word.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum What {
+pub(crate) enum WordKind {
     /// Line 1.
     Version,
-    /// Line 2, and texts that are shown or passed over.
+    /// Line 2, and the text of MESSAGE and REM.
     Text,
     Comment,
     Keyword(Keyword),
@@ -35,28 +36,28 @@ pub(crate) enum What {
     MotionFlag(&'static reserved::Row),
     Constant(f64, &'static reserved::Row),
     Member(&'static reserved::Row),
-    /// What the program names itself.
+    /// A name of the program.
     Name(Use),
     Number,
     Operator,
-    /// It is not known.
+    /// Neither a word of the language nor a name of the program.
     Unknown,
 }
 
 impl Document {
-    /// The word at a byte of the text, or right before it.
+    /// Returns the word at a byte of the text, or right before it.
     pub(crate) fn word_at(&self, offset: usize) -> Option<Word> {
         let line = self.loaded.source.line(self.line_of(offset));
         let words = self.words(line);
         let holds = |word: &&Word| word.span.start <= offset && offset <= word.span.end;
         let starts = |word: &&Word| word.span.start == offset;
         let holding = || words.iter().filter(holds);
-        let of_letters = |word: &&Word| word.what != What::Operator;
+        let of_letters = |word: &&Word| word.kind != WordKind::Operator;
         let best = holding().filter(of_letters).find(starts);
         best.or_else(|| holding().find(of_letters)).copied()
     }
 
-    /// The words of a line from left to right; none after END.
+    /// Returns the words of a line from left to right; none after END.
     pub(crate) fn words(&self, line: Line) -> Vec<Word> {
         let mut words = Vec::new();
         let text = self.loaded.source.text();
@@ -65,12 +66,12 @@ impl Document {
             return words;
         }
         if line.number == 2 {
-            push(&mut words, line.span, What::Text);
+            push(&mut words, line.span, WordKind::Text);
             return words;
         }
         let (code, comment) = split_comment(text, line.span);
         if line.number == 1 {
-            push(&mut words, trimmed(text, code), What::Version);
+            push(&mut words, trimmed(text, code), WordKind::Version);
         } else {
             for piece in Pieces::new(text, code, false) {
                 if end.is_some_and(|end| start(&piece) > end) {
@@ -80,12 +81,12 @@ impl Document {
             }
         }
         if let Some(comment) = comment {
-            push(&mut words, comment, What::Comment);
+            push(&mut words, comment, WordKind::Comment);
         }
         words
     }
 
-    /// Where END stands.
+    /// Returns the offset of END.
     fn end(&self) -> Option<usize> {
         let last = self.statements().last()?;
         (last.kind == StatementKind::End).then_some(last.span.start)
@@ -94,8 +95,8 @@ impl Document {
     fn piece(&self, piece: &Piece, words: &mut Vec<Word>) {
         match *piece {
             Piece::Label { name, .. } => {
-                let what = self.name_in(name).map_or(What::Unknown, What::Name);
-                push(words, name, what);
+                let kind = self.name_in(name).map_or(WordKind::Unknown, WordKind::Name);
+                push(words, name, kind);
             }
             Piece::Statement {
                 word,
@@ -103,27 +104,27 @@ impl Document {
                 text_end,
             } => match self.keyword(word) {
                 Some(keyword @ (Keyword::Message | Keyword::Rem)) => {
-                    push(words, word, What::Keyword(keyword));
+                    push(words, word, WordKind::Keyword(keyword));
                     let text = Span::new(word.end, text_end);
                     self.text(trimmed(self.loaded.source.text(), text), words);
                 }
-                // What follows END on its line is not read.
-                Some(Keyword::End) => push(words, word, What::Keyword(Keyword::End)),
+                // WordKind follows END on its line is not read.
+                Some(Keyword::End) => push(words, word, WordKind::Keyword(Keyword::End)),
                 _ => self.statement(word, span, words),
             },
         }
     }
 
-    /// A text, and the names of variables between its percent signs.
+    /// Adds a text, and the variables between its percent signs.
     fn text(&self, text: Span, words: &mut Vec<Word>) {
         let mut at = text.start;
         for named in self.loaded.symbols.within(text) {
             let place = named.place;
-            push(words, Span::new(at, place.start), What::Text);
-            push(words, place, What::Name(*named));
+            push(words, Span::new(at, place.start), WordKind::Text);
+            push(words, place, WordKind::Name(*named));
             at = place.end;
         }
-        push(words, Span::new(at, text.end), What::Text);
+        push(words, Span::new(at, text.end), WordKind::Text);
     }
 
     fn statement(&self, word: Span, span: Span, words: &mut Vec<Word>) {
@@ -148,29 +149,29 @@ impl Document {
             Kind::Word => match self.name_in(token.span) {
                 Some(named) => self.name(token.span, named, words),
                 None => {
-                    let what = self.meaning(self.slice(token.span), command, is_first);
-                    push(words, token.span, what);
+                    let kind = self.meaning(self.slice(token.span), command, is_first);
+                    push(words, token.span, kind);
                 }
             },
-            _ => push(words, token.span, What::Operator),
+            _ => push(words, token.span, WordKind::Operator),
         }
     }
 
-    /// A name with the member after it.
+    /// Adds a name and the member after it.
     fn name(&self, span: Span, named: Use, words: &mut Vec<Word>) {
-        push(words, named.place, What::Name(named));
+        push(words, named.place, WordKind::Name(named));
         let rest = Span::new(named.place.end, span.end);
         if let Some(member) = self.slice(rest).strip_prefix('.') {
             let place = Span::new(rest.start + 1, rest.end);
             push(
                 words,
                 place,
-                member_row(member).map_or(What::Unknown, What::Member),
+                member_row(member).map_or(WordKind::Unknown, WordKind::Member),
             );
         }
     }
 
-    /// What the program names somewhere in a word.
+    /// Returns the first name of the program inside a word.
     fn name_in(&self, span: Span) -> Option<Use> {
         let named = self.loaded.symbols.within(span);
         named
@@ -187,50 +188,50 @@ impl Document {
         self.loaded.module.edition
     }
 
-    /// What a word is that is not a name of the program.
-    fn meaning(&self, word: &str, command: Option<&'static Command>, is_first: bool) -> What {
+    /// Returns the kind of a word that is not a name of the program.
+    fn meaning(&self, word: &str, command: Option<&'static Command>, is_first: bool) -> WordKind {
         let edition = self.edition();
         let upper = word.to_ascii_uppercase();
         if let Some(keyword) = keywords::find(word, edition) {
-            return What::Keyword(keyword);
+            return WordKind::Keyword(keyword);
         }
         if let Some(row) = commands::find(word).filter(|_| is_first) {
-            return What::Command(row);
+            return WordKind::Command(row);
         }
         if word.parse::<f64>().is_ok() && word.starts_with(|c: char| c == '.' || c.is_ascii_digit())
         {
-            return What::Number;
+            return WordKind::Number;
         }
         let form = command.map(|command| command.form);
         if let Some(Form::Robot(arguments)) = form
             && (arguments.hs || arguments.motion)
             && let Some(row) = motion_flag(&upper)
         {
-            return What::MotionFlag(row);
+            return WordKind::MotionFlag(row);
         }
-        let input = || inputs::find(&upper, edition).map(|(_, row)| What::Input(row));
+        let input = || inputs::find(&upper, edition).map(|(_, row)| WordKind::Input(row));
         if form == Some(Form::AdIn)
             && let Some(input) = input()
         {
             return input;
         }
         let target = || upper.parse::<Target>().ok().and_then(target_row);
-        let flag = || flags::find(&upper, edition).map(|(_, row)| What::Flag(row));
+        let flag = || flags::find(&upper, edition).map(|(_, row)| WordKind::Flag(row));
         let function = || functions::find(word, edition).and_then(function_row);
         target()
-            .map(What::Target)
+            .map(WordKind::Target)
             .or_else(flag)
-            .or_else(|| function().map(What::Function))
+            .or_else(|| function().map(WordKind::Function))
             .or_else(|| constant(&upper, edition))
             .or_else(input)
-            .or_else(|| commands::find(word).map(What::Command))
-            .unwrap_or(What::Unknown)
+            .or_else(|| commands::find(word).map(WordKind::Command))
+            .unwrap_or(WordKind::Unknown)
     }
 }
 
-fn push(words: &mut Vec<Word>, span: Span, what: What) {
+fn push(words: &mut Vec<Word>, span: Span, kind: WordKind) {
     if span.start < span.end {
-        words.push(Word { span, what });
+        words.push(Word { span, kind });
     }
 }
 
@@ -246,7 +247,7 @@ fn trimmed(text: &str, span: Span) -> Span {
     Span::new(start, start + inside.trim().len())
 }
 
-/// The row of a member of a POS or JOINT.
+/// Returns the row of a member of a POS or JOINT.
 pub(crate) fn member_row(member: &str) -> Option<&'static reserved::Row> {
     let upper = member.to_ascii_uppercase();
     let is_it = |row: &&reserved::Row| {
@@ -276,7 +277,7 @@ fn function_row(operation: functions::Operation) -> Option<&'static functions::R
     rows.find(|row| row.operation == operation)
 }
 
-fn constant(word: &str, edition: Edition) -> Option<What> {
+fn constant(word: &str, edition: Edition) -> Option<WordKind> {
     let value = reserved::constant(word, edition)?;
     let is_it = |row: &&reserved::Row| match row.kind {
         reserved::Kind::Constant(_) => row.word == word,
@@ -284,5 +285,5 @@ fn constant(word: &str, edition: Edition) -> Option<What> {
         _ => false,
     };
     let row = RESERVED.iter().find(is_it)?;
-    Some(What::Constant(value, row))
+    Some(WordKind::Constant(value, row))
 }

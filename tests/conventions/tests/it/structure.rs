@@ -40,7 +40,11 @@ const ARROWS: &[(&str, &[&str])] = &[
         "tip-sim",
         &["tip-runtime", "tip-compiler", "tip-lint", "tip-macros"],
     ),
-    ("tip-ide", &["tip-runtime", "tip-compiler", "tip-lint"]),
+    // The debug adapter runs programs, and the language server warns about the reach of robots.
+    (
+        "tip-ide",
+        &["tip-runtime", "tip-compiler", "tip-lint", "tip-sim"],
+    ),
     // The editor of a live page asks what every editor asks.
     (
         "tip-view",

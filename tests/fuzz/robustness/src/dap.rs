@@ -1,22 +1,8 @@
-//! Messages to the debug adapter of the command `tip`, a line each.
+//! Messages to the debug adapter, a line each.
 
-#[path = "../../../../tools/cli/src/dap/breakpoints.rs"]
-mod breakpoints;
-#[path = "../../../../tools/cli/src/dap/changes.rs"]
-mod changes;
-#[path = "../../../../tools/cli/src/dap/message.rs"]
-mod message;
-#[path = "../../../../tools/cli/src/dap/moves.rs"]
-mod moves;
-#[path = "../../../../tools/cli/src/dap/session.rs"]
-mod session;
-#[path = "../../../../tools/cli/src/dap/shown.rs"]
-mod shown;
-
-use crate::framing::{self, Frame};
-use message::Launch;
 use serde_json::Value;
-use session::{Debuggee, Host, Session};
+use tip_ide::dap::{Debuggee, Launch, Launcher, Session};
+use tip_ide::transport::{self, Frame};
 use tip_sim::debug::Debugger;
 use tip_sim::{Events, Plant, Robot};
 use tipc::message::Lang;
@@ -51,7 +37,7 @@ const BEGIN: [&str; 3] = [
 /// Loads one program, on any robot that has a name.
 struct OneProgram;
 
-impl Host for OneProgram {
+impl Launcher for OneProgram {
     fn launch(&mut self, launch: &Launch, _: Lang) -> Result<Debuggee, String> {
         let name = launch.robot.as_deref().unwrap_or("titan8");
         let robot = Robot::named(name).map_err(|error| error.to_string())?;
@@ -85,26 +71,26 @@ pub fn examine(bytes: &[u8]) {
     for message in begin.chain(bytes.split(|byte| *byte == b'\n')) {
         session.handle(message);
         for _ in 0..4 {
-            if session.is_going() {
+            if session.is_running() {
                 session.work();
             }
         }
-        judge(&session.sent());
+        judge(&session.take_output());
         if session.is_over() {
             break;
         }
     }
     let mut stream = bytes;
-    while let Ok(Some(frame)) = framing::read(&mut stream) {
+    while let Ok(Some(frame)) = transport::read(&mut stream) {
         match frame {
             Frame::Message(message) => session.handle(&message),
-            Frame::Bad(_) => session.broken(),
+            Frame::Malformed(_) => session.handle_malformed(),
         }
-        judge(&session.sent());
+        judge(&session.take_output());
     }
     let mut whole = Vec::new();
-    let written = framing::write(&mut whole, "{}");
-    assert!(written.is_ok() && framing::read(&mut &whole[..]).is_ok());
+    let written = transport::write(&mut whole, "{}");
+    assert!(written.is_ok() && transport::read(&mut &whole[..]).is_ok());
 }
 
 fn judge(sent: &[String]) {

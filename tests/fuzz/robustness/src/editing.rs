@@ -42,13 +42,13 @@ fn whole(document: &Document, options: &Options) {
         assert!(fold.first < fold.last && fold.last <= lines, "{fold:?}");
     }
     let mut end = 0;
-    for painted in document.paint(all) {
-        inside(text, painted.span);
-        assert!(end <= painted.span.start, "{painted:?}");
-        assert!(!document.source().slice(painted.span).contains(['\n', '\r']));
-        end = painted.span.end;
+    for token in document.semantic_tokens(all) {
+        inside(text, token.span);
+        assert!(end <= token.span.start, "{token:?}");
+        assert!(!document.source().slice(token.span).contains(['\n', '\r']));
+        end = token.span.end;
     }
-    for hint in document.hints(all) {
+    for hint in document.inlay_hints(all) {
         inside(text, Span::new(hint.at, hint.at));
     }
     if let Ok(edits) = document.format() {
@@ -96,11 +96,11 @@ fn asked(document: &Document, options: &Options, offset: usize) {
         assert!(is_same || was_long && after.program.is_some(), "{text}");
     }
     let before = document.loaded().diagnostics.len();
-    for action in document.actions(Span::new(offset, offset)) {
+    for action in document.code_actions(Span::new(offset, offset)) {
         let after = changed(document, &action.edits, options);
         let is_sound = document.loaded().program.is_some();
         assert!(!is_sound || after.loaded().program.is_some(), "{text}");
-        assert!(action.finding.is_some_and(|finding| finding < before));
+        assert!(action.diagnostic.is_some_and(|index| index < before));
     }
 }
 

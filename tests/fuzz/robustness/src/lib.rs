@@ -10,8 +10,6 @@ pub mod editing;
 pub mod files;
 pub mod fix;
 pub mod format;
-#[path = "../../../../tools/cli/src/framing.rs"]
-mod framing;
 pub mod load;
 mod lossless;
 pub mod lsp;

@@ -1,48 +1,27 @@
-//! Messages of editors: each request is answered once, and nothing ends the session but its end. The sources are those of the
-//! command, which is no library.
+//! Messages to the language server: each request has one response, and only `exit` ends the session.
 
-#[path = "../../../../tools/cli/src/lsp/answers.rs"]
-mod answers;
-#[path = "../../../../tools/cli/src/lsp/client.rs"]
-mod client;
-#[path = "../../../../tools/cli/src/lsp/findings.rs"]
-mod findings;
-#[path = "../../../../tools/cli/src/lsp/open.rs"]
-mod open;
-#[path = "../../../../tools/cli/src/lsp/places.rs"]
-mod places;
-#[path = "../../../../tools/cli/src/lsp/server.rs"]
-mod server;
-#[path = "../../../../tools/cli/src/lsp/shapes.rs"]
-mod shapes;
-#[path = "../../../../tools/cli/src/lsp/surroundings.rs"]
-mod surroundings;
-#[path = "../../../../tools/cli/src/lsp/tokens.rs"]
-mod tokens;
-
-use crate::framing::{self, Frame};
 use lsp_server::{Message, RequestId};
-use server::{Server, parse};
 use std::path::Path;
 use std::rc::Rc;
-use surroundings::{Chosen, Surroundings};
+use tip_ide::lsp::{RobotConfig, Server, Workspace, parse};
+use tip_ide::transport::{self, Frame};
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::{Options, Robot};
 
-/// Surroundings of a program where there are no files.
+/// A workspace without files.
 struct Nowhere;
 
-impl Surroundings for Nowhere {
-    fn robot(&mut self, _: Option<&Path>, asked: Option<&str>, _: Lang) -> Rc<Chosen> {
-        let robot = asked.and_then(Robot::from_name);
-        Rc::new(Chosen {
+impl Workspace for Nowhere {
+    fn robot(&mut self, _: Option<&Path>, configured: Option<&str>, _: Lang) -> Rc<RobotConfig> {
+        let robot = configured.and_then(Robot::from_name);
+        Rc::new(RobotConfig {
             options: Options {
                 robot: robot.unwrap_or_default(),
                 ..Options::default()
             },
             robot: tip_sim::Robot::named(robot.unwrap_or_default().name()).ok(),
-            complaint: asked.filter(|_| robot.is_none()).map(str::to_owned),
+            error: configured.filter(|_| robot.is_none()).map(str::to_owned),
         })
     }
 
@@ -58,13 +37,13 @@ impl Surroundings for Nowhere {
         path.is_absolute().then(String::new)
     }
 
-    fn forget(&mut self) {}
+    fn invalidate(&mut self) {}
 }
 
-/// Serves an editor that says each line of the bytes, and then one that sends the bytes as they are.
+/// Serves a client that sends each line of the bytes as a message, and one that sends the bytes as they are.
 ///
 /// # Panics
-/// A request is not answered, or something is answered that is none.
+/// A request has no response, or a notification has one.
 pub fn examine(bytes: &[u8]) {
     let framed: Vec<u8> = bytes
         .split(|byte| *byte == b'\n')
@@ -80,20 +59,20 @@ pub fn examine(bytes: &[u8]) {
 fn serve(stream: &[u8]) {
     let mut server = Server::new(Nowhere);
     let mut stream = stream;
-    while let Ok(Some(frame)) = framing::read(&mut stream) {
+    while let Ok(Some(frame)) = transport::read(&mut stream) {
         let message = match frame {
             Frame::Message(bytes) => parse(&bytes),
-            Frame::Bad(reason) => Err(reason),
+            Frame::Malformed(reason) => Err(reason),
         };
         match message {
             Ok(message) => answered(&mut server, *message),
             Err(reason) => assert!(!reason.is_empty()),
         }
-        if server.end().is_some() {
+        if server.exit().is_some() {
             break;
         }
     }
-    server.rest();
+    server.prepare();
 }
 
 fn answered(server: &mut Server<Nowhere>, message: Message) {
@@ -101,12 +80,17 @@ fn answered(server: &mut Server<Nowhere>, message: Message) {
         Message::Request(request) => vec![request.id.clone()],
         _ => Vec::new(),
     };
-    let answers = server.take(message);
+    let answers = server.handle(message);
     let of = |message: &Message| match message {
         Message::Response(response) => Some(response.id.clone()),
         _ => None,
     };
     let answers: Vec<RequestId> = answers.iter().filter_map(of).collect();
     assert_eq!(answers, asked);
-    assert!(server.due().iter().all(|message| of(message).is_none()));
+    assert!(
+        server
+            .due_diagnostics()
+            .iter()
+            .all(|message| of(message).is_none())
+    );
 }

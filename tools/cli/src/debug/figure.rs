@@ -1,33 +1,34 @@
-//! The robot from above and from the side.
+//! Drawings of the robot from above and from the side.
 
 use super::app::App;
-use super::panes::block;
+use crate::message::DebugText;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Color;
 use ratatui::symbols::Marker;
 use ratatui::widgets::canvas::{Canvas, Circle, Line};
+use ratatui::widgets::{Block, Borders};
 use tip_runtime::model::Point;
 use tip_runtime::plant::{ObjectState, Shape};
 use tip_sim::message::Debugging;
 use tip_view::robot_frame;
 
-/// Around the robot: mm.
+/// Margin around a walking robot, mm.
 const MARGIN: f64 = 80.0;
 
-/// Around a hand, which is smaller: mm.
+/// Margin around a hand, mm.
 const HAND_MARGIN: f64 = 30.0;
 
-/// How far the view of a hand moves at once, and in which steps views grow: mm.
+/// Step in which views of hands move and all views grow, mm.
 const STEP: f64 = 50.0;
 
-/// How a foot is drawn: mm.
+/// Radius of a foot, mm.
 const DOT: f64 = 14.0;
 
-/// Corners of what is round.
+/// Number of corners of a disc.
 const CORNERS: u16 = 24;
 
-/// A plane to look at: which axes go to the right and up.
+/// A projection: the axes to the right and up.
 #[derive(Clone, Copy)]
 struct View {
     right: usize,
@@ -53,20 +54,25 @@ impl View {
     }
 }
 
-/// Everything that is drawn: mm, in the world.
+/// The drawn points in the world frame, mm.
 struct Figure {
     legs: Vec<Vec<Point>>,
     /// The corners of each object.
     objects: Vec<Vec<Point>>,
-    /// How high the floor under the middle is; what a hand stands over moves.
+    /// Height of the floor under the middle; the floor under a hand moves.
     floor: Option<f64>,
     is_planar: bool,
-    /// Where the view is centred.
+    /// Centre of the view.
     centre: Point,
 }
 
-/// Both views.
-pub(super) fn robot(app: &App, frame: &mut Frame<'_>, area: Rect) {
+/// Returns a pane with a title and a rule above it.
+pub(super) fn block(title: String) -> Block<'static> {
+    Block::new().borders(Borders::TOP).title(title)
+}
+
+/// Draws both views.
+pub(super) fn draw_robot(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let [above, side] =
         Layout::horizontal([Constraint::Percentage(50), Constraint::Percentage(50)])
             .spacing(1)
@@ -78,7 +84,7 @@ pub(super) fn robot(app: &App, frame: &mut Frame<'_>, area: Rect) {
         false => (View::from_above(0, 1), View::from_side(1, 2)),
     };
     figure.draw(frame, above, from_above, app.say(Debugging::Above));
-    figure.draw(frame, side, from_side, app.say(Debugging::Side));
+    figure.draw(frame, side, from_side, app.say(DebugText::Side));
 }
 
 impl Figure {
@@ -123,14 +129,14 @@ impl Figure {
         }
     }
 
-    /// Where a point is on the way around the body, from 0 to 4.
+    /// Returns the position of a point on the way around the body, from 0 to 4.
     fn around(&self, point: &Point) -> f64 {
         let (x, y) = (point[0] - self.centre[0], point[1] - self.centre[1]);
         let right = x / (x.abs() + y.abs()).max(f64::MIN_POSITIVE);
         if y < 0.0 { 3.0 + right } else { 1.0 - right }
     }
 
-    /// Half of what has to be seen, so that it does not jump about: mm.
+    /// Returns half of the visible width, mm; it grows in steps, so that the view does not jitter.
     fn reach(&self, view: View) -> f64 {
         let far = |point: &Point| {
             let away = |axis: usize| (point[axis] - self.centre[axis]).abs();
@@ -144,7 +150,7 @@ impl Figure {
 
     fn draw(&self, frame: &mut Frame<'_>, area: Rect, view: View, title: String) {
         let reach = self.reach(view);
-        // Each cell has two dots beside each other and four above each other, all at one distance.
+        // Each cell has two columns and four rows of dots, all at the same distance.
         let inner = area.height.saturating_sub(1).max(1);
         let (across, high) = (2.0 * f64::from(area.width.max(1)), 4.0 * f64::from(inner));
         let (half_x, half_y) = match across > high {
@@ -198,7 +204,7 @@ impl Figure {
     }
 }
 
-/// The middle of what fingers take up, in steps, so that the view seldom moves: mm.
+/// Returns the middle of the fingers, mm; it moves in steps, so that the view is steady.
 fn middle(legs: &[Vec<Point>]) -> Point {
     std::array::from_fn(|axis| {
         let along = || legs.iter().flatten().map(|point| point[axis]);
@@ -210,7 +216,7 @@ fn middle(legs: &[Vec<Point>]) -> Point {
     })
 }
 
-/// The corners of an object in its plane: mm.
+/// Returns the corners of an object in its plane, mm.
 fn outline(shape: &Shape, state: &ObjectState) -> Vec<Point> {
     let corners: Vec<[f64; 2]> = match *shape {
         Shape::Disc { radius } => (0..CORNERS)

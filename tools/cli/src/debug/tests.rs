@@ -1,7 +1,7 @@
-//! The screen, and what keys do to it.
+//! Keys and screens of the debugger.
 
-use super::app::App;
-use super::{draw, keys};
+use super::app::{App, press as press_key};
+use super::screen as view;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -42,10 +42,10 @@ fn app_of(robot: &str, text: &str, lang: Lang) -> App {
 fn screen(app: &App, width: u16, height: u16) -> String {
     let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("memory");
     terminal
-        .draw(|frame| draw::draw(app, frame))
+        .draw(|frame| view::draw(app, frame))
         .expect("memory");
     let shown = terminal.backend().to_string();
-    // What follows a wide character is not a character of its own.
+    // A blank follows each wide character.
     shown.replace(' ', "")
 }
 
@@ -56,7 +56,7 @@ fn press(app: &mut App, keys: &str) {
             '\u{1B}' => KeyCode::Esc,
             other => KeyCode::Char(other),
         };
-        keys::press(app, KeyEvent::new(code, KeyModifiers::NONE));
+        press_key(app, KeyEvent::new(code, KeyModifiers::NONE));
         while app.is_going() {
             app.work(1000);
         }
@@ -133,7 +133,7 @@ fn a_breakpoint_stops_at_the_passes_that_count() {
     assert_eq!(app.debugger.value("N"), Ok(Some(2.0)));
     press(&mut app, "r");
     assert!(matches!(app.debugger.stop().reason, Reason::Ended(_)));
-    // A count that is none is said so, and the breakpoint stays as it was.
+    // An invalid count is refused, and the breakpoint stays.
     app.cursor = 13;
     press(&mut app, "B\noften\n");
     assert!(app.answer.as_deref().is_some_and(|it| it.contains("often")));
@@ -149,7 +149,7 @@ fn a_name_stops_before_each_of_its_steps_until_it_is_given_again() {
         (app.debugger.line(), app.debugger.value("N")),
         (9, Ok(Some(1.0)))
     );
-    // Line 9 is marked, wherever the program stands.
+    // Line 9 is marked wherever the program is paused.
     assert!(screen(&app, 80, 24).contains("●▶9"));
     press(&mut app, "r");
     assert_eq!(
@@ -173,7 +173,7 @@ fn every_variable_can_be_seen_however_many_there_are() {
         let shown = screen(&app, 80, 24);
         assert!(shown.contains("(Tab)"), "page {page} in\n{shown}");
         seen += &shown;
-        keys::press(&mut app, KeyEvent::new(KeyCode::Tab, KeyModifiers::NONE));
+        press_key(&mut app, KeyEvent::new(KeyCode::Tab, KeyModifiers::NONE));
     }
     for name in &names {
         assert!(seen.contains(name.as_str()), "{name} in\n{seen}");
@@ -263,7 +263,7 @@ fn hardly_any_room_is_no_reason_to_fail() {
 fn control_c_ends_whatever_is_asked() {
     let mut app = app("titan8", Lang::English);
     press(&mut app, "e");
-    keys::press(
+    press_key(
         &mut app,
         KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL),
     );

@@ -1,104 +1,114 @@
-//! The files of a crate.
+//! The files of a new crate from templates, and the folder, which appears with all of them or not at all.
 
-use super::fill;
-use super::kit::Kit;
-use super::name::Place;
-use super::origin::Origin;
+use crate::message::Making;
+use crate::new::fill;
+use crate::new::name::CratePath;
+use crate::new::origin::Origin;
+use crate::new::template::Template;
 use crate::project::real;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::{fs, io, process};
 use tipc::Robot;
 use tipc::embed::{LIMIT, read_file};
 use tipc::emit::type_name;
 
-/// A file, and its place in the crate.
+/// A file and its path in the crate.
 #[derive(Debug)]
 pub(super) struct File {
     pub(super) name: String,
     pub(super) content: Vec<u8>,
 }
 
-/// The text of a template.
-macro_rules! template {
+/// Includes a template.
+macro_rules! template_text {
     ($name:literal) => {
         include_str!(concat!("../../templates/", $name))
     };
 }
 
-/// All files of the crate.
-pub(super) fn of(place: &Place, kit: &Kit, origin: &Origin, with_hardware: bool) -> Vec<File> {
-    let stem = kit.motion.stem;
-    let holes = Holes::of(place, kit, origin, with_hardware);
+/// Returns all files of the crate.
+pub(super) fn crate_files(
+    place: &CratePath,
+    template: &Template,
+    origin: &Origin,
+    with_hardware: bool,
+) -> Vec<File> {
+    let stem = template.motion.stem;
+    let placeholders = Placeholders::of(place, template, origin, with_hardware);
     let mut files = vec![
-        (".editorconfig".to_owned(), template!("editorconfig")),
-        (".gitignore".to_owned(), template!("gitignore")),
-        (".helix/languages.toml".to_owned(), template!("helix.toml")),
+        (".editorconfig".to_owned(), template_text!("editorconfig")),
+        (".gitignore".to_owned(), template_text!("gitignore")),
+        (
+            ".helix/languages.toml".to_owned(),
+            template_text!("helix.toml"),
+        ),
         (
             ".vscode/launch.json".to_owned(),
-            template!("vscode/launch.json"),
+            template_text!("vscode/launch.json"),
         ),
         (
             ".vscode/settings.json".to_owned(),
-            template!("vscode/settings.json"),
+            template_text!("vscode/settings.json"),
         ),
-        ("Cargo.toml".to_owned(), template!("manifest.toml")),
-        ("README.md".to_owned(), template!("README.md")),
-        (format!("motions/{stem}.prg"), &*kit.motion.program),
-        ("src/lib.rs".to_owned(), template!("lib.rs")),
-        ("src/main.rs".to_owned(), kit.motion.main),
-        (format!("tests/{stem}.rs"), kit.motion.test),
-        ("tip.toml".to_owned(), template!("project.toml")),
+        ("Cargo.toml".to_owned(), template_text!("manifest.toml")),
+        ("README.md".to_owned(), template_text!("README.md")),
+        (format!("motions/{stem}.prg"), &*template.motion.program),
+        ("src/lib.rs".to_owned(), template_text!("lib.rs")),
+        ("src/main.rs".to_owned(), template.motion.main),
+        (format!("tests/{stem}.rs"), template.motion.test),
+        ("tip.toml".to_owned(), template_text!("project.toml")),
     ];
     if with_hardware {
         files.extend([
-            ("src/bin/drive.rs".to_owned(), template!("drive.rs")),
-            ("src/hardware.rs".to_owned(), template!("hardware.rs")),
+            ("src/bin/drive.rs".to_owned(), template_text!("drive.rs")),
+            ("src/hardware.rs".to_owned(), template_text!("hardware.rs")),
             (
                 "tests/hardware.rs".to_owned(),
-                template!("test_hardware.rs"),
+                template_text!("test_hardware.rs"),
             ),
         ]);
     }
-    files.extend(kit.scene.map(|text| ("scene.toml".to_owned(), text)));
+    files.extend(template.scene.map(|text| ("scene.toml".to_owned(), text)));
     let filled = |(name, text): (String, &str)| File {
         name,
-        content: holes.fill(text).into_bytes(),
+        content: placeholders.fill(text).into_bytes(),
     };
     let mut files: Vec<File> = files.into_iter().map(filled).collect();
     let given = |name: &str, content: &Option<Vec<u8>>| {
         let name = name.to_owned();
         content.clone().map(|content| File { name, content })
     };
-    files.extend(given("robot.toml", &kit.description));
+    files.extend(given("robot.toml", &template.description));
     files.extend(given("Cargo.lock", &origin.lock()));
     files.sort_by(|one, other| one.name.cmp(&other.name));
     files
 }
 
-/// What code of the crate calls a described robot.
+/// The name of a described robot in code.
 const DESCRIBED: &str = "ROBOT";
 
-/// What templates leave open.
-struct Holes(Vec<(&'static str, String)>);
+/// The placeholders of templates with their values.
+struct Placeholders(Vec<(&'static str, String)>);
 
-impl Holes {
-    fn of(place: &Place, kit: &Kit, origin: &Origin, with_hardware: bool) -> Self {
+impl Placeholders {
+    fn of(place: &CratePath, template: &Template, origin: &Origin, with_hardware: bool) -> Self {
         let is_inside = is_inside_a_workspace(place.folder());
         let default_run = format!("default-run = \"{}\"\n", place.name());
-        let has_scene = kit.scene.is_some();
-        let mut holes = vec![
-            // These have holes themselves.
-            ("lib_scene", when(has_scene, template!("lib_scene.rs"))),
+        let has_scene = template.scene.is_some();
+        let mut placeholders = vec![
+            // These have placeholders themselves.
+            ("lib_scene", when(has_scene, template_text!("lib_scene.rs"))),
             (
                 "lib_hardware",
-                when(with_hardware, template!("lib_hardware.rs")),
+                when(with_hardware, template_text!("lib_hardware.rs")),
             ),
             (
                 "readme_hardware",
-                when(with_hardware, template!("README_hardware.md")),
+                when(with_hardware, template_text!("README_hardware.md")),
             ),
             (
                 "workspace",
-                when(is_inside, template!("manifest_workspace.toml")),
+                when(is_inside, template_text!("manifest_workspace.toml")),
             ),
             ("default_run", when(with_hardware, &default_run)),
             ("macros", origin.macros()),
@@ -107,23 +117,23 @@ impl Holes {
             ("rust", env!("CARGO_PKG_RUST_VERSION").to_owned()),
             ("name", place.name().to_owned()),
             ("crate", place.crate_name()),
-            ("motion", kit.motion.stem.to_owned()),
-            ("Program", type_name(kit.motion.stem)),
+            ("motion", template.motion.stem.to_owned()),
+            ("Program", type_name(template.motion.stem)),
             ("scene", when(has_scene, "scene = \"scene.toml\"\n")),
-            ("travel", format!("{:?}", kit.motion.travel)),
-            ("legs", kit.legs.to_string()),
-            ("joints", kit.joints.to_string()),
+            ("travel", format!("{:?}", template.motion.travel)),
+            ("legs", template.legs.to_string()),
+            ("joints", template.joints.to_string()),
         ];
-        holes.extend(match kit.description {
-            Some(_) => of_description(&type_name(kit.motion.stem)),
-            None => of_runtime(&type_name(kit.motion.stem), &kit.robot),
+        placeholders.extend(match template.description {
+            Some(_) => of_description(&type_name(template.motion.stem)),
+            None => of_runtime(&type_name(template.motion.stem), &template.robot),
         });
-        Holes(holes)
+        Placeholders(placeholders)
     }
 
     fn fill(&self, text: &str) -> String {
-        let holes = self.0.iter().map(|(name, value)| (*name, &**value));
-        fill(text, &holes.collect::<Vec<_>>())
+        let placeholders = self.0.iter().map(|(name, value)| (*name, &**value));
+        fill(text, &placeholders.collect::<Vec<_>>())
     }
 }
 
@@ -135,7 +145,7 @@ fn when(is_so: bool, text: &str) -> String {
     }
 }
 
-/// How the robot is written that `robot.toml` describes.
+/// Returns the placeholders for a robot that `robot.toml` describes.
 fn of_description(program: &str) -> Vec<(&'static str, String)> {
     let mut items = [program, DESCRIBED];
     items.sort_unstable();
@@ -143,7 +153,7 @@ fn of_description(program: &str) -> Vec<(&'static str, String)> {
         ("features", ", features = [\"robot-files\"]".to_owned()),
         (
             "lib_description",
-            template!("lib_description.rs").to_owned(),
+            template_text!("lib_description.rs").to_owned(),
         ),
         ("option", ", robot = \"robot.toml\"".to_owned()),
         ("items", format!("{{{}}}", items.join(", "))),
@@ -155,7 +165,7 @@ fn of_description(program: &str) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// How a robot of the runtime is written.
+/// Returns the placeholders for a robot of the runtime.
 fn of_runtime(program: &str, robot: &str) -> Vec<(&'static str, String)> {
     let is_default = robot == Robot::default().name();
     vec![
@@ -174,7 +184,7 @@ fn of_runtime(program: &str, robot: &str) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// Whether cargo would take the crate for a member of a workspace around it.
+/// Returns true if cargo would take the crate for a member of an enclosing workspace.
 fn is_inside_a_workspace(folder: &Path) -> bool {
     let folder = real(folder);
     let manifests = folder
@@ -186,4 +196,69 @@ fn is_inside_a_workspace(folder: &Path) -> bool {
     texts
         .into_iter()
         .any(|text| text.split(|byte| *byte == b'\n').any(is_workspace))
+}
+
+/// Writes the files into a new folder.
+///
+/// # Errors
+/// The folder is taken, has nowhere to be, or cannot be written; then there is none.
+pub(super) fn write_crate(place: &CratePath, files: &[File]) -> Result<(), Making> {
+    let folder = place.folder();
+    let named = |path: &Path| path.display().to_string().into();
+    if !is_free(folder) {
+        return Err(Making::FolderTaken {
+            folder: named(folder),
+        });
+    }
+    let parent = match folder.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    if !parent.is_dir() {
+        return Err(Making::NoFolder {
+            folder: named(parent),
+        });
+    }
+    let temporary = TemporaryFolder(parent.join(format!(".{}-{}", place.name(), process::id())));
+    temporary
+        .fill(files, folder)
+        .map_err(|error| Making::NotMade {
+            folder: named(folder),
+            error: error.to_string().into(),
+            name: place.name().to_owned(),
+        })
+}
+
+/// Returns true if the folder does not exist or is empty.
+fn is_free(folder: &Path) -> bool {
+    match fs::read_dir(folder) {
+        Ok(mut entries) => entries.next().is_none(),
+        Err(error) => error.kind() == io::ErrorKind::NotFound && folder.symlink_metadata().is_err(),
+    }
+}
+
+/// A temporary folder next to the final one; it is removed unless it was renamed.
+struct TemporaryFolder(PathBuf);
+
+impl TemporaryFolder {
+    fn fill(&self, files: &[File], folder: &Path) -> io::Result<()> {
+        fs::create_dir(&self.0)?;
+        for file in files {
+            let path = self.0.join(&file.name);
+            path.parent().map_or(Ok(()), fs::create_dir_all)?;
+            fs::write(path, &file.content)?;
+        }
+        // An empty folder in its place is removed only now.
+        match fs::remove_dir(folder) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => fs::rename(&self.0, folder),
+        }
+    }
+}
+
+impl Drop for TemporaryFolder {
+    fn drop(&mut self) {
+        // It does not exist any more after its renaming.
+        let _ = fs::remove_dir_all(&self.0);
+    }
 }

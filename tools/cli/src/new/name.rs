@@ -1,11 +1,11 @@
-//! What a crate may be called: what cargo and Rust take without a warning.
+//! Names of crates that cargo and Rust accept without a warning.
 
 use crate::message::Using;
-use crate::usage::Wrong;
+use crate::usage::BadValue;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-/// The longest name that registries take.
+/// Maximum length of a name in registries.
 const LONGEST: usize = 64;
 
 /// Names that mean something else: to Rust, to cargo, to Windows, or in the crate that is made.
@@ -69,7 +69,7 @@ const TAKEN: &[&str] = &[
     "proc_macro",
     "std",
     "test",
-    // What cargo writes beside an executable.
+    // Folders that cargo writes next to an executable.
     "build",
     "deps",
     "examples",
@@ -108,51 +108,51 @@ const TAKEN: &[&str] = &[
     "tipc",
 ];
 
-/// Where the crate is to be.
+/// The name and the folder of a new crate.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct CratePath {
     folder: PathBuf,
     name: String,
 }
 
-impl Place {
-    /// Its folder, which is called as the crate is.
+impl CratePath {
+    /// Returns the folder, which has the name of the crate.
     pub(super) fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// The crate's name.
+    /// Returns the name.
     pub(super) fn name(&self) -> &str {
         &self.name
     }
 
-    /// As code names the crate.
+    /// Returns the name in Rust code.
     pub(super) fn crate_name(&self) -> String {
         self.name.replace('-', "_")
     }
 }
 
-impl FromStr for Place {
-    type Err = Wrong;
+impl FromStr for CratePath {
+    type Err = BadValue;
 
-    fn from_str(text: &str) -> Result<Self, Wrong> {
+    fn from_str(text: &str) -> Result<Self, BadValue> {
         let folder = PathBuf::from(text);
         let name = folder.file_name().unwrap_or_default();
         let name = name.to_string_lossy().into_owned();
         if !is_plain(&name) {
             let near = near(&name);
-            return Err(Wrong(Using::NotACrateName { name, near }));
+            return Err(BadValue(Using::NotACrateName { name, near }));
         }
         if TAKEN.contains(&&*name) {
             let near = near(&name);
-            return Err(Wrong(Using::CrateNameTaken { name, near }));
+            return Err(BadValue(Using::CrateNameTaken { name, near }));
         }
-        Ok(Place { folder, name })
+        Ok(CratePath { folder, name })
     }
 }
 
-/// Whether it is made of small letters and digits with single `-` or `_` between them, a letter first: others are refused
-/// by cargo or by registries, or warned of by the compiler.
+/// Returns true for small letters and digits with single `-` or `_` between them, a letter first: cargo or registries refuse other
+/// names, or the compiler warns of them.
 fn is_plain(name: &str) -> bool {
     let is_word = |word: &str| {
         !word.is_empty()
@@ -165,7 +165,7 @@ fn is_plain(name: &str) -> bool {
         && name.split(['-', '_']).all(is_word)
 }
 
-/// A name like it that is none of these.
+/// Returns a similar name that is accepted.
 fn near(name: &str) -> String {
     let small = name.to_lowercase();
     let words = small.split(|c: char| !c.is_ascii_alphanumeric());
@@ -203,10 +203,10 @@ mod tests {
             "hardware",
             &longest,
         ] {
-            let place: Place = name.parse().expect(name);
+            let place: CratePath = name.parse().expect(name);
             assert_eq!((place.name(), place.folder()), (name, Path::new(name)));
         }
-        let place: Place = "robots/first-walk/".parse().expect("a folder");
+        let place: CratePath = "robots/first-walk/".parse().expect("a folder");
         assert_eq!(place.name(), "first-walk");
         assert_eq!(place.crate_name(), "first_walk");
     }
@@ -237,14 +237,14 @@ mod tests {
             ("tip_runtime", "my-tip_runtime"),
             (&too_long, &"a".repeat(LONGEST / 2)),
         ] {
-            let refused = name.parse::<Place>().expect_err(name);
+            let refused = name.parse::<CratePath>().expect_err(name);
             let (Using::NotACrateName { near, .. } | Using::CrateNameTaken { near, .. }) =
                 refused.0
             else {
                 panic!("{name}: {refused}");
             };
             assert_eq!(near, better.replace('_', "-"), "{name}");
-            near.parse::<Place>().expect("it is taken");
+            near.parse::<CratePath>().expect("it is taken");
         }
     }
 }

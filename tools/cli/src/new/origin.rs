@@ -1,37 +1,37 @@
-//! Where the crate takes this project from: a checkout on this machine, or the registry.
+//! The source of the dependencies of a new crate: a checkout on this machine, or the registry.
 
-use super::name::Place;
+use super::name::CratePath;
 use crate::message::Making;
 use crate::project::real;
 use std::path::{Component, Path, PathBuf, absolute};
 use tipc::embed::{LIMIT, read_file};
 
-/// The version of this command; that of the crates must be the same.
+/// The version of this command and of the crates.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Where this command was built from: a folder of the checkout, if it is still there.
+/// The folder that this command was built from, if it still exists.
 const BUILT_FROM: &str = env!("CARGO_MANIFEST_DIR");
 
-/// What a checkout has in these folders.
+/// Folders of a checkout.
 const MACROS: &str = "tip-macros";
 const RUNTIME: &str = "tip-runtime";
 const SIM: &str = "tools/sim";
 
-/// Where the dependencies come from.
+/// The source of the dependencies.
 #[derive(Debug)]
 pub(super) enum Origin {
-    /// A checkout, and how the crate's manifest names it.
+    /// A checkout, and its path in the manifest.
     Checkout { folder: PathBuf, named: PathBuf },
     /// The registry.
     Published,
 }
 
 impl Origin {
-    /// The checkout that is asked for; else the one that this command was built from; else the registry.
+    /// Returns the checkout that is given, else the one that this command was built from, else the registry.
     ///
     /// # Errors
     /// What is asked for is not a checkout of this version.
-    pub(super) fn find(asked: Option<&Path>, place: &Place) -> Result<Self, Making> {
+    pub(super) fn find(asked: Option<&Path>, place: &CratePath) -> Result<Self, Making> {
         if let Some(folder) = asked {
             let refused = || Making::NotACheckout {
                 folder: folder.display().to_string().into(),
@@ -71,17 +71,17 @@ impl Origin {
         })
     }
 
-    /// The macros, as a dependency without braces.
+    /// Returns the dependency on the macros, without braces.
     pub(super) fn macros(&self) -> String {
         self.dependency(MACROS)
     }
 
-    /// The runtime: the same.
+    /// Returns the dependency on the runtime.
     pub(super) fn runtime(&self) -> String {
         self.dependency(RUNTIME)
     }
 
-    /// The simulator: the same.
+    /// Returns the dependency on the simulator.
     pub(super) fn sim(&self) -> String {
         self.dependency(SIM)
     }
@@ -97,7 +97,7 @@ impl Origin {
         }
     }
 
-    /// The versions of everything else that the checkout is tested with.
+    /// Returns the lock file of the checkout.
     pub(super) fn lock(&self) -> Option<Vec<u8>> {
         match self {
             Origin::Checkout { folder, .. } => read_file(&folder.join("Cargo.lock"), LIMIT).ok(),
@@ -110,9 +110,9 @@ fn is_plain(path: &str) -> bool {
     !path.contains(char::is_control)
 }
 
-/// A path from here, as it is written in a new folder.
+/// Converts a path from here to one from a new folder.
 fn seen_from(place: &Path, path: &Path) -> PathBuf {
-    // Through a link the way back is another one.
+    // `..` after a link leads elsewhere.
     let here = real(Path::new("."));
     let is_below = place.is_relative() && real(place) == here.join(place);
     if path.is_absolute() || !is_below {

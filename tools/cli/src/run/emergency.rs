@@ -1,12 +1,12 @@
-//! An emergency stop, reported as findings are: its place, its reason, and the values that led to it.
+//! The report of an emergency stop as a diagnostic: its statement, its reason, and the values that led to it.
 
-use super::super::choices::Format;
-use super::super::output;
-use super::super::shown::Shown;
-use super::summary::seconds;
-use super::values::Values;
+use crate::choices::Format;
+use crate::choices::OutputOptions;
 use crate::message::Stopping;
+use crate::output;
+use crate::run::summary::seconds;
 use serde_json::{Map, Value, json};
+use tip_lint::load;
 use tip_runtime::command::Target;
 use tip_runtime::fault::Fault;
 use tip_runtime::machine::Emergency;
@@ -16,11 +16,11 @@ use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::list::List;
 use tipc::message::{Message, Structuring};
-use tipc::render;
-use tipc::source::Span;
-use tipc::{Loaded, Options};
+use tipc::source::{Encoding, Span};
+use tipc::symbols::{Access, DefinitionKind, Use};
+use tipc::{Loaded, Options, render};
 
-/// A run that an emergency stop has ended, and what is known of it.
+/// A run after an emergency stop.
 pub(super) struct Stopped<'a> {
     pub(super) emergency: Emergency,
     pub(super) run: &'a Run,
@@ -31,7 +31,7 @@ pub(super) struct Stopped<'a> {
     pub(super) anatomy: &'a Anatomy,
 }
 
-/// A joint as it was measured last: deg.
+/// The last measured state of a joint, deg.
 struct JointState {
     joint: Target,
     angle: f64,
@@ -40,16 +40,16 @@ struct JointState {
 }
 
 impl Stopped<'_> {
-    /// The report, in the form and the language that are asked for, with its line end.
-    pub(super) fn report(&self, shown: Shown) -> String {
-        let (source, lang) = (&self.loaded.source, shown.lang());
+    /// Returns the report in the chosen format and language, with its line end.
+    pub(super) fn report(&self, output_options: OutputOptions) -> String {
+        let (source, lang) = (&self.loaded.source, output_options.lang());
         let values = Values::of(self.loaded, self.statement(), self.program);
-        let finding = self.finding(&values);
-        match shown.message_format {
-            Format::Short => render::short(source, &finding, lang) + "\n",
+        let diagnostic = self.diagnostic(&values);
+        match output_options.message_format {
+            Format::Short => render::short(source, &diagnostic, lang) + "\n",
             Format::Json => {
                 let robot = Some(self.options.robot);
-                let object = render::json(source, &finding, robot, lang);
+                let object = render::json(source, &diagnostic, robot, lang);
                 let object = object.strip_suffix('}').unwrap_or(&object);
                 format!("{object}{}}}\n", self.members(&values))
             }
@@ -60,7 +60,7 @@ impl Stopped<'_> {
                     cycle: cycle.to_string().into(),
                     time: seconds(self.run.time()).into(),
                 };
-                let text = render::human(source, &finding, shown.style());
+                let text = render::human(source, &diagnostic, output_options.style());
                 format!("{text}{}\n", moment.in_lang(lang))
             }
         }
@@ -78,29 +78,29 @@ impl Stopped<'_> {
             .unwrap_or_default()
     }
 
-    fn finding(&self, values: &Values) -> Diagnostic {
+    fn diagnostic(&self, values: &Values) -> Diagnostic {
         let fault = self.emergency.fault;
         let code = Code::of_fault(&fault);
         let (reason, help) = self.reason(values);
-        let mut finding = Diagnostic::new(code, self.place(), reason);
+        let mut diagnostic = Diagnostic::new(code, self.place(), reason);
         let (before, _) = code.template().split_once("{}").unwrap_or_default();
         if let Some(subject) = fault
             .to_string()
             .strip_prefix(before)
             .filter(|_| !before.is_empty())
         {
-            finding = finding.about(subject);
+            diagnostic = diagnostic.about(subject);
         }
         if let Some(help) = help {
-            finding = finding.help(help);
+            diagnostic = diagnostic.help(help);
         }
         for (place, text) in values.at_places() {
-            finding = finding.label(place, Stopping::Values { values: List(text) });
+            diagnostic = diagnostic.label(place, Stopping::Values { values: List(text) });
         }
-        finding
+        diagnostic
     }
 
-    /// What is wrong, and what to do about it.
+    /// Returns the reason and the help.
     fn reason(&self, values: &Values) -> (Message, Option<Message>) {
         match self.emergency.fault {
             Fault::Domain => match values.refused(self.loaded, self.statement(), &self.options) {
@@ -144,7 +144,7 @@ impl Stopped<'_> {
 }
 
 impl Stopped<'_> {
-    /// The joints as they were measured last, leg by leg.
+    /// Returns the last measured states of all joints, leg by leg.
     fn joints(&self) -> impl Iterator<Item = JointState> {
         let limits = (1..).zip(&self.anatomy.legs).flat_map(|(leg, limb)| {
             let joints = (1..).zip(&limb.joints);
@@ -177,7 +177,7 @@ impl Stopped<'_> {
         )
     }
 
-    /// How the leg of a target stands.
+    /// Returns the angles of the leg of a target.
     fn joints_of(&self, target: Target) -> Option<Message> {
         let (Target::Foot(leg) | Target::Joint(leg, _)) = target else {
             return None;
@@ -201,7 +201,7 @@ impl Stopped<'_> {
         )
     }
 
-    /// What the report says beside a finding.
+    /// Returns the members of the JSON report beyond those of a diagnostic.
     fn members(&self, values: &Values) -> String {
         let Emergency { step, cycle, .. } = self.emergency;
         let joints = self.joints().map(
@@ -232,7 +232,119 @@ impl Stopped<'_> {
     }
 }
 
-/// Of an angle, as much as is worth reading.
+/// Rounds an angle for people.
 fn rounded(angle: f64) -> f64 {
     (angle * 1000.0).round() / 1000.0
+}
+
+/// The values of the operands of a statement.
+#[derive(Debug, Default)]
+struct Values(Vec<Operand>);
+
+/// An operand that names a variable or a member.
+#[derive(Debug)]
+struct Operand {
+    /// Its sign and its name.
+    place: Span,
+    negative: bool,
+    /// True if it is only read, so that its value could replace it.
+    is_read: bool,
+    /// The scalars that it stands for.
+    scalars: Vec<(String, f64)>,
+}
+
+impl Values {
+    /// Returns the values that a statement reads. A step that fails changes nothing, so that they are still there.
+    fn of(loaded: &Loaded, statement: Option<usize>, program: &Interpreter) -> Self {
+        let uses = loaded.symbols.within(span(loaded, statement)).iter();
+        Values(
+            uses.filter_map(|one| operand(loaded, one, program))
+                .collect(),
+        )
+    }
+
+    /// Returns every scalar once, with its value.
+    fn scalars(&self) -> impl Iterator<Item = (&str, f64)> {
+        let scalars = || self.0.iter().flat_map(|operand| &operand.scalars);
+        let is_first = move |(at, (name, _)): &(usize, &(String, f64))| {
+            !scalars().take(*at).any(|(other, _)| other == name)
+        };
+        let all = scalars().enumerate().filter(is_first);
+        all.map(|(_, (name, value))| (name.as_str(), *value))
+    }
+
+    /// Returns the span of each operand with its values.
+    fn at_places(&self) -> impl Iterator<Item = (Span, Vec<String>)> {
+        self.0.iter().map(|operand| {
+            let texts = operand
+                .scalars
+                .iter()
+                .map(|(name, value)| format!("{name} = {value}"));
+            (operand.place, texts.collect())
+        })
+    }
+
+    /// Returns reason and help of the error that the compiler reports for the statement with these values as constants.
+    fn refused(
+        &self,
+        loaded: &Loaded,
+        statement: Option<usize>,
+        options: &Options,
+    ) -> Option<(Message, Option<Message>)> {
+        let place = span(loaded, statement);
+        let text = loaded.source.text();
+        let mut constant = text.get(..place.start)?.to_owned();
+        let mut at = place.start;
+        for operand in self.0.iter().filter(|operand| operand.is_read) {
+            if let [(_, value)] = operand.scalars.as_slice() {
+                let sign = if operand.negative { -1.0 } else { 1.0 };
+                constant += text.get(at..operand.place.start)?;
+                constant += &(sign * value).to_string();
+                at = operand.place.end;
+            }
+        }
+        constant += text.get(at..place.end)?;
+        let judged = place.start..constant.len() + 1;
+        constant += text.get(place.end..)?;
+        let options = Options {
+            encoding: Encoding::Utf8,
+            ..*options
+        };
+        let found = load(loaded.source.name(), constant.as_bytes(), &options).diagnostics;
+        let refused =
+            |one: &Diagnostic| one.code == Code::OutOfRange && judged.contains(&one.span.start);
+        let diagnostic = found.into_iter().find(refused)?;
+        Some((diagnostic.reason, diagnostic.help))
+    }
+}
+
+fn span(loaded: &Loaded, statement: Option<usize>) -> Span {
+    let statement = statement.and_then(|at| loaded.module.statements.get(at));
+    statement
+        .map(|statement| statement.span)
+        .unwrap_or_default()
+}
+
+fn operand(loaded: &Loaded, one: &Use, program: &Interpreter) -> Option<Operand> {
+    let definition = loaded.symbols.definition(one.definition);
+    let is_value = matches!(definition.kind, DefinitionKind::Variable(_))
+        && matches!(one.access, Access::Read | Access::Update | Access::Count);
+    let place = is_value.then(|| one.operand(&loaded.source))?;
+    let name = loaded
+        .source
+        .slice(place)
+        .trim_matches(['-', '%'])
+        .to_ascii_uppercase();
+    let whole = format!("{name}.");
+    let known = (0..).map_while(|at| program.scalar(at));
+    let named = known.filter(|(scalar, _)| *scalar == name || scalar.starts_with(&whole));
+    let scalars: Vec<_> = named
+        .filter_map(|(name, value)| Some((name.to_owned(), value?)))
+        .collect();
+    (!scalars.is_empty()).then_some(Operand {
+        place,
+        negative: one.negative,
+        is_read: one.access == Access::Read,
+        scalars,
+    })
 }

@@ -1,17 +1,19 @@
-//! The files that a run writes: nothing that it reads, no two of them one, and the log files of `--out-dir`.
+//! The files of a run: checks of their paths, the log files of `--out-dir`, and the trace.
 
-use super::super::error::Error;
-use super::super::output;
-use super::Run;
-use super::trace::STANDARD_OUTPUT;
+use crate::error::{Error, is_closed};
+use crate::run::Run;
+use crate::{interrupt, output};
 use std::ffi::OsStr;
 use std::fs;
+use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::path::{Component, Path, PathBuf};
 use tip_lint::listing;
 use tip_runtime::console::{LogError, LogFiles};
+use tip_runtime::printable::is_control;
+use tip_runtime::record::{AtomicFile, Ending, JsonLines, MotionRecord, Sink, Stream};
 use tipc::Loaded;
 
-/// Refuses a target that is an input of the run, or another of its targets.
+/// Returns an error if an output of the run is one of its inputs, or another output.
 pub(super) fn check(arguments: &Run) -> Result<(), Error> {
     let robot = arguments.source.robot().file();
     let scene = arguments
@@ -48,7 +50,7 @@ fn logs(folder: &Path) -> Vec<PathBuf> {
     names.map(|name| folder.join(name)).collect()
 }
 
-/// Whether two paths lead to one file, or would if it was there.
+/// Returns true if two paths lead to the same file, or would if it existed.
 fn is_place(one: &Path, other: &Path) -> bool {
     let folder = |path: &Path| match path.parent() {
         Some(folder) if folder.as_os_str().is_empty() => fs::canonicalize("."),
@@ -60,7 +62,7 @@ fn is_place(one: &Path, other: &Path) -> bool {
     output::is_same(one, other) || is_one_folder && one.file_name() == other.file_name()
 }
 
-/// Takes `folder` for the files of one program and writes its warnings.
+/// Claims `folder` for the files of one program and writes its warnings.
 pub(super) fn claim(folder: &Path, loaded: &Loaded) -> Result<LogFiles<()>, Error> {
     fs::create_dir_all(folder).map_err(|reason| Error::cannot_write(folder, reason))?;
     let name = seen_from(folder, Path::new(loaded.source.name()));
@@ -71,18 +73,19 @@ pub(super) fn claim(folder: &Path, loaded: &Loaded) -> Result<LogFiles<()>, Erro
         .map_or(Ok(files), |failed| Err(error(failed)))
 }
 
-/// The program's path from the folder, with `/` everywhere: two programs never share it, and it stays true when both move.
+/// Returns the path of the program from the folder, with `/` everywhere: two programs never share it, and it stays true when both
+/// move.
 fn seen_from(folder: &Path, program: &Path) -> String {
     let path = match (fs::canonicalize(folder), fs::canonicalize(program)) {
         (Ok(folder), Ok(program)) => relative(&folder, &program),
-        // One of them has gone since it was read: what was asked for names it well enough.
+        // One of them was removed after reading; the given path is good enough.
         _ => program.to_owned(),
     };
     let parts = path.iter().map(OsStr::to_string_lossy);
     parts.collect::<Vec<_>>().join("/")
 }
 
-/// The path from `folder` to `file`, both absolute; `file` itself if they have no root in common.
+/// Returns the path from `folder` to `file`, both absolute; `file` itself if they have no common root.
 fn relative(folder: &Path, file: &Path) -> PathBuf {
     let common = folder
         .components()
@@ -97,7 +100,7 @@ fn relative(folder: &Path, file: &Path) -> PathBuf {
     up.map(|_| Component::ParentDir).chain(down).collect()
 }
 
-/// Writes what a run left to write, and returns the first error of all writing.
+/// Completes the files; returns the first error of all writing.
 pub(super) fn finish(files: &mut LogFiles<()>) -> Result<(), Error> {
     files.flush();
     files
@@ -107,4 +110,185 @@ pub(super) fn finish(files: &mut LogFiles<()>) -> Result<(), Error> {
 
 fn error(LogError { path, reason }: LogError) -> Error {
     Error::cannot_write(&path, reason)
+}
+
+/// The name of standard output.
+pub(super) const STANDARD_OUTPUT: &str = "-";
+
+/// A trace that is being written.
+pub(super) struct Trace {
+    path: PathBuf,
+    takes_standard_output: bool,
+    is_straight: bool,
+    with_motion: bool,
+    lines: JsonLines<Stream<BufWriter<Output>>>,
+}
+
+/// The optional parts of records.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extras {
+    /// A hash of the commands and measurements of each joint.
+    pub(super) state: bool,
+    /// The motion of the simulated robot.
+    pub(super) motion: bool,
+}
+
+/// The destination of a trace.
+enum Output {
+    Standard(Stdout),
+    Terminal(Terminal),
+    File(AtomicFile),
+}
+
+/// A terminal; control characters of a record are escaped.
+struct Terminal {
+    out: Stdout,
+    /// The record so far: a write may end inside a character.
+    record: Vec<u8>,
+}
+
+impl Trace {
+    /// Opens a trace.
+    pub(super) fn begin(path: &Path, extras: Extras) -> Result<Self, Error> {
+        let out = if path.as_os_str() == STANDARD_OUTPUT {
+            Output::standard()
+        } else {
+            let file = output::begin(path).map_err(|error| Error::cannot_write(path, error))?;
+            interrupt::discards(file.part());
+            Output::File(file)
+        };
+        let (takes_standard_output, is_straight) = match &out {
+            Output::Standard(_) | Output::Terminal(_) => (true, true),
+            Output::File(file) => (false, file.part().is_none()),
+        };
+        let lines = JsonLines::new(Stream::new(BufWriter::new(out)), extras.state);
+        Ok(Trace {
+            path: path.to_owned(),
+            takes_standard_output,
+            is_straight,
+            with_motion: extras.motion,
+            lines: match extras.motion {
+                true => lines.with_motion(),
+                false => lines,
+            },
+        })
+    }
+
+    /// Returns true if it uses standard output.
+    pub(super) fn takes_standard_output(&self) -> bool {
+        self.takes_standard_output
+    }
+
+    /// Returns true if it is written directly to a pipe, a device or standard output, which may block.
+    pub(super) fn is_straight(&self) -> bool {
+        self.is_straight
+    }
+
+    /// Returns the sink of the records.
+    pub(super) fn sink(&mut self) -> &mut dyn Sink {
+        &mut self.lines
+    }
+
+    /// Adds the motion to the record of a cycle, if it was asked for.
+    pub(super) fn after(&mut self, run: &tip_sim::Run) {
+        if !self.with_motion {
+            return;
+        }
+        let limbs = run.limbs();
+        let legs = limbs.as_ref().map_or(&[][..], |limbs| &limbs.angles);
+        self.lines.motion(&MotionRecord {
+            pose: run.pose(),
+            motion: run.motion(),
+            joints_per_leg: legs.first().map_or(0, Vec::len),
+            angles: &legs.concat(),
+            loads: limbs.as_ref().map_or(&[], |limbs| &limbs.loads),
+        });
+    }
+
+    /// Returns true if it can still be written.
+    pub(super) fn is_open(&self) -> bool {
+        self.lines.result().is_ok()
+    }
+
+    /// Writes the last record, and puts the complete file in its place.
+    pub(super) fn end(mut self, ending: Ending, cycles: u64) -> Result<(), Error> {
+        self.lines.end(ending, cycles);
+        let mut stream = self.lines.into_inner();
+        let written = stream.finish().and_then(|()| {
+            let out = stream.into_inner().into_inner();
+            out.map_err(io::IntoInnerError::into_error)?.close()
+        });
+        match written {
+            Err(error) if !is_closed(&error) => Err(Error::cannot_write(&self.path, error)),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Output {
+    fn standard() -> Self {
+        let out = io::stdout();
+        match out.is_terminal() {
+            true => Output::Terminal(Terminal {
+                out,
+                record: Vec::new(),
+            }),
+            false => Output::Standard(out),
+        }
+    }
+
+    fn close(self) -> io::Result<()> {
+        match self {
+            Output::Standard(_) | Output::Terminal(_) => Ok(()),
+            Output::File(file) => file.commit(),
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Output::Standard(out) => out.write(bytes),
+            Output::Terminal(terminal) => terminal.write(bytes),
+            Output::File(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Output::Standard(out) => out.flush(),
+            Output::Terminal(terminal) => terminal.flush(),
+            Output::File(file) => file.flush(),
+        }
+    }
+}
+
+impl Write for Terminal {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        for byte in bytes {
+            self.record.push(*byte);
+            if *byte == b'\n' {
+                let record = escaped(&String::from_utf8_lossy(&self.record));
+                self.record.clear();
+                self.out.write_all(record.as_bytes())?;
+            }
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+/// Escapes characters that would act on a terminal. In JSON they are parts of strings.
+fn escaped(record: &str) -> String {
+    let mut escaped = String::with_capacity(record.len());
+    for c in record.chars() {
+        match is_control(c) && c != '\n' {
+            true => escaped += &format!("\\u{:04x}", u32::from(c)),
+            false => escaped.push(c),
+        }
+    }
+    escaped
 }

@@ -1,6 +1,6 @@
-//! What a run says about itself: its summary, and a fall.
+//! The summary of a run, its status line, and the report of a fall.
 
-use super::super::shown::place;
+use crate::choices::step_location;
 use crate::message::count::Cycles;
 use crate::message::{Along, Aside, Figure, How, Running, Until, Upright, Waiting, Weight};
 use std::fmt::Write as _;
@@ -16,8 +16,8 @@ use tipc::message::Lang;
 use tipc::program::Action;
 use tipc::source::Source;
 
-/// How and where it ended, what it waited for then, and what the robot did. A robot without such figures has no lines about
-/// them.
+/// Returns the summary: how and where the run ended, what it waited for then, and what the robot did. A robot without such figures
+/// has no lines about them.
 pub(super) fn summary(
     run: &Run,
     ending: Ending,
@@ -51,7 +51,7 @@ pub(super) fn summary(
     };
     if let Ending::Interrupted | Ending::Limit = ending {
         lines.next(run);
-        if let Some(wait) = wait.map(said) {
+        if let Some(wait) = wait.map(wait_message) {
             lines.add(Figure::Waits, &Running::IsWaiting { wait });
         }
     }
@@ -67,7 +67,7 @@ pub(super) fn summary(
     lines.text
 }
 
-/// A line of the summary.
+/// Returns a line of the summary.
 pub(super) fn line(figure: Figure, value: &Running, lang: Lang) -> String {
     let label = figure.in_lang(lang).to_string();
     // Letters of Japanese are two columns wide.
@@ -79,7 +79,7 @@ pub(super) fn line(figure: Figure, value: &Running, lang: Lang) -> String {
     format!("  {label}{gap}{}\n", value.in_lang(lang))
 }
 
-/// The lines of a summary.
+/// A summary while it is written.
 struct Lines {
     text: String,
     lang: Lang,
@@ -90,7 +90,7 @@ impl Lines {
         self.text += &line(figure, value, self.lang);
     }
 
-    /// The statement that has not been done yet, and what it waits for.
+    /// Adds the next statement, and what it waits for.
     fn next(&mut self, run: &Run) {
         let at = run.program().at() as usize;
         let program = run.engine::<Interpreter>().map(Interpreter::program);
@@ -151,14 +151,14 @@ impl Lines {
         }
     }
 
-    /// A line of something that was counted, if it was.
-    fn counted(&mut self, count: u32, figure: Figure, said: &Running) {
+    /// Adds a line about something that was counted, unless the count is 0.
+    fn counted(&mut self, count: u32, figure: Figure, text: &Running) {
         if count > 0 {
-            self.add(figure, said);
+            self.add(figure, text);
         }
     }
 
-    /// A line for each thing that the simulation leaves out and that would have mattered.
+    /// Adds a line for each effect that the simulation leaves out and that would have mattered.
     fn unmodelled(&mut self, unmodelled: &Unmodelled) {
         let counts = [unmodelled.tips, unmodelled.slides, unmodelled.crossings];
         let [tips, slides, crosses] = counts.map(|count| Cycles::from(count as usize));
@@ -173,8 +173,8 @@ impl Lines {
             (Figure::Grip, Running::NoGrip { cycles: slides }),
             (Figure::Contact, Running::Crosses { cycles: crosses }),
         ];
-        for ((figure, said), count) in lines.into_iter().zip(counts) {
-            self.counted(count, figure, &said);
+        for ((figure, text), count) in lines.into_iter().zip(counts) {
+            self.counted(count, figure, &text);
         }
     }
 
@@ -214,7 +214,7 @@ fn falls(motion: &Motion, first: Option<Fall>, run: &Run) -> Running {
     }
 }
 
-/// How the robot is now, in one line: the time, its motion, and what the program waits for or the statement that is next.
+/// Returns the status in one line: the time, the motion, and the wait or the next statement.
 pub(super) fn status(run: &Run, wait: Option<&Wait>, source: &Source, lang: Lang) -> String {
     let program = run.program();
     let line = program.line(program.at());
@@ -241,7 +241,7 @@ pub(super) fn status(run: &Run, wait: Option<&Wait>, source: &Source, lang: Lang
         let _ = write!(text, " | {}", Running::Pushes { forces }.in_lang(lang));
     }
     if let Some(wait) = wait {
-        let _ = write!(text, " | {}", said(wait).in_lang(lang));
+        let _ = write!(text, " | {}", wait_message(wait).in_lang(lang));
         return text;
     }
     let statement = Printable::line(source.line_text(line).trim());
@@ -251,7 +251,7 @@ pub(super) fn status(run: &Run, wait: Option<&Wait>, source: &Source, lang: Lang
     text
 }
 
-/// A fall, with the statement that ran.
+/// Returns the report of a fall, with its statement.
 pub(super) fn fall(
     fall: &Fall,
     weight: &Weight,
@@ -266,16 +266,20 @@ pub(super) fn fall(
         (true, false) => Running::WouldHaveFallen { time, cycle },
         (true, true) => Running::Unsupported { time, cycle },
     };
-    let place = place(source, program.program(), fall.step);
-    format!("{}: {}\n{place}", weight.in_lang(lang), fell.in_lang(lang))
+    let location = step_location(source, program.program(), fall.step);
+    format!(
+        "{}: {}\n{location}",
+        weight.in_lang(lang),
+        fell.in_lang(lang)
+    )
 }
 
-/// So many, of ms.
+/// Formats a time, ms, in seconds.
 pub(super) fn seconds(time: f64) -> String {
     format!("{:.3}", time / 1000.0)
 }
 
-/// One decimal, and no -0.0.
+/// Formats a value with one decimal, without -0.0.
 pub(super) fn tenths(value: f64) -> String {
     let text = format!("{value:.1}");
     if text == "-0.0" {
@@ -285,7 +289,7 @@ pub(super) fn tenths(value: f64) -> String {
     }
 }
 
-/// How much, and which way.
+/// Splits a value into its amount and its direction.
 fn sense<W>(value: f64, positive: W, negative: W) -> (String, W) {
     let way = if tenths(value).starts_with('-') {
         negative
@@ -295,7 +299,7 @@ fn sense<W>(value: f64, positive: W, negative: W) -> (String, W) {
     (tenths(value.abs()), way)
 }
 
-/// What ends the wait of a step that may take several cycles.
+/// Returns the condition that ends a step of several cycles.
 fn until(action: &Action) -> Option<Until> {
     match action {
         Action::KeyIn { .. } => Some(Until::Key),
@@ -316,8 +320,8 @@ fn of_command(op: Op, target: Target) -> Option<Until> {
     }
 }
 
-/// What a run waits for, in words.
-pub(in super::super) fn said(wait: &Wait) -> Waiting {
+/// Returns the message about a wait.
+pub(crate) fn wait_message(wait: &Wait) -> Waiting {
     let [first, last] = wait.lines;
     let [since, time] = [wait.since, wait.time].map(|time| tenths(time / 1000.0));
     match wait.on.clone() {
@@ -356,12 +360,12 @@ mod tests {
     fn nothing_is_less_than_nothing() {
         assert_eq!(tenths(-0.04), "0.0");
         assert_eq!(tenths(-0.06), "-0.1");
-        let told = |value| {
+        let split = |value| {
             let (much, way) = sense(value, "up", "down");
             format!("{much} {way}")
         };
-        assert_eq!(told(-0.04), "0.0 up");
-        assert_eq!(told(-3.21), "3.2 down");
-        assert_eq!(told(3.21), "3.2 up");
+        assert_eq!(split(-0.04), "0.0 up");
+        assert_eq!(split(-3.21), "3.2 down");
+        assert_eq!(split(3.21), "3.2 up");
     }
 }

@@ -1,47 +1,47 @@
-//! Who may come in: whoever knows the token, and is led here by no other site.
+//! Admission of requests: they must have the token and come from no other site.
 
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::net::{IpAddr, SocketAddr};
 
-/// How many bytes of chance a token has.
-const CHANCE: usize = 16;
+/// Number of random bytes of a token.
+const TOKEN_BYTES: usize = 16;
 
-/// Judges requests.
+/// The rules of admission.
 #[derive(Clone, Debug)]
 pub(super) struct Guard {
     own: SocketAddr,
     token: String,
 }
 
-/// Why a request is refused.
+/// The reason why a request is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stranger {
-    /// It is for another host: a name that leads here may belong to someone else (DNS rebinding).
+pub(super) enum Rejection {
+    /// The host is another one: a name that leads here may belong to someone else (DNS rebinding).
     Host,
-    /// It does not know the token.
+    /// The token is missing or wrong.
     Token,
-    /// Another site's page makes it.
+    /// It comes from a page of another site.
     Origin,
 }
 
 impl Guard {
-    /// For a server at this address, with a new token.
+    /// Returns the rules of a server at an address, with a new token.
     ///
     /// # Errors
     /// The system has no random numbers.
     pub(super) fn new(own: SocketAddr) -> Result<Self, String> {
-        let mut chance = [0; CHANCE];
-        getrandom::fill(&mut chance).map_err(|error| format!("no random numbers: {error}"))?;
+        let mut random = [0; TOKEN_BYTES];
+        getrandom::fill(&mut random).map_err(|error| format!("no random numbers: {error}"))?;
         let mut token = String::new();
-        for byte in chance {
+        for byte in random {
             // Writing to a string cannot fail.
             let _ = write!(token, "{byte:02x}");
         }
         Ok(Guard { own, token })
     }
 
-    /// Where the page is.
+    /// Returns the address of the page.
     pub(super) fn address(&self) -> String {
         let mut shown = self.own;
         if shown.ip().is_unspecified() {
@@ -53,28 +53,28 @@ impl Guard {
         format!("http://{shown}/?token={}", self.token)
     }
 
-    /// Whether a request may be answered that names this host and this query.
-    pub(super) fn admits(&self, host: Option<&str>, query: &str) -> Result<(), Stranger> {
+    /// Returns an error unless a request with this host and query is admitted.
+    pub(super) fn admit(&self, host: Option<&str>, query: &str) -> Result<(), Rejection> {
         if !host.is_some_and(|host| self.is_own(host)) {
-            return Err(Stranger::Host);
+            return Err(Rejection::Host);
         }
         let mut parts = query.split('&');
         let token = parts.find_map(|part| part.strip_prefix("token="));
         match token {
             Some(token) if is_same(token, &self.token) => Ok(()),
-            _ => Err(Stranger::Token),
+            _ => Err(Rejection::Token),
         }
     }
 
-    /// Whether a page of this origin may open a WebSocket at this host.
-    pub(super) fn admits_origin(&self, origin: Option<&str>, host: &str) -> Result<(), Stranger> {
+    /// Returns an error unless a page of this origin may open a WebSocket at this host.
+    pub(super) fn admit_origin(&self, origin: Option<&str>, host: &str) -> Result<(), Rejection> {
         match origin.and_then(|origin| origin.strip_prefix("http://")) {
             Some(origin) if origin.eq_ignore_ascii_case(host) => Ok(()),
-            _ => Err(Stranger::Origin),
+            _ => Err(Rejection::Origin),
         }
     }
 
-    /// Whether a host is this server: a number, which nobody else can let lead here, or `localhost`.
+    /// Returns true if a host is this server: a number, which no name server controls, or `localhost`.
     fn is_own(&self, host: &str) -> bool {
         let (name, port) = match host.rsplit_once(':') {
             Some((name, port)) if !port.contains(']') => (name, port.parse().ok()),
@@ -96,7 +96,7 @@ impl Guard {
     }
 }
 
-/// Compares in a time that says nothing of where the two differ.
+/// Compares in constant time.
 fn is_same(one: &str, other: &str) -> bool {
     let pairs = one.bytes().zip(other.bytes());
     let differences = pairs.fold(0, |all, (one, other)| black_box(all | (one ^ other)));
@@ -130,8 +130,8 @@ mod tests {
         let guard = guard("127.0.0.1:8000");
         let host = Some("127.0.0.1:8000");
         let token = guard.token.clone();
-        assert_eq!(guard.admits(host, &format!("token={token}")), Ok(()));
-        assert_eq!(guard.admits(host, &format!("a=b&token={token}")), Ok(()));
+        assert_eq!(guard.admit(host, &format!("token={token}")), Ok(()));
+        assert_eq!(guard.admit(host, &format!("a=b&token={token}")), Ok(()));
         for query in [
             String::new(),
             "token=".to_owned(),
@@ -141,7 +141,7 @@ mod tests {
             format!("token={}", "0".repeat(32)),
             format!("token=&token={token}"),
         ] {
-            assert_eq!(guard.admits(host, &query), Err(Stranger::Token), "{query}");
+            assert_eq!(guard.admit(host, &query), Err(Rejection::Token), "{query}");
         }
     }
 
@@ -169,7 +169,7 @@ mod tests {
         }
         assert!(six.is_own("[::1]:8000"));
         assert!(guard("127.0.0.1:80").is_own("localhost"));
-        assert_eq!(here.admits(None, ""), Err(Stranger::Host));
+        assert_eq!(here.admit(None, ""), Err(Rejection::Host));
     }
 
     #[test]
@@ -177,7 +177,7 @@ mod tests {
         let guard = guard("127.0.0.1:8000");
         let host = "localhost:8000";
         assert_eq!(
-            guard.admits_origin(Some("http://localhost:8000"), host),
+            guard.admit_origin(Some("http://localhost:8000"), host),
             Ok(())
         );
         for origin in [
@@ -189,8 +189,8 @@ mod tests {
             Some("http://evil.example"),
             Some("http://localhost:8000.evil.example"),
         ] {
-            let refused = guard.admits_origin(origin, host);
-            assert_eq!(refused, Err(Stranger::Origin), "{origin:?}");
+            let refused = guard.admit_origin(origin, host);
+            assert_eq!(refused, Err(Rejection::Origin), "{origin:?}");
         }
     }
 }

@@ -1,126 +1,129 @@
-//! The one thread that holds the session: it lets time pass, hands over requests, and gives each viewer what it does not know.
-//! What may take long is done elsewhere: viewers' threads read requests, and one thread checks texts.
+//! The hub: the thread that owns the session. It lets time pass, handles requests, and fills the outbox of each viewer. Threads of
+//! viewers parse requests, and one thread checks texts, so that the run goes on meanwhile.
 
-use super::super::robot::ChosenRobot;
-use super::file::ServedFile;
-use super::is_over;
-use super::outbox::Outbox;
+use crate::serve::ServedFile;
+use crate::serve::is_over;
+use crate::setup::ChosenRobot;
 use std::collections::VecDeque;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tip_view::live::{Asked, Host, Reader, Reading, Session, Unread, Viewer};
 
-/// How often the run goes on.
+/// Time between two advances of the run.
 const TICK: Duration = Duration::from_millis(4);
-/// How long it goes on at most before others have their turn.
+/// Maximum time of an advance, so that requests are answered.
 const TURN: Duration = Duration::from_millis(20);
-/// How many requests are heard before the run goes on.
-const WAITING: usize = 64;
-/// How many requests of one viewer wait for the thread that checks texts.
-const QUESTIONS: usize = 8;
+/// Maximum number of requests between two advances.
+const MAX_EVENTS: usize = 64;
+/// Maximum number of requests of one viewer that wait for the thread that checks texts.
+const MAX_QUESTIONS: usize = 8;
 
-/// What the hub receives.
-pub(super) enum News {
-    /// A viewer has come.
-    Came(Arc<Outbox>),
-    /// A viewer asks for something, after so many emergency stops.
+/// An event of the hub.
+pub(super) enum HubEvent {
+    /// A viewer has joined.
+    Joined(Arc<Outbox>),
+    /// A viewer sent a request; the number is that of the emergency stops before it.
     Asked(Arc<Outbox>, Asked, u64),
-    /// A text is checked.
+    /// A text was checked.
     Checked(Reading),
     /// The file may have changed.
     FileChanged,
 }
 
-/// The way to the hub. Whoever sends never waits: viewers that send too much are refused.
+/// The sending end of the hub. It never blocks: viewers that send too much are refused.
 #[derive(Clone)]
-pub(super) struct Post {
-    news: Sender<News>,
+pub(super) struct HubSender {
+    events: Sender<HubEvent>,
     stops: Sender<(Arc<Outbox>, Asked)>,
-    /// How many emergency stops there were.
+    /// Number of emergency stops so far.
     stopped: Arc<AtomicU64>,
 }
 
-impl Post {
-    /// Sends news; false if nobody hears them any more.
-    pub(super) fn send(&self, news: News) -> bool {
-        self.news.send(news).is_ok()
+impl HubSender {
+    /// Sends an event; returns false if the hub has ended.
+    pub(super) fn send(&self, event: HubEvent) -> bool {
+        self.events.send(event).is_ok()
     }
 
-    /// Passes on what a viewer asks for; false if nobody hears it any more.
+    /// Sends a request of a viewer; returns false if the hub has ended.
     pub(super) fn ask(&self, outbox: &Arc<Outbox>, asked: Asked) -> bool {
         let outbox = Arc::clone(outbox);
         if asked.is_stop() {
             self.stopped.fetch_add(1, Ordering::Relaxed);
             return self.stops.send((outbox, asked)).is_ok();
         }
-        if !outbox.begins() {
+        if !outbox.add_request() {
             outbox.put(asked.refused_many());
             return true;
         }
         let stops = self.stopped.load(Ordering::Relaxed);
-        self.send(News::Asked(outbox, asked, stops))
+        self.send(HubEvent::Asked(outbox, asked, stops))
     }
 }
 
-/// The session, and who looks at it.
+/// The session and its viewers.
 pub(super) struct Hub {
     session: Session,
     file: ServedFile,
-    news: Receiver<News>,
-    /// Emergency stops, which overtake all other news.
+    events: Receiver<HubEvent>,
+    /// Emergency stops, which overtake all other events.
     stops: Receiver<(Arc<Outbox>, Asked)>,
     stopped: Arc<AtomicU64>,
-    desk: Arc<Desk>,
+    checks: Arc<CheckQueue>,
     viewers: Vec<(Arc<Outbox>, Viewer)>,
 }
 
 impl Hub {
-    /// A hub that hears what is sent there.
-    pub(super) fn new(mut session: Session, file: ServedFile, robot: ChosenRobot) -> (Self, Post) {
-        let (news, received) = channel();
+    /// Returns a hub and its sending end.
+    pub(super) fn new(
+        mut session: Session,
+        file: ServedFile,
+        robot: ChosenRobot,
+    ) -> (Self, HubSender) {
+        let (events, received) = channel();
         let (stops, received_stops) = channel();
-        let post = Post {
-            news,
+        let sender = HubSender {
+            events,
             stops,
             stopped: Arc::default(),
         };
-        let desk = Arc::<Desk>::default();
+        let checks = Arc::<CheckQueue>::default();
         session.hand_over();
-        let (own, sender) = (Arc::clone(&desk), post.clone());
+        let (queue, own) = (Arc::clone(&checks), sender.clone());
         thread::spawn(move || {
-            // It was made once already.
+            // It was made before, so that this cannot fail.
             if let Ok(robot) = robot.simulated() {
-                own.work(Reader::new(robot), &sender);
+                queue.work(Reader::new(robot), &own);
             }
         });
         let hub = Hub {
             session,
             file,
-            news: received,
+            events: received,
             stops: received_stops,
-            stopped: Arc::clone(&post.stopped),
-            desk,
+            stopped: Arc::clone(&sender.stopped),
+            checks,
             viewers: Vec::new(),
         };
-        (hub, post)
+        (hub, sender)
     }
 
-    /// Runs until Ctrl-C; then the viewers are sent away.
+    /// Runs until Ctrl-C; then disconnects the viewers.
     pub(super) fn run(mut self) {
-        self.lay();
+        self.queue_text();
         let mut last = Instant::now();
         while !is_over() {
-            self.hear(last + TICK);
+            self.receive(last + TICK);
             let now = Instant::now();
             let elapsed = now - std::mem::replace(&mut last, now);
             let turn = now + TURN;
             let goes_on = || Instant::now() < turn;
             self.session
                 .advance(elapsed.as_secs_f64() * 1000.0, goes_on);
-            self.tell();
+            self.send_updates();
         }
         for (outbox, _) in &self.viewers {
             outbox.close();
@@ -132,13 +135,13 @@ impl Hub {
         }
     }
 
-    /// Does what is asked until a time, but not much longer.
-    fn hear(&mut self, until: Instant) {
-        for _ in 0..WAITING {
-            self.stop();
+    /// Handles events until a time.
+    fn receive(&mut self, until: Instant) {
+        for _ in 0..MAX_EVENTS {
+            self.handle_stops();
             let left = until.saturating_duration_since(Instant::now());
-            match self.news.recv_timeout(left) {
-                Ok(news) => self.take(news),
+            match self.events.recv_timeout(left) {
+                Ok(event) => self.handle(event),
                 Err(RecvTimeoutError::Timeout) => break,
                 Err(RecvTimeoutError::Disconnected) => {
                     thread::sleep(left);
@@ -146,11 +149,11 @@ impl Hub {
                 }
             }
         }
-        self.stop();
+        self.handle_stops();
     }
 
-    /// Does the emergency stops that have come.
-    fn stop(&mut self) {
+    /// Handles the emergency stops that have arrived.
+    fn handle_stops(&mut self) {
         while let Ok((outbox, asked)) = self.stops.try_recv() {
             if let Some(answer) = self.session.ask(&asked, &mut self.file) {
                 outbox.put(answer);
@@ -158,29 +161,29 @@ impl Hub {
         }
     }
 
-    fn take(&mut self, news: News) {
-        match news {
-            News::Came(outbox) => self.viewers.push((outbox, Viewer::default())),
-            News::Asked(outbox, asked, stops) => self.fulfil(outbox, asked, stops),
-            News::Checked(reading) => self.session.checked(reading),
-            News::FileChanged => {
+    fn handle(&mut self, event: HubEvent) {
+        match event {
+            HubEvent::Joined(outbox) => self.viewers.push((outbox, Viewer::default())),
+            HubEvent::Asked(outbox, asked, stops) => self.handle_request(outbox, asked, stops),
+            HubEvent::Checked(reading) => self.session.checked(reading),
+            HubEvent::FileChanged => {
                 if let Ok(bytes) = self.file.read() {
                     self.session.file_changed(&bytes);
                 }
             }
         }
-        self.lay();
+        self.queue_text();
     }
 
-    /// Has the text checked if it is another one.
-    fn lay(&mut self) {
+    /// Queues the text for checking if it has changed.
+    fn queue_text(&mut self) {
         if let Some(unread) = self.session.unread() {
-            self.desk.lay(unread);
+            self.checks.queue_text(unread);
         }
     }
 
-    fn fulfil(&mut self, outbox: Arc<Outbox>, asked: Asked, stops: u64) {
-        // A stop overtakes requests: what came before it moves no robot after it.
+    fn handle_request(&mut self, outbox: Arc<Outbox>, asked: Asked, stops: u64) {
+        // A stop overtakes requests: an earlier one must not move the robot after it.
         let answer = if asked.moves() && stops != self.stopped.load(Ordering::Relaxed) {
             Some(asked.refused_stopped())
         } else {
@@ -188,12 +191,12 @@ impl Hub {
         };
         match answer {
             Some(answer) => outbox.answer(answer),
-            None => self.desk.ask(outbox, asked, stops),
+            None => self.checks.ask(outbox, asked, stops),
         }
     }
 
-    /// Gives each viewer what it does not know, as far as it takes it.
-    fn tell(&mut self) {
+    /// Sends each viewer its updates, as far as its outbox has room.
+    fn send_updates(&mut self) {
         let is_here = |outbox: &Arc<Outbox>| !outbox.is_closed() && Arc::strong_count(outbox) > 1;
         self.viewers.retain(|(outbox, _)| is_here(outbox));
         for (outbox, viewer) in &mut self.viewers {
@@ -207,24 +210,24 @@ impl Hub {
     }
 }
 
-/// What waits for the thread that checks texts and answers an editor's questions about them.
+/// The queue of the thread that checks texts and answers questions about them.
 #[derive(Default)]
-struct Desk {
+struct CheckQueue {
     waiting: Mutex<Waiting>,
-    comes: Condvar,
+    changed: Condvar,
 }
 
 #[derive(Default)]
 struct Waiting {
-    /// The newest text; an older one that nobody has begun to check is left out.
+    /// The newest text; older ones are not checked.
     text: Option<Unread>,
     asked: VecDeque<(Arc<Outbox>, Asked, u64)>,
 }
 
-impl Desk {
-    fn lay(&self, text: Unread) {
+impl CheckQueue {
+    fn queue_text(&self, text: Unread) {
         self.waiting().text = Some(text);
-        self.comes.notify_one();
+        self.changed.notify_one();
     }
 
     fn ask(&self, outbox: Arc<Outbox>, asked: Asked, stops: u64) {
@@ -233,32 +236,32 @@ impl Desk {
             .asked
             .iter()
             .filter(|(other, ..)| Arc::ptr_eq(other, &outbox));
-        if own.count() >= QUESTIONS {
+        if own.count() >= MAX_QUESTIONS {
             drop(waiting);
             outbox.answer(asked.refused_many());
         } else {
             waiting.asked.push_back((outbox, asked, stops));
-            self.comes.notify_one();
+            self.changed.notify_one();
         }
     }
 
-    /// Checks each text before it answers what was asked about it, until the hub ends.
-    fn work(&self, mut reader: Reader, post: &Post) {
+    /// Checks each text before answering questions about it, until the hub ends.
+    fn work(&self, mut reader: Reader, hub: &HubSender) {
         let mut goes_on = true;
         while goes_on {
             let mut waiting = self.waiting();
             if let Some(text) = waiting.text.take() {
                 drop(waiting);
-                goes_on = post.send(News::Checked(reader.read(text)));
+                goes_on = hub.send(HubEvent::Checked(reader.read(text)));
             } else if let Some((outbox, asked, stops)) = waiting.asked.pop_front() {
                 drop(waiting);
                 match reader.answer(&asked) {
                     Some(answer) => outbox.answer(answer),
-                    // The text that it was to wait for is checked.
-                    None => goes_on = post.send(News::Asked(outbox, asked, stops)),
+                    // The request does not need the checked text.
+                    None => goes_on = hub.send(HubEvent::Asked(outbox, asked, stops)),
                 }
             } else {
-                let woken = self.comes.wait(waiting);
+                let woken = self.changed.wait(waiting);
                 drop(woken.unwrap_or_else(PoisonError::into_inner));
             }
         }
@@ -266,5 +269,73 @@ impl Desk {
 
     fn waiting(&self) -> std::sync::MutexGuard<'_, Waiting> {
         self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Maximum number of updates in an outbox; the next ones are made when there is room.
+const MAX_UPDATES: usize = 2;
+/// Maximum number of messages in an outbox; a viewer with more is disconnected.
+const MAX_MESSAGES: usize = 64;
+
+/// Maximum number of requests of one viewer without a response.
+const MAX_REQUESTS: usize = 32;
+
+/// Messages for a viewer, filled by the hub and emptied by the thread of the viewer. A slow viewer gets fewer and larger updates
+/// instead of a long queue.
+#[derive(Debug, Default)]
+pub(super) struct Outbox {
+    texts: Mutex<VecDeque<String>>,
+    closed: AtomicBool,
+    /// Number of requests without a response.
+    asked: AtomicUsize,
+}
+
+impl Outbox {
+    /// Returns true if there is room for another update.
+    pub(super) fn has_room(&self) -> bool {
+        !self.is_closed() && self.texts().len() < MAX_UPDATES
+    }
+
+    /// Adds an update or a response; too many of them disconnect the viewer.
+    pub(super) fn put(&self, text: String) {
+        let mut texts = self.texts();
+        if texts.len() >= MAX_MESSAGES {
+            texts.clear();
+            self.close();
+        } else {
+            texts.push_back(text);
+        }
+    }
+
+    /// Counts another request; returns false if there are too many.
+    pub(super) fn add_request(&self) -> bool {
+        let has_room = self.asked.load(Ordering::Relaxed) < MAX_REQUESTS;
+        if has_room {
+            self.asked.fetch_add(1, Ordering::Relaxed);
+        }
+        has_room
+    }
+
+    /// Adds the response to a request.
+    pub(super) fn answer(&self, text: String) {
+        self.asked.fetch_sub(1, Ordering::Relaxed);
+        self.put(text);
+    }
+
+    pub(super) fn take(&self) -> Option<String> {
+        self.texts().pop_front()
+    }
+
+    /// Marks the viewer as disconnected.
+    pub(super) fn close(&self) {
+        self.closed.store(true, Ordering::Relaxed);
+    }
+
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed.load(Ordering::Relaxed)
+    }
+
+    fn texts(&self) -> MutexGuard<'_, VecDeque<String>> {
+        self.texts.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -1,9 +1,9 @@
-//! Connections: each has a thread, and there are not many.
+//! Connections: each has a thread, and their number is limited.
 
-use super::guard::{Guard, Stranger};
-use super::head::{BadHead, Head};
-use super::hub::Post;
-use super::{reply, viewer};
+use super::guard::{Guard, Rejection};
+use super::http::{BadHead, Head};
+use super::hub::HubSender;
+use super::{http, viewer};
 use std::collections::VecDeque;
 use std::io;
 use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
@@ -12,29 +12,28 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-/// The most connections at once that know the token.
-const MOST: usize = 64;
-/// The most others. One more takes the place of the oldest one: whoever knows the token says so at once.
-const STRANGERS: usize = 32;
-/// The most threads; those of connections that were cut off end by themselves.
-const THREADS: usize = MOST + 2 * STRANGERS;
-/// How long it waits after a connection that could not be accepted.
+/// Maximum number of connections with the token.
+const MAX_ADMITTED: usize = 64;
+/// Maximum number of connections without it so far. One more replaces the oldest: clients with the token send it immediately.
+const MAX_PENDING: usize = 32;
+/// Maximum number of threads; those of closed connections end by themselves.
+const MAX_THREADS: usize = MAX_ADMITTED + 2 * MAX_PENDING;
+/// Pause after a connection that could not be accepted.
 const PAUSE: Duration = Duration::from_millis(50);
-/// How often it looks whether a thread has ended.
+/// Pause while there are too many threads.
 const STEP: Duration = Duration::from_millis(1);
 
-/// Begins to listen.
 pub(super) fn open(address: SocketAddr) -> io::Result<TcpListener> {
     TcpListener::bind(address)
 }
 
-/// Answers connections from now on, while the command goes on.
-pub(super) fn accept(listener: TcpListener, guard: Guard, post: Post) {
-    let door = Arc::new(Door {
+/// Starts a thread that accepts connections.
+pub(super) fn accept(listener: TcpListener, guard: Guard, hub: HubSender) {
+    let connections = Arc::new(Connections {
         guard,
-        post,
-        strangers: Mutex::default(),
-        guests: AtomicUsize::new(0),
+        hub,
+        pending: Mutex::default(),
+        admitted: AtomicUsize::new(0),
     });
     thread::spawn(move || {
         for (number, stream) in listener.incoming().enumerate() {
@@ -42,64 +41,62 @@ pub(super) fn accept(listener: TcpListener, guard: Guard, post: Post) {
                 thread::sleep(PAUSE);
                 continue;
             };
-            // Nothing is read or written here: who waits to be let in waits for nobody.
-            if !door.has_come(number, &stream) {
+            // Nothing is read or written here, so that no client delays another.
+            if !connections.add(number, &stream) {
                 continue;
             }
-            // Each thread holds the door. Those that were cut off wait for no client, so there is soon room.
-            while Arc::strong_count(&door) > THREADS {
+            // Each thread has a reference. Those of closed connections wait for no client, and end soon.
+            while Arc::strong_count(&connections) > MAX_THREADS {
                 thread::sleep(STEP);
             }
-            let own = Arc::clone(&door);
+            let own = Arc::clone(&connections);
             let thread = thread::Builder::new().spawn(move || {
-                // A client that goes away is no news.
+                // A client may close its connection at any time.
                 let _ = own.answer(number, stream);
-                own.has_gone(number);
+                own.remove(number);
             });
             if thread.is_err() {
-                door.has_gone(number);
+                connections.remove(number);
             }
         }
     });
 }
 
-/// Where connections come in.
-struct Door {
+/// The state that all connections share.
+struct Connections {
     guard: Guard,
-    post: Post,
-    /// Those that have not shown the token, the oldest first.
-    strangers: Mutex<VecDeque<(usize, TcpStream)>>,
-    /// How many have.
-    guests: AtomicUsize,
+    hub: HubSender,
+    /// Connections that have not sent the token, the oldest first.
+    pending: Mutex<VecDeque<(usize, TcpStream)>>,
+    /// Number of connections that have.
+    admitted: AtomicUsize,
 }
 
-impl Door {
-    /// Remembers a connection, and cuts off the oldest stranger if there are too many; false if that is not possible.
-    fn has_come(&self, number: usize, stream: &TcpStream) -> bool {
+impl Connections {
+    /// Adds a connection, and closes the oldest one without the token if there are too many; returns false if that is not possible.
+    fn add(&self, number: usize, stream: &TcpStream) -> bool {
         let Ok(own) = stream.try_clone() else {
             return false;
         };
-        let mut strangers = self.strangers();
-        strangers.push_back((number, own));
-        if strangers.len() > STRANGERS
-            && let Some((_, oldest)) = strangers.pop_front()
+        let mut pending = self.pending();
+        pending.push_back((number, own));
+        if pending.len() > MAX_PENDING
+            && let Some((_, oldest)) = pending.pop_front()
         {
             let _ = oldest.shutdown(Shutdown::Both);
         }
         true
     }
 
-    /// Forgets a stranger; whether it was still there.
-    fn has_gone(&self, number: usize) -> bool {
-        let mut strangers = self.strangers();
-        let place = strangers.iter().position(|(other, _)| *other == number);
-        place.is_some_and(|place| strangers.remove(place).is_some())
+    /// Removes a connection without the token; returns true if it was still there.
+    fn remove(&self, number: usize) -> bool {
+        let mut pending = self.pending();
+        let index = pending.iter().position(|(other, _)| *other == number);
+        index.is_some_and(|index| pending.remove(index).is_some())
     }
 
-    fn strangers(&self) -> MutexGuard<'_, VecDeque<(usize, TcpStream)>> {
-        self.strangers
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
+    fn pending(&self) -> MutexGuard<'_, VecDeque<(usize, TcpStream)>> {
+        self.pending.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Answers one request.
@@ -110,56 +107,56 @@ impl Door {
             Err(BadHead::Gone) => return Ok(()),
             Err(BadHead::Long) => {
                 let status = "431 Request Header Fields Too Large";
-                return reply::refusal(&mut stream, status, "too long");
+                return http::send_error(&mut stream, status, "too long");
             }
             Err(BadHead::Malformed) => {
-                return reply::refusal(&mut stream, "400 Bad Request", "this is not HTTP");
+                return http::send_error(&mut stream, "400 Bad Request", "this is not HTTP");
             }
         };
-        if let Err(stranger) = self.guard.admits(head.field("host"), &head.query) {
-            return refuse(&mut stream, stranger);
+        if let Err(rejection) = self.guard.admit(head.field("host"), &head.query) {
+            return refuse(&mut stream, rejection);
         }
-        if !self.has_gone(number) {
-            // It was cut off when it began to speak.
+        if !self.remove(number) {
+            // It was closed to make room for another one.
             return Ok(());
         }
-        let before = self.guests.fetch_add(1, Ordering::Relaxed);
-        let answered = match before < MOST {
-            true => self.let_in(stream, head),
-            false => reply::refusal(&mut stream, "503 Service Unavailable", "too many viewers"),
+        let before = self.admitted.fetch_add(1, Ordering::Relaxed);
+        let answered = match before < MAX_ADMITTED {
+            true => self.answer_admitted(stream, head),
+            false => http::send_error(&mut stream, "503 Service Unavailable", "too many viewers"),
         };
-        self.guests.fetch_sub(1, Ordering::Relaxed);
+        self.admitted.fetch_sub(1, Ordering::Relaxed);
         answered
     }
 
-    /// Answers one who knows the token: with the page, or by making it a viewer.
-    fn let_in(&self, mut stream: TcpStream, head: Head) -> io::Result<()> {
+    /// Answers a request with the token: with the page, or by a WebSocket.
+    fn answer_admitted(&self, mut stream: TcpStream, head: Head) -> io::Result<()> {
         match (&*head.method, &*head.path) {
-            ("GET", "/") => reply::page(&mut stream, &tip_view::live::page()),
+            ("GET", "/") => http::send_page(&mut stream, &tip_view::live::page()),
             ("GET", "/live") => {
                 let host = head.field("host").unwrap_or_default();
-                match self.guard.admits_origin(head.field("origin"), host) {
-                    Ok(()) => viewer::serve(stream, head, &self.post),
-                    Err(stranger) => refuse(&mut stream, stranger),
+                match self.guard.admit_origin(head.field("origin"), host) {
+                    Ok(()) => viewer::serve(stream, head, &self.hub),
+                    Err(rejection) => refuse(&mut stream, rejection),
                 }
             }
-            ("GET", _) => reply::refusal(&mut stream, "404 Not Found", "there is nothing here"),
-            _ => reply::refusal(&mut stream, "405 Method Not Allowed", "only GET is served"),
+            ("GET", _) => http::send_error(&mut stream, "404 Not Found", "there is nothing here"),
+            _ => http::send_error(&mut stream, "405 Method Not Allowed", "only GET is served"),
         }
     }
 }
 
-fn refuse(stream: &mut TcpStream, stranger: Stranger) -> io::Result<()> {
-    let (status, word) = match stranger {
-        Stranger::Host => (
+fn refuse(stream: &mut TcpStream, rejection: Rejection) -> io::Result<()> {
+    let (status, word) = match rejection {
+        Rejection::Host => (
             "421 Misdirected Request",
             "this server is reached by the number of its address, or as localhost",
         ),
-        Stranger::Token => (
+        Rejection::Token => (
             "403 Forbidden",
             "the address that tip serve printed has a token; this one has another one, or none",
         ),
-        Stranger::Origin => ("403 Forbidden", "a page from elsewhere is not served"),
+        Rejection::Origin => ("403 Forbidden", "a page from elsewhere is not served"),
     };
-    reply::refusal(stream, status, word)
+    http::send_error(stream, status, word)
 }

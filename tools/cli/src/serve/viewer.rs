@@ -1,9 +1,8 @@
 //! A viewer: a WebSocket with a thread of its own.
 
-use super::head::Head;
-use super::hub::{News, Post};
-use super::outbox::Outbox;
-use super::reply;
+use super::http;
+use super::http::Head;
+use super::hub::{HubEvent, HubSender, Outbox};
 use std::io;
 use std::net::TcpStream;
 use std::sync::Arc;
@@ -16,42 +15,42 @@ use tungstenite::protocol::frame::coding::CloseCode;
 use tungstenite::protocol::{CloseFrame, Role, WebSocketConfig};
 use tungstenite::{Error, Message, WebSocket};
 
-/// How long it listens before it looks whether there is something to send.
+/// Time to wait for a message before looking for updates to send.
 const TICK: Duration = Duration::from_millis(3);
-/// A viewer that takes nothing for so long has gone.
+/// Time after which a viewer that receives nothing is disconnected.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// How often a viewer is asked whether it is still there.
+/// Time between two pings.
 const PING: Duration = Duration::from_secs(15);
-/// How many requests a second are heard, and how many at once.
+/// Maximum rate of requests, 1/s, and size of a burst.
 const RATE: f64 = 400.0;
 const BURST: f64 = 800.0;
 
-/// Why a viewer is sent away.
+/// The reason why a connection ends.
 enum End {
-    /// It has gone by itself, or does not answer.
+    /// The viewer left, or does not answer.
     Gone,
-    /// With a word.
-    Sent(CloseCode, &'static str),
+    /// It is closed with a code and a reason.
+    Close(CloseCode, &'static str),
 }
 
 impl From<Error> for End {
     fn from(error: Error) -> Self {
         match error {
             Error::Capacity(CapacityError::MessageTooLong { .. }) => {
-                End::Sent(CloseCode::Size, "too long")
+                End::Close(CloseCode::Size, "too long")
             }
-            Error::Utf8(_) => End::Sent(CloseCode::Invalid, "not UTF-8"),
-            Error::Protocol(_) => End::Sent(CloseCode::Protocol, "not WebSocket"),
+            Error::Utf8(_) => End::Close(CloseCode::Invalid, "not UTF-8"),
+            Error::Protocol(_) => End::Close(CloseCode::Protocol, "not WebSocket"),
             _ => End::Gone,
         }
     }
 }
 
-/// Makes a client that has asked for it a viewer, until it goes.
-pub(super) fn serve(mut stream: TcpStream, head: Head, post: &Post) -> io::Result<()> {
+/// Serves a WebSocket until it is closed.
+pub(super) fn serve(mut stream: TcpStream, head: Head, hub: &HubSender) -> io::Result<()> {
     let Some(response) = upgrade(&head) else {
         let word = "this is for WebSockets";
-        return reply::refusal(&mut stream, "426 Upgrade Required", word);
+        return http::send_error(&mut stream, "426 Upgrade Required", word);
     };
     stream.set_write_timeout(Some(PATIENCE))?;
     write_response(&mut stream, &response).map_err(io::Error::other)?;
@@ -61,23 +60,23 @@ pub(super) fn serve(mut stream: TcpStream, head: Head, post: &Post) -> io::Resul
         .max_frame_size(Some(MOST_BYTES));
     let socket = WebSocket::from_partially_read(stream, head.rest, Role::Server, Some(config));
     let outbox = Arc::new(Outbox::default());
-    if !post.send(News::Came(Arc::clone(&outbox))) {
+    if !hub.send(HubEvent::Joined(Arc::clone(&outbox))) {
         return Ok(());
     }
-    let mut conversation = Conversation {
+    let mut socket = Socket {
         socket,
         outbox,
-        post,
-        allowance: Allowance::full(),
+        hub,
+        rate_limit: RateLimit::full(),
         pinged: Instant::now(),
     };
-    let end = conversation.go_on();
-    conversation.outbox.close();
-    conversation.close(end);
+    let end = socket.run();
+    socket.outbox.close();
+    socket.close(end);
     Ok(())
 }
 
-/// The answer to a request for a WebSocket, if it is one.
+/// Returns the response to a request for a WebSocket, if it is one.
 fn upgrade(head: &Head) -> Option<tungstenite::http::Response<()>> {
     let mut request = Request::builder().uri(&*head.path);
     for name in [
@@ -92,22 +91,22 @@ fn upgrade(head: &Head) -> Option<tungstenite::http::Response<()>> {
     create_response(&request.body(()).ok()?).ok()
 }
 
-struct Conversation<'a> {
+struct Socket<'a> {
     socket: WebSocket<TcpStream>,
     outbox: Arc<Outbox>,
-    post: &'a Post,
-    allowance: Allowance,
+    hub: &'a HubSender,
+    rate_limit: RateLimit,
     pinged: Instant,
 }
 
-impl Conversation<'_> {
-    /// Sends and hears, until one of both ends it.
-    fn go_on(&mut self) -> End {
+impl Socket<'_> {
+    /// Sends and receives until the connection ends.
+    fn run(&mut self) -> End {
         loop {
             if self.outbox.is_closed() {
-                return End::Sent(CloseCode::Away, "it ends");
+                return End::Close(CloseCode::Away, "it ends");
             }
-            if let Err(end) = self.send().and_then(|()| self.hear()) {
+            if let Err(end) = self.send().and_then(|()| self.receive()) {
                 return end;
             }
         }
@@ -124,59 +123,59 @@ impl Conversation<'_> {
         Ok(self.socket.flush()?)
     }
 
-    fn hear(&mut self) -> Result<(), End> {
+    fn receive(&mut self) -> Result<(), End> {
         let text = match self.socket.read() {
             Ok(Message::Text(text)) => text,
-            Ok(Message::Binary(_)) => return Err(End::Sent(CloseCode::Unsupported, "not text")),
+            Ok(Message::Binary(_)) => return Err(End::Close(CloseCode::Unsupported, "not text")),
             Ok(Message::Close(_)) => return Err(End::Gone),
             Ok(_) => return Ok(()),
-            Err(Error::Io(error)) if is_pause(&error) => return Ok(()),
+            Err(Error::Io(error)) if is_timeout(&error) => return Ok(()),
             Err(error) => return Err(error.into()),
         };
-        if !self.allowance.spend() {
-            return Err(End::Sent(CloseCode::Policy, "too many requests"));
+        if !self.rate_limit.spend() {
+            return Err(End::Close(CloseCode::Policy, "too many requests"));
         }
-        match self.post.ask(&self.outbox, Asked::read(text.as_str())) {
+        match self.hub.ask(&self.outbox, Asked::read(text.as_str())) {
             true => Ok(()),
             false => Err(End::Gone),
         }
     }
 
-    /// Says why, and takes what is still on its way: who closes before loses the last word.
+    /// Sends the reason and reads what still comes: closing earlier would lose the reason.
     fn close(mut self, end: End) {
-        if let End::Sent(code, word) = end {
+        if let End::Close(code, word) = end {
             let reason = word.into();
             let _ = self.socket.close(Some(CloseFrame { code, reason }));
             let _ = self.socket.flush();
         }
         // After an error the library must not read on.
-        reply::part(self.socket.get_mut());
+        http::close(self.socket.get_mut());
     }
 }
 
-/// Whether nothing has come yet.
-fn is_pause(error: &io::Error) -> bool {
+/// Returns true if nothing has arrived yet.
+fn is_timeout(error: &io::Error) -> bool {
     matches!(
         error.kind(),
         io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut
     )
 }
 
-/// How many requests a viewer may still send.
-struct Allowance {
+/// A limit of the rate of requests.
+struct RateLimit {
     left: f64,
     since: Instant,
 }
 
-impl Allowance {
+impl RateLimit {
     fn full() -> Self {
-        Allowance {
+        RateLimit {
             left: BURST,
             since: Instant::now(),
         }
     }
 
-    /// Takes one request from it; false if there is none left.
+    /// Counts a request; returns false if the rate is too high.
     fn spend(&mut self) -> bool {
         let now = Instant::now();
         let passed = (now - std::mem::replace(&mut self.since, now)).as_secs_f64();

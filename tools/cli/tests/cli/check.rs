@@ -285,7 +285,7 @@ fn a_code_is_explained_in_both_languages() {
 }
 
 #[test]
-fn many_findings_are_cut_and_counted_over_all_files() {
+fn many_diagnostics_are_cut_and_counted_over_all_files() {
     let wrong = "FOO\n".repeat(60) + "END";
     let folder = Folder::new("many")
         .program("many.prg", &wrong)
@@ -312,7 +312,7 @@ fn many_findings_are_cut_and_counted_over_all_files() {
 }
 
 #[test]
-fn findings_beyond_a_thousand_are_omitted_and_counted() {
+fn diagnostics_beyond_a_thousand_are_omitted_and_counted() {
     let mut naps: String = (0..1_200).map(|n| format!("DEF_VAR V{n}\n")).collect();
     naps += "SLEEP 1\nMESSAGE done\nEND";
     let folder = Folder::new("omitted")

@@ -35,7 +35,7 @@ fn every_line_to_try_shows_what_its_words_do() {
     }
 }
 
-/// What the line shows with this text in the place of its program.
+/// Returns the output of the line with this text as its program.
 fn tried(folder: &Folder, line: &str, file: &str, program: &str) -> Outcome {
     let path = folder.path(file);
     path.parent().map(fs::create_dir_all);

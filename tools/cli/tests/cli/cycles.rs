@@ -4,7 +4,7 @@ use crate::support::Folder;
 use std::fs;
 use std::path::Path;
 
-/// What follows `start` in the code block of docs/analysis.md that begins so.
+/// Returns the text after `start` in the code block of docs/analysis.md that begins with it.
 fn shown(kind: &str, start: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/analysis.md");
     let text = fs::read_to_string(path).expect("docs/analysis.md is part of the repository");

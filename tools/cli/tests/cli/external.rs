@@ -219,11 +219,11 @@ fn what_a_process_cannot_do_is_refused_with_a_way_out() {
         ),
         (
             &["run", "nod.prg", "--scene", "level.toml"],
-            "give the scene to the process",
+            "pass the scene to the process",
         ),
         (
             &["run", "nod.prg", "--deny", "falls"],
-            "needs a plant of ours",
+            "needs a built-in plant",
         ),
     ];
     for (command, way_out) in cases {
@@ -248,7 +248,7 @@ fn a_plant_that_is_none_is_refused() {
             .err
     };
     assert!(refused("dynamics").contains(
-        "no plant is called `dynamics`; there are quasi-static and dynamic, and a process of yours as `exec:COMMAND`"
+        "there is no plant `dynamics`; the plants are quasi-static and dynamic, and a process of your own as `exec:COMMAND`"
     ));
     assert!(refused("exec:").contains("is not a command line"));
     assert!(refused("exec:sh 'a").contains("`sh 'a` is not a command line"));
@@ -266,5 +266,5 @@ fn a_process_is_no_plant_of_a_debugger() {
     let mut refused =
         |plant: &str| client.refusal("launch", json!({ "program": program, "plant": plant }));
     assert!(refused("exec:sh sim.sh").contains("`tip run`"));
-    assert!(refused("dynamics").contains("no plant is called `dynamics`"));
+    assert!(refused("dynamics").contains("there is no plant `dynamics`"));
 }

@@ -58,7 +58,7 @@ fn a_diff_shows_what_would_change() {
     assert!(folder.read("a.prg").contains("sleep"));
 }
 
-/// What comes of a program on standard input.
+/// Formats a program on standard input.
 fn of_standard_input(folder: &Folder, name: &str, arguments: &[&str]) -> Outcome {
     let program = File::open(folder.path(name)).expect("a program");
     let mut command = folder.command(arguments);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-/// What is followed, each from an empty folder.
+/// The guides, each followed from an empty folder.
 const GUIDES: [&str; 2] = ["docs/tutorial.md", "docs/embedding.md"];
 
 /// The workspace, and what the guides call `tip`.

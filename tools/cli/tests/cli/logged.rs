@@ -65,7 +65,7 @@ fn how_the_run_ends_is_the_exit_status() {
     assert!(folder.has("stops.csv"));
     let endless = ["plot", "endless.prg", "-o", "endless.svg", "--of", "angles"];
     let still = folder.tip(&endless).expect(0).err;
-    let reason = "stopped after 60 s without a motion: lines 3 to 4 repeat";
+    let reason = "stopped after 60 s without a motion: lines 3 to 4 have repeated";
     assert!(still.contains(reason), "{still}");
     let few = folder
         .tip(&[&endless[..], &["--cycles", "9"]].concat())

@@ -17,7 +17,7 @@ fn codes(found: &[Value]) -> Vec<&str> {
         .collect()
 }
 
-/// What a session comes to, without columns.
+/// Returns the results of a session, without columns.
 fn session(editor: &mut Editor) -> Vec<String> {
     let mut log = Vec::new();
     for found in editor.open(TEXT) {
@@ -48,7 +48,7 @@ fn session(editor: &mut Editor) -> Vec<String> {
     let found = editor.apply(&edit.expect("a change"));
     log.push(format!("renamed {:?} {:?}", editor.text, codes(&found)));
     for word in ["SLEP", "\r\nREM"] {
-        let at = editor.text.find(word).expect("it stands there");
+        let at = editor.text.find(word).expect("the text has it");
         let place = editor.position(at);
         let params = json!({
             "textDocument": { "uri": URI }, "range": { "start": place, "end": place },
@@ -153,7 +153,7 @@ fn a_bad_message_gets_an_error_and_the_session_goes_on() {
 }
 
 #[test]
-fn findings_that_are_omitted_are_counted_at_the_last_one() {
+fn diagnostics_that_are_omitted_are_counted_at_the_last_one() {
     let folder = Folder::new("lsp-omitted");
     let mut editor = Editor::start(&folder, ENCODINGS[1], Value::Null);
     let found = editor.open(&format!("3.1\nTitle\n{}END\n", "FOO\n".repeat(1_500)));
@@ -172,7 +172,7 @@ fn the_robot_is_that_of_the_settings() {
     assert_eq!(codes(&editor.open(text)), ["E204-02"]);
     let settings = json!({ "settings": { "tip": { "robot": "hand" } } });
     editor.tell("workspace/didChangeConfiguration", settings);
-    assert_eq!(codes(&editor.findings()), [""; 0]);
+    assert_eq!(codes(&editor.diagnostics()), [""; 0]);
     assert_eq!(editor.end(), 0);
     let mut editor = Editor::start(&folder, ENCODINGS[1], json!({ "robot": "hand" }));
     assert_eq!(codes(&editor.open(text)), [""; 0]);
@@ -256,7 +256,7 @@ fn of_very_many_labels_those_that_fit_what_is_typed_are_offered() {
     let mut editor = Editor::start(&folder, ENCODINGS[1], Value::Null);
     let mut offered = |typed: &str| {
         editor.open(&format!("3.1\nTitle\n{labels}GOTO {typed}\nEND\n"));
-        let at = editor.position(editor.text.find("\nEND").expect("it stands there"));
+        let at = editor.position(editor.text.find("\nEND").expect("the text has it"));
         let params = json!({ "textDocument": { "uri": URI }, "position": at });
         let answer = editor.ask("textDocument/completion", params);
         let answer = answer.expect("an answer");

@@ -3,6 +3,7 @@
 mod check;
 #[cfg(unix)]
 mod commands;
+mod completions;
 mod cycles;
 mod dap;
 mod emit;
@@ -21,6 +22,7 @@ mod loader;
 mod logged;
 mod logs;
 mod lsp;
+mod messages;
 mod migrate;
 mod motion;
 mod new;
@@ -37,8 +39,6 @@ mod sarif;
 mod script;
 #[cfg(target_os = "linux")]
 mod serve;
-mod shell;
-mod speaks;
 mod stops;
 mod support;
 mod usage;

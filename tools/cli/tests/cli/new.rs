@@ -4,7 +4,7 @@ use crate::support::Folder;
 use std::fs;
 use std::path::Path;
 
-/// Where the crates of this project are.
+/// The folder of the crates of this project.
 const TIP: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// The files below a folder, sorted.
@@ -135,10 +135,10 @@ fn names_that_cargo_or_rust_refuse_are_refused_with_a_better_one() {
         ("歩く", "as in `demo`"),
         (
             "match",
-            "means something else to Rust or cargo, and cannot be the name of a crate: `my-match` can",
+            "cannot be the name of a crate, since it means something else to Rust or cargo: use `my-match`",
         ),
-        ("test", "`my-test` can"),
-        ("tip-runtime", "`my-tip-runtime` can"),
+        ("test", "use `my-test`"),
+        ("tip-runtime", "use `my-tip-runtime`"),
     ] {
         let outcome = folder.tip(&["new", name]).expect(2);
         assert!(outcome.err.contains(said), "{name}: {outcome:#?}");
@@ -159,7 +159,7 @@ fn what_is_there_is_left_alone() {
         .file("plain", "a file");
     for name in ["full", "plain"] {
         let outcome = folder.tip(&["new", name]).expect(1);
-        let said = format!("error: `{name}` is there already: choose another name");
+        let said = format!("error: `{name}` already exists: choose another name");
         assert!(outcome.err.starts_with(&said), "{outcome:#?}");
     }
     assert_eq!(tree(&folder, "full"), ["mine.txt"]);
@@ -180,7 +180,7 @@ fn what_is_there_is_left_alone() {
 fn a_crate_that_cannot_be_made_leaves_nothing() {
     let folder = Folder::new("new-nowhere").file("broken.toml", "name = \"broken\"\nlegs = 4\n");
     let outcome = folder.tip(&["new", "far/away/demo"]).expect(1);
-    let said = "error: there is no folder `far/away`: `mkdir -p far/away` makes it";
+    let said = "error: there is no folder `far/away`: create it with `mkdir -p far/away`";
     assert!(outcome.err.starts_with(said), "{outcome:#?}");
     let outcome = folder
         .tip(&["new", "demo", "--robot", "gone.toml"])
@@ -218,7 +218,7 @@ fn a_folder_that_nobody_may_write_is_named_with_a_way_out() {
         "{outcome:#?}"
     );
     assert!(
-        outcome.err.contains("as `tip new ~/demo` does"),
+        outcome.err.contains("as in `tip new ~/demo`"),
         "{outcome:#?}"
     );
 }
@@ -292,7 +292,7 @@ fn a_checkout_that_a_manifest_cannot_name_is_refused_before_anything_is_written(
         let output = command.arg(OsStr::from_bytes(name)).output();
         let outcome = crate::support::Outcome::of(output.expect("it starts")).expect(1);
         assert!(
-            outcome.err.contains("a Cargo.toml cannot name it"),
+            outcome.err.contains("cannot be written in a Cargo.toml"),
             "{outcome:#?}"
         );
         assert!(!folder.has("demo"));

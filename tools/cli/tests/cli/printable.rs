@@ -6,7 +6,7 @@ use crate::support::Folder;
 
 /// A name that would start a line of its own, then recolour it.
 const NAME: &str = "a\nb\u{1b}[31m.prg";
-/// The same as it is shown.
+/// The expected output for it.
 const SHOWN: &str = r"a\u{a}b\u{1b}[31m.prg";
 
 /// Nothing acts on a terminal but line ends, tabs and these.
@@ -59,7 +59,7 @@ fn a_run_shows_the_controls_of_a_program_as_escapes() {
 
 // clauses: 8.1
 #[test]
-fn a_finding_is_one_record_whatever_the_file_is_called() {
+fn a_diagnostic_is_one_record_whatever_the_file_is_called() {
     let folder = Folder::new("printable-check").file(NAME, "3.1\nt\nFOO\u{1b}[2J\u{7f} 1\nEND\n");
     let short = folder
         .tip(&["check", "--message-format", "short", NAME])
@@ -108,7 +108,7 @@ fn questions_counts_and_errors_show_names_and_lines_as_escapes() {
     }
 }
 
-/// What a terminal shows until every process that had its line is gone.
+/// Returns the output of a terminal until every process on it has ended.
 #[cfg(target_os = "linux")]
 fn shown(terminal: Pty) -> String {
     let Pty { fingers, line } = terminal;

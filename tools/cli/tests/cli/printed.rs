@@ -20,7 +20,7 @@ const FOLLOWED: [&str; 4] = [
     "docs/tutorial.ja.md",
 ];
 
-/// What simulates a robot in the place of Python.
+/// A simulator of a robot that replaces Python.
 const SIMULATOR: &str = r#"#!/bin/sh
 while read -r kind rest; do
   for word in $rest; do
@@ -150,7 +150,7 @@ fn end(child: &mut Child, line: &str) -> i32 {
     }
 }
 
-/// Whether a line has no end but Ctrl-C.
+/// Returns true if a line ends only by Ctrl-C.
 fn goes_on(line: &str) -> bool {
     line.contains("tip serve") || line.contains("--watch")
 }
@@ -169,7 +169,7 @@ fn statuses(line: &str) -> &'static [i32] {
     }
 }
 
-/// Whether only the arguments of a line are looked at: it would compile a crate, or names a file of the reader's own.
+/// Returns true if only the arguments of a line are checked: it would compile a crate, or names a file of the reader's own.
 fn is_ours_to_parse(line: &str) -> bool {
     line.contains("tip verify")
         || (line.contains("tip robot import") && !line.contains("examples/"))
@@ -321,7 +321,7 @@ fn lines(text: &str) -> Vec<String> {
     all
 }
 
-/// Whether a command names a program or a description, and no place for one, such as FILE.toml.
+/// Returns true if a command names a program or a description that exists, not a placeholder such as FILE.toml.
 fn names_a_file(line: &str) -> bool {
     let has_place = line.split(' ').any(|word| {
         let letters = word.chars().filter(char::is_ascii_alphabetic);

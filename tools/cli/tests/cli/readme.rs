@@ -1,4 +1,4 @@
-//! What the README shows is what the command does.
+//! The README shows the output of the command.
 
 use crate::support::Folder;
 use std::fs;

@@ -12,7 +12,7 @@ fn document(folder: &Folder, arguments: &[&str]) -> Value {
 }
 
 #[test]
-fn findings_that_are_omitted_are_a_note_about_the_run() {
+fn diagnostics_that_are_omitted_are_a_note_about_the_run() {
     let folder =
         Folder::new("sarif-omitted").program("wrong.prg", &("FOO\n".repeat(1_500) + "END"));
     let run = &document(&folder, &["wrong.prg"])["runs"][0];

@@ -23,7 +23,7 @@ const STOPS: &[(&str, &str, &str)] = &[
     (
         "returns.prg",
         "RETURN\nEND",
-        "returns.prg:3:1: error[E303]: nothing called what returns here (TIP_ERR:Invalid Return command)",
+        "returns.prg:3:1: error[E303]: this returns from a subroutine that was not called (TIP_ERR:Invalid Return command)",
     ),
     (
         "reads.prg",
@@ -33,12 +33,12 @@ const STOPS: &[(&str, &str, &str)] = &[
     (
         "waits.prg",
         "WAIT_NEAR F1\nEND",
-        "waits.prg:3:1: error[E304]: the target is under another control than this command needs (TIP_ERR:Invalid control mode)",
+        "waits.prg:3:1: error[E304]: the target is not in the control mode that this command needs (TIP_ERR:Invalid control mode)",
     ),
     (
         "reaches.prg",
         "PTP F1 -391 201 900\nWAIT_INPOS ALL\nEND",
-        "reaches.prg:3:1: error[E404]: F1 cannot reach its target, or a place on the way there (TIP_ERR:Out of reach F1)",
+        "reaches.prg:3:1: error[E404]: F1 cannot reach its target, or a point on the way there (TIP_ERR:Out of reach F1)",
     ),
 ];
 
@@ -136,7 +136,7 @@ fn people_see_the_values_at_their_places() {
     assert_eq!(
         lines[..8],
         [
-            "error[E404]: F1 cannot reach its target, or a place on the way there",
+            "error[E404]: F1 cannot reach its target, or a point on the way there",
             " --> p.prg:9:1",
             "  |",
             "9 | PTP F1 P",

@@ -32,7 +32,7 @@ impl Folder {
         self.file(name, format!("3.1\ntest\n{statements}\n"))
     }
 
-    /// Where a file of this name is, or would be.
+    /// Returns the path of a file, which need not exist.
     pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.0.join(name)
     }
@@ -42,7 +42,7 @@ impl Folder {
         fs::read_to_string(self.0.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    /// Whether a file exists.
+    /// Returns true if a file exists.
     pub(crate) fn has(&self, name: &str) -> bool {
         self.0.join(name).exists()
     }
@@ -100,7 +100,7 @@ fn tip() -> Command {
     command
 }
 
-/// What a command said and how it ended.
+/// The output and the exit status of a command.
 #[derive(Debug)]
 pub(crate) struct Outcome {
     pub(crate) status: i32,

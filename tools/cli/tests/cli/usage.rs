@@ -52,7 +52,7 @@ fn a_missing_file_is_asked_for() {
         ("emit", "emit rust"),
     ] {
         let expected = format!(
-            "error: which program? `tip {example}` needs a file, as `tip {example} walk.prg`"
+            "error: which program? `tip {example}` needs a file, as in `tip {example} walk.prg`"
         );
         check(&folder, &[command], &expected);
     }
@@ -67,7 +67,7 @@ fn a_missing_file_is_asked_for() {
 fn a_robot_that_is_not_there_is_named_with_those_that_are() {
     let folder = Folder::new("usage-robot").program("p.prg", "END");
     let robots = "titan8, hand, generic, a1, phantomx, solo12, spotmicro and trifinger";
-    let there = format!("There are {robots}, and yours in a FILE.toml");
+    let there = format!("The robots are {robots}, and your own in a FILE.toml");
     for (word, near) in [
         ("titan9", "titan8"),
         ("TitanVIII", "titan8"),
@@ -75,14 +75,14 @@ fn a_robot_that_is_not_there_is_named_with_those_that_are() {
         ("phantom-x", "phantomx"),
     ] {
         let expected =
-            format!("error: --robot: no robot is called `{word}`: did you mean `{near}`? {there}");
+            format!("error: --robot: there is no robot `{word}`: did you mean `{near}`? {there}");
         check(&folder, &["check", "--robot", word, "p.prg"], &expected);
     }
     check(
         &folder,
         &["run", "--robot", "asimo", "p.prg"],
         &format!(
-            "error: --robot: no robot is called `asimo`; there are {robots}, and yours in a FILE.toml"
+            "error: --robot: there is no robot `asimo`; the robots are {robots}, and your own in a FILE.toml"
         ),
     );
     folder
@@ -118,7 +118,7 @@ fn a_count_is_a_whole_number() {
     check(
         &folder,
         &["check", "--tip-version", "new", "p.prg"],
-        "error: --tip-version: `new` is not a version of the language, as 3.1 is",
+        "error: --tip-version: `new` is not a version of the language, such as 3.1",
     );
 }
 

@@ -1,4 +1,4 @@
-//! What editors are answered. `$0` is the cursor; programs begin with their third line.
+//! The features of documents. `$0` is the cursor; programs begin with their third line.
 
 mod complete;
 mod edit;

@@ -10,54 +10,15 @@ tipc::message_table! {
     Variables
         "Variables",
         "変数";
-    Calls
-        "Calls",
-        "呼び出し";
     Legs
         "Modes and targets",
         "制御モードと目標";
     Above
         "From above",
         "上面図";
-    Side
-        "From the side",
-        "側面図";
-    Said
-        "Messages",
-        "メッセージ";
     Unassigned
         "unassigned",
         "未代入";
-    MainProgram
-        "(program)",
-        "(本体)";
-
-    Robot
-        "Robot",
-        "ロボット";
-
-    // What is shown of a robot.
-    Cycle
-        "cycle",
-        "サイクル";
-    Time
-        "time",
-        "時刻";
-    Pose
-        "position of the body",
-        "胴体の位置";
-    Lean
-        "roll, pitch, yaw",
-        "ロール、ピッチ、ヨー";
-    Falls
-        "falls",
-        "転倒回数";
-    Angles { leg: usize }
-        "angles of leg {leg}",
-        "脚{leg}の関節角度";
-    Loads
-        "loads",
-        "荷重";
 
     // How a leg is controlled.
     AtRest
@@ -80,136 +41,11 @@ tipc::message_table! {
     Start
         "at the beginning",
         "先頭です";
-    Stepped
-        "stands",
-        "停止中";
-    There
-        "there",
-        "到達しました";
-    AtBreakpoint
-        "breakpoint",
-        "ブレークポイント";
-    Assigned { line: u32 }
-        "assigned by line {line}",
-        "{line}行目で代入";
-    AssignedByEvent
-        "assigned by an event",
-        "イベントによる代入";
-    Fell
-        "the robot falls",
-        "ロボットが転倒しました";
-    FellIn { cycle: usize }
-        "the robot falls in cycle {cycle}",
-        "サイクル{cycle}でロボットが転倒しました";
-    FellBy { cycle: usize, outside: Text }
-        "the robot falls in cycle {cycle}, {outside} mm outside of its feet",
-        "サイクル{cycle}でロボットが転倒しました(支持多角形の外{outside} mm)";
     Ended
         "the program is over",
         "プログラムは終了しました";
-    EndedBy { word: &'static str }
-        "the program is over ({word})",
-        "プログラムは終了しました({word})";
-    Interrupted
-        "interrupted",
-        "中断しました";
-    Changed
-        "changed",
-        "変更しました";
-    Running
-        "running; Esc interrupts",
-        "実行中(Escで中断)";
-    Searching { percent: u32 }
-        "searching backwards, {percent} %; Esc interrupts",
-        "逆方向に検索中 {percent}%(Escで中断)";
-
-    Searches
-        "Searching",
-        "検索中";
-    FallsStop
-        "Falls of the robot",
-        "ロボットの転倒";
-
-    // What is asked.
-    AskEvent
-        "event (key F, VR1=8, N = 5)",
-        "イベント(key F、VR1=8、N = 5)";
-    AskExpression
-        "expression",
-        "式";
-    AskWatch
-        "variable to watch (empty: none)",
-        "監視する変数(空欄で解除)";
-    AskWho
-        "variable: who set it last?",
-        "変数(最後に代入した箇所へ戻ります)";
-    AskCycle
-        "cycle",
-        "サイクル";
-    AskCondition { line: u32 }
-        "condition of the breakpoint on line {line} (empty: none)",
-        "{line}行目のブレークポイントの条件(空欄で無条件)";
-    AskPasses
-        "which passes stop it: 5, >= 5, % 5 (empty: each)",
-        "停止する通過回数: 5、>= 5、% 5(空欄で毎回)";
-    AskName
-        "command, label or routine to stop before; again: not any more",
-        "直前で停止するコマンド、ラベル、ルーチン(再入力で解除)";
-    AskDiscard { count: usize }
-        "{count} cycles that have been run after this one would be discarded: y or n",
-        "これより後の{count}サイクルの実行結果は破棄されます。よろしいですか(y/n)";
-
-    // What is answered.
-    Comes { text: Text, value: Text }
-        "{text} = {value}",
-        "{text} = {value}";
-    Watches { name: Text }
-        "watching {name}",
-        "{name}を監視します";
-    StopsBefore { name: Text }
-        "stops before each {name}",
-        "{name}の直前で停止します";
-    StopsNoMore { name: Text }
-        "stops before {name} no more",
-        "{name}の直前では停止しません";
-    NotANumber { text: Text }
-        "`{text}` is not a cycle",
-        "`{text}` はサイクル番号ではありません";
-    NeitherEventNorAssignment { text: Text }
-        "`{text}` is not an event, such as `key F`, `VR1=8`, `halt` or `N = 5`",
-        "`{text}` はイベントではありません。`key F`、`VR1=8`、`halt`、`N = 5` のように書いてください";
 
     // Why it does not do what it is asked.
-    NothingDebugged
-        "no program is being debugged",
-        "デバッグ中のプログラムがありません";
-    AlreadyDebugged
-        "a program is being debugged already",
-        "すでに別のプログラムをデバッグしています";
-    NothingToAttach
-        "a program is launched; there is none to attach to",
-        "プログラムは launch で起動します。attach はできません";
-    IsRunning
-        "the program is running",
-        "プログラムは実行中です";
-    NothingHappened
-        "nothing happened here",
-        "ここでは何も起きていません";
-    OtherFile
-        "this file is not the program that is debugged",
-        "このファイルはデバッグ中のプログラムではありません";
-    OnlyVariables
-        "only variables of the program are watched",
-        "監視できるのはプログラムの変数だけです";
-    WatchHasNoCondition
-        "a watch has no condition; a breakpoint on a line has",
-        "変数の監視に条件は付けられません。行のブレークポイントに付けてください";
-    NoSuchList
-        "there is no such list of variables",
-        "その変数一覧はありません";
-    Truth { text: Text }
-        "`{text}` is a condition, not a number",
-        "`{text}` は数ではなく条件です";
     NoStepFrom { line: u32 }
         "no step is on line {line} or after it",
         "{line}行目以降にステップがありません";
@@ -231,20 +67,10 @@ tipc::message_table! {
     WouldDiscard { cycles: usize }
         "{cycles} cycles have been run after this one, and would be discarded",
         "これより後の{cycles}サイクルの実行結果が破棄されます";
-    AgainConfirms { refused: Text }
-        "{refused}; do it again to confirm",
-        "{refused}。よければもう一度実行してください";
     NoInput { port: Text }
         "the robot has no input {port}",
         "このロボットに入力 {port} はありません";
     Massless { event: Text }
         "'{event}' is for walking robots with mass: --plant dynamic",
         "'{event}' は質量のある歩行ロボット用です(--plant dynamic)";
-
-    HelpMoves
-        "r run, n over, s into, o out, c cycle, l to line, g to cycle, CAPITALS: back",
-        "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 大文字:逆方向";
-    HelpOthers
-        "b break, B when, f name, w watch, W who set, i event, e value, ↑↓ ., Esc, q",
-        "b:ブレーク B:条件 f:名前 w:監視 W:代入元 i:イベント e:式 ↑↓ .:行 Esc:中断 q:終了";
 }

@@ -69,8 +69,8 @@ pub(super) fn offers(document: &Document, place: Place) -> Known {
             description: [offer.description.english, offer.description.japanese],
             from,
             to,
-            fills: offer.template.is_some(),
-            text: offer.template.unwrap_or(offer.text),
+            fills: offer.snippet.is_some(),
+            text: offer.snippet.unwrap_or(offer.text),
         }
     });
     Known::Offers(shown.collect())

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
 
-/// What a run of the bench writes.
+/// The files of a run of the bench.
 pub(super) const FILES: [&str; 5] = [
     "logs/WARNING.LOG",
     "logs/TITAN.LOG",
@@ -44,7 +44,7 @@ pub(super) struct Bench {
     pub(super) folder: Folder,
     /// As the earlier run left them.
     pub(super) earlier: Texts,
-    /// As the next run leaves them if nothing is wrong.
+    /// As the next run leaves them without a fault.
     pub(super) later: Texts,
 }
 
@@ -90,7 +90,7 @@ impl Bench {
     }
 }
 
-/// What healthy runs write.
+/// Returns the files of runs without faults.
 fn written() -> (Texts, Texts) {
     let texts = [EARLIER, LATER].map(|program| {
         let folder = Folder::new("faults-none").program("p.prg", &short(program));

@@ -8,7 +8,7 @@ use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// What has to happen on a fault.
+/// The expected outcome of a fault.
 #[derive(Clone, Copy)]
 enum Expected {
     /// It is found before the first cycle, and nothing changes.
@@ -196,7 +196,7 @@ fn require_told(outcome: &Outcome) {
     assert!(told, "{outcome:#?}");
 }
 
-/// Where files go that no one can write; a system's administrator neither.
+/// A folder whose files nobody can write, not even an administrator.
 const FOLDERS: [(&str, &str, [&str; 2]); 4] = [
     (
         "the folder of the logs",

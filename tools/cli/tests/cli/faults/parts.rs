@@ -1,4 +1,4 @@
-//! What happens to unfinished files, and to others of their name: a run writes each file under another name first.
+//! Unfinished files and others of their names: a run writes each file under another name first.
 
 use super::Row;
 use super::bench::{Bench, FILES, RUN};

@@ -257,7 +257,7 @@ fn wait_for_a_reader(folder: &Folder, arguments: &[&str]) {
     assert!(matches!(status.code(), Some(130) | None), "{status}");
 }
 
-/// Whether the first thread sleeps, now and for a while.
+/// Returns true if the first thread sleeps, now and for a while.
 fn sleeps(child: &Child) -> bool {
     let stat = format!("/proc/{}/stat", child.id());
     (0..10).all(|_| {

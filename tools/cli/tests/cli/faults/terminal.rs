@@ -33,7 +33,7 @@ impl Pty {
         assert_eq!(write(&self.fingers, &[key]), Ok(1));
     }
 
-    /// How it treats keys, in words that can be compared.
+    /// Returns the settings for keys, in words that can be compared.
     pub(crate) fn behaviour(&self) -> String {
         format!("{:?}", tcgetattr(&self.line).expect("a terminal"))
     }

@@ -131,11 +131,11 @@ impl Editor {
         self.text = text.to_owned();
         let item = json!({ "uri": URI, "languageId": "tip", "version": 0, "text": text });
         self.tell("textDocument/didOpen", json!({ "textDocument": item }));
-        self.findings()
+        self.diagnostics()
     }
 
     /// The next findings that are sent.
-    pub(super) fn findings(&mut self) -> Vec<Value> {
+    pub(super) fn diagnostics(&mut self) -> Vec<Value> {
         loop {
             let message = self.receive();
             if message["method"] == "textDocument/publishDiagnostics" {
@@ -195,7 +195,7 @@ impl Editor {
             .text
             .match_indices(word)
             .nth(nth)
-            .expect("it stands there");
+            .expect("the text has it");
         let mut params = json!({ "textDocument": { "uri": URI }, "position": self.position(at) });
         for (name, value) in more.as_object().into_iter().flatten() {
             params[name] = value.clone();
@@ -227,7 +227,7 @@ impl Editor {
         let document = json!({ "uri": URI, "version": self.version });
         let params = json!({ "textDocument": document, "contentChanges": changes });
         self.tell("textDocument/didChange", params);
-        self.findings()
+        self.diagnostics()
     }
 
     pub(super) fn end(mut self) -> i32 {

@@ -51,7 +51,7 @@ impl Server {
         format!("{path}?{query}")
     }
 
-    /// What the server says to bytes.
+    /// Returns the response of the server to some bytes.
     pub(super) fn say(&self, bytes: &[u8]) -> String {
         let mut stream = TcpStream::connect(self.host()).expect("it listens");
         stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
@@ -62,7 +62,7 @@ impl Server {
         String::from_utf8_lossy(&reply).into_owned()
     }
 
-    /// What the server says to a GET with these fields; without one for the host, there is its own.
+    /// Returns the response of the server to a GET with these fields; the host is that of the server unless one is given.
     pub(super) fn get(&self, target: &str, fields: &[(&str, &str)]) -> String {
         let mut request = format!("GET {target} HTTP/1.1\r\n");
         if fields.iter().all(|(name, _)| *name != "Host") {
@@ -262,7 +262,7 @@ impl Socket {
         said.expect("it is there");
     }
 
-    /// How many cycles there are of a run that rests: all that is to come has come when an answer has nothing after it.
+    /// Returns the number of cycles of a paused run: everything has arrived when an answer has nothing after it.
     pub(super) fn settled(&mut self) -> u64 {
         // Updates are made after answers; the second answer follows all of them.
         for _ in 0..2 {
@@ -273,7 +273,7 @@ impl Socket {
         self.cycles
     }
 
-    /// What its page shows of the newest cycle.
+    /// Returns the newest cycle as the page shows it.
     pub(super) fn shown(&self) -> String {
         let frame = self.frames.last_key_value();
         let values: Vec<_> = self.scalars.iter().map(|name| self.value(name)).collect();
@@ -286,7 +286,7 @@ impl Socket {
         sets.find(|set| set[1] == scalar)?[2].as_f64()
     }
 
-    /// Whether the server ends the conversation.
+    /// Returns true if the server closes the connection.
     pub(super) fn is_over(&mut self) -> bool {
         let end = Instant::now() + PATIENCE;
         while Instant::now() < end {

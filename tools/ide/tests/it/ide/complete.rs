@@ -1,10 +1,10 @@
-//! What can be written at a place, and how.
+//! Completion and signature help.
 
 use super::{cursor, on};
-use tip_ide::Offer;
+use tip_ide::CompletionItem;
 use tipc::Robot;
 
-fn labels(offers: &[Offer]) -> Vec<&str> {
+fn labels(offers: &[CompletionItem]) -> Vec<&str> {
     offers.iter().map(|offer| offer.label.as_str()).collect()
 }
 
@@ -182,38 +182,38 @@ fn the_word_that_is_begun_goes() {
     assert_eq!(document.source().slice(offer.span), "SLEEP");
 }
 
-/// What a word is completed to.
+/// Checks the snippet of a word.
 #[track_caller]
-fn check_template(robot: Robot, word: &str, expected: Option<&str>) {
+fn check_snippet(robot: Robot, word: &str, expected: Option<&str>) {
     let (document, at) = on(robot, "$0\nEND\n");
     let offers = document.complete(at);
     let offer = offers.iter().find(|offer| offer.label == word);
     let offer = offer.expect("it is offered");
-    assert_eq!(offer.template.as_deref(), expected, "{word}");
+    assert_eq!(offer.snippet.as_deref(), expected, "{word}");
 }
 
 #[test]
-fn commands_are_templates_with_their_arguments() {
-    check_template(
+fn commands_are_snippets_with_their_arguments() {
+    check_snippet(
         Robot::Titan8,
         "PTP",
         Some("PTP ${1:F1} ${2:x} ${3:y} ${4:z}"),
     );
-    check_template(Robot::Titan8, "SLEEP", Some("SLEEP ${1:number}"));
-    check_template(
+    check_snippet(Robot::Titan8, "SLEEP", Some("SLEEP ${1:number}"));
+    check_snippet(
         Robot::Titan8,
         "WAIT_INPOS",
         Some("WAIT_INPOS ${1|F1,J11,ALL|}"),
     );
-    check_template(Robot::Titan8, "FLUSH_BUF", None);
+    check_snippet(Robot::Titan8, "FLUSH_BUF", None);
     let block = "FOR ${1:VAR} = ${2:1} TO ${3:10}\n\t$0\nNEXT";
-    check_template(Robot::Titan8, "FOR", Some(block));
-    check_template(
+    check_snippet(Robot::Titan8, "FOR", Some(block));
+    check_snippet(
         Robot::Titan8,
         "IF",
         Some("IF ${1:condition} THEN\n\t$0\nENDIF"),
     );
-    check_template(Robot::Titan8, "END", None);
+    check_snippet(Robot::Titan8, "END", None);
 }
 
 /// The form that fits, and the argument in it.

@@ -41,7 +41,7 @@ fn a_name_changes_in_every_place() {
     );
 }
 
-/// Why it cannot be renamed, in both languages.
+/// Returns the reason why it cannot be renamed, in both languages.
 #[track_caller]
 fn check_refused(statements: &str, name: &str, english: &str, japanese: &str) {
     let (document, at) = cursor(statements);
@@ -101,19 +101,19 @@ fn what_has_no_name_of_its_own_is_refused() {
     check_refused(
         "SLE$0EP 10\nEND\n",
         "A",
-        "`SLEEP` is a word of the language and keeps its name",
+        "`SLEEP` is a word of the language and cannot be renamed",
         "`SLEEP` はこの言語の語なので、名前は変えられません",
     );
     check_refused(
         "KEY_IN\nSLEEP $0VAR_KEY\nEND\n",
         "A",
-        "`VAR_KEY` is a word of the language and keeps its name",
+        "`VAR_KEY` is a word of the language and cannot be renamed",
         "`VAR_KEY` はこの言語の語なので、名前は変えられません",
     );
     check_refused(
         "SLEEP 1$00\nEND\n",
         "A",
-        "there is no name here that can be changed",
+        "there is no name to rename here",
         "ここには変更できる名前がありません",
     );
     let english =
@@ -129,7 +129,7 @@ fn a_name_that_means_something_else_somewhere_is_refused() {
     check_refused(
         "DEF_VAR S\nS = 1\nPTP F1 $0S 200 -200\nEND\n",
         "R",
-        "with the name `R` this would be another program",
+        "the name `R` would change the meaning of the program",
         "名前を `R` にすると別のプログラムになってしまいます",
     );
     // A MESSAGE has at most 70 bytes.
@@ -137,7 +137,7 @@ fn a_name_that_means_something_else_somewhere_is_refused() {
     check_refused(
         &long,
         "STRIDE",
-        "with the name `STRIDE` this would be another program",
+        "the name `STRIDE` would change the meaning of the program",
         "名前を `STRIDE` にすると別のプログラムになってしまいます",
     );
 }
@@ -147,7 +147,7 @@ fn a_name_that_means_something_else_somewhere_is_refused() {
 fn check_fix(statements: &str, expected: &[&str]) {
     let (document, at) = cursor(statements);
     let place = tipc::source::Span::new(at, at);
-    let actions = document.actions(place);
+    let actions = document.code_actions(place);
     let texts = actions
         .iter()
         .map(|action| changed(&document, &action.edits));
@@ -155,7 +155,7 @@ fn check_fix(statements: &str, expected: &[&str]) {
 }
 
 #[test]
-fn a_fix_is_that_of_the_finding_at_the_cursor() {
+fn a_fix_is_that_of_the_diagnostic_at_the_cursor() {
     check_fix(
         "IF KB_HIT$0\nREM\nEND IF\nEND\n",
         &["IF KB_HIT THEN\nREM\nEND IF\nEND\n"],

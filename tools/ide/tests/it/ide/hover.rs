@@ -1,4 +1,4 @@
-//! What is known of a word.
+//! Hovers.
 
 use super::{cursor, on};
 use tipc::Robot;
@@ -57,8 +57,8 @@ fn a_variable_shows_what_the_program_does_with_it() {
         &[
             "DEF_VAR A",
             "- declared on line 3",
-            "- places that assign it: 3; that read it: 1",
-            "- all that is assigned to it: 80, 60",
+            "- assignments: 3, reads: 1",
+            "- assigned values: 80, 60",
         ],
     );
 }
@@ -75,7 +75,7 @@ fn values_are_listed_only_if_they_are_all() {
 
 #[test]
 fn a_member_has_values_of_its_own() {
-    let values = "- all that is assigned to it: 10";
+    let values = "- assigned values: 10";
     check(
         "DEF_POS P\nP.X = 10\nP.Y = 20\nP.Z = 30\nSLEEP $0P.X\nEND\n",
         &[values],
@@ -103,7 +103,7 @@ fn a_label_shows_who_leads_there_and_how_long_it_takes() {
         &[
             "LIFT:",
             "- declared on line 6",
-            "- places that jump to it: 0; that call it: 2",
+            "- jumps: 0, calls: 2",
             "- until it returns: 3 cycles, 60 ms",
         ],
     );
@@ -135,7 +135,7 @@ fn functions_flags_targets_inputs_and_constants_have_their_rows() {
         "DEF_VAR A\nAD_IN VR$01 A\nEND\n",
         &["A potentiometer of the control box."],
     );
-    check("DEF_VAR A\nA = CHAR_$0F\nEND\n", &["- stands for 70"]);
+    check("DEF_VAR A\nA = CHAR_$0F\nEND\n", &["- value: 70"]);
     check(
         "PTP F1 $0R 0 0 0\nEND\n",
         &["The value after it counts from where the foot or joint is."],
@@ -159,7 +159,7 @@ fn comments_texts_numbers_and_what_follows_end_say_nothing() {
 fn a_name_in_a_message_is_a_variable() {
     check(
         "DEF_VAR A\nA = 1\nMESSAGE 歩数 %$0A%\nEND\n",
-        &["- all that is assigned to it: 1"],
+        &["- assigned values: 1"],
     );
 }
 

@@ -1,10 +1,10 @@
 //! Declarations, references, outline.
 
 use super::cursor;
-use tip_ide::{MentionKind, Outline, OutlineKind};
+use tip_ide::{Outline, OutlineKind, ReferenceKind};
 use tipc::syntax::VariableKind;
 
-/// Where the declaration is: line and text.
+/// Returns the declaration: line and text.
 #[track_caller]
 fn check(statements: &str, expected: Option<(u32, &str)>) {
     let (document, at) = cursor(statements);
@@ -38,7 +38,7 @@ fn what_a_statement_leaves_out_is_found_too() {
 fn references_say_what_is_done() {
     let (document, at) =
         cursor("DEF_VAR A, B\nB = 1\n$0A = B\nA += 1\nSLEEP A\nMESSAGE %A%\nEND\n");
-    let kinds: Vec<MentionKind> = document
+    let kinds: Vec<ReferenceKind> = document
         .references(at, true)
         .iter()
         .map(|mention| mention.kind)
@@ -46,11 +46,11 @@ fn references_say_what_is_done() {
     assert_eq!(
         kinds,
         [
-            MentionKind::Declares,
-            MentionKind::Assigns,
-            MentionKind::Assigns,
-            MentionKind::Uses,
-            MentionKind::Uses,
+            ReferenceKind::Declares,
+            ReferenceKind::Assigns,
+            ReferenceKind::Assigns,
+            ReferenceKind::Uses,
+            ReferenceKind::Uses,
         ]
     );
     let places = document.references(at, false);

@@ -1,13 +1,13 @@
 //! Hints, folding, classes of words.
 
 use super::cursor;
-use tip_ide::{FoldKind, Paint};
+use tip_ide::{FoldKind, TokenClass};
 use tipc::source::Span;
 
 fn hints(statements: &str) -> Vec<(u32, String)> {
     let (document, _) = cursor(statements);
     let all = Span::new(0, document.source().text().len());
-    let hints = document.hints(all).into_iter();
+    let hints = document.inlay_hints(all).into_iter();
     let line = |at| document.source().line_column(at).0;
     hints
         .map(|hint| (line(hint.at), hint.text.to_string()))
@@ -43,8 +43,8 @@ fn steps_that_never_run_are_marked() {
 fn a_stretch_has_its_own_hints() {
     let (document, at) = cursor("WHILE KB_HIT\nWEND\n$0WHILE KB_HIT\nWEND\nEND\n");
     let end = document.source().text().len();
-    assert_eq!(document.hints(Span::new(at, end)).len(), 1);
-    assert_eq!(document.hints(Span::new(0, end)).len(), 2);
+    assert_eq!(document.inlay_hints(Span::new(at, end)).len(), 1);
+    assert_eq!(document.inlay_hints(Span::new(0, end)).len(), 2);
 }
 
 #[test]
@@ -81,19 +81,19 @@ fn a_block_that_is_open_folds_nothing() {
 
 /// The words of a line with their classes; `+` declares, `=` assigns.
 #[track_caller]
-fn check(statements: &str, expected: &[(&str, Paint, &str)]) {
+fn check(statements: &str, expected: &[(&str, TokenClass, &str)]) {
     let (document, at) = cursor(statements);
     let line = document.source().line_column(at).0;
     let span = document.source().line(line).span;
-    let painted = document.paint(span).into_iter();
-    let found: Vec<(&str, Paint, &str)> = painted
+    let tokens = document.semantic_tokens(span).into_iter();
+    let found: Vec<(&str, TokenClass, &str)> = tokens
         .map(|it| {
             let marks = match (it.declares, it.assigns) {
                 (true, _) => "+",
                 (_, true) => "=",
                 _ => "",
             };
-            (document.source().slice(it.span), it.paint, marks)
+            (document.source().slice(it.span), it.class, marks)
         })
         .collect();
     assert_eq!(found, expected, "{statements}");
@@ -104,45 +104,48 @@ fn words_have_their_classes() {
     check(
         "DEF_VAR S\n$0PTP HS F1 R S -S 20 // up\nEND\n",
         &[
-            ("PTP", Paint::Command, ""),
-            ("HS", Paint::Modifier, ""),
-            ("F1", Paint::Constant, ""),
-            ("R", Paint::Modifier, ""),
-            ("S", Paint::Variable, ""),
-            ("-", Paint::Operator, ""),
-            ("S", Paint::Variable, ""),
-            ("20", Paint::Number, ""),
-            ("// up", Paint::Comment, ""),
+            ("PTP", TokenClass::Command, ""),
+            ("HS", TokenClass::Modifier, ""),
+            ("F1", TokenClass::Constant, ""),
+            ("R", TokenClass::Modifier, ""),
+            ("S", TokenClass::Variable, ""),
+            ("-", TokenClass::Operator, ""),
+            ("S", TokenClass::Variable, ""),
+            ("20", TokenClass::Number, ""),
+            ("// up", TokenClass::Comment, ""),
         ],
     );
     check(
         "$0DEF_POS P\nP.X = 1\nEND\n",
-        &[("DEF_POS", Paint::Keyword, ""), ("P", Paint::Variable, "+")],
+        &[
+            ("DEF_POS", TokenClass::Keyword, ""),
+            ("P", TokenClass::Variable, "+"),
+        ],
     );
     check(
         "DEF_POS P\n$0P.X = SQRT CHAR_A\nEND\n",
         &[
-            ("P", Paint::Variable, "="),
-            ("X", Paint::Member, ""),
-            ("=", Paint::Operator, ""),
-            ("SQRT", Paint::Function, ""),
-            ("CHAR_A", Paint::Constant, ""),
+            ("P", TokenClass::Variable, "="),
+            ("X", TokenClass::Member, ""),
+            ("=", TokenClass::Operator, ""),
+            ("SQRT", TokenClass::Function, ""),
+            ("CHAR_A", TokenClass::Constant, ""),
         ],
     );
     check(
         "L1:\n$0IF !KB_HIT GOTO L1:; MESSAGE 歩 %A% 数\nDEF_VAR A\nEND\n",
         &[
-            ("IF", Paint::Keyword, ""),
-            ("!", Paint::Operator, ""),
-            ("KB_HIT", Paint::Flag, ""),
-            ("GOTO", Paint::Keyword, ""),
-            ("L1", Paint::Label, ""),
-            ("MESSAGE", Paint::Keyword, ""),
-            ("歩 %", Paint::Text, ""),
-            ("A", Paint::Variable, ""),
-            ("% 数", Paint::Text, ""),
+            ("IF", TokenClass::Keyword, ""),
+            ("!", TokenClass::Operator, ""),
+            ("KB_HIT", TokenClass::Flag, ""),
+            ("GOTO", TokenClass::Keyword, ""),
+            ("L1", TokenClass::Label, ""),
+            ("MESSAGE", TokenClass::Keyword, ""),
+            ("歩 %", TokenClass::Text, ""),
+            ("A", TokenClass::Variable, ""),
+            ("% 数", TokenClass::Text, ""),
         ],
     );
-    check("$0END REM\nREM\n", &[("END", Paint::Keyword, "")]);
+    check("$0END REM\nREM\n", &[("END", TokenClass::Keyword, "")]);
     check("END\n$0REM\n", &[]);
 }

@@ -1,4 +1,4 @@
-//! How the editor types: comments, words, and what indents lines.
+//! The language configuration: comments, words, and the lines that indent.
 
 use serde::Serialize;
 use tipc::language::Keyword;

@@ -1,4 +1,4 @@
-//! The grammar of TextMate: the classes of [`tip_ide::Paint`], as far as a line tells them.
+//! The grammar of TextMate: the classes of [`tip_ide::TokenClass`], as far as a line tells them.
 
 use crate::vscode::rule::Rule;
 use serde::Serialize;
@@ -20,12 +20,12 @@ pub(crate) struct Grammar {
     repository: BTreeMap<&'static str, Rule>,
 }
 
-/// What stands between words.
+/// The separators of words.
 const BLANK: &str = r"[ \t,\x{3000}]";
-/// Where a word begins, and where it ends.
+/// The beginning and the end of a word.
 const BEFORE: &str = "(?<![A-Za-z0-9_.])";
 const AFTER: &str = "(?![A-Za-z0-9_.])";
-/// Where a statement ends.
+/// The end of a statement.
 const END: &str = "(?=;|//|$)";
 const NAME: &str = "[A-Z0-9_]+";
 
@@ -156,7 +156,7 @@ fn spellings(row: &'static Command) -> impl Iterator<Item = &'static str> {
     [Some(row.name), row.alias].into_iter().flatten()
 }
 
-/// What a target is spelled as, whatever its number.
+/// Returns the pattern of a target with any number.
 fn target(of: Target) -> String {
     let digit = format!("[1-{MAX}]");
     match of {

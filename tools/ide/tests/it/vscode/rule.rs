@@ -44,7 +44,7 @@ fn capture(scope: &str) -> Capture {
 }
 
 impl Rule {
-    /// What has a name as a whole.
+    /// Returns a rule whose whole match has a name.
     pub(crate) fn named(scope: &str, pattern: impl Into<String>) -> Self {
         Rule {
             name: named(scope),
@@ -53,7 +53,7 @@ impl Rule {
         }
     }
 
-    /// What has names in part.
+    /// Returns a rule whose groups have names.
     pub(crate) fn parts(pattern: impl Into<String>, scopes: &[(u8, &str)]) -> Self {
         let captures = scopes.iter().map(|(group, scope)| (*group, capture(scope)));
         Rule {
@@ -63,7 +63,7 @@ impl Rule {
         }
     }
 
-    /// What goes from a beginning to an end, with rules of its own inside.
+    /// Returns a rule from a beginning to an end, with rules inside.
     pub(crate) fn stretch(
         begin: impl Into<String>,
         end: impl Into<String>,

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use std::collections::BTreeMap;
-use tip_ide::template;
+use tip_ide::snippet;
 use tipc::Robot;
 use tipc::language::commands::COMMANDS;
 use tipc::language::{Edition, Keyword};
@@ -17,12 +17,12 @@ pub(crate) struct Snippet {
     is_file_template: bool,
 }
 
-/// Those of every command that has something to fill in, and that of a program.
+/// Returns the snippets of every command with placeholders, and that of a program.
 pub(crate) fn snippets() -> BTreeMap<String, Snippet> {
     let commands = COMMANDS.iter().filter_map(|row| {
         let mut robots = Robot::ALL.iter().copied();
         let robot = robots.find(|robot| row.robots.contains(*robot))?;
-        let text = template(row, robot);
+        let text = snippet(row, robot);
         let names = row.robots.names();
         let only = match names.len() == Robot::ALL.len() {
             true => String::new(),

@@ -1,0 +1,399 @@
+//! Commands that record a run and write what it did: `tip view`, `tip log` and `tip plot`. `tip serve` shares their arguments.
+
+use crate::arguments::{InputArguments, SourceArguments};
+use crate::error::Error;
+use crate::loader::{self, Subject};
+use crate::message::Running;
+use crate::report::plural;
+use crate::run::{LONG_WAIT, wait_message};
+use crate::setup::{BuiltInOnly, SceneChoice};
+use crate::{Status, input, interrupt, output, report};
+use clap::{Args, ValueEnum};
+use std::io::{self, Cursor};
+use std::path::{Path, PathBuf};
+use tip_runtime::printable::Printable;
+use tip_sim::{Robot, urdf};
+use tip_view::{BadTrace, Diagram, Extent, Outcome, Pace, Recording};
+use tipc::Loaded;
+
+/// Maximum length of a recording without `--cycles`, minutes of robot time.
+const MAX_MINUTES: f64 = 10.0;
+
+/// The arguments of commands that record a run.
+#[derive(Debug, Args)]
+pub(super) struct RecordedArguments {
+    /// The program
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+
+    #[command(flatten)]
+    pub(super) inputs: InputArguments,
+}
+
+/// A recording and its robot.
+pub(super) struct Recorded {
+    pub(super) recording: Recording,
+    pub(super) robot: Robot,
+}
+
+impl Recorded {
+    /// Returns the exit status for the end of the run.
+    pub(super) fn status(&self) -> Status {
+        match self.recording.outcome {
+            Outcome::Interrupted => Status::Interrupted,
+            Outcome::Emergency(_) => Status::Emergency,
+            Outcome::Program(_) | Outcome::Limit => Status::Success,
+        }
+    }
+}
+
+impl RecordedArguments {
+    /// Returns the files that are read.
+    pub(super) fn files(&self) -> Vec<&Path> {
+        let scene = self.inputs.scene.as_ref();
+        let scene = scene.and_then(SceneChoice::file);
+        let robot = self.source.robot().file();
+        [self.file.as_path()]
+            .into_iter()
+            .chain(robot)
+            .chain(scene)
+            .collect()
+    }
+
+    /// Runs the program until it ends, the time is over, or someone presses Ctrl-C; `None` if there are errors, which were
+    /// reported.
+    pub(super) fn record(&self, pace: Pace, why: BuiltInOnly) -> Result<Option<Recorded>, Error> {
+        let Some(Subject { loaded, robot, .. }) = self.load(&self.file, false, why)? else {
+            return Ok(None);
+        };
+        let recording = self.run(&loaded, &robot, pace)?;
+        interrupt::hold();
+        self.report_wait(&recording);
+        if let Outcome::Emergency(_) = recording.outcome {
+            report::complain(&format!("{}\n", recording.outcome));
+        }
+        Ok(Some(Recorded { recording, robot }))
+    }
+
+    /// Loads the program and the robot in its scene; `None` if there are errors, which were reported. `why` is the reason why only
+    /// the built-in plants can be used.
+    pub(super) fn load(
+        &self,
+        program: &Path,
+        quiet: bool,
+        why: BuiltInOnly,
+    ) -> Result<Option<Subject>, Error> {
+        interrupt::catch();
+        let subject = loader::load(program, &self.source, &self.inputs, Some(why));
+        let subject = loader::reported(subject, &self.source, quiet)?;
+        Ok(subject.filter(|subject| subject.loaded.program.is_some()))
+    }
+
+    /// Runs a loaded program.
+    pub(super) fn run(
+        &self,
+        loaded: &Loaded,
+        robot: &Robot,
+        pace: Pace,
+    ) -> Result<Recording, Error> {
+        let inputs = self.inputs.inputs();
+        let extent = inputs
+            .cycles
+            .map_or(Extent::minutes(MAX_MINUTES), Extent::cycles);
+        let goes_on = || !interrupt::is_requested();
+        let recording = Recording::paced(loaded, robot, &inputs.events, extent, pace, goes_on);
+        recording.map_err(|reason| Error::Usage(reason.to_string()))
+    }
+
+    /// Reports the wait at the end of a run, and the reason of an end that nobody asked for.
+    pub(super) fn report_wait(&self, recording: &Recording) {
+        let lang = self.source.output_options.lang();
+        let wait = recording.wait.as_ref().map(wait_message);
+        let lasted = recording.time(recording.cycles);
+        let is_cut_off =
+            self.inputs.inputs().cycles.is_none() && recording.outcome == Outcome::Limit;
+        let text = match wait {
+            Some(wait) if is_cut_off && lasted < MAX_MINUTES * 60_000.0 => Running::StopsWaiting {
+                wait,
+                time: format!("{:.0}", LONG_WAIT / 1000.0),
+            },
+            Some(wait) if is_cut_off => Running::StopsInTimeWaiting {
+                minutes: MAX_MINUTES.to_string(),
+                wait,
+            },
+            None if is_cut_off => Running::StopsInTime {
+                minutes: MAX_MINUTES.to_string(),
+            },
+            Some(wait) => Running::IsWaiting { wait },
+            None => return,
+        };
+        report::complain(&format!("{}\n", text.in_lang(lang)));
+    }
+}
+
+/// `tip view`
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  tip view walk.prg                            runs it, and writes walk.html
+  tip view walk.prg -o monday.html --halt 300  all inputs of 'tip run'
+  tip view --robot hand grasp.prg --scene scene.toml
+  tip view march.prg --robot hexapod.toml --cycles 2000
+  tip run walk.prg --trace walk.jsonl --trace-motion
+  tip view walk.jsonl --program walk.prg       the run of that trace
+
+The page is one file that makes no network requests: it opens by double click, and can be sent or
+embedded in another page. It shows the robot in three dimensions next to the running line, with
+messages, falls, slips, forces and plots on one time axis. Its address takes #cycle=611.
+
+A run is recorded for ten minutes of the robot's time, or for --cycles; without --cycles it also ends
+when it has waited for a minute without a motion. The page is written however the run ends.
+
+Exit status: 0 written, 1 the program does not load or a file cannot be read or written,
+2 wrong usage, 130 interrupted; what was recorded until then is written.")]
+pub(super) struct View {
+    #[command(flatten)]
+    pub(super) recorded: RecordedArguments,
+
+    /// The program of FILE, which is a trace that 'tip run --trace-motion' wrote
+    #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
+    pub(super) program: Option<PathBuf>,
+
+    /// Write the page to this file; by default next to FILE, as FILE.html
+    #[arg(short, long, value_name = "OUT.html")]
+    out: Option<PathBuf>,
+
+    /// Print only errors
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// Records a run, or reads the trace of one, and writes the page that replays it.
+pub(super) fn view(arguments: &View) -> Result<Status, Error> {
+    let recorded = &arguments.recorded;
+    let program = arguments.program.as_deref().unwrap_or(&recorded.file);
+    let Some(Subject { loaded, robot, .. }) =
+        recorded.load(program, arguments.quiet, BuiltInOnly::Records("view"))?
+    else {
+        return Ok(Status::Failure);
+    };
+    let out = arguments.out();
+    let read = recorded.files();
+    let read: Vec<&Path> = read
+        .into_iter()
+        .chain(arguments.program.as_deref())
+        .collect();
+    output::refuse_inputs(&out, &read)?;
+    let recording = match &arguments.program {
+        Some(_) => arguments.read(&loaded, &robot)?,
+        None => recorded.run(&loaded, &robot, Pace::Smooth)?,
+    };
+    interrupt::hold();
+    let page = recording.to_page();
+    output::replace(&out, &page)?;
+    if !arguments.quiet {
+        report::complain(&summary(&recording, &out, page.len()));
+        if arguments.program.is_none() {
+            recorded.report_wait(&recording);
+        }
+    }
+    Ok(match recording.outcome {
+        Outcome::Interrupted if interrupt::is_requested() => Status::Interrupted,
+        _ => Status::Success,
+    })
+}
+
+/// Maximum size of a trace, MiB: some hours of robot time.
+const MAX_TRACE: usize = 1024;
+
+impl View {
+    /// Returns the path of the page.
+    fn out(&self) -> PathBuf {
+        match &self.out {
+            Some(out) => out.clone(),
+            None if input::is_stream(&self.recorded.file) => PathBuf::from("run.html"),
+            None => self.recorded.file.with_extension("html"),
+        }
+    }
+
+    fn read(&self, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
+        let name = Printable::line(self.recorded.file.display()).to_string();
+        let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
+        let lang = self.recorded.source.output_options.lang();
+        let trace = input::read(&self.recorded.file, MAX_TRACE)
+            .map_err(|reason| failed(&reason.in_lang(lang)))?;
+        let trace = String::from_utf8(trace).map_err(|error| failed(&error))?;
+        let read = Recording::from_trace(&trace, loaded, robot);
+        read.map_err(|error: BadTrace| failed(&error))
+    }
+}
+
+/// Returns the summary of a page.
+fn summary(recording: &Recording, out: &Path, bytes: usize) -> String {
+    let (name, cycles) = (
+        Printable::line(out.display()),
+        plural(recording.cycles as usize, "cycle"),
+    );
+    let time = recording.time(recording.cycles) / 1000.0;
+    let falls = match recording.falls.len() {
+        0 => String::new(),
+        falls => format!(", {}", plural(falls, "fall")),
+    };
+    let size = (bytes as f64 / 1000.0).round();
+    format!("{name}: {time:.3} s of robot time, {cycles}{falls}, {size} kB\n")
+}
+
+/// `tip log`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "run.mcap holds the robot and its frames, joint states, forces, trails, objects, and what the program did: step and line,
+flags, messages, variables. Foxglove and Rerun show it. run.csv has a row for each cycle. docs/logs.md lists topics and columns.
+
+Examples:
+  tip log walk.prg -o walk.mcap
+  tip log grasp.prg --robot hand --scene scene.toml -o grasp.csv --every 10
+
+A run without an end is recorded for ten minutes of the robot's time, or until it has waited for a minute without a motion;
+--cycles sets another end.
+
+Exit status: as for 'tip run'."
+)]
+pub(super) struct Log {
+    #[command(flatten)]
+    pub(super) recorded: RecordedArguments,
+
+    /// The file; its extension selects the format
+    #[arg(short, long, value_name = "OUT.mcap|OUT.csv")]
+    out: PathBuf,
+
+    /// Keep the motion of every Nth cycle; by default MCAP has 50 Hz at most, CSV every cycle
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    every: Option<u64>,
+}
+
+/// The format of a log.
+#[derive(Clone, Copy)]
+enum LogFormat {
+    Mcap,
+    Csv,
+}
+
+impl LogFormat {
+    fn of(path: &Path) -> Result<Self, Error> {
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some("mcap") => Ok(LogFormat::Mcap),
+            Some("csv") => Ok(LogFormat::Csv),
+            _ => Err(Error::Usage(
+                "the name of a log must end in .mcap or .csv".to_owned(),
+            )),
+        }
+    }
+
+    fn pace(self, every: Option<u64>) -> Pace {
+        match (self, every) {
+            (_, Some(cycles)) => Pace::Every(cycles),
+            (LogFormat::Mcap, None) => Pace::Smooth,
+            (LogFormat::Csv, None) => Pace::Every(1),
+        }
+    }
+}
+
+/// Runs the program and writes the log.
+pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
+    let (out, kind) = (&arguments.out, LogFormat::of(&arguments.out)?);
+    output::refuse_inputs(out, &arguments.recorded.files())?;
+    let Some(recorded) = arguments
+        .recorded
+        .record(kind.pace(arguments.every), BuiltInOnly::Records("log"))?
+    else {
+        return Ok(Status::Failure);
+    };
+    let recording = &recorded.recording;
+    let mut bytes = Vec::new();
+    let written: io::Result<()> = match kind {
+        LogFormat::Mcap => recording.mcap(&urdf::export(&recorded.robot), Cursor::new(&mut bytes)),
+        LogFormat::Csv => recording.csv(&mut bytes),
+    };
+    written.map_err(|reason| Error::cannot_write(out, reason))?;
+    output::replace(out, &bytes)?;
+    let (cycles, frames) = (recording.cycles, recording.frames.len());
+    report::complain(&format!(
+        "{}: {cycles} cycles, the motion of {frames} of them, {}\n",
+        out.display(),
+        recording.outcome
+    ));
+    Ok(recorded.status())
+}
+
+/// `tip plot`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The diagrams have units on their axes and are readable on light and dark grounds; --lang ja titles them in Japanese.
+
+Examples:
+  tip plot walk.prg -o walk.svg
+  tip plot walk.prg -o gait.svg --of gait --of forces
+
+Exit status: as for 'tip run'."
+)]
+pub(super) struct Plot {
+    #[command(flatten)]
+    pub(super) recorded: RecordedArguments,
+
+    /// The file
+    #[arg(short, long, value_name = "OUT.svg")]
+    out: PathBuf,
+
+    /// The diagrams from top to bottom; by default all of them
+    #[arg(long, value_name = "WHAT", value_enum)]
+    of: Vec<DiagramName>,
+}
+
+/// The names of diagrams.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum DiagramName {
+    /// The feet that carry the robot, or the fingertips that touch something
+    Gait,
+    /// The paths of the feet, mm
+    Feet,
+    /// The angle of each joint, deg
+    Angles,
+    /// The torque of each motor, N·m or mN·m
+    Torques,
+    /// The load of each foot, or the force of each fingertip, N
+    Forces,
+}
+
+impl DiagramName {
+    fn diagram(self) -> Diagram {
+        match self {
+            DiagramName::Gait => Diagram::Gait,
+            DiagramName::Feet => Diagram::Feet,
+            DiagramName::Angles => Diagram::Angles,
+            DiagramName::Torques => Diagram::Torques,
+            DiagramName::Forces => Diagram::Forces,
+        }
+    }
+}
+
+/// Runs the program and writes the diagrams.
+pub(super) fn plot(arguments: &Plot) -> Result<Status, Error> {
+    let out = &arguments.out;
+    output::refuse_inputs(out, &arguments.recorded.files())?;
+    let Some(recorded) = arguments
+        .recorded
+        .record(Pace::Smooth, BuiltInOnly::Records("plot"))?
+    else {
+        return Ok(Status::Failure);
+    };
+    let diagrams: Vec<Diagram> = match arguments.of.as_slice() {
+        [] => Diagram::ALL.into(),
+        some => some.iter().map(|what| what.diagram()).collect(),
+    };
+    let lang = arguments.recorded.source.output_options.lang();
+    let drawn = recorded.recording.plot(&diagrams, lang);
+    let text = drawn.map_err(|reason| Error::cannot_write(out, reason))?;
+    output::replace(out, text)?;
+    Ok(recorded.status())
+}

@@ -1,0 +1,342 @@
+//! The console of a run: keys of the terminal, messages, log files, a line of progress or status, and the pace of `--realtime`.
+
+use crate::error::{Error, is_closed};
+use crate::message::{Figure, Running};
+use crate::run::files::finish;
+use crate::run::summary::{line, status, tenths};
+use crate::{interrupt, report};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::fmt::Display;
+use std::io::{self, IsTerminal, Sink, Write};
+use std::path::Path;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+use tip_runtime::console::{Bars, Console, LogFiles, Terminal};
+use tip_runtime::machine::Report;
+use tip_runtime::printable::Printable;
+use tip_runtime::realtime::Pacer;
+use tip_runtime::record::{Dump, Sample};
+use tip_sim::{Run, Waits};
+use tipc::message::Lang;
+use tipc::source::Source;
+
+/// The console of a run. Messages go to standard output, one a line.
+#[derive(Debug)]
+pub(super) struct Screen {
+    keyboard: Option<Terminal<Sink>>,
+    progress: Progress,
+    shows_messages: bool,
+    silent: bool,
+    logs: Option<LogFiles<()>>,
+    /// The error of the first message that could not be written.
+    failure: Option<Error>,
+}
+
+impl Screen {
+    /// Returns a console with keys if standard input is a terminal, and messages if standard output is free for them.
+    pub(super) fn new(
+        progress: Progress,
+        shows_messages: bool,
+        logs: Option<LogFiles<()>>,
+    ) -> Self {
+        let keyboard = io::stdin()
+            .is_terminal()
+            .then(|| Terminal::on(io::sink(), false).report_interrupts());
+        Screen {
+            keyboard,
+            progress,
+            shows_messages,
+            silent: false,
+            logs,
+            failure: None,
+        }
+    }
+
+    /// Updates the progress.
+    pub(super) fn at(&mut self, cycle: u64) {
+        self.progress.at(cycle);
+    }
+
+    /// Shows the status of a run in real time.
+    pub(super) fn status(&self, text: String) {
+        self.progress.status(text);
+    }
+
+    /// Returns true if the line of progress is visible and due.
+    pub(super) fn is_due(&self, cycle: u64) -> bool {
+        self.progress.is_due(cycle)
+    }
+
+    /// Shows in that line what the run waits for, or nothing.
+    pub(super) fn waits(&self, text: String) {
+        self.progress.waits(text);
+    }
+
+    /// Writes above the line of progress.
+    pub(super) fn above(&self, write: impl FnOnce()) {
+        self.progress.above(write);
+    }
+
+    /// Releases the terminal, so that the reports of the end appear where they should, and completes the log files.
+    pub(super) fn close(&mut self) -> Result<(), Error> {
+        self.progress.close();
+        self.keyboard = None;
+        self.logs.as_mut().map_or(Ok(()), finish)?;
+        self.failure.take().map_or(Ok(()), Err)
+    }
+}
+
+impl Console for Screen {
+    fn key(&mut self, cycle: u64) -> Option<u8> {
+        let keyboard = self.keyboard.as_mut()?;
+        let key = keyboard.key(cycle);
+        if keyboard.interrupted() {
+            interrupt::request();
+        }
+        key
+    }
+
+    fn message(&mut self, text: &dyn Display) {
+        if !self.shows_messages || self.silent {
+            return;
+        }
+        let text = Printable::message(text).to_string();
+        if text.is_empty() {
+            return;
+        }
+        let written = self.progress.above(|| {
+            let mut out = io::stdout().lock();
+            writeln!(out, "{text}").and_then(|()| out.flush())
+        });
+        // Nobody reads the messages any more: the run ends.
+        if let Err(error) = written {
+            interrupt::request();
+            if !is_closed(&error) {
+                self.failure = Some(Error::cannot_write(Path::new("standard output"), error));
+            }
+        }
+    }
+
+    fn silent(&mut self, on: bool) {
+        self.silent = on;
+    }
+
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        self.progress.show(graph, bars);
+    }
+
+    fn sample(&mut self, sample: &Sample<'_>) {
+        if let Some(logs) = &mut self.logs {
+            logs.sample(sample);
+        }
+    }
+
+    fn variables(&mut self, dump: &Dump<'_>) {
+        if let Some(logs) = &mut self.logs {
+            logs.variables(dump);
+        }
+    }
+
+    fn emergency(&mut self, report: &Report<'_>) {
+        if let Some(logs) = &mut self.logs {
+            logs.emergency(report);
+        }
+    }
+}
+
+/// Time before a line of progress is drawn.
+const FIRST: Duration = Duration::from_secs(1);
+/// Rate of drawing, Hz.
+const RATE: u8 = 5;
+/// Number of control cycles between two looks at the clock.
+const CYCLES: u64 = 64;
+
+/// The line of progress with the bar graphs of the program, on a terminal only.
+#[derive(Debug)]
+pub(super) struct Progress {
+    bar: ProgressBar,
+    /// The time of the first drawing, if that is later.
+    due: Option<Instant>,
+    graphs: [String; 2],
+}
+
+impl Progress {
+    /// Returns a line that is never drawn.
+    pub(super) fn hidden() -> Self {
+        Progress {
+            bar: ProgressBar::hidden(),
+            due: None,
+            graphs: Default::default(),
+        }
+    }
+
+    /// Returns the line of a run that ends after `limit` cycles at the latest.
+    pub(super) fn of(limit: Option<u64>) -> Self {
+        let bar = ProgressBar::with_draw_target(limit, ProgressDrawTarget::hidden());
+        bar.set_style(style(match limit {
+            Some(_) => {
+                "{prefix}{bar:20} cycle {pos} of {len}, {eta} left (Ctrl-C ends the run){msg}"
+            }
+            None => "{prefix}cycle {pos} (Ctrl-C ends the run){msg}",
+        }));
+        Progress {
+            bar,
+            due: io::stderr().is_terminal().then(|| Instant::now() + FIRST),
+            graphs: Default::default(),
+        }
+    }
+
+    /// Returns the line of a run in real time, for [`status`](Self::status).
+    pub(super) fn live() -> Self {
+        let target = ProgressDrawTarget::stderr_with_hz(2 * RATE);
+        let bar = ProgressBar::with_draw_target(None, target);
+        bar.set_style(style("{prefix}{wide_msg}"));
+        Progress {
+            bar,
+            ..Progress::hidden()
+        }
+    }
+
+    /// Shows a bar graph.
+    pub(super) fn show(&mut self, graph: u8, bars: Bars<'_>) {
+        if let Some(shown) = self.graphs.get_mut(usize::from(graph)) {
+            let gap = if bars.0.is_empty() { "" } else { " " };
+            *shown = format!("{bars}{gap}");
+            self.bar.set_prefix(self.graphs.concat());
+        }
+    }
+
+    /// Updates the progress.
+    pub(super) fn at(&mut self, cycle: u64) {
+        if !cycle.is_multiple_of(CYCLES) {
+            return;
+        }
+        if self.due.is_some_and(|due| Instant::now() >= due) {
+            self.due = None;
+            let target = ProgressDrawTarget::stderr_with_hz(RATE);
+            self.bar.set_draw_target(target);
+        }
+        self.bar.set_position(cycle);
+    }
+
+    /// Shows the status: instead of the last one on a terminal, else on a new line.
+    pub(super) fn status(&self, text: String) {
+        if self.bar.is_hidden() {
+            report::complain(&format!("{text}\n"));
+        } else {
+            self.bar.set_message(text);
+        }
+    }
+
+    /// Returns true if the line is visible and due.
+    pub(super) fn is_due(&self, cycle: u64) -> bool {
+        cycle.is_multiple_of(CYCLES) && !self.bar.is_hidden()
+    }
+
+    /// Shows what the run waits for, or nothing.
+    pub(super) fn waits(&self, text: String) {
+        self.bar.set_message(text);
+    }
+
+    /// Writes something else, and draws the line again below it.
+    pub(super) fn above<T>(&self, write: impl FnOnce() -> T) -> T {
+        self.bar.suspend(write)
+    }
+
+    /// Removes the line.
+    pub(super) fn close(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+fn style(template: &str) -> ProgressStyle {
+    let plain = ProgressStyle::default_bar();
+    let style = ProgressStyle::with_template(template);
+    style.unwrap_or(plain).progress_chars("=> ")
+}
+
+/// Time between two lines of status, on a terminal and elsewhere.
+const ON_TERMINAL: Duration = Duration::from_millis(100);
+const ELSEWHERE: Duration = Duration::from_secs(1);
+/// Maximum delay of an interrupt.
+const NAP: Duration = Duration::from_millis(50);
+
+/// The pace and the status of a run in real time.
+#[derive(Debug)]
+pub(super) struct Live {
+    pacer: Pacer,
+    /// The time of the next status; `None` if it is not shown.
+    due: Option<Instant>,
+    every: Duration,
+    lang: Lang,
+}
+
+impl Live {
+    /// Starts the clock, and prints a legend of keys unless `quiet`.
+    pub(super) fn begin(quiet: bool, lang: Lang) -> Self {
+        if !quiet {
+            let keys = match io::stdin().is_terminal() {
+                true => Running::Keys,
+                false => Running::NoKeys,
+            };
+            report::complain(&format!("{}\n", keys.in_lang(lang)));
+        }
+        let every = if io::stderr().is_terminal() {
+            ON_TERMINAL
+        } else {
+            ELSEWHERE
+        };
+        Live {
+            pacer: Pacer::start(),
+            due: (!quiet).then(|| Instant::now() + every),
+            every,
+            lang,
+        }
+    }
+
+    /// Shows the status, and waits until the cycle is over.
+    pub(super) fn after(&mut self, run: &mut Run, waits: &Waits, source: &Source) {
+        if self.due.is_some_and(|due| Instant::now() >= due) {
+            self.due = Some(Instant::now() + self.every);
+            let text = status(run, waits.now(run).as_ref(), source, self.lang);
+            if let Some(screen) = run.console_mut::<Screen>() {
+                screen.status(text);
+            }
+        }
+        let over = self.pacer.due(run.period());
+        loop {
+            let left = over.saturating_duration_since(Instant::now());
+            if left.is_zero() || interrupt::is_requested() {
+                break;
+            }
+            sleep(left.min(NAP));
+        }
+    }
+
+    /// Returns the line about the pace for the summary.
+    pub(super) fn pace(&self, lang: Lang) -> String {
+        let pace = match self.pacer.overruns() {
+            0 => Running::InTime,
+            late => Running::Late {
+                late: late.to_string(),
+                all: self.pacer.cycles().to_string(),
+                worst: tenths(self.pacer.worst().as_secs_f64() * 1000.0),
+            },
+        };
+        line(Figure::Pace, &pace, lang)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_template_is_one() {
+        for progress in [Progress::of(None), Progress::of(Some(9)), Progress::live()] {
+            progress.status("ready".to_owned());
+            assert_eq!(progress.above(|| 7), 7);
+            progress.close();
+        }
+    }
+}

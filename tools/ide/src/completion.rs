@@ -1,0 +1,507 @@
+//! Completion: the words that can be written at the cursor, with snippets for their arguments. The position is analysed in
+//! `context`.
+
+mod context;
+
+use crate::hover::usage;
+use crate::{Document, word};
+use context::Context;
+use tip_runtime::command::{Flag, Port, Target, Teach};
+use tipc::Robot;
+use tipc::language::commands::{
+    Arguments, COMMANDS, Command, Form, Joints, Meaning, Targets, Values,
+};
+use tipc::language::flags::{self, FLAGS};
+use tipc::language::functions::FUNCTIONS;
+use tipc::language::inputs::INPUTS;
+use tipc::language::reserved::{JOINT, Kind, LOOP, POSITION, RESERVED, VAR_KEY, motion_flags};
+use tipc::language::{Bilingual, Keyword};
+use tipc::source::Span;
+use tipc::symbols::{Definition, DefinitionKind};
+use tipc::syntax::VariableKind;
+
+const SCALARS: &[VariableKind] = &[VariableKind::Var, VariableKind::Pos, VariableKind::Joint];
+
+/// A word that can be written at the cursor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CompletionItem {
+    /// The word.
+    pub label: String,
+    /// Its kind.
+    pub kind: CompletionKind,
+    /// Its form or type.
+    pub detail: String,
+    /// Its description, in one line.
+    pub description: Bilingual,
+    /// The span that it replaces: the word under the cursor.
+    pub span: Span,
+    /// The text that replaces it.
+    pub text: String,
+    /// The text with placeholders, if there are any, as a snippet of the Language Server Protocol.
+    pub snippet: Option<String>,
+}
+
+/// The kind of a completion item.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CompletionKind {
+    /// A keyword.
+    Keyword,
+    /// A command of the robot.
+    Command,
+    /// A function.
+    Function,
+    /// A flag of conditions.
+    Flag,
+    /// A target or an input.
+    Target,
+    /// `HS`, `R` or `A`.
+    MotionFlag,
+    /// A constant.
+    Constant,
+    /// A variable.
+    Variable,
+    /// A member of a POS or JOINT.
+    Member,
+    /// A label or SUBROUTINE.
+    Label,
+}
+
+impl CompletionItem {
+    fn new(label: impl Into<String>, kind: CompletionKind, description: Bilingual) -> Self {
+        let label = label.into();
+        CompletionItem {
+            text: label.clone(),
+            label,
+            kind,
+            detail: String::new(),
+            description,
+            span: Span::default(),
+            snippet: None,
+        }
+    }
+
+    fn detail(self, detail: impl Into<String>) -> Self {
+        CompletionItem {
+            detail: detail.into(),
+            ..self
+        }
+    }
+
+    fn snippet(self, snippet: String) -> Self {
+        let snippet = Some(snippet).filter(|snippet| *snippet != self.text);
+        CompletionItem { snippet, ..self }
+    }
+}
+
+impl Document {
+    /// Returns what can be written at a byte of the text. Each item replaces the word under the cursor, and is offered whether or
+    /// not it matches the letters of that word.
+    pub fn complete(&self, offset: usize) -> Vec<CompletionItem> {
+        let Some((context, span)) = self.completion_context(offset) else {
+            return Vec::new();
+        };
+        let mut items = self.items(&context, span.start);
+        for item in &mut items {
+            item.span = span;
+        }
+        items
+    }
+
+    /// Returns at most `most` items; of more than that, those that contain the typed letters in their order. Also returns true if
+    /// none was left out.
+    pub fn complete_with(&self, offset: usize, most: usize) -> (Vec<CompletionItem>, bool) {
+        let mut items = self.complete(offset);
+        let are_all = items.len() <= most;
+        if !are_all {
+            items.retain(|item| {
+                let typed = Span::new(item.span.start, offset.max(item.span.start));
+                has_letters(&item.label, self.slice(typed))
+            });
+            items.truncate(most);
+        }
+        (items, are_all)
+    }
+
+    fn items(&self, context: &Context, at: usize) -> Vec<CompletionItem> {
+        match context {
+            Context::Version => {
+                let version = self.loaded.module.edition.to_string();
+                vec![CompletionItem::new(
+                    version,
+                    CompletionKind::Constant,
+                    Bilingual::EMPTY,
+                )]
+            }
+            Context::Start => self.starts(),
+            Context::Member(name) => self.members(name),
+            Context::Label(keyword) => self.labels(*keyword, at),
+            Context::Declaration => Vec::new(),
+            Context::Condition(keyword) => self.condition(*keyword),
+            Context::Counting(particle) => {
+                let mut items = self.variables(SCALARS);
+                items.extend(particle.map(keyword_item));
+                items
+            }
+            Context::Counter | Context::Placeholder => self.variables(&[VariableKind::Var]),
+            Context::Right => {
+                let mut items = self.variables(SCALARS);
+                items.extend(functions());
+                items.extend(constants());
+                items
+            }
+            Context::Argument(command, written) => self.arguments(command, *written),
+        }
+    }
+
+    /// Returns the words that begin a statement.
+    fn starts(&self) -> Vec<CompletionItem> {
+        let robot = self.robot();
+        let edition = self.loaded.module.edition;
+        let rows = COMMANDS.iter();
+        let rows = rows.filter(|row| row.since <= edition && row.robots.contains(robot));
+        let mut items: Vec<CompletionItem> = rows.map(|row| command_item(row, self)).collect();
+        items.extend(self.variables(SCALARS));
+        items
+    }
+
+    /// Returns the variables of some types.
+    fn variables(&self, kinds: &[VariableKind]) -> Vec<CompletionItem> {
+        let definitions = self.loaded.symbols.definitions().iter();
+        let mut items = Vec::new();
+        for definition in definitions {
+            let DefinitionKind::Variable(kind) = definition.kind else {
+                continue;
+            };
+            if kinds.contains(&kind) {
+                let description = match definition.place {
+                    None => reserved_line(VAR_KEY),
+                    Some(_) => Bilingual::EMPTY,
+                };
+                let name = definition.name.as_str();
+                let item = CompletionItem::new(name, CompletionKind::Variable, description);
+                items.push(item.detail(declaring(kind).word()));
+            }
+        }
+        items
+    }
+
+    fn members(&self, name: &str) -> Vec<CompletionItem> {
+        let upper = name.to_ascii_uppercase();
+        let mut definitions = self.loaded.symbols.definitions().iter();
+        let kind = definitions.find(|it| it.name == upper).map(|it| it.kind);
+        let names: Vec<String> = match kind {
+            Some(DefinitionKind::Variable(VariableKind::Pos)) => {
+                POSITION.map(str::to_owned).to_vec()
+            }
+            Some(DefinitionKind::Variable(VariableKind::Joint)) => {
+                let joints = self.robot().signature().joints;
+                (1..=joints)
+                    .map(|joint| format!("{JOINT}{joint}"))
+                    .collect()
+            }
+            _ => Vec::new(),
+        };
+        let items = names.into_iter().map(|name| {
+            let description =
+                word::member_row(&name).map_or(Bilingual::EMPTY, |row| row.description);
+            CompletionItem::new(name, CompletionKind::Member, description)
+        });
+        items.collect()
+    }
+
+    /// Returns the labels that a jump at an offset can lead to, with their colons.
+    fn labels(&self, keyword: Keyword, at: usize) -> Vec<CompletionItem> {
+        let definitions = self.loaded.symbols.definitions().iter();
+        let subroutines = self.subroutines();
+        let around = |at: usize| {
+            let after = subroutines.partition_point(|inside| inside.start < at);
+            let last = after.checked_sub(1)?;
+            (at <= subroutines[last].end).then_some(last)
+        };
+        let here = around(at);
+        let fits = |it: &Definition| match it.kind {
+            DefinitionKind::Variable(_) => false,
+            DefinitionKind::Label => {
+                let there = it.place.and_then(|place| around(place.start));
+                match keyword {
+                    Keyword::Goto => there == here,
+                    Keyword::Gosub => it.name != LOOP && (there.is_none() || there == here),
+                    _ => false,
+                }
+            }
+            DefinitionKind::Subroutine => keyword != Keyword::Goto,
+        };
+        let mut names: Vec<&str> = definitions
+            .filter(|it| fits(it))
+            .map(|it| it.name.as_str())
+            .collect();
+        names.dedup();
+        let items = names.into_iter().map(|name| {
+            let item = CompletionItem::new(name, CompletionKind::Label, Bilingual::EMPTY);
+            CompletionItem {
+                text: format!("{name}:"),
+                ..item
+            }
+        });
+        items.collect()
+    }
+
+    fn condition(&self, keyword: Keyword) -> Vec<CompletionItem> {
+        let mut items: Vec<CompletionItem> = robot_flags(self.robot())
+            .into_iter()
+            .map(|(flag, row)| {
+                CompletionItem::new(flag.to_string(), CompletionKind::Flag, row.description)
+            })
+            .collect();
+        items.extend(self.variables(SCALARS));
+        items.extend(constants());
+        let after: &[Keyword] = match keyword {
+            Keyword::If => &[Keyword::Then, Keyword::Goto, Keyword::Gosub],
+            Keyword::ElseIf => &[Keyword::Then],
+            _ => &[],
+        };
+        items.extend(after.iter().copied().map(keyword_item));
+        items
+    }
+
+    /// Returns the next arguments of a command after some that are written.
+    fn arguments(&self, command: &Command, written: usize) -> Vec<CompletionItem> {
+        match (command.form, written) {
+            (Form::Robot(arguments), _) => self.robot_arguments(arguments, written),
+            (Form::Teach(of), 0) => self.target_items(of),
+            (Form::Teach(_), _) => match command.meaning {
+                Meaning::Teach(Teach::Angle | Teach::Torque) => {
+                    self.variables(&[VariableKind::Var, VariableKind::Joint])
+                }
+                _ => self.variables(&[VariableKind::Pos]),
+            },
+            (Form::AdIn, 0) => {
+                let inputs = robot_inputs(self.robot()).into_iter();
+                inputs
+                    .map(|(name, description)| {
+                        CompletionItem::new(name, CompletionKind::Target, description)
+                    })
+                    .collect()
+            }
+            (Form::KeyIn | Form::AdIn | Form::Special, _) => self.variables(&[VariableKind::Var]),
+            (Form::Words(_), _) => Vec::new(),
+        }
+    }
+
+    fn robot_arguments(&self, arguments: Arguments, written: usize) -> Vec<CompletionItem> {
+        let has_target = arguments.targets != Targets::NONE;
+        let mut items = Vec::new();
+        if has_target && written == 0 {
+            items.extend(self.target_items(arguments.targets));
+        } else if arguments.values != Values::None {
+            let kinds: &[VariableKind] = match arguments.values {
+                Values::None | Values::One | Values::Three => &[VariableKind::Var],
+                Values::Position => &[VariableKind::Var, VariableKind::Pos],
+                Values::Angles | Values::PerJoint => &[VariableKind::Var, VariableKind::Joint],
+            };
+            items.extend(self.variables(kinds));
+        }
+        let flags = motion_flags().filter(|flag| match *flag {
+            tip_runtime::command::FAST => arguments.hs && written == 0,
+            _ => arguments.relative && written > 0,
+        });
+        items.extend(flags.map(|flag| {
+            CompletionItem::new(flag, CompletionKind::MotionFlag, reserved_line(flag))
+        }));
+        items
+    }
+
+    fn target_items(&self, of: Targets) -> Vec<CompletionItem> {
+        let found = robot_targets(of, self.robot()).into_iter();
+        found
+            .map(|target| {
+                CompletionItem::new(
+                    target.to_string(),
+                    CompletionKind::Target,
+                    reserved_line(target.stem()),
+                )
+            })
+            .collect()
+    }
+}
+
+/// Returns true if a word contains letters in their order, regardless of case and of letters between them.
+fn has_letters(word: &str, letters: &str) -> bool {
+    let mut word = word.chars();
+    letters
+        .chars()
+        .all(|letter| word.any(|one| one.eq_ignore_ascii_case(&letter)))
+}
+
+fn command_item(row: &Command, document: &Document) -> CompletionItem {
+    let kind = match row.meaning {
+        Meaning::Keyword(_) => CompletionKind::Keyword,
+        _ => CompletionKind::Command,
+    };
+    let robot = document.robot();
+    let usage = row.usage(robot);
+    let detail = usage.first().map_or("", String::as_str);
+    CompletionItem::new(row.name, kind, row.description)
+        .detail(detail)
+        .snippet(snippet(row, robot))
+}
+
+fn keyword_item(keyword: Keyword) -> CompletionItem {
+    CompletionItem::new(
+        keyword.word(),
+        CompletionKind::Keyword,
+        keyword.row().description,
+    )
+}
+
+fn functions() -> impl Iterator<Item = CompletionItem> {
+    let rows = FUNCTIONS.iter();
+    rows.map(|row| {
+        CompletionItem::new(row.word, CompletionKind::Function, row.description).detail(usage(row))
+    })
+}
+
+fn constants() -> impl Iterator<Item = CompletionItem> {
+    RESERVED.iter().filter_map(|row| match row.kind {
+        Kind::Constant(_) => Some(CompletionItem::new(
+            row.word,
+            CompletionKind::Constant,
+            row.description,
+        )),
+        _ => None,
+    })
+}
+
+fn reserved_line(word: &str) -> Bilingual {
+    let row = RESERVED.iter().find(|row| row.word == word);
+    row.map_or(Bilingual::EMPTY, |row| row.description)
+}
+
+fn declaring(kind: VariableKind) -> Keyword {
+    match kind {
+        VariableKind::Var => Keyword::DefVar,
+        VariableKind::Pos => Keyword::DefPos,
+        VariableKind::Joint => Keyword::DefJoint,
+    }
+}
+
+/// Returns a command as a snippet of the Language Server Protocol: `PTP ${1|F1,J11|} ${2:x} ${3:y} ${4:z}`. A word that opens a
+/// block brings the words that close it.
+pub fn snippet(command: &Command, robot: Robot) -> String {
+    match command.meaning {
+        Meaning::Keyword(keyword) => block(keyword),
+        _ => {
+            let usage = command.usage(robot);
+            let first = usage.first().map_or(command.name, String::as_str);
+            arguments(first)
+        }
+    }
+}
+
+fn block(keyword: Keyword) -> String {
+    let inside = "\n\t$0\n";
+    match keyword {
+        Keyword::If => format!(
+            "{keyword} ${{1:condition}} {}{inside}{}",
+            Keyword::Then,
+            Keyword::EndIf
+        ),
+        Keyword::ElseIf => format!("{keyword} ${{1:condition}} {}", Keyword::Then),
+        Keyword::While => format!("{keyword} ${{1:condition}}{inside}{}", Keyword::Wend),
+        Keyword::Repeat => format!("{keyword}{inside}{} ${{1:condition}}", Keyword::Until),
+        Keyword::Until => format!("{keyword} ${{1:condition}}"),
+        Keyword::For => {
+            let (to, next) = (Keyword::To, Keyword::Next);
+            format!("{keyword} ${{1:VAR}} = ${{2:1}} {to} ${{3:10}}{inside}{next}")
+        }
+        Keyword::Subroutine => format!("{keyword} ${{1:name}}:{inside}{}", Keyword::SubEnd),
+        Keyword::Call | Keyword::Goto | Keyword::Gosub => format!("{keyword} ${{1:label}}:"),
+        Keyword::DefVar | Keyword::DefPos | Keyword::DefJoint => format!("{keyword} ${{1:name}}"),
+        Keyword::Message | Keyword::Rem => format!("{keyword} ${{1:text}}"),
+        Keyword::Then
+        | Keyword::Else
+        | Keyword::EndIf
+        | Keyword::Wend
+        | Keyword::To
+        | Keyword::Step
+        | Keyword::Next
+        | Keyword::SubEnd
+        | Keyword::Return
+        | Keyword::End
+        | Keyword::Exit => keyword.word().to_owned(),
+    }
+}
+
+/// Returns the required words of a form as placeholders.
+fn arguments(usage: &str) -> String {
+    let mut words = usage.split(' ');
+    let mut out = words.next().unwrap_or_default().to_owned();
+    let needed = words.filter(|word| !word.starts_with('['));
+    for (number, word) in (1..).zip(needed) {
+        out += &match word.contains('|') {
+            true => format!(" ${{{number}|{}|}}", word.replace('|', ",")),
+            false => format!(" ${{{number}:{word}}}"),
+        };
+    }
+    out
+}
+
+/// Returns the targets of a robot that a command accepts.
+fn robot_targets(of: Targets, robot: Robot) -> Vec<Target> {
+    let facts = robot.facts();
+    let signature = facts.signature;
+    let feet = (1..=signature.legs).map(Target::Foot);
+    let mut found: Vec<Target> = if of.foot { feet.collect() } else { Vec::new() };
+    let joint = match of.joints {
+        Joints::None => None,
+        Joints::Every => Some(1..=signature.joints),
+        Joints::Second => Some(2..=2),
+        Joints::Third => Some(3..=3),
+        Joints::ThirdOfHand => facts.has_slider.then_some(3..=3),
+    };
+    for leg in 1..=signature.legs {
+        let joints = joint.clone().into_iter().flatten();
+        let joints = joints.filter(|joint| *joint <= signature.joints);
+        found.extend(joints.map(|joint| Target::Joint(leg, joint)));
+    }
+    found.extend((of.floor && facts.has_slider).then_some(Target::Floor));
+    found.extend(of.all.then_some(Target::All));
+    found
+}
+
+/// Returns the flags of a robot with their rows.
+fn robot_flags(robot: Robot) -> Vec<(Flag, &'static flags::Row)> {
+    let rows = FLAGS.iter().filter(|row| row.robots.contains(robot));
+    let all = || robot_targets(Targets::ANY, robot).into_iter();
+    let each = |row: &'static flags::Row| -> Vec<(Flag, &'static flags::Row)> {
+        let flags: Vec<Flag> = match row.flag {
+            Flag::Inpos(_) => all().map(Flag::Inpos).collect(),
+            Flag::Near(_) => all().map(Flag::Near).collect(),
+            Flag::Special(_) => (0..10).map(Flag::Special).collect(),
+            flag => vec![flag],
+        };
+        flags.into_iter().map(|flag| (flag, row)).collect()
+    };
+    rows.flat_map(each).collect()
+}
+
+/// Returns the inputs of a robot with their descriptions.
+fn robot_inputs(robot: Robot) -> Vec<(String, Bilingual)> {
+    let rows = INPUTS.iter().filter(|row| row.robots.contains(robot));
+    let mut found = Vec::new();
+    for row in rows {
+        let joints = Targets {
+            joints: Joints::Every,
+            ..Targets::NONE
+        };
+        let names: Vec<String> = match row.port {
+            Port::Joint(..) => robot_targets(joints, robot)
+                .iter()
+                .map(Target::to_string)
+                .collect(),
+            port => port.named().map(|port| port.to_string()).collect(),
+        };
+        found.extend(names.into_iter().map(|name| (name, row.description)));
+    }
+    found
+}

@@ -1,0 +1,219 @@
+//! Breakpoints on lines, on names and on variables.
+
+use super::inspection;
+use super::protocol::{
+    Breakpoint, DataBreakpointInfo, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints,
+    SetFunctionBreakpoints, SourceBreakpoint,
+};
+use super::session::{Answer, Session};
+use super::{Debuggee, Launcher};
+use crate::message::DebugAdapter;
+use serde_json::{Value, json};
+use tip_sim::debug::{Placed, Refused, When};
+use tipc::message::Lang;
+
+/// A kind of breakpoints; a client replaces all of a kind together.
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    /// On a line.
+    Line,
+    /// On a command, label or routine.
+    Name,
+    /// On a variable.
+    Watch,
+}
+
+impl<L: Launcher> Session<L> {
+    pub(super) fn set_breakpoints(&mut self, wanted: SetBreakpoints) -> Answer {
+        let path = wanted.source.path.as_deref();
+        let program = &self.debuggee()?.path;
+        if path.is_some_and(|path| !is_same_file(path, program)) {
+            return self.reject_other_file(&wanted.breakpoints);
+        }
+        self.clear(Kind::Line)?;
+        let (lang, base) = (self.lang(), self.first_line());
+        let first_column = self.first_column();
+        let debuggee = self.debuggee()?;
+        let mut answers = Vec::new();
+        for one in &wanted.breakpoints {
+            let when = When {
+                condition: text(&one.condition),
+                hits: text(&one.hit_condition),
+            };
+            let placed = place(debuggee, one, (base, first_column), &when);
+            let line = placed
+                .as_ref()
+                .map_or(one.line, |placed| i64::from(placed.line) - 1 + base);
+            answers.push(answer(placed, lang, Some(line)));
+        }
+        self.answer_with(Kind::Line, answers)
+    }
+
+    /// Rejects breakpoints in a file that is not debugged; those of the program stay.
+    fn reject_other_file(&self, wanted: &[SourceBreakpoint]) -> Answer {
+        let reason = self.text(DebugAdapter::OtherFile);
+        let answers = wanted
+            .iter()
+            .map(|one| unverified(reason.clone(), Some(one.line)));
+        Ok(Some(json!({ "breakpoints": values(answers) })))
+    }
+
+    pub(super) fn set_function_breakpoints(&mut self, wanted: SetFunctionBreakpoints) -> Answer {
+        self.clear(Kind::Name)?;
+        let (lang, base) = (self.lang(), self.first_line());
+        let debuggee = self.debuggee()?;
+        let place = |one: &super::protocol::FunctionBreakpoint| {
+            let when = When {
+                condition: text(&one.condition),
+                hits: text(&one.hit_condition),
+            };
+            let placed = debuggee.debugger.break_at_name(&one.name, &when);
+            let line = placed
+                .as_ref()
+                .ok()
+                .map(|placed| i64::from(placed.line) - 1 + base);
+            answer(placed, lang, line)
+        };
+        let answers = wanted.breakpoints.iter().map(place).collect();
+        self.answer_with(Kind::Name, answers)
+    }
+
+    pub(super) fn set_exception_breakpoints(&mut self, wanted: SetExceptionBreakpoints) -> Answer {
+        let falls =
+            self.launch.stop_on_fall || wanted.filters.iter().any(|filter| filter == "fall");
+        self.debuggee()?.debugger.stop_at_fall(falls);
+        Ok(None)
+    }
+
+    pub(super) fn data_breakpoint_info(&mut self, asked: &DataBreakpointInfo) -> Answer {
+        let debuggee = self.debuggee()?;
+        let name = asked.name.trim().to_ascii_uppercase();
+        let mut names = debuggee.debugger.program().variables().iter();
+        let is_variable = names.any(|variable| {
+            variable.name == name || variable.scalar_names().any(|member| member == name)
+        });
+        Ok(Some(match is_variable {
+            true => json!({
+                "dataId": name,
+                "description": name,
+                "accessTypes": ["write"],
+                "canPersist": true,
+            }),
+            false => {
+                json!({ "dataId": null, "description": self.text(DebugAdapter::OnlyVariables) })
+            }
+        }))
+    }
+
+    pub(super) fn set_data_breakpoints(&mut self, wanted: SetDataBreakpoints) -> Answer {
+        self.clear(Kind::Watch)?;
+        let (lang, reason) = (self.lang(), self.text(DebugAdapter::WatchHasNoCondition));
+        let debuggee = self.debuggee()?;
+        let watch = |one: &super::protocol::DataBreakpoint| {
+            if text(&one.condition).or(text(&one.hit_condition)).is_some() {
+                return unverified(reason.clone(), None);
+            }
+            match debuggee.debugger.watch(&one.data_id) {
+                Ok(id) => Breakpoint {
+                    id: Some(id),
+                    verified: true,
+                    ..Breakpoint::default()
+                },
+                Err(refused) => unverified(refused.text(lang), None),
+            }
+        };
+        let answers = wanted.breakpoints.iter().map(watch).collect();
+        self.answer_with(Kind::Watch, answers)
+    }
+
+    /// Removes the breakpoints of a kind.
+    fn clear(&mut self, kind: Kind) -> Result<(), String> {
+        let ids = std::mem::take(&mut self.breakpoints[kind as usize]);
+        let debugger = &mut self.debuggee()?.debugger;
+        for id in ids {
+            debugger.remove_breakpoint(id);
+            debugger.unwatch(id);
+        }
+        Ok(())
+    }
+
+    /// Remembers the ids of new breakpoints, and returns the body of the response.
+    fn answer_with(&mut self, kind: Kind, answers: Vec<Breakpoint>) -> Answer {
+        let ids = answers.iter().filter_map(|one| one.id);
+        self.breakpoints[kind as usize] = ids.collect();
+        Ok(Some(json!({ "breakpoints": values(answers) })))
+    }
+
+    /// Returns the number that the client gives to the first column.
+    pub(super) fn first_column(&self) -> i64 {
+        i64::from(self.client.columns_start_at1)
+    }
+
+    /// Returns the number that the client gives to the first line.
+    pub(super) fn first_line(&self) -> i64 {
+        i64::from(self.client.lines_start_at1)
+    }
+}
+
+fn place(
+    debuggee: &mut Debuggee,
+    wanted: &SourceBreakpoint,
+    (base, first_column): (i64, i64),
+    when: &When<'_>,
+) -> Result<Placed, Refused> {
+    let line = wanted.line.saturating_sub(base).saturating_add(1);
+    let line = u32::try_from(line.max(1)).unwrap_or(u32::MAX);
+    let column = wanted.column.map_or(1, |column| {
+        let units = column.saturating_sub(first_column);
+        inspection::character(&debuggee.source, line, units)
+    });
+    let debugger = &mut debuggee.debugger;
+    match text(&wanted.log_message) {
+        Some(message) => debugger.log_at(line, column, when, message),
+        None => debugger.break_at(line, column, when),
+    }
+}
+
+fn answer(placed: Result<Placed, Refused>, lang: Lang, line: Option<i64>) -> Breakpoint {
+    match placed {
+        Ok(placed) => Breakpoint {
+            id: Some(placed.id),
+            verified: true,
+            line,
+            ..Breakpoint::default()
+        },
+        Err(refused) => unverified(refused.text(lang), line),
+    }
+}
+
+fn values(answers: impl IntoIterator<Item = Breakpoint>) -> Vec<Value> {
+    let answers = answers.into_iter();
+    answers
+        .filter_map(|one| serde_json::to_value(one).ok())
+        .collect()
+}
+
+fn unverified(message: String, line: Option<i64>) -> Breakpoint {
+    Breakpoint {
+        message: Some(message),
+        line,
+        ..Breakpoint::default()
+    }
+}
+
+/// Returns a text unless it is missing or blank.
+fn text(of: &Option<String>) -> Option<&str> {
+    of.as_deref().filter(|text| !text.trim().is_empty())
+}
+
+/// Returns true if one path is the end of the other, so that they probably name the same file.
+fn is_same_file(one: &str, other: &str) -> bool {
+    let parts = |path: &str| -> Vec<String> {
+        let parts = path
+            .split(['/', '\\'])
+            .filter(|part| !matches!(*part, "" | "."));
+        parts.map(str::to_owned).collect()
+    };
+    let (one, other) = (parts(one), parts(other));
+    one.ends_with(&other) || other.ends_with(&one)
+}

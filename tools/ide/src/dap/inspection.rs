@@ -1,0 +1,351 @@
+//! The state of a paused program: call stack, variables and robot, expressions, and changes of it from variables and the console.
+
+use super::Launcher;
+use super::protocol::{
+    Evaluate, Scope, SetVariable, SourceFile, StackFrame, StackTrace, Variable, Variables,
+};
+use super::session::{Answer, Session, THREAD};
+use crate::message::DebugAdapter;
+use serde_json::{Value, json};
+use tip_runtime::controller::Aim;
+use tip_sim::Event;
+use tip_sim::debug::{self, Debugger, Discard, Move, Refused, Value as Evaluated, control};
+use tip_sim::message::Debugging;
+use tipc::message::{Lang, Message};
+use tipc::program::VariableKind;
+use tipc::source::Source;
+
+/// The references of lists of variables.
+const PROGRAM: i64 = 1;
+const ROBOT: i64 = 2;
+const LEGS: i64 = 3;
+/// The reference of the members of the first variable; the index of the variable is added.
+const MEMBERS: i64 = 1000;
+
+/// The prefix of a change that may discard later cycles.
+const DISCARD: &str = "discard ";
+
+impl<L: Launcher> Session<L> {
+    pub(super) fn threads(&mut self) -> Answer {
+        let debuggee = self.debuggee.as_ref();
+        let name = debuggee.map_or("T.I.P.", |debuggee| {
+            debuggee.debugger.program().source_name()
+        });
+        Ok(Some(json!({ "threads": [{ "id": THREAD, "name": name }] })))
+    }
+
+    pub(super) fn stack_trace(&mut self, asked: &StackTrace) -> Answer {
+        let (first_line, first_column) = (self.first_line(), self.first_column());
+        let debuggee = self.paused()?;
+        let file = SourceFile {
+            name: Some(debuggee.debugger.program().source_name().to_owned()),
+            path: Some(debuggee.path.clone()),
+        };
+        let all = debuggee.debugger.frames();
+        let total = all.len();
+        let frames = (1..).zip(all).map(|(id, frame)| StackFrame {
+            id,
+            name: frame
+                .name
+                .unwrap_or_else(|| debuggee.debugger.program().title().to_owned()),
+            source: file.clone(),
+            line: i64::from(frame.line) - 1 + first_line,
+            column: column(&debuggee.source, frame.line, frame.column) - 1 + first_column,
+        });
+        let from = usize::try_from(asked.start_frame.unwrap_or(0)).unwrap_or(0);
+        let levels = asked.levels.filter(|levels| *levels > 0);
+        let levels = levels.map_or(usize::MAX, |levels| {
+            usize::try_from(levels).unwrap_or(usize::MAX)
+        });
+        let frames: Vec<Value> = frames
+            .skip(from)
+            .take(levels)
+            .filter_map(|frame| serde_json::to_value(frame).ok())
+            .collect();
+        Ok(Some(json!({ "stackFrames": frames, "totalFrames": total })))
+    }
+
+    pub(super) fn scopes(&mut self) -> Answer {
+        self.paused()?;
+        let debuggee = self.debuggee.as_ref();
+        let count = debuggee.map(|it| it.debugger.program().variables().len());
+        let scope = |name: Message, variables_reference, presentation_hint| Scope {
+            name: self.text(name),
+            presentation_hint,
+            variables_reference,
+            // A client may ask for some of them.
+            named_variables: count.filter(|_| variables_reference == PROGRAM),
+            expensive: false,
+        };
+        let scopes = [
+            scope(Debugging::Variables.into(), PROGRAM, Some("locals")),
+            scope(DebugAdapter::Robot.into(), ROBOT, None),
+            scope(Debugging::Legs.into(), LEGS, None),
+        ];
+        let scopes: Vec<Value> = scopes
+            .iter()
+            .filter_map(|scope| serde_json::to_value(scope).ok())
+            .collect();
+        Ok(Some(json!({ "scopes": scopes })))
+    }
+
+    pub(super) fn variables(&mut self, asked: &Variables) -> Answer {
+        let lang = self.lang();
+        let no_such_list = self.text(DebugAdapter::NoSuchList);
+        let debugger = &self.paused()?.debugger;
+        let from = usize::try_from(asked.start.unwrap_or(0)).unwrap_or(usize::MAX);
+        let count = asked.count.filter(|count| *count > 0).unwrap_or(u64::MAX);
+        let count = usize::try_from(count).unwrap_or(usize::MAX);
+        let all = match asked.variables_reference {
+            PROGRAM => {
+                let all = (0..).zip(debugger.variables());
+                let asked = all.skip(from).take(count);
+                let shown = asked.filter_map(|(place, it)| {
+                    serde_json::to_value(variable(place, &it, lang)).ok()
+                });
+                let shown: Vec<Value> = shown.collect();
+                return Ok(Some(json!({ "variables": shown })));
+            }
+            ROBOT => robot(debugger, lang),
+            LEGS => {
+                let aims = debugger.run().aims();
+                aims.iter().map(|it| aim(it, lang)).collect()
+            }
+            reference => {
+                let place = reference.saturating_sub(MEMBERS);
+                members(debugger, place, lang).ok_or(no_such_list)?
+            }
+        };
+        let shown: Vec<Value> = all
+            .iter()
+            .skip(from)
+            .take(count)
+            .filter_map(|it| serde_json::to_value(it).ok())
+            .collect();
+        Ok(Some(json!({ "variables": shown })))
+    }
+
+    pub(super) fn set_variable(&mut self, asked: &SetVariable) -> Answer {
+        let debugger = &self.paused()?.debugger;
+        let value = match asked.value.trim().parse::<f64>() {
+            Ok(value) => value,
+            Err(_) => match debugger.evaluate(&asked.value) {
+                Ok(Evaluated::Number(value)) => value,
+                Ok(Evaluated::Truth(_)) => {
+                    let text = asked.value.trim().to_owned().into();
+                    return Err(self.text(DebugAdapter::Truth { text }));
+                }
+                Err(refused) => return Err(refused.text(self.lang())),
+            },
+        };
+        let name = asked.name.trim().to_ascii_uppercase();
+        self.change(Event::Set(name.clone(), value), Discard::Nothing)?;
+        let lang = self.lang();
+        let debugger = &self.paused()?.debugger;
+        let value = debugger.value(&name).ok().flatten();
+        Ok(Some(json!({ "value": number(value, lang) })))
+    }
+
+    /// Applies an event. One that would discard later cycles is refused at first; repeating it confirms it.
+    fn change(&mut self, event: Event, discard: Discard) -> Result<(), String> {
+        let lang = self.lang();
+        let confirmed = self.unconfirmed.take();
+        let debugger = &mut self.paused()?.debugger;
+        let this = (debugger.now(), event.to_string());
+        let discard = match confirmed.as_ref() == Some(&this) {
+            true => Discard::Later,
+            false => discard,
+        };
+        match debugger.happens(event, discard) {
+            Ok(()) => {
+                if self.client.supports_invalidated_event {
+                    self.event("invalidated", Some(json!({ "areas": ["all"] })));
+                }
+                Ok(())
+            }
+            Err(refused @ Refused::WouldDiscard(_)) => {
+                self.unconfirmed = Some(this);
+                let refused = refused.text(lang).into();
+                let again = DebugAdapter::AgainConfirms { refused };
+                Err(again.in_lang(lang).to_string())
+            }
+            Err(refused) => Err(refused.text(lang)),
+        }
+    }
+
+    /// Evaluates an expression; in the console, also applies an event, `N = 5`, or goes to a cycle, `to 300`.
+    pub(super) fn evaluate(&mut self, asked: &Evaluate) -> Answer {
+        let text = asked.expression.trim();
+        if asked.context.as_deref() == Some("repl")
+            && let Some(done) = self.command(text)
+        {
+            done?;
+            return Ok(Some(json!({ "result": "", "variablesReference": 0 })));
+        }
+        let lang = self.lang();
+        let debugger = &self.paused()?.debugger;
+        let name = text.to_ascii_uppercase();
+        let variables = debugger.variables();
+        if let Some((place, variable)) = (0..).zip(&variables).find(|(_, it)| it.name == name) {
+            return Ok(Some(json!({
+                "result": value(variable, lang),
+                "variablesReference": reference(place, variable),
+            })));
+        }
+        let result = match debugger.value(text) {
+            Ok(value) => number(value, lang),
+            Err(_) => match debugger.evaluate(text) {
+                Ok(Evaluated::Number(value)) => value.to_string(),
+                Ok(Evaluated::Truth(truth)) => truth.to_string(),
+                Err(refused) => return Err(refused.text(lang)),
+            },
+        };
+        Ok(Some(json!({ "result": result, "variablesReference": 0 })))
+    }
+
+    /// Runs a line of the console; `None` if it is not a command.
+    fn command(&mut self, text: &str) -> Option<Result<(), String>> {
+        if let Some(cycle) = text.strip_prefix("to ") {
+            let cycle = cycle.trim().parse().ok()?;
+            self.has_moved = true;
+            return Some(self.go(Move::To(cycle)).map(|_| ()));
+        }
+        let (discard, rest) = match text.strip_prefix(DISCARD) {
+            Some(rest) => (Discard::Later, rest.trim()),
+            None => (Discard::Nothing, text),
+        };
+        let event = rest.parse().ok().or_else(|| Event::assignment(rest))?;
+        Some(self.change(event, discard))
+    }
+}
+
+/// Returns the reference of the members of a variable; 0 if it is a number.
+fn reference(place: i64, variable: &debug::Variable) -> i64 {
+    match variable.kind {
+        VariableKind::Var => 0,
+        VariableKind::Pos | VariableKind::Joint => MEMBERS + place,
+    }
+}
+
+/// Returns the value of a variable, or the values of its members.
+fn value(variable: &debug::Variable, lang: Lang) -> String {
+    let scalars = variable.scalars.iter();
+    let mut scalars = scalars.map(|(_, value)| number(*value, lang));
+    match variable.kind {
+        VariableKind::Var => scalars.next().unwrap_or_default(),
+        VariableKind::Pos | VariableKind::Joint => {
+            format!("({})", scalars.collect::<Vec<_>>().join(", "))
+        }
+    }
+}
+
+fn number(value: Option<f64>, lang: Lang) -> String {
+    let unassigned = || Debugging::Unassigned.in_lang(lang).to_string();
+    value.map_or_else(unassigned, |value| value.to_string())
+}
+
+fn variable(place: i64, it: &debug::Variable, lang: Lang) -> Variable {
+    Variable {
+        name: it.name.clone(),
+        value: value(it, lang),
+        kind: Some(match it.kind {
+            VariableKind::Var => "VAR",
+            VariableKind::Pos => "POS",
+            VariableKind::Joint => "JOINT",
+        }),
+        evaluate_name: Some(it.name.clone()),
+        variables_reference: reference(place, it),
+    }
+}
+
+fn members(debugger: &Debugger, place: i64, lang: Lang) -> Option<Vec<Variable>> {
+    let variables = debugger.variables();
+    let variable = variables.get(usize::try_from(place).ok()?)?;
+    let member = |(name, value): &(String, Option<f64>)| Variable {
+        name: name.clone(),
+        value: number(*value, lang),
+        kind: None,
+        evaluate_name: Some(name.clone()),
+        variables_reference: 0,
+    };
+    Some(variable.scalars.iter().map(member).collect())
+}
+
+fn plain(name: String, value: String) -> Variable {
+    Variable {
+        name,
+        value,
+        kind: None,
+        evaluate_name: None,
+        variables_reference: 0,
+    }
+}
+
+/// Returns time, pose, falls, angles and loads.
+fn robot(debugger: &Debugger, lang: Lang) -> Vec<Variable> {
+    let plain = |name: DebugAdapter, value| plain(name.in_lang(lang).to_string(), value);
+    let run = debugger.run();
+    let mut shown = vec![
+        plain(DebugAdapter::Cycle, debugger.now().to_string()),
+        plain(DebugAdapter::Time, format!("{} ms", run.time())),
+    ];
+    if let Some(motion) = run.motion() {
+        let pose = motion.pose;
+        let [x, y, z] = pose.position;
+        let place = format!("({x:.1}, {y:.1}, {z:.1}) mm");
+        shown.push(plain(DebugAdapter::Pose, place));
+        let (roll, pitch, yaw) = (pose.roll, pose.pitch, pose.yaw);
+        let lean = format!("({roll:.2}, {pitch:.2}, {yaw:.2}) deg");
+        shown.push(plain(DebugAdapter::Lean, lean));
+        shown.push(plain(DebugAdapter::Falls, motion.falls.to_string()));
+    }
+    if let Some(limbs) = run.limbs() {
+        for (leg, angles) in (1..).zip(&limbs.angles) {
+            let angles = format!("{} deg", list(angles));
+            shown.push(plain(DebugAdapter::Angles { leg }, angles));
+        }
+        if !limbs.loads.is_empty() {
+            let loads = format!("{} N", list(&limbs.loads));
+            shown.push(plain(DebugAdapter::Loads, loads));
+        }
+    }
+    shown
+}
+
+fn list(values: &[f64]) -> String {
+    let values: Vec<String> = values.iter().map(|value| format!("{value:.2}")).collect();
+    format!("({})", values.join(", "))
+}
+
+fn aim(aim: &Aim, lang: Lang) -> Variable {
+    let mode = control(aim.mode);
+    let mode = mode.in_lang(lang);
+    let goal = match aim.goal() {
+        [] => String::new(),
+        [one] => format!(" {one}"),
+        several => format!(" {}", list(several)),
+    };
+    plain(aim.of.to_string(), format!("{mode}{goal}"))
+}
+
+/// Converts a column in characters to one in UTF-16 code units; both from 1.
+fn column(source: &Source, line: u32, column: u32) -> i64 {
+    let line = source.line_text(line);
+    let before = line.chars().take((column as usize).saturating_sub(1));
+    let units: usize = before.map(char::len_utf16).sum();
+    i64::try_from(units).unwrap_or(0) + 1
+}
+
+/// Converts a number of UTF-16 code units before a column to that column in characters, from 1.
+pub(super) fn character(source: &Source, line: u32, units: i64) -> u32 {
+    let mut left = usize::try_from(units).unwrap_or(0);
+    let mut column = 1;
+    for char in source.line_text(line).chars() {
+        match left.checked_sub(char.len_utf16()) {
+            Some(rest) => left = rest,
+            None => break,
+        }
+        column += 1;
+    }
+    column
+}

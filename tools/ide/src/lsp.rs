@@ -1,0 +1,151 @@
+//! The Language Server Protocol over any transport. The answers come from [`Document`](crate::Document); this module serves a
+//! connection and states what it needs of the machine. The session is in `server`, requests are in `requests`, and values of the
+//! protocol are made in `convert`. Files are read by the [`Workspace`] alone.
+
+mod buffer;
+mod client;
+mod convert;
+mod requests;
+mod server;
+
+pub use server::{Incoming, Server, parse};
+
+use crate::transport::{Connection, Frame};
+use lsp_server::{ErrorCode, Message, RequestId, Response};
+use serde::Serialize;
+use serde_json::json;
+use std::io::{self, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+use std::rc::Rc;
+use std::sync::mpsc::RecvTimeoutError;
+use std::time::Duration;
+use tipc::Options;
+use tipc::diagnostic::Diagnostic;
+use tipc::message::Lang;
+
+/// Idle time before hovers and hints are prepared: while the user types, that would delay the answers.
+const IDLE: Duration = Duration::from_millis(50);
+
+/// The robots, settings and pages that a server needs from the machine that it runs on.
+pub trait Workspace {
+    /// Returns the robot of the program at `path`, if it is a file; `configured` is the robot of the editor's settings. Errors
+    /// are in `lang`.
+    fn robot(
+        &mut self,
+        path: Option<&Path>,
+        configured: Option<&str>,
+        lang: Lang,
+    ) -> Rc<RobotConfig>;
+
+    /// Returns the warning that the crate around a file compiles it for another robot; `configured` is the robot of the editor's
+    /// settings.
+    fn other_robot(&mut self, path: &Path, configured: Option<&str>) -> Option<Diagnostic>;
+
+    /// Returns the address of the page that explains a code.
+    fn page(&mut self, code: &str, lang: Lang) -> Option<String>;
+
+    /// Returns the name of the encoding that the nearest `tip.toml` gives to a file.
+    fn encoding(&mut self, path: &Path) -> Option<String>;
+
+    /// Drops what was read from files, since some have changed.
+    fn invalidate(&mut self);
+}
+
+/// The robot that a program is checked for.
+#[derive(Debug)]
+pub struct RobotConfig {
+    /// The options of the compiler.
+    pub options: Options,
+    /// The robot with its geometry, for warnings about its reach.
+    pub robot: Option<tip_sim::Robot>,
+    /// The reason why it is the default robot instead of the configured one.
+    pub error: Option<String>,
+}
+
+/// Serves a client until it sends `exit` or closes the stream. Returns true if it sent `shutdown` before `exit`.
+///
+/// # Errors
+/// The client cannot be answered.
+pub fn serve<W: Write>(
+    mut connection: Connection<W>,
+    workspace: impl Workspace,
+) -> io::Result<bool> {
+    let mut server = Server::new(workspace);
+    let mut next = connection.wait();
+    while let Some(frame) = next {
+        let mut waiting = Some(frame);
+        // A waiting message may change the same text again, so diagnostics are computed after the last of them.
+        while let Some(frame) = waiting {
+            handle(&mut connection, &mut server, frame)?;
+            if let Some(is_proper) = server.exit() {
+                return Ok(is_proper);
+            }
+            waiting = connection.poll().ok();
+        }
+        let due = catch_unwind(AssertUnwindSafe(|| server.due_diagnostics()));
+        send(&mut connection, due.unwrap_or_default())?;
+        next = match connection.wait_for(IDLE) {
+            Err(RecvTimeoutError::Timeout) => {
+                let _ = catch_unwind(AssertUnwindSafe(|| server.prepare()));
+                connection.wait()
+            }
+            frame => frame.ok(),
+        };
+    }
+    Ok(false)
+}
+
+/// Answers one message.
+fn handle<W: Write>(
+    connection: &mut Connection<W>,
+    server: &mut Server<impl Workspace>,
+    frame: Frame,
+) -> io::Result<()> {
+    let incoming = match frame {
+        Frame::Message(bytes) => parse(&bytes),
+        Frame::Malformed(reason) => Err(reason),
+    };
+    let message = match incoming {
+        Ok(message) => *message,
+        Err(reason) => {
+            let code = ErrorCode::ParseError as i32;
+            let error = json!({ "code": code, "message": reason });
+            // The request that it belongs to is unknown.
+            let answer = json!({ "jsonrpc": "2.0", "id": null, "error": error });
+            return connection.send(&answer.to_string());
+        }
+    };
+    let id = match &message {
+        Message::Request(request) => Some(request.id.clone()),
+        _ => None,
+    };
+    // A panic costs one answer, not the session.
+    let answered = catch_unwind(AssertUnwindSafe(|| server.handle(message)));
+    let answers = match (answered, id) {
+        (Ok(answers), _) => answers,
+        (Err(_), Some(id)) => vec![internal_error(id)],
+        (Err(_), None) => Vec::new(),
+    };
+    send(connection, answers)
+}
+
+fn internal_error(id: RequestId) -> Message {
+    let message = "tip failed; this is a defect of tip, please report it".to_owned();
+    Response::new_err(id, ErrorCode::InternalError as i32, message).into()
+}
+
+fn send<W: Write>(connection: &mut Connection<W>, messages: Vec<Message>) -> io::Result<()> {
+    #[derive(Serialize)]
+    struct JsonRpc {
+        jsonrpc: &'static str,
+        #[serde(flatten)]
+        message: Message,
+    }
+    for message in messages {
+        let jsonrpc = "2.0";
+        let text = serde_json::to_string(&JsonRpc { jsonrpc, message })?;
+        connection.send(&text)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,345 @@
+//! Requests about programs: parameters in, answers of a [`Document`](crate::Document) out.
+
+use super::Workspace;
+use super::client::Positions;
+use super::convert;
+use super::server::{Failure, OpenProgram, Server, path};
+use crate::{CodeAction, Edit, FoldKind, ReferenceKind};
+use gen_lsp_types::{
+    CompletionItem, CompletionList, DocumentHighlight, DocumentHighlightKind, FoldingRange,
+    FoldingRangeKind, FoldingRangeParams, Hover, InlayHint, InlayHintParams, Location,
+    MarkupContent, MarkupKind, PrepareRenamePlaceholder, ReferenceParams, RenameParams,
+    SemanticTokens, TextDocumentIdentifier, TextDocumentPositionParams, Uri,
+};
+use lsp_server::ErrorCode;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, from_value, json, to_value};
+use tipc::message::Message;
+use tipc::source::Span;
+
+/// Maximum number of completion items in an answer: writing thousands of labels would take longer than typing the next letter.
+const MAX_COMPLETIONS: usize = 150;
+
+const QUICK_FIX: &str = "quickfix";
+const FIX_ALL: &str = "source.fixAll";
+
+/// Parses the parameters of a request.
+fn read<P: DeserializeOwned>(params: Value) -> Result<P, Failure> {
+    from_value(params).map_err(|error| Failure::new(ErrorCode::InvalidParams, error.to_string()))
+}
+
+fn write(answer: impl Serialize) -> Result<Value, Failure> {
+    to_value(answer).map_err(|error| Failure::new(ErrorCode::InternalError, error.to_string()))
+}
+
+impl<W: Workspace> Server<W> {
+    /// Answers a request about a program.
+    pub(super) fn answer(&mut self, method: &str, params: Value) -> Result<Value, Failure> {
+        match method {
+            "textDocument/hover" => self.at(params, |it, at| it.hover(at)),
+            "textDocument/definition" => self.at(params, |it, at| it.definition(at)),
+            "textDocument/documentHighlight" => self.at(params, |it, at| it.highlights(at)),
+            "textDocument/completion" => self.at(params, |it, at| it.completion(at)),
+            "textDocument/signatureHelp" => self.at(params, |it, at| it.signatures(at)),
+            "textDocument/prepareRename" => self.at(params, |it, at| it.prepare_rename(at)),
+            "textDocument/references" => {
+                let params: ReferenceParams = read(params)?;
+                let declares = params.context.include_declaration;
+                self.at_position(params.text_document_position_params, |it, at| {
+                    it.references(at, declares)
+                })
+            }
+            "textDocument/rename" => {
+                let params: RenameParams = read(params)?;
+                let name = params.new_name;
+                self.at_position(params.text_document_position_params, |it, at| {
+                    it.rename(at, &name)
+                })
+            }
+            "textDocument/documentSymbol" => self.whole(params, |it| it.outline()),
+            "textDocument/foldingRange" => self.whole(params, |it| it.folds()),
+            "textDocument/formatting" => self.whole(params, |it| it.format()),
+            "textDocument/semanticTokens/full" => {
+                self.whole(params, |it| it.semantic_tokens(it.all()))
+            }
+            "textDocument/semanticTokens/range" => {
+                self.range(params, |it, span| it.semantic_tokens(span))
+            }
+            "textDocument/inlayHint" => self.range(params, |it, span| it.inlay_hints(span)),
+            "textDocument/codeAction" => {
+                let only = params.pointer("/context/only").and_then(Value::as_array);
+                let only: Option<Vec<String>> = only.map(|kinds| {
+                    let kinds = kinds.iter().filter_map(Value::as_str);
+                    kinds.map(str::to_owned).collect()
+                });
+                self.range(params, |it, span| it.actions(span, only.as_deref()))
+            }
+            // An extension of the protocol, for editors that read and write files in the encoding of a `tip.toml`.
+            "tip/encoding" => {
+                let params: TextDocumentIdentifier = read(params)?;
+                let file = path(&params.uri.0);
+                write(file.and_then(|file| self.workspace.encoding(&file)))
+            }
+            _ => {
+                let message = format!("`{method}` is not served");
+                Err(Failure::new(ErrorCode::MethodNotFound, message))
+            }
+        }
+    }
+
+    /// Answers a request about the open program at an address.
+    fn answer_about(
+        &mut self,
+        uri: &Uri,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, Failure>,
+    ) -> Result<Value, Failure> {
+        let Some((mut program, _)) = self.open_program(&uri.0) else {
+            let message = format!("`{}` is not open", uri.0);
+            return Err(Failure::new(ErrorCode::InvalidParams, message));
+        };
+        ask(&mut program)
+    }
+
+    /// Answers a request whose only parameter is a position.
+    fn at(
+        &mut self,
+        params: Value,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, Failure>,
+    ) -> Result<Value, Failure> {
+        let params: TextDocumentPositionParams = read(params)?;
+        self.at_position(params, ask)
+    }
+
+    fn at_position(
+        &mut self,
+        params: TextDocumentPositionParams,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, Failure>,
+    ) -> Result<Value, Failure> {
+        self.answer_about(&params.text_document.uri, |program| {
+            let at = program.positions().offset(params.position);
+            ask(program, at)
+        })
+    }
+
+    /// Answers a request about a range of a program.
+    fn range(
+        &mut self,
+        params: Value,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, Span) -> Result<Value, Failure>,
+    ) -> Result<Value, Failure> {
+        let params: InlayHintParams = read(params)?;
+        self.answer_about(&params.text_document.uri, |program| {
+            let span = program.positions().span(params.range);
+            ask(program, span)
+        })
+    }
+
+    /// Answers a request about a whole program.
+    fn whole(
+        &mut self,
+        params: Value,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, Failure>,
+    ) -> Result<Value, Failure> {
+        let params: FoldingRangeParams = read(params)?;
+        self.answer_about(&params.text_document.uri, ask)
+    }
+}
+
+impl<W: Workspace> OpenProgram<'_, W> {
+    fn positions(&self) -> Positions<'_> {
+        Positions {
+            source: self.document.source(),
+            unit: self.client.unit,
+        }
+    }
+
+    fn all(&self) -> Span {
+        Span::new(0, self.document.source().text().len())
+    }
+
+    fn location(&self, span: Span) -> Location {
+        Location {
+            uri: Uri(self.uri.to_owned()),
+            range: self.positions().range(span),
+        }
+    }
+
+    fn refused(&self, reason: &Message) -> Failure {
+        let reason = reason.in_lang(self.client.lang).to_string();
+        Failure::new(ErrorCode::RequestFailed, reason)
+    }
+
+    fn hover(&self, at: usize) -> Result<Value, Failure> {
+        let hover = self.document.hover(at, self.client.lang);
+        write(hover.map(|hover| {
+            Hover {
+                contents: MarkupContent {
+                    kind: MarkupKind::Markdown,
+                    value: hover.text,
+                }
+                .into(),
+                range: Some(self.positions().range(hover.span)),
+            }
+        }))
+    }
+
+    fn definition(&self, at: usize) -> Result<Value, Failure> {
+        let definition = self.document.definition(at);
+        write(definition.map(|span| self.location(span)))
+    }
+
+    fn references(&self, at: usize, declares: bool) -> Result<Value, Failure> {
+        let found = self.document.references(at, declares).into_iter();
+        write(found.map(|it| self.location(it.span)).collect::<Vec<_>>())
+    }
+
+    fn highlights(&self, at: usize) -> Result<Value, Failure> {
+        let found = self.document.references(at, true).into_iter();
+        let highlights = found.map(|it| DocumentHighlight {
+            range: self.positions().range(it.span),
+            kind: Some(match it.kind {
+                ReferenceKind::Uses => DocumentHighlightKind::Read,
+                ReferenceKind::Declares | ReferenceKind::Assigns => DocumentHighlightKind::Write,
+            }),
+        });
+        write(highlights.collect::<Vec<_>>())
+    }
+
+    fn completion(&self, at: usize) -> Result<Value, Failure> {
+        let (items, are_all) = self.document.complete_with(at, MAX_COMPLETIONS);
+        let positions = self.positions();
+        let items = items
+            .into_iter()
+            .map(|it| convert::completion_item(it, positions, self.client));
+        let items: Vec<CompletionItem> = items.collect();
+        match are_all {
+            true => write(items),
+            // The editor asks again after the next letter.
+            false => write(CompletionList {
+                is_incomplete: true,
+                items,
+                ..CompletionList::default()
+            }),
+        }
+    }
+
+    fn signatures(&self, at: usize) -> Result<Value, Failure> {
+        let found = self.document.signatures(at);
+        write(found.map(|found| convert::signatures(found, self.client.lang)))
+    }
+
+    fn prepare_rename(&self, at: usize) -> Result<Value, Failure> {
+        match self.document.prepare_rename(at) {
+            Ok(name) => write(PrepareRenamePlaceholder {
+                range: self.positions().range(name.span),
+                placeholder: name.name,
+            }),
+            Err(reason) => Err(self.refused(&reason)),
+        }
+    }
+
+    fn rename(&self, at: usize, name: &str) -> Result<Value, Failure> {
+        match self.document.rename(at, name) {
+            Ok(edits) => self.change(&edits),
+            Err(reason) => Err(self.refused(&reason)),
+        }
+    }
+
+    /// Returns edits of this program as a change of the workspace.
+    fn change(&self, edits: &[Edit]) -> Result<Value, Failure> {
+        let edits = write(self.positions().edits(edits))?;
+        Ok(json!({ "changes": { self.uri: edits } }))
+    }
+
+    fn outline(&self) -> Result<Value, Failure> {
+        let positions = self.positions();
+        let outline = self.document.outline();
+        let symbols = outline.iter().map(|one| convert::symbol(one, positions));
+        write(symbols.collect::<Vec<_>>())
+    }
+
+    fn folds(&self) -> Result<Value, Failure> {
+        let folds = self.document.folds().into_iter();
+        let folds = folds.map(|fold| FoldingRange {
+            start_line: fold.first - 1,
+            end_line: fold.last - 1,
+            kind: Some(match fold.kind {
+                FoldKind::Comment => FoldingRangeKind::Comment,
+                FoldKind::Block => FoldingRangeKind::Region,
+            }),
+            ..FoldingRange::default()
+        });
+        write(folds.collect::<Vec<_>>())
+    }
+
+    fn format(&self) -> Result<Value, Failure> {
+        match self.document.format() {
+            Ok(edits) => write(self.positions().edits(&edits)),
+            Err(reason) => Err(self.refused(&reason.into())),
+        }
+    }
+
+    fn semantic_tokens(&self, span: Span) -> Result<Value, Failure> {
+        let tokens = self.document.semantic_tokens(span);
+        write(SemanticTokens {
+            result_id: None,
+            data: convert::semantic_tokens(&tokens, self.positions()),
+        })
+    }
+
+    fn inlay_hints(&self, span: Span) -> Result<Value, Failure> {
+        let hints = self.document.inlay_hints(span).into_iter();
+        let hints = hints.map(|hint| InlayHint {
+            position: self.positions().position(hint.at),
+            label: hint.text.in_lang(self.client.lang).to_string().into(),
+            kind: None,
+            text_edits: None,
+            tooltip: None,
+            padding_left: Some(true),
+            padding_right: None,
+            data: None,
+        });
+        write(hints.collect::<Vec<_>>())
+    }
+
+    /// Returns the fixes of diagnostics, or of the whole file if the client asks for them.
+    fn actions(&mut self, span: Span, only: Option<&[String]>) -> Result<Value, Failure> {
+        let wants = |kind: &str| {
+            let includes = |only: &String| {
+                let rest = kind.strip_prefix(only.as_str());
+                rest.is_some_and(|rest| only.is_empty() || rest.is_empty() || rest.starts_with('.'))
+            };
+            only.is_some_and(|only| only.iter().any(includes))
+        };
+        let mut found = Vec::new();
+        if only.is_none() || wants(QUICK_FIX) {
+            found.extend(self.document.code_actions(span));
+        }
+        if wants(FIX_ALL) {
+            found.extend(self.document.fix_all());
+        }
+        let actions = found.iter().map(|action| self.action(action));
+        Ok(Value::Array(actions.collect::<Result<_, _>>()?))
+    }
+
+    fn action(&mut self, action: &CodeAction) -> Result<Value, Failure> {
+        let title = action.title.in_lang(self.client.lang).to_string();
+        let edit = self.change(&action.edits)?;
+        let loaded = self.document.loaded();
+        let one = action
+            .diagnostic
+            .and_then(|index| loaded.diagnostics.get(index));
+        let Some(one) = one else {
+            return Ok(json!({ "title": title, "kind": FIX_ALL, "edit": edit }));
+        };
+        let diagnostic = convert::diagnostic(loaded, one, self.uri, self.client, self.workspace);
+        Ok(json!({
+            "title": title,
+            "kind": QUICK_FIX,
+            "diagnostics": [write(diagnostic)?],
+            "isPreferred": action.is_certain,
+            "edit": edit,
+        }))
+    }
+}

@@ -1,0 +1,352 @@
+//! The state of a session: initialization and shutdown, open programs and settings, and the messages that the server sends on
+//! its own. It does no input or output.
+
+use super::buffer::Buffer;
+use super::client::{self, Client};
+use super::{RobotConfig, Workspace, convert};
+use crate::Document;
+use gen_lsp_types::{
+    DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
+    PublishDiagnosticsParams, Uri,
+};
+use lsp_server::{ErrorCode, Message, Notification, Request, Response};
+use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::rc::Rc;
+
+/// A session with one editor.
+#[derive(Debug)]
+pub struct Server<W> {
+    pub(super) workspace: W,
+    /// `None` before `initialize`.
+    client: Option<Client>,
+    /// True after `shutdown`.
+    is_shut_down: bool,
+    /// After `exit`, true if `shutdown` came before it.
+    exit: Option<bool>,
+    /// The open programs by address.
+    buffers: BTreeMap<String, Buffer>,
+    /// The errors about robots that were shown already.
+    shown_errors: Vec<String>,
+}
+
+/// The error of a request.
+#[derive(Debug)]
+pub(super) struct Failure {
+    code: ErrorCode,
+    message: String,
+}
+
+impl Failure {
+    pub(super) fn new(code: ErrorCode, message: impl Into<String>) -> Self {
+        Failure {
+            code,
+            message: message.into(),
+        }
+    }
+}
+
+/// The open program that a request is about.
+pub(super) struct OpenProgram<'a, W> {
+    pub(super) uri: &'a str,
+    pub(super) document: &'a Document,
+    pub(super) client: &'a Client,
+    pub(super) workspace: &'a mut W,
+}
+
+impl<W: Workspace> Server<W> {
+    /// Returns a session before its first message.
+    pub fn new(workspace: W) -> Self {
+        Server {
+            workspace,
+            client: None,
+            is_shut_down: false,
+            exit: None,
+            buffers: BTreeMap::new(),
+            shown_errors: Vec::new(),
+        }
+    }
+
+    /// After `exit`, returns true if `shutdown` came before it.
+    pub fn exit(&self) -> Option<bool> {
+        self.exit
+    }
+
+    /// Handles a message; returns the response to a request, and requests to the client.
+    pub fn handle(&mut self, message: Message) -> Vec<Message> {
+        match message {
+            Message::Request(request) => {
+                let id = request.id.clone();
+                vec![match self.request(request) {
+                    Ok(result) => Response::new_ok(id, result).into(),
+                    Err(failure) => {
+                        Response::new_err(id, failure.code as i32, failure.message).into()
+                    }
+                }]
+            }
+            Message::Notification(notification) => self.notification(notification),
+            // The only request to clients is the one to watch files; a refusal changes nothing here.
+            Message::Response(_) => Vec::new(),
+        }
+    }
+
+    /// Returns the diagnostics of all programs that have changed since they were last returned.
+    pub fn due_diagnostics(&mut self) -> Vec<Message> {
+        let mut messages = Vec::new();
+        let due = self.buffers.iter().filter(|(_, buffer)| buffer.is_due);
+        let due: Vec<String> = due.map(|(uri, _)| uri.clone()).collect();
+        for uri in due {
+            messages.extend(self.diagnostics(&uri));
+        }
+        messages
+    }
+
+    /// Computes what hovers and hints need; for moments without requests.
+    pub fn prepare(&self) {
+        self.buffers.values().for_each(Buffer::prepare);
+    }
+
+    fn request(&mut self, request: Request) -> Result<Value, Failure> {
+        let Request { method, params, .. } = request;
+        match (method.as_str(), &self.client) {
+            _ if self.is_shut_down => Err(Failure::new(
+                ErrorCode::InvalidRequest,
+                "the session is shut down",
+            )),
+            ("initialize", None) => Ok(self.initialize(&params)),
+            ("initialize", Some(_)) => Err(Failure::new(
+                ErrorCode::InvalidRequest,
+                "the session is initialized already",
+            )),
+            (_, None) => Err(Failure::new(
+                ErrorCode::ServerNotInitialized,
+                "initialize comes first",
+            )),
+            ("shutdown", Some(_)) => {
+                self.is_shut_down = true;
+                Ok(Value::Null)
+            }
+            (_, Some(_)) => self.answer(&method, params),
+        }
+    }
+
+    fn initialize(&mut self, params: &Value) -> Value {
+        let client = Client::new(params);
+        let encoding = client.encoding();
+        self.client = Some(client);
+        json!({
+            "serverInfo": { "name": "tip", "version": env!("CARGO_PKG_VERSION") },
+            "capabilities": capabilities(encoding),
+        })
+    }
+
+    fn notification(&mut self, notification: Notification) -> Vec<Message> {
+        let Notification { method, params } = notification;
+        if method == "exit" {
+            self.exit = Some(self.is_shut_down);
+            return Vec::new();
+        }
+        let Some(client) = &self.client else {
+            return Vec::new();
+        };
+        if method == "initialized" {
+            return client.can_watch.then(watch_request).into_iter().collect();
+        }
+        let unit = client.unit;
+        // Invalid notifications are ignored.
+        match method.as_str() {
+            "textDocument/didOpen" => {
+                if let Ok(params) = serde_json::from_value::<DidOpenTextDocumentParams>(params) {
+                    self.workspace.invalidate();
+                    let item = params.text_document;
+                    let buffer = Buffer::new(Some(item.version), item.text);
+                    self.buffers.insert(item.uri.0, buffer);
+                }
+            }
+            "textDocument/didChange" => {
+                if let Ok(params) = serde_json::from_value::<DidChangeTextDocumentParams>(params) {
+                    let uri = params.text_document.text_document_identifier.uri.0;
+                    if let Some(buffer) = self.buffers.get_mut(&uri) {
+                        let version = Some(params.text_document.version);
+                        buffer.change(version, params.content_changes, unit);
+                    }
+                }
+            }
+            "textDocument/didClose" => {
+                if let Ok(params) = serde_json::from_value::<DidCloseTextDocumentParams>(params) {
+                    let uri = params.text_document.uri;
+                    self.buffers.remove(&uri.0);
+                    return vec![publish(uri.0, None, Vec::new())];
+                }
+            }
+            "workspace/didChangeConfiguration" => {
+                let settings = params.get("settings").unwrap_or(&Value::Null);
+                let robot = client::configured_robot(settings);
+                if let Some(client) = &mut self.client {
+                    client.robot = robot;
+                }
+                self.invalidate();
+            }
+            "workspace/didChangeWatchedFiles" => {
+                self.workspace.invalidate();
+                self.invalidate();
+            }
+            _ => {}
+        }
+        Vec::new()
+    }
+
+    fn invalidate(&mut self) {
+        self.buffers.values_mut().for_each(Buffer::invalidate);
+    }
+
+    /// Returns the open program at an address, checked for its robot; `None` if it is not open.
+    pub(super) fn open_program<'a>(
+        &'a mut self,
+        uri: &'a str,
+    ) -> Option<(OpenProgram<'a, W>, Rc<RobotConfig>)> {
+        let client = self.client.as_ref()?;
+        let (path, configured) = (path(uri), client.robot.as_deref());
+        let workspace = &mut self.workspace;
+        let config = workspace.robot(path.as_deref(), configured, client.lang);
+        let buffer = self.buffers.get_mut(uri)?;
+        let other_robot = || workspace.other_robot(path.as_deref()?, configured);
+        let program = OpenProgram {
+            uri,
+            document: buffer.document(uri, &config, other_robot),
+            client,
+            workspace,
+        };
+        Some((program, config))
+    }
+
+    /// Returns the diagnostics of one program, and the error about its robot unless it was shown before.
+    fn diagnostics(&mut self, uri: &str) -> Vec<Message> {
+        let Some((program, config)) = self.open_program(uri) else {
+            return Vec::new();
+        };
+        let loaded = program.document.loaded();
+        let diagnostics = convert::diagnostics(loaded, uri, program.client, program.workspace);
+        let mut version = None;
+        if let Some(buffer) = self.buffers.get_mut(uri) {
+            buffer.is_due = false;
+            version = buffer.version;
+        }
+        let mut messages = vec![publish(uri.to_owned(), version, diagnostics)];
+        if let Some(error) = &config.error
+            && !self.shown_errors.contains(error)
+        {
+            self.shown_errors.push(error.clone());
+            let params = json!({ "type": 1, "message": error });
+            messages.push(Notification::new("window/showMessage".to_owned(), params).into());
+        }
+        messages
+    }
+}
+
+fn publish(
+    uri: String,
+    version: Option<i32>,
+    diagnostics: Vec<gen_lsp_types::Diagnostic>,
+) -> Message {
+    let params = PublishDiagnosticsParams {
+        uri: Uri(uri),
+        version,
+        diagnostics,
+    };
+    Notification::new("textDocument/publishDiagnostics".to_owned(), params).into()
+}
+
+/// Returns the request to be notified when a `tip.toml` or a description of a robot changes.
+fn watch_request() -> Message {
+    let watched = json!({ "watchers": [{ "globPattern": "**/*.toml" }] });
+    let method = "workspace/didChangeWatchedFiles";
+    let registrations = json!([{ "id": "toml", "method": method, "registerOptions": watched }]);
+    let params = json!({ "registrations": registrations });
+    let id = "watch".to_owned().into();
+    Request::new(id, "client/registerCapability".to_owned(), params).into()
+}
+
+/// Returns the path of a `file:` address.
+pub(super) fn path(uri: &str) -> Option<PathBuf> {
+    let path = uri.strip_prefix("file://")?;
+    let mut bytes = Vec::new();
+    let mut rest = path.as_bytes();
+    while let [first, after @ ..] = rest {
+        let code = after
+            .get(..2)
+            .and_then(|digits| std::str::from_utf8(digits).ok());
+        let code = code.and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        match code.filter(|_| *first == b'%') {
+            Some(byte) => {
+                bytes.push(byte);
+                rest = &after[2..];
+            }
+            None => {
+                bytes.push(*first);
+                rest = after;
+            }
+        }
+    }
+    let path = String::from_utf8(bytes).ok()?;
+    // On Windows, the path of the address is /C:/folder.
+    let is_drive = path.get(2..3) == Some(":");
+    Some(PathBuf::from(if is_drive { &path[1..] } else { &path }))
+}
+
+fn capabilities(encoding: &str) -> Value {
+    json!({
+        "positionEncoding": encoding,
+        "textDocumentSync": { "openClose": true, "change": 2 },
+        "hoverProvider": true,
+        "definitionProvider": true,
+        "referencesProvider": true,
+        "documentHighlightProvider": true,
+        "documentSymbolProvider": true,
+        "renameProvider": { "prepareProvider": true },
+        "completionProvider": { "triggerCharacters": [".", "%"] },
+        "signatureHelpProvider": { "triggerCharacters": [" ", ","] },
+        "codeActionProvider": { "codeActionKinds": ["quickfix", "source.fixAll"] },
+        "documentFormattingProvider": true,
+        "foldingRangeProvider": true,
+        "inlayHintProvider": true,
+        "semanticTokensProvider": {
+            "legend": { "tokenTypes": convert::token_types(), "tokenModifiers": convert::TOKEN_MODIFIERS },
+            "full": true,
+            "range": true,
+        },
+    })
+}
+
+/// A message of the client, or the reason why its bytes are not a message.
+pub type Incoming = Result<Box<Message>, String>;
+
+/// Parses a message.
+///
+/// # Errors
+/// The bytes are not a message of JSON-RPC.
+pub fn parse(bytes: &[u8]) -> Incoming {
+    match serde_json::from_slice(bytes) {
+        Ok(Message::Notification(_)) if has_id(bytes) => {
+            Err("an id is a number of 32 bits or a text".to_owned())
+        }
+        Ok(message) => Ok(Box::new(message)),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// Returns true if a message has an id, so that its sender waits for an answer.
+fn has_id(bytes: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    struct Id {
+        #[serde(default, deserialize_with = "any")]
+        id: bool,
+    }
+    fn any<'de, D: Deserializer<'de>>(id: D) -> Result<bool, D::Error> {
+        IgnoredAny::deserialize(id).map(|_| true)
+    }
+    serde_json::from_slice(bytes).is_ok_and(|Id { id }| id)
+}
