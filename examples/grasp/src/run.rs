@@ -15,9 +15,9 @@ const LIMIT: Limit = Limit::cycles(50_000);
 /// # Errors
 /// The program was checked for another robot.
 pub fn run(
-    program: impl Program + Clone + 'static,
+    program: impl Program + Clone + Send + 'static,
     scene: &Scene,
-    console: impl Console + 'static,
+    console: impl Console + Send + 'static,
     show: impl FnMut(f64, &SimulatedHand<3, 3>),
 ) -> Result<Outcome, Box<dyn Error>> {
     let robot = Robot::named("hand")?.with_scene(scene)?;

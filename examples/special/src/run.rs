@@ -48,7 +48,7 @@ fn away([x, y, _]: Point) -> f64 {
 ///
 /// # Errors
 /// The program was checked for another robot.
-pub fn run(program: impl Program + Clone + 'static, plant: Plant) -> Result<Run, Mismatch> {
+pub fn run(program: impl Program + Clone + Send + 'static, plant: Plant) -> Result<Run, Mismatch> {
     let robot = Robot::on(&titan8::MODEL, plant).with_special(Native::default());
     let mut run = tip_sim::Run::new(program, robot)?
         .with_console(Transcript::default())

@@ -5,7 +5,7 @@ use tip_runtime::plant::Scene;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines, Sink};
 use tip_sim::lockstep::{Divergence, Lockstep, Scout};
-use tip_sim::{ProgramRunner, Inputs, Limit, Plant, Robot, Run};
+use tip_sim::{Inputs, Limit, Plant, ProgramRunner, Robot, Run};
 
 /// No case needs more cycles; one that has not ended by then never will.
 const ENDLESS: u64 = 100_000;
@@ -14,7 +14,10 @@ const ENDLESS: u64 = 100_000;
 ///
 /// # Errors
 /// The program is for another robot, what is to happen to it cannot, or it never ends.
-pub fn run(program: impl Program + Clone + 'static, settings: &Settings) -> Result<String, String> {
+pub fn run(
+    program: impl Program + Clone + Send + 'static,
+    settings: &Settings,
+) -> Result<String, String> {
     let (inputs, limit) = inputs(settings)?;
     let run = Run::new(program, robot(settings)?).map_err(text)?;
     let mut run = run

@@ -8,7 +8,7 @@ use crate::seek::root;
 use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use std::fs;
-use tip_sim::{ProgramRunner, Interpreter};
+use tip_sim::{Interpreter, ProgramRunner};
 use tipc::code::Level;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::{Message, Naming};
@@ -112,7 +112,11 @@ fn engine(compiled: Compiled, case: &str, settings: &Settings) -> ProgramRunner 
 }
 
 /// The trace of a program, states included; that of its generated code, if there is some, is the same.
-fn trace(program: tipc::program::Program, compiled: Option<ProgramRunner>, settings: &Settings) -> String {
+fn trace(
+    program: tipc::program::Program,
+    compiled: Option<ProgramRunner>,
+    settings: &Settings,
+) -> String {
     let trace = match compiled {
         Some(compiled) => both(program, compiled, settings),
         None => run(Interpreter::new(program), settings),

@@ -1,9 +1,9 @@
 //! A comparison of engines proves something only if a wrong step shows. Here each kind of step is made
 //! wrong, and the traces must differ.
 
-use std::cell::Cell;
 use std::fmt;
-use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Flow, Program, Signature};
 use tip_sim::Interpreter;
@@ -78,7 +78,7 @@ fn interpreter(source: &str) -> Interpreter {
     Interpreter::new(loaded.program.expect("it loads"))
 }
 
-fn trace(program: impl Program + Clone + 'static) -> String {
+fn trace(program: impl Program + Clone + Send + 'static) -> String {
     run(program, &Settings::default()).unwrap()
 }
 
@@ -98,7 +98,7 @@ fn a_wrong_step_shows_in_the_trace() {
 struct Stutter {
     engine: Interpreter,
     steps_left: u32,
-    stuttered: Rc<Cell<bool>>,
+    stuttered: Arc<AtomicBool>,
 }
 
 impl fmt::Debug for Stutter {
@@ -129,7 +129,7 @@ impl Program for Stutter {
         self.steps_left = self.steps_left.wrapping_sub(1);
         match flow {
             Flow::Next if self.steps_left == 0 => {
-                self.stuttered.set(true);
+                self.stuttered.store(true, Ordering::Relaxed);
                 self.engine.step(cx)
             }
             flow => Ok(flow),
@@ -167,17 +167,14 @@ fn a_step_too_many_shows_wherever_it_happens() {
         let engine = Stutter {
             engine: interpreter(ORIGINAL),
             steps_left: cycle as u32 + 1,
-            stuttered: Rc::default(),
+            stuttered: Arc::default(),
         };
-        let stuttered = Rc::clone(&engine.stuttered);
+        let stuttered = Arc::clone(&engine.stuttered);
         let flawed = trace(engine);
+        let stuttered = stuttered.load(Ordering::Relaxed);
         // A step that waits does not go on, so it cannot stutter.
-        assert_eq!(
-            flawed != original,
-            stuttered.get(),
-            "twice in cycle {cycle}"
-        );
-        stutters += usize::from(stuttered.get());
+        assert_eq!(flawed != original, stuttered, "twice in cycle {cycle}");
+        stutters += usize::from(stuttered);
     }
     assert!(stutters > 30, "only {stutters} cycles could stutter");
 }

@@ -78,8 +78,8 @@ fn interpreted(source: &str, robot: tipc::Robot) -> Interpreter {
 
 /// The trace of a run with `special`, and whether lamp 1 shines at its end.
 fn trace(
-    program: impl Program + Clone + 'static,
-    special: impl Special + Clone + 'static,
+    program: impl Program + Clone + Send + 'static,
+    special: impl Special + Clone + Send + 'static,
 ) -> (String, bool) {
     let robot = simulated("titan8").with_special(special);
     let run = Run::new(program, robot).expect("it is for TITAN VIII");
@@ -200,7 +200,7 @@ impl Special for Own {
 // clauses: 5.1 7.43 7.48
 #[test]
 fn a_users_commands_stand_beside_those_of_the_hand() {
-    fn check(program: impl Program + Clone + 'static) {
+    fn check(program: impl Program + Clone + Send + 'static) {
         let robot = simulated("hand").with_special(HandSpecials::beside(Own::default()));
         let run = Run::new(program, robot).expect("it is for the hand");
         let mut run = run.with_trace(false).with_console(Canvas::default());

@@ -14,7 +14,7 @@ use tip_runtime::record::Sink;
 use tip_runtime::special::{Call, Special};
 
 /// A program on a simulated robot of any size.
-pub(crate) trait DynMachine {
+pub(crate) trait DynMachine: Send {
     fn boxed(&self) -> Box<dyn DynMachine>;
     fn cycle(&mut self, sink: Option<&mut dyn Sink>) -> Status;
     fn pause(&mut self, on: bool);
@@ -122,11 +122,11 @@ impl<const L: usize, const J: usize> DynMachine
 }
 
 /// The native code of SPECIAL, which can be copied in the middle of a run.
-pub(crate) trait NativeCommands: Special {
+pub(crate) trait NativeCommands: Special + Send {
     fn boxed(&self) -> Box<dyn NativeCommands>;
 }
 
-impl<S: Special + Clone + 'static> NativeCommands for S {
+impl<S: Special + Clone + Send + 'static> NativeCommands for S {
     fn boxed(&self) -> Box<dyn NativeCommands> {
         Box::new(self.clone())
     }

@@ -17,9 +17,9 @@ pub(crate) struct EventConsole {
 }
 
 /// A console that can be asked for again.
-pub(crate) trait Listener: Console + Any {}
+pub(crate) trait Listener: Console + Any + Send {}
 
-impl<C: Console + 'static> Listener for C {}
+impl<C: Console + Send + 'static> Listener for C {}
 
 impl EventConsole {
     /// A key is pressed.

@@ -164,7 +164,7 @@ impl Run {
     /// # Errors
     /// The program was checked for another robot, or the process cannot be started.
     pub fn external(
-        program: impl Program + Clone + 'static,
+        program: impl Program + Clone + Send + 'static,
         robot: &Robot,
         plant: &ExternalPlant,
     ) -> Result<Self, NotStarted> {

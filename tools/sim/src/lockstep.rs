@@ -121,7 +121,7 @@ impl Lockstep {
     /// One of them is for another robot.
     pub fn new(
         program: impl Into<Arc<program::Program>>,
-        compiled: impl Program + Clone + 'static,
+        compiled: impl Program + Clone + Send + 'static,
         robot: &Robot,
     ) -> Result<Self, Mismatch> {
         Self::comparing(Evidence::Records, program, compiled, robot)
@@ -134,7 +134,7 @@ impl Lockstep {
     pub fn comparing(
         evidence: Evidence,
         program: impl Into<Arc<program::Program>>,
-        compiled: impl Program + Clone + 'static,
+        compiled: impl Program + Clone + Send + 'static,
         robot: &Robot,
     ) -> Result<Self, Mismatch> {
         let program = program.into();

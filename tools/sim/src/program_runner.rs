@@ -9,11 +9,11 @@ use tip_runtime::program::{Context, Flow, Program, Signature};
 pub struct ProgramRunner(Box<dyn AnyProgram>);
 
 /// A program of any type that can be copied.
-trait AnyProgram: Program + Any {
+trait AnyProgram: Program + Any + Send {
     fn boxed(&self) -> Box<dyn AnyProgram>;
 }
 
-impl<P: Program + Clone + 'static> AnyProgram for P {
+impl<P: Program + Clone + Send + 'static> AnyProgram for P {
     fn boxed(&self) -> Box<dyn AnyProgram> {
         Box::new(self.clone())
     }
@@ -21,7 +21,7 @@ impl<P: Program + Clone + 'static> AnyProgram for P {
 
 impl ProgramRunner {
     /// Takes a program as it is.
-    pub fn new(program: impl Program + Clone + 'static) -> Self {
+    pub fn new(program: impl Program + Clone + Send + 'static) -> Self {
         ProgramRunner(Box::new(program))
     }
 

@@ -7,7 +7,7 @@ use crate::plant::Plant;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
 use std::fmt;
-use std::rc::Rc;
+use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::machine::Mismatch;
 use tip_runtime::model::{Model, generic, hand, titan8};
@@ -28,7 +28,7 @@ pub struct Robot {
     special: Box<dyn NativeCommands>,
     /// The SPECIAL commands that are the robot's own; `None` if someone else's code answers.
     answers: Option<&'static [u8]>,
-    shapes: Rc<Shapes>,
+    shapes: Arc<Shapes>,
 }
 
 /// The kind of robot that is simulated.
@@ -82,7 +82,7 @@ impl Robot {
     /// A robot of a model with a plant of its own.
     pub fn on<const L: usize, const J: usize>(
         model: &'static Model<L, J>,
-        plant: impl plant::Plant<L, J> + Clone + 'static,
+        plant: impl plant::Plant<L, J> + Clone + Send + 'static,
     ) -> Self {
         let hardware = Hardware::Own(OfSize::boxed(plant));
         Self::new(model, Facts::of(model), hardware)
@@ -97,7 +97,7 @@ impl Robot {
             scene: Scene::EMPTY,
             special: Box::new(()),
             answers: Some(&[]),
-            shapes: Rc::default(),
+            shapes: Arc::default(),
         }
     }
 
@@ -130,7 +130,7 @@ impl Robot {
     /// Answers SPECIAL by native code of its owner; for a hand that is usually
     /// [`HandSpecials::beside`](tip_runtime::special::hand::HandSpecials::beside) it.
     #[must_use]
-    pub fn with_special(mut self, special: impl Special + Clone + 'static) -> Self {
+    pub fn with_special(mut self, special: impl Special + Clone + Send + 'static) -> Self {
         self.special = Box::new(special);
         self.answers = None;
         self
@@ -162,7 +162,7 @@ impl Robot {
     }
 
     pub(crate) fn with_shapes(mut self, shapes: Shapes) -> Self {
-        self.shapes = Rc::new(shapes);
+        self.shapes = Arc::new(shapes);
         self
     }
 

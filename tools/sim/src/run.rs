@@ -85,7 +85,10 @@ impl Run {
     ///
     /// # Errors
     /// The program was checked for another robot.
-    pub fn new(program: impl Program + Clone + 'static, robot: Robot) -> Result<Self, Mismatch> {
+    pub fn new(
+        program: impl Program + Clone + Send + 'static,
+        robot: Robot,
+    ) -> Result<Self, Mismatch> {
         Self::of(ProgramRunner::new(program), &robot)
     }
 
@@ -166,7 +169,7 @@ impl Run {
     /// Shows a console what the program shows from now on, and asks it for keys, after those of events. It takes the
     /// place of the one before.
     #[must_use]
-    pub fn with_console(mut self, console: impl Console + 'static) -> Self {
+    pub fn with_console(mut self, console: impl Console + Send + 'static) -> Self {
         let listener: Box<dyn Listener> = Box::new(console);
         self.machine.console_mut().replace(Some(listener));
         self

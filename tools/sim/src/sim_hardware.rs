@@ -32,7 +32,7 @@ pub(crate) struct Commands<'a> {
 }
 
 /// A simulated robot of any size. A method that is not overridden belongs to a robot that lacks it.
-pub(crate) trait DynHardware {
+pub(crate) trait DynHardware: Send {
     fn boxed(&self) -> Box<dyn DynHardware>;
     /// Returns what simulates it.
     fn plant(&self) -> &dyn Any;
@@ -103,7 +103,7 @@ pub(crate) struct OfSize<P, const L: usize, const J: usize> {
     sensors: Sensors<L, J>,
 }
 
-impl<P: Plant<L, J> + Clone + 'static, const L: usize, const J: usize> OfSize<P, L, J> {
+impl<P: Plant<L, J> + Clone + Send + 'static, const L: usize, const J: usize> OfSize<P, L, J> {
     pub(crate) fn boxed(plant: P) -> Box<dyn DynHardware> {
         Box::new(OfSize {
             plant,
@@ -114,7 +114,7 @@ impl<P: Plant<L, J> + Clone + 'static, const L: usize, const J: usize> OfSize<P,
 
 impl<P, const L: usize, const J: usize> DynHardware for OfSize<P, L, J>
 where
-    P: Plant<L, J> + Clone + 'static,
+    P: Plant<L, J> + Clone + Send + 'static,
 {
     fn boxed(&self) -> Box<dyn DynHardware> {
         Box::new(self.clone())

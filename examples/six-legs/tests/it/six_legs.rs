@@ -23,7 +23,7 @@ fn hexapod() -> Robot {
 }
 
 /// A compiled program beside the interpreter of a text.
-fn race(compiled: impl Program + Clone + 'static, text: &str, inputs: &str) -> Outcome<6> {
+fn race(compiled: impl Program + Clone + Send + 'static, text: &str, inputs: &str) -> Outcome<6> {
     let robot = hexapod();
     let program = load("tripod.prg", text, &robot).unwrap();
     let lockstep = Lockstep::new(program.program().clone(), compiled, &robot).unwrap();

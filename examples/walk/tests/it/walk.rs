@@ -17,7 +17,7 @@ use walking::run::Measured;
 const LIMIT: u64 = 20_000;
 
 /// A compiled program beside the interpreter of a text.
-fn race(compiled: impl Program + Clone + 'static, text: &str, inputs: &str) -> Outcome<4> {
+fn race(compiled: impl Program + Clone + Send + 'static, text: &str, inputs: &str) -> Outcome<4> {
     let robot = Robot::named("titan8").unwrap();
     let program = load("walk.prg", text, &robot).unwrap();
     let lockstep = Lockstep::new(program.program().clone(), compiled, &robot).unwrap();

@@ -2,7 +2,7 @@
 
 use ::lockstep::{Figures, Script, Subject, Verdict, compare, shrink};
 use tip_sim::lockstep::Divergence;
-use tip_sim::{ProgramRunner, Event, Interpreter, Plant};
+use tip_sim::{Event, Interpreter, Plant, ProgramRunner};
 use tipc::{Options, Robot};
 
 const RIGHT: &str = "3.1

@@ -1,7 +1,7 @@
 //! A run as a case wants it.
 
 use tip_harness::{Settings, both, run};
-use tip_sim::{ProgramRunner, Interpreter, Robot, load};
+use tip_sim::{Interpreter, ProgramRunner, Robot, load};
 
 #[test]
 fn what_cannot_happen_is_refused() {

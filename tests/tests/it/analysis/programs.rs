@@ -4,10 +4,8 @@
 use crate::analysis::watched::{Seen, Watched};
 use lockstep::Script;
 use random_programs::Specimen;
-use std::cell::RefCell;
 use std::fs;
-use std::rc::Rc;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock, Mutex};
 use tip_sim::{Event, Inputs, Plant};
 use tip_tests::{Settings, cases, root, run};
 use tipc::program::Program;
@@ -26,16 +24,16 @@ pub(crate) struct Runs {
 
 /// Every program run once, its reads watched.
 pub(crate) static RUNS: LazyLock<Runs> = LazyLock::new(|| {
-    let seen = Rc::new(RefCell::new(Seen::new()));
+    let seen = Arc::new(Mutex::new(Seen::new()));
     let mut traces = Vec::new();
     for one in all() {
-        let watched = Watched::new(&one.name, one.program.clone(), Rc::clone(&seen));
+        let watched = Watched::new(&one.name, one.program.clone(), Arc::clone(&seen));
         // A program that never ends by itself has no whole trace.
         if let Ok(trace) = run(watched, &one.settings) {
             traces.push((one, trace));
         }
     }
-    let seen = seen.take();
+    let seen = std::mem::take(&mut *seen.lock().expect("nobody panics with it"));
     Runs { seen, traces }
 });
 

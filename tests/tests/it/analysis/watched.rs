@@ -1,10 +1,9 @@
 //! The interpreter with its reads watched: what is called always assigned has a value whenever the run
 //! comes there, what is called never assigned has none.
 
-use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Flow, Program, Signature};
 use tip_sim::Interpreter;
@@ -22,15 +21,11 @@ pub(crate) struct Watched {
     assignment: Assignment,
     /// Whether the step is reached "not taken"; `None` if that cannot be seen from outside.
     not_taken: Option<bool>,
-    seen: Rc<RefCell<Seen>>,
+    seen: Arc<Mutex<Seen>>,
 }
 
 impl Watched {
-    pub(crate) fn new(
-        name: &str,
-        program: tipc::program::Program,
-        seen: Rc<RefCell<Seen>>,
-    ) -> Self {
+    pub(crate) fn new(name: &str, program: tipc::program::Program, seen: Arc<Mutex<Seen>>) -> Self {
         Watched {
             name: name.to_owned(),
             assignment: Assignment::of(&program),
@@ -61,7 +56,8 @@ impl Watched {
                 Assigned::Never => !has_value,
             };
             assert!(fits, "{read:?} of {}: {has_value}", self.name);
-            *self.seen.borrow_mut().entry(read.assigned).or_default() += 1;
+            let mut seen = self.seen.lock().expect("nobody panics with it");
+            *seen.entry(read.assigned).or_default() += 1;
         }
     }
 

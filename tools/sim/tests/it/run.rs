@@ -253,3 +253,12 @@ fn a_console_is_shown_what_the_program_shows() -> Outcome {
     );
     Ok(())
 }
+
+#[test]
+fn a_run_goes_on_in_another_thread() -> Outcome {
+    let mut run = run_on("titan8", "MESSAGE one\nMESSAGE two\nEND")?;
+    assert_eq!(run.cycle().say.as_deref(), Some("one"));
+    let there = std::thread::spawn(move || (run.to_end(Limit::NONE), run.cycles())).join();
+    assert_eq!(there.ok(), Some((Ending::Program(End::End), 3)));
+    Ok(())
+}
