@@ -171,13 +171,10 @@ fn a_step_too_many_shows_wherever_it_happens() {
         };
         let stuttered = Arc::clone(&engine.stuttered);
         let flawed = trace(engine);
+        let stuttered = stuttered.load(Ordering::Relaxed);
         // A step that waits does not go on, so it cannot stutter.
-        assert_eq!(
-            flawed != original,
-            stuttered.load(Ordering::Relaxed),
-            "twice in cycle {cycle}"
-        );
-        stutters += usize::from(stuttered.load(Ordering::Relaxed));
+        assert_eq!(flawed != original, stuttered, "twice in cycle {cycle}");
+        stutters += usize::from(stuttered);
     }
     assert!(stutters > 30, "only {stutters} cycles could stutter");
 }

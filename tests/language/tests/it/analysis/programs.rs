@@ -11,10 +11,10 @@ use tip_tests::{Settings, cases, root, run};
 use tipc::program::Program;
 use tipc::{Options, Robot};
 
-/// Number of random programs: enough to reach reads that find a value on some paths only.
+/// How many random programs are watched: enough to reach reads that find a value on some paths only.
 const SEEDS: u64 = 1_000;
 
-/// Observations of the runs of all programs.
+/// What the runs of all programs did.
 pub(crate) struct Runs {
     /// The reads that they came to.
     pub(crate) seen: Seen,
