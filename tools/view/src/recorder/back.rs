@@ -2,7 +2,6 @@
 
 use super::Recorder;
 use crate::recording::{At, Recording, Tick};
-use crate::slips::Slips;
 use std::collections::HashSet;
 use std::hash::Hash;
 
