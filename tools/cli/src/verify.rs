@@ -91,13 +91,18 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     let mut engines = Watched::new(built.given_up_if(interrupt::is_requested), runs);
     let compared = search::verify(&mut engines, &checked.program, &inputs, arguments.runs);
     drop(engines);
-    let (tally, diverging) = compared.map_err(|failed| match failed {
+    let (coverage, diverging) = compared.map_err(|failed| match failed {
         Failed::Refused(reason) => Error::Usage(reason),
         Failed::Engines(error) => error,
     })?;
     match diverging {
         None => {
-            output::print(certificate(&checked, &project, &arguments.inputs, &tally))?;
+            output::print(certificate(
+                &checked,
+                &project,
+                &arguments.inputs,
+                &coverage,
+            ))?;
             Ok(Status::Success)
         }
         Some(shortest) => {

@@ -3,7 +3,6 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
-mod apart;
 mod body;
 mod cycle;
 pub mod debug;
@@ -24,6 +23,7 @@ mod motion;
 mod native;
 mod outside;
 mod plant;
+mod process_group;
 pub mod reach;
 mod refused;
 mod rig;
@@ -41,7 +41,6 @@ pub mod urdf;
 pub mod verify;
 mod waits;
 
-pub use apart::end_processes;
 pub use body::{Anatomy, Limb};
 pub use cycle::{Asked, Cycle};
 pub use described::NotDescribed;
@@ -52,6 +51,7 @@ pub use interp::Interpreter;
 pub use load::{NotLoaded, load};
 pub use motion::{Fall, Grasp, Limbs};
 pub use plant::Plant;
+pub use process_group::end_processes;
 pub use refused::Refused;
 pub use robot::{GraspsNothing, Robot, UnknownRobot};
 pub use run::{Limit, Observer, Run};

@@ -2,11 +2,11 @@
 
 mod back;
 
-pub(crate) use back::Mark;
+pub(crate) use back::Checkpoint;
 
-use crate::recording::{Assigned, At, Frame, Outcome, Pace, Recording, Script, Stop, Thing, Tick};
-use crate::recording::{Frame, Slip};
-use crate::skeleton::Skeleton;
+use crate::recording::{
+    Assigned, At, Frame, Outcome, Pace, Recording, Script, Slip, Stop, Thing, Tick,
+};
 use crate::skeleton::{Skeleton, robot_frame};
 use std::fmt;
 use tip_runtime::command::{Flag, Target};

@@ -7,7 +7,7 @@ use super::super::plant::PlantChoice;
 use std::fmt::Write as _;
 use tip_lint::spots::Spot;
 use tip_runtime::printable::Printable;
-use tip_sim::search::Tally;
+use tip_sim::search::Coverage;
 use tip_sim::verify::{Project, VERSION};
 use tipc::program::Step;
 
@@ -16,7 +16,7 @@ pub(super) fn certificate(
     checked: &Checked,
     project: &Project,
     inputs: &InputArguments,
-    tally: &Tally,
+    coverage: &Coverage,
 ) -> String {
     let name = Printable::line(checked.source.name());
     let hash = checked.program.source_hash();
@@ -38,12 +38,12 @@ pub(super) fn certificate(
         project.version_of("RUSTC", "rustc"),
         project.version_of("CARGO", "cargo"),
     );
-    let (runs, cycles) = (tally.runs(), tally.cycles);
-    let (finished, limited, stopped) = (tally.finished, tally.limited, tally.stopped);
-    let all = tally.reach.spots().all();
+    let (runs, cycles) = (coverage.runs(), coverage.cycles);
+    let (finished, limited, stopped) = (coverage.finished, coverage.limited, coverage.stopped);
+    let all = coverage.reach.spots().all();
     let missed: Vec<&Spot> = (0..)
         .zip(all)
-        .filter(|(spot, _)| !tally.reach.has(*spot))
+        .filter(|(spot, _)| !coverage.reach.has(*spot))
         .map(|(_, spot)| spot)
         .collect();
     let covered = |is_kind: fn(&Spot) -> bool| {
@@ -73,7 +73,7 @@ pub(super) fn certificate(
     });
     let dead = (0..)
         .take(checked.program.steps().len())
-        .filter(|step| !tally.reach.spots().can_reach(*step));
+        .filter(|step| !coverage.reach.spots().can_reach(*step));
     let dead = dead.map(|step| (step, "no way leads here".to_owned()));
     let mut lines: Vec<_> = lines.chain(dead).collect();
     lines.sort();

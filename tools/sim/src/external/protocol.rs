@@ -1,11 +1,17 @@
-//! What an external plant answers.
+//! The protocol of external plants: the lines that they get, what they answer, and what may be wrong with it.
 
-use super::line::{
-    ANGLES, LOADS, Layout, NUMBER, POSE, PROTOCOL, READY, SLIDER, STATE, TORQUES, VERSION,
-};
-use super::trouble::{Head, Trouble};
+use crate::body::Anatomy;
+use crate::message::Simulating;
+use std::fmt;
+use std::fmt::Write as _;
+use std::time::Duration;
+use tip_runtime::command::Port;
 use tip_runtime::command::Target;
+use tip_runtime::hardware::JointCommand;
+use tip_runtime::model::Point;
 use tip_runtime::plant::Pose;
+use tip_runtime::printable::Printable;
+use tipc::message::{Lang, Text};
 
 /// What a process measures of its robot. Lists that it does not measure are empty.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,7 +40,7 @@ pub(super) fn read(
     to: Head,
     layout: &Layout,
     before: &Measured,
-) -> Result<Answer, Trouble> {
+) -> Result<Answer, PlantError> {
     let begins = match to {
         Head::Hello => READY,
         Head::Cycle(_) => STATE,
@@ -42,7 +48,7 @@ pub(super) fn read(
     let mut words = line.split_ascii_whitespace();
     if words.next() != Some(begins) {
         let line = line.to_owned();
-        return Err(Trouble::Garbage { to, line, begins });
+        return Err(PlantError::Garbage { to, line, begins });
     }
     let mut fields = Fields::default();
     for word in words {
@@ -86,19 +92,19 @@ pub(super) fn read(
     Ok(Answer { measured, pose })
 }
 
-fn version(found: &str) -> Result<(), Trouble> {
+fn version(found: &str) -> Result<(), PlantError> {
     match found.parse::<u32>() {
         Ok(VERSION) => Ok(()),
-        _ => Err(Trouble::Version {
+        _ => Err(PlantError::Version {
             found: found.to_owned(),
         }),
     }
 }
 
-fn cycle(found: &str, number: u64, to: Head) -> Result<(), Trouble> {
+fn cycle(found: &str, number: u64, to: Head) -> Result<(), PlantError> {
     match found.parse::<u64>() {
         Ok(found) if number == found => Ok(()),
-        _ => Err(Trouble::Cycle {
+        _ => Err(PlantError::Cycle {
             to,
             found: found.to_owned(),
         }),
@@ -110,8 +116,8 @@ fn cycle(found: &str, number: u64, to: Head) -> Result<(), Trouble> {
 struct Fields<'a>(Vec<(&'static str, &'a str)>);
 
 impl<'a> Fields<'a> {
-    fn add(&mut self, word: &'a str, to: Head) -> Result<(), Trouble> {
-        let unknown = || Trouble::Word {
+    fn add(&mut self, word: &'a str, to: Head) -> Result<(), PlantError> {
+        let unknown = || PlantError::Word {
             to,
             word: word.to_owned(),
         };
@@ -123,7 +129,7 @@ impl<'a> Fields<'a> {
         let mut keys = [own, ANGLES, TORQUES, LOADS, SLIDER, POSE].into_iter();
         let key = keys.find(|known| *known == key).ok_or_else(unknown)?;
         if self.get(key).is_some() {
-            return Err(Trouble::Twice { to, key });
+            return Err(PlantError::Twice { to, key });
         }
         self.0.push((key, values));
         Ok(())
@@ -134,8 +140,8 @@ impl<'a> Fields<'a> {
         found.map(|(_, values)| *values)
     }
 
-    fn of(&self, key: &'static str, to: Head) -> Result<&'a str, Trouble> {
-        self.get(key).ok_or(Trouble::Missing { to, key })
+    fn of(&self, key: &'static str, to: Head) -> Result<&'a str, PlantError> {
+        self.get(key).ok_or(PlantError::Missing { to, key })
     }
 }
 
@@ -148,11 +154,16 @@ struct Numbers<'a> {
 
 impl Numbers<'_> {
     /// So many finite numbers; none if the key is not there and not needed.
-    fn of(&self, key: &'static str, wanted: usize, is_needed: bool) -> Result<Vec<f64>, Trouble> {
+    fn of(
+        &self,
+        key: &'static str,
+        wanted: usize,
+        is_needed: bool,
+    ) -> Result<Vec<f64>, PlantError> {
         let to = self.to;
         let Some(values) = self.fields.get(key) else {
             return if is_needed {
-                Err(Trouble::Missing { to, key })
+                Err(PlantError::Missing { to, key })
             } else {
                 Ok(Vec::new())
             };
@@ -160,7 +171,7 @@ impl Numbers<'_> {
         let words: Vec<&str> = values.split(',').filter(|_| !values.is_empty()).collect();
         if words.len() != wanted {
             let found = words.len();
-            return Err(Trouble::Count {
+            return Err(PlantError::Count {
                 to,
                 key,
                 wanted,
@@ -172,12 +183,12 @@ impl Numbers<'_> {
             let word = (*word).to_owned();
             match word.parse::<f64>() {
                 Ok(number) if number.is_finite() => Ok(number),
-                Ok(_) => Err(Trouble::NotFinite {
+                Ok(_) => Err(PlantError::NotFinite {
                     to,
                     key,
                     place: place(),
                 }),
-                Err(_) => Err(Trouble::NotNumber {
+                Err(_) => Err(PlantError::NotNumber {
                     to,
                     key,
                     place: place(),
@@ -201,3 +212,337 @@ fn place(layout: &Layout, key: &str, index: usize) -> String {
         _ => Target::Joint(number(index / joints), number(index % joints)).to_string(),
     }
 }
+
+/// The version of the protocol.
+pub(super) const VERSION: u32 = 1;
+/// The longest answer: bytes, without the end of the line.
+pub(super) const LONGEST: u64 = 65_536;
+
+pub(super) const HELLO: &str = "hello";
+pub(super) const CYCLE: &str = "cycle";
+pub(super) const READY: &str = "ready";
+pub(super) const STATE: &str = "state";
+/// The last line.
+pub(super) const BYE: &str = "bye\n";
+
+pub(super) const NUMBER: &str = "n";
+pub(super) const PROTOCOL: &str = "version";
+pub(super) const ANGLES: &str = "angles";
+pub(super) const TORQUES: &str = "torques";
+pub(super) const LOADS: &str = "loads";
+pub(super) const SLIDER: &str = "slider";
+pub(super) const POSE: &str = "pose";
+
+/// What an external plant has to know of a robot, and how many numbers belong to it.
+#[derive(Clone, Debug)]
+pub(super) struct Layout {
+    robot: String,
+    pub(super) legs: usize,
+    /// Of each leg.
+    pub(super) joints: usize,
+    /// ms.
+    period: f64,
+    /// The initial posture, leg by leg: deg.
+    initial: Vec<f64>,
+    /// How many of the robot's torque unit one N·m is.
+    pub(super) per_newton_metre: f64,
+    /// Whether it senses and gives torques.
+    pub(super) has_torques: bool,
+    pub(super) has_slider: bool,
+    /// One on each leg if it stands on them.
+    pub(super) soles: usize,
+}
+
+impl Layout {
+    pub(super) fn of(robot: &str, anatomy: &Anatomy) -> Self {
+        let legs = anatomy.legs.len();
+        let unit = anatomy.forces.map(|forces| forces.unit.per_newton_metre());
+        Layout {
+            // Words end at blanks.
+            robot: robot.replace(char::is_whitespace, "_"),
+            legs,
+            joints: anatomy.joints,
+            period: anatomy.standards.period,
+            initial: anatomy
+                .legs
+                .iter()
+                .flat_map(|leg| &leg.initial)
+                .copied()
+                .collect(),
+            per_newton_metre: unit.unwrap_or(1.0),
+            has_torques: unit.is_some(),
+            has_slider: anatomy.slider.is_some(),
+            soles: if anatomy.body.is_some() { legs } else { 0 },
+        }
+    }
+
+    /// The inputs that read what events set.
+    pub(super) fn inputs(&self) -> impl Iterator<Item = Port> {
+        let soles = u8::try_from(self.soles).unwrap_or(u8::MAX);
+        let knobs = Port::Knob(1).named();
+        knobs
+            .chain((1..=soles).map(Port::Paw))
+            .chain([Port::Antenna])
+    }
+
+    /// The first line.
+    pub(super) fn hello(&self) -> String {
+        let Layout {
+            robot,
+            legs,
+            joints,
+            period,
+            ..
+        } = self;
+        let initial = list(self.initial.iter().copied());
+        let needs = match (self.has_torques, self.has_slider) {
+            (false, false) => ANGLES,
+            (true, false) => "angles,torques",
+            (false, true) => "angles,slider",
+            (true, true) => "angles,torques,slider",
+        };
+        format!(
+            "{HELLO} {PROTOCOL}={VERSION} robot={robot} legs={legs} joints={joints} \
+             period={period:?} initial={initial} needs={needs}\n"
+        )
+    }
+
+    /// The line of a control cycle.
+    pub(super) fn cycle(
+        &self,
+        number: u64,
+        commands: &[JointCommand],
+        slider: Point,
+        period: f64,
+    ) -> String {
+        let unit = self.per_newton_metre;
+        let modes: Vec<&str> = commands.iter().map(|command| mode(*command)).collect();
+        let targets = list(commands.iter().map(|command| match command {
+            JointCommand::Angle { angle, .. } => *angle,
+            JointCommand::Torque(torque) => torque / unit,
+        }));
+        let rates = list(commands.iter().map(|command| match command {
+            JointCommand::Angle { rate, .. } => *rate,
+            JointCommand::Torque(_) => 0.0,
+        }));
+        let mut line = format!(
+            "{CYCLE} {NUMBER}={number} period={period:?} modes={} targets={targets} rates={rates}",
+            modes.join(",")
+        );
+        if self.has_slider {
+            line = format!("{line} {SLIDER}={}", list(slider.into_iter()));
+        }
+        line + "\n"
+    }
+}
+
+/// The line of an emergency.
+pub(super) fn stop(number: u64) -> String {
+    format!("stop {NUMBER}={number}\n")
+}
+
+fn mode(command: JointCommand) -> &'static str {
+    match command {
+        JointCommand::Angle { .. } => "angle",
+        JointCommand::Torque(_) => "torque",
+    }
+}
+
+/// Numbers with commas between, each the shortest that gives the same bits again.
+fn list(numbers: impl Iterator<Item = f64>) -> String {
+    let mut text = String::new();
+    for (index, number) in numbers.enumerate() {
+        let comma = if index == 0 { "" } else { "," };
+        // Writing to a String cannot fail.
+        let _ = write!(text, "{comma}{number:?}");
+    }
+    text
+}
+
+/// Which line an answer is to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Head {
+    /// The first one.
+    Hello,
+    /// That of a control cycle.
+    Cycle(u64),
+}
+
+impl fmt::Display for Head {
+    /// As the line begins.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Head::Hello => f.write_str(HELLO),
+            Head::Cycle(number) => write!(f, "{CYCLE} {NUMBER}={number}"),
+        }
+    }
+}
+
+/// How a process ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// By itself, with this status.
+    Exit(i32),
+    /// By a signal.
+    Killed,
+    /// It goes on, but has closed its standard output.
+    Closed,
+}
+
+/// What is wrong with an external plant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+#[expect(missing_docs, reason = "the fields are what the messages name")]
+pub enum PlantError {
+    /// An answer takes too long.
+    NoAnswer { to: Head, within: Duration },
+    /// The process ended before it answered.
+    Ended { to: Head, ended: Ended },
+    /// An answer has no end.
+    TooLong { to: Head },
+    /// An answer is not UTF-8.
+    NotText { to: Head },
+    /// A line that does not begin as an answer.
+    Garbage {
+        to: Head,
+        line: String,
+        begins: &'static str,
+    },
+    /// A word that is not `KEY=VALUES` with a key of this answer.
+    Word { to: Head, word: String },
+    /// A key that occurs twice.
+    Twice { to: Head, key: &'static str },
+    /// A key that is needed.
+    Missing { to: Head, key: &'static str },
+    /// Another version of the protocol.
+    Version { found: String },
+    /// The answer to another cycle.
+    Cycle { to: Head, found: String },
+    /// Too few numbers, or too many.
+    Count {
+        to: Head,
+        key: &'static str,
+        wanted: usize,
+        found: usize,
+    },
+    /// Not a number.
+    NotNumber {
+        to: Head,
+        key: &'static str,
+        place: String,
+        word: String,
+    },
+    /// Infinite, or not a number by name.
+    NotFinite {
+        to: Head,
+        key: &'static str,
+        place: String,
+    },
+    /// The run is a copy of one that has a process.
+    Copy,
+}
+
+impl PlantError {
+    /// The word of the emergency stop.
+    pub fn word(&self) -> &'static str {
+        match self {
+            PlantError::NoAnswer { .. } => "plant: no answer",
+            PlantError::Ended { .. } => "plant: ended",
+            PlantError::Copy => "plant: a copy has no process",
+            PlantError::Version { .. } => "plant: other version",
+            PlantError::Cycle { .. } => "plant: answer to another cycle",
+            PlantError::NotFinite { .. } => "plant: answer is not finite",
+            PlantError::TooLong { .. }
+            | PlantError::NotText { .. }
+            | PlantError::Garbage { .. }
+            | PlantError::Word { .. }
+            | PlantError::Twice { .. }
+            | PlantError::Missing { .. }
+            | PlantError::Count { .. }
+            | PlantError::NotNumber { .. } => "plant: wrong answer",
+        }
+    }
+
+    /// What is wrong, and where, as a message.
+    pub fn message(&self) -> Simulating {
+        let head = |to: &Head| Text::from(to.to_string());
+        let text = |said: &String| Printable::line(said).to_string();
+        match self {
+            PlantError::NoAnswer { to, within } => Simulating::NoAnswer {
+                to: head(to),
+                seconds: within.as_secs_f64().to_string().into(),
+            },
+            PlantError::Ended { to, ended } => {
+                let to = head(to);
+                match ended {
+                    Ended::Exit(status) => Simulating::Exited {
+                        to,
+                        status: status.to_string().into(),
+                    },
+                    Ended::Killed => Simulating::Killed { to },
+                    Ended::Closed => Simulating::Closed { to },
+                }
+            }
+            PlantError::TooLong { to } => Simulating::TooLong {
+                to: head(to),
+                bytes: LONGEST.to_string().into(),
+            },
+            PlantError::NotText { to } => Simulating::NotText { to: head(to) },
+            PlantError::Garbage { to, line, begins } => Simulating::NotAnswer {
+                to: head(to),
+                line: text(line),
+                begins,
+            },
+            PlantError::Word { to, word } => Simulating::UnknownWord {
+                to: head(to),
+                word: text(word),
+            },
+            PlantError::Twice { to, key } => Simulating::Twice { to: head(to), key },
+            PlantError::Missing { to, key } => Simulating::Missing { to: head(to), key },
+            PlantError::Version { found } => Simulating::OtherVersion {
+                found: text(found),
+                version: VERSION.to_string().into(),
+            },
+            PlantError::Cycle { to, found } => Simulating::OtherCycle {
+                to: head(to),
+                found: text(found),
+            },
+            PlantError::Count {
+                to,
+                key,
+                wanted,
+                found,
+            } => Simulating::OtherCount {
+                to: head(to),
+                key,
+                wanted: wanted.to_string().into(),
+                found: found.to_string().into(),
+            },
+            PlantError::NotNumber {
+                to,
+                key,
+                place,
+                word,
+            } => Simulating::NotNumber {
+                to: head(to),
+                key,
+                place: place.clone().into(),
+                word: text(word),
+            },
+            PlantError::NotFinite { to, key, place } => Simulating::NotFinite {
+                to: head(to),
+                key,
+                place: place.clone().into(),
+            },
+            PlantError::Copy => Simulating::Copy,
+        }
+    }
+}
+
+impl fmt::Display for PlantError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message().in_lang(Lang::English).fmt(f)
+    }
+}
+
+impl std::error::Error for PlantError {}
