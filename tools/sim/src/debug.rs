@@ -52,8 +52,7 @@ use breakpoints::{Breakpoints, Watches};
 use moves::PendingCommand;
 use std::sync::Arc;
 use tip_lint::ask::Asker;
-use tip_runtime::machine::Emergency;
-use tip_runtime::machine::Mismatch;
+use tip_runtime::machine::{Emergency, Mismatch};
 use tip_runtime::program::End;
 use tipc::program::Program;
 

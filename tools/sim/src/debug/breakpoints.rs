@@ -3,8 +3,7 @@
 
 use super::ask::{Asked, Now, Words};
 use super::stop::{By, Hits, Reason};
-use super::{Debugger, Refused};
-use super::{History, MESSAGES};
+use super::{Debugger, History, MESSAGES, Refused};
 use crate::event::{Event, Events};
 use std::ops::Range;
 use tip_runtime::program::VariableError;
