@@ -21,7 +21,7 @@ use tip_lint::spots::Spot;
 use tip_runtime::printable::Printable;
 use tip_sim::Inputs;
 use tip_sim::lockstep::{Answer, Divergence};
-use tip_sim::search::{self, Diverging, Engines, Failed, Tally};
+use tip_sim::search::{self, Coverage, Diverging, Engines, Failed};
 use tip_sim::verify::{Project, Subject, VERSION};
 use tipc::program::Step;
 
@@ -101,13 +101,18 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     let mut engines = CountedEngines::new(built.given_up_if(interrupt::is_requested), runs);
     let compared = search::verify(&mut engines, &checked.program, &inputs, arguments.runs);
     drop(engines);
-    let (tally, diverging) = compared.map_err(|failed| match failed {
+    let (coverage, diverging) = compared.map_err(|failed| match failed {
         Failed::Refused(reason) => Error::Usage(reason),
         Failed::Engines(error) => error,
     })?;
     match diverging {
         None => {
-            output::print(certificate(&checked, &project, &arguments.inputs, &tally))?;
+            output::print(certificate(
+                &checked,
+                &project,
+                &arguments.inputs,
+                &coverage,
+            ))?;
             Ok(Status::Success)
         }
         Some(shortest) => {
@@ -122,7 +127,7 @@ fn certificate(
     checked: &Checked,
     project: &Project,
     inputs: &InputArguments,
-    tally: &Tally,
+    coverage: &Coverage,
 ) -> String {
     let name = Printable::line(checked.source.name());
     let hash = checked.program.source_hash();
@@ -144,12 +149,12 @@ fn certificate(
         project.version_of("RUSTC", "rustc"),
         project.version_of("CARGO", "cargo"),
     );
-    let (runs, cycles) = (tally.runs(), tally.cycles);
-    let (finished, limited, stopped) = (tally.finished, tally.limited, tally.stopped);
-    let all = tally.reach.spots().all();
+    let (runs, cycles) = (coverage.runs(), coverage.cycles);
+    let (finished, limited, stopped) = (coverage.finished, coverage.limited, coverage.stopped);
+    let all = coverage.reach.spots().all();
     let missed: Vec<&Spot> = (0..)
         .zip(all)
-        .filter(|(spot, _)| !tally.reach.has(*spot))
+        .filter(|(spot, _)| !coverage.reach.has(*spot))
         .map(|(_, spot)| spot)
         .collect();
     let covered = |is_kind: fn(&Spot) -> bool| {
@@ -179,7 +184,7 @@ fn certificate(
     });
     let dead = (0..)
         .take(checked.program.steps().len())
-        .filter(|step| !tally.reach.spots().can_reach(*step));
+        .filter(|step| !coverage.reach.spots().can_reach(*step));
     let dead = dead.map(|step| (step, "no way leads here".to_owned()));
     let mut lines: Vec<_> = lines.chain(dead).collect();
     lines.sort();

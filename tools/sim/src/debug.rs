@@ -33,10 +33,8 @@
 
 mod ask;
 mod breakpoints;
-mod history;
 mod moves;
 mod stop;
-mod watch;
 
 pub use ask::{Asked, Frame, Value, Variable, control};
 pub use breakpoints::{Placed, When};
@@ -50,14 +48,13 @@ use crate::refused;
 use crate::robot::Robot;
 use crate::run::Run;
 use crate::timeline::Timeline;
-use breakpoints::Breakpoints;
-use history::History;
-use moves::Errand;
+use breakpoints::{Breakpoints, Watches};
+use moves::PendingCommand;
 use std::sync::Arc;
 use tip_lint::ask::Asker;
-use tip_runtime::machine::Mismatch;
+use tip_runtime::machine::{Emergency, Mismatch};
+use tip_runtime::program::End;
 use tipc::program::Program;
-use watch::Watches;
 
 /// What may be given up for a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +82,7 @@ pub struct Debugger {
     taken: usize,
     /// What log points have said and no one has taken.
     logged: Vec<(u64, String)>,
-    errand: Option<Errand>,
+    pending: Option<PendingCommand>,
     stop: Stop,
     next_id: u32,
 }
@@ -113,7 +110,7 @@ impl Debugger {
             said: Vec::new(),
             taken: 0,
             logged: Vec::new(),
-            errand: None,
+            pending: None,
             stop: Stop {
                 reason: Reason::Start,
                 at: 0,
@@ -198,7 +195,7 @@ impl Debugger {
             return Err(Refused::WouldDiscard(later));
         }
         self.run().accepts(&event).map_err(Refused::Event)?;
-        self.errand = None;
+        self.pending = None;
         self.forget_later();
         self.timeline.add(event).map_err(Refused::Event)?;
         self.timeline.happen();
@@ -225,4 +222,80 @@ impl Debugger {
         self.taken = self.taken.min(self.said.len());
         self.fall = self.fall.filter(|fall| fall.cycle < now);
     }
+}
+
+/// How many messages are kept.
+const MESSAGES: usize = 10_000;
+
+/// How the run went on after the last cycle that is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Frontier {
+    /// This step comes next.
+    #[default]
+    Open,
+    /// The program ended.
+    Ended(End),
+    /// The last step failed, and changed nothing.
+    Failed(Emergency),
+}
+
+/// The step of every cycle, and how many calls were open.
+#[derive(Debug, Default)]
+struct History {
+    steps: Vec<u32>,
+    depths: Vec<u8>,
+    /// The step that would run after all of them.
+    next: u32,
+    frontier: Frontier,
+}
+
+impl History {
+    fn len(&self) -> u64 {
+        self.steps.len() as u64
+    }
+
+    /// A step is about to run for the first time.
+    fn push(&mut self, step: u32, depth: u8) {
+        self.steps.push(step);
+        self.depths.push(depth);
+    }
+
+    /// What came after it.
+    fn reached(&mut self, next: u32, frontier: Frontier) {
+        self.next = next;
+        self.frontier = frontier;
+    }
+
+    /// Forgets everything from a position on, where this step comes next.
+    fn truncate(&mut self, at: u64, next: u32) {
+        let at = place(at);
+        self.steps.truncate(at);
+        self.depths.truncate(at);
+        self.next = next;
+        self.frontier = Frontier::Open;
+    }
+
+    /// The step at a position.
+    fn step(&self, at: u64) -> u32 {
+        self.steps.get(place(at)).copied().unwrap_or(self.next)
+    }
+
+    /// How many calls are open before a cycle.
+    fn depth(&self, at: u64) -> u8 {
+        self.depths.get(place(at)).copied().unwrap_or_default()
+    }
+
+    /// Whether the step at a position is not that of the cycle before: it begins there.
+    fn enters(&self, at: u64) -> bool {
+        at == 0 || self.step(at) != self.step(at - 1)
+    }
+
+    /// Whether the step of a cycle failed, and so changed nothing.
+    fn fails(&self, at: u64) -> bool {
+        matches!(self.frontier, Frontier::Failed(_)) && at + 1 == self.len()
+    }
+}
+
+fn place(at: u64) -> usize {
+    usize::try_from(at).unwrap_or(usize::MAX)
 }

@@ -12,23 +12,20 @@
 //! let plant = ExternalPlant::new("python3", ["simulate.py", "titan8.xml"]);
 //! let mut run = Run::external(program, &robot, &plant)?;
 //! run.to_end(Limit::cycles(1000));
-//! if let Some(trouble) = run.trouble() {
-//!     println!("{trouble}");
+//! if let Some(error) = run.plant_error() {
+//!     println!("{error}");
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! A process cannot be copied or taken back. What runs a program again, such as a debugger, takes a [`Robot`], which never is
-//! such a process; and a copy of a run, or one that was restored, has none: it stops with [`Trouble::Copy`] when it reads its
+//! such a process; and a copy of a run, or one that was restored, has none: it stops with [`PlantError::Copy`] when it reads its
 //! sensors.
 
-mod answer;
-mod journey;
-mod line;
 mod link;
-mod trouble;
+mod protocol;
 
-pub use trouble::{Ended, Head, Trouble};
+pub use protocol::{Ended, Head, PlantError};
 
 use crate::message::Simulating;
 use crate::motion::Limbs;
@@ -36,10 +33,8 @@ use crate::program_runner::ProgramRunner;
 use crate::robot::Robot;
 use crate::run::Run;
 use crate::sim_hardware::{Commands, DynHardware, Reading};
-use answer::{Answer, Measured};
-use journey::Journey;
-use line::Layout;
 use link::{Heard, Link};
+use protocol::{Answer, Layout, Measured};
 use std::any::Any;
 use std::ffi::{OsStr, OsString};
 use std::fmt;
@@ -174,8 +169,8 @@ impl Run {
     }
 
     /// What is wrong with its external plant, if anything is.
-    pub fn trouble(&self) -> Option<&Trouble> {
-        self.plant::<ExternalHardware>()?.trouble.as_ref()
+    pub fn plant_error(&self) -> Option<&PlantError> {
+        self.plant::<ExternalHardware>()?.error.as_ref()
     }
 }
 
@@ -192,8 +187,8 @@ pub(crate) struct ExternalHardware {
     measured: Measured,
     /// What events have set inputs to.
     overrides: Inputs<Option<f64>>,
-    journey: Option<Journey>,
-    trouble: Option<Trouble>,
+    odometry: Option<Odometry>,
+    error: Option<PlantError>,
     is_stopped: bool,
 }
 
@@ -215,19 +210,19 @@ impl ExternalHardware {
             number: 0,
             measured: Measured::default(),
             overrides: Inputs::all(None),
-            journey: None,
-            trouble: None,
+            odometry: None,
+            error: None,
             is_stopped: false,
         })
     }
 
     /// Waits for what is awaited, but not longer than this; whether nothing is awaited any more.
     fn wait(&mut self, longest: Duration) -> bool {
-        let (Some(head), None) = (self.awaits, &self.trouble) else {
+        let (Some(head), None) = (self.awaits, &self.error) else {
             return true;
         };
         let Some(link) = &mut self.link else {
-            self.trouble = Some(Trouble::Copy);
+            self.error = Some(PlantError::Copy);
             return true;
         };
         let within = match head {
@@ -239,34 +234,34 @@ impl ExternalHardware {
             heard => self.take(head, heard, within),
         };
         self.awaits = None;
-        if let Err(trouble) = taken {
+        if let Err(error) = taken {
             if let Some(link) = &mut self.link {
                 link.give_up();
             }
-            self.trouble = Some(trouble);
+            self.error = Some(error);
         }
         true
     }
 
     /// Takes what was heard in answer to a line.
-    fn take(&mut self, to: Head, heard: Heard, within: Duration) -> Result<(), Trouble> {
+    fn take(&mut self, to: Head, heard: Heard, within: Duration) -> Result<(), PlantError> {
         let line = match heard {
             Heard::Line(line) => line,
-            Heard::Nothing | Heard::TooLate => return Err(Trouble::NoAnswer { to, within }),
-            Heard::End(ended) => return Err(Trouble::Ended { to, ended }),
-            Heard::TooLong => return Err(Trouble::TooLong { to }),
-            Heard::NotText => return Err(Trouble::NotText { to }),
+            Heard::Nothing | Heard::TooLate => return Err(PlantError::NoAnswer { to, within }),
+            Heard::End(ended) => return Err(PlantError::Ended { to, ended }),
+            Heard::TooLong => return Err(PlantError::TooLong { to }),
+            Heard::NotText => return Err(PlantError::NotText { to }),
         };
-        let Answer { measured, pose } = answer::read(&line, to, &self.layout, &self.measured)?;
+        let Answer { measured, pose } = protocol::read(&line, to, &self.layout, &self.measured)?;
         self.measured = measured;
         if let Some(pose) = pose {
-            self.journey = Some(Journey::on(self.journey, pose));
+            self.odometry = Some(Odometry::on(self.odometry, pose));
         }
         Ok(())
     }
 
     fn fault(&self) -> Result<(), HardwareFault> {
-        let word = self.trouble.as_ref().map(Trouble::word);
+        let word = self.error.as_ref().map(PlantError::word);
         word.map_or(Ok(()), |word| Err(HardwareFault(word)))
     }
 }
@@ -280,7 +275,7 @@ impl DynHardware for ExternalHardware {
             // An answer that never comes, so that the copy finds out.
             awaits: Some(Head::Cycle(self.number)),
             measured: self.measured.clone(),
-            trouble: self.trouble.clone(),
+            error: self.error.clone(),
             ..*self
         })
     }
@@ -326,8 +321,8 @@ impl DynHardware for ExternalHardware {
     }
 
     fn stop(&mut self, _why: &Fault) {
-        if let (Some(link), None, false) = (&mut self.link, &self.trouble, self.is_stopped) {
-            link.tell(line::stop(self.number));
+        if let (Some(link), None, false) = (&mut self.link, &self.error, self.is_stopped) {
+            link.tell(protocol::stop(self.number));
         }
         self.is_stopped = true;
     }
@@ -341,7 +336,7 @@ impl DynHardware for ExternalHardware {
     }
 
     fn pose(&self) -> Option<Pose> {
-        self.journey.as_ref().map(Journey::now)
+        self.odometry.as_ref().map(Odometry::now)
     }
 
     fn limbs(&self) -> Option<Limbs> {
@@ -359,6 +354,54 @@ impl DynHardware for ExternalHardware {
     }
 
     fn travel(&self) -> Option<Travel> {
-        self.journey.as_ref().map(Journey::travel)
+        self.odometry.as_ref().map(Odometry::travel)
+    }
+}
+
+/// From where to where the body has come.
+#[derive(Clone, Copy, Debug)]
+struct Odometry {
+    start: Pose,
+    now: Pose,
+    /// Whole turns: deg.
+    turned: f64,
+}
+
+impl Odometry {
+    /// Goes on from what was before.
+    fn on(before: Option<Self>, now: Pose) -> Self {
+        let Some(before) = before else {
+            return Odometry {
+                start: now,
+                now,
+                turned: 0.0,
+            };
+        };
+        // Headings are kept within half a turn.
+        let turn = now.yaw - before.now.yaw;
+        let whole = if turn > 180.0 {
+            -360.0
+        } else if turn < -180.0 {
+            360.0
+        } else {
+            0.0
+        };
+        Odometry {
+            now,
+            turned: before.turned + whole,
+            ..before
+        }
+    }
+
+    /// Where it is.
+    fn now(&self) -> Pose {
+        self.now
+    }
+
+    /// How far it has come.
+    fn travel(&self) -> Travel {
+        let ([x, y, z], [x0, y0, z0]) = (self.now.position, self.start.position);
+        let turn = self.now.yaw - self.start.yaw + self.turned;
+        Travel::new([x - x0, y - y0, z - z0], turn)
     }
 }

@@ -3,7 +3,6 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
-mod apart;
 mod cycle;
 pub mod debug;
 mod described;
@@ -22,6 +21,7 @@ pub mod mjcf;
 mod model;
 mod motion;
 mod plant;
+mod process_group;
 mod program_runner;
 pub mod reach;
 mod refused;
@@ -37,7 +37,6 @@ pub mod urdf;
 pub mod verify;
 mod waits;
 
-pub use apart::end_processes;
 pub use cycle::{Asked, Cycle};
 pub use described::NotDescribed;
 pub use event::{Event, Events, Inputs, Timed};
@@ -47,6 +46,7 @@ pub use load::{NotLoaded, load};
 pub use model::{Anatomy, Limb};
 pub use motion::{Fall, Grasp, Limbs};
 pub use plant::Plant;
+pub use process_group::end_processes;
 pub use program_runner::ProgramRunner;
 pub use refused::Refused;
 pub use robot::{GraspsNothing, Robot, UnknownRobot};

@@ -24,12 +24,9 @@
 //! ```
 
 mod answer;
-mod notes;
-mod reach;
 mod side;
 
-pub use answer::{Answer, RunEnd, Session, serve};
-pub use reach::Reach;
+pub use answer::{Answer, Reach, RunEnd, Session, serve};
 
 use crate::event::Inputs;
 use crate::interp::Interpreter;

@@ -11,27 +11,23 @@
 //! let program = load("greet.prg", text, &robot)?.program().clone();
 //!
 //! // What matters to it: the key that it asks for, and one that it does not.
-//! assert_eq!(search::levers(&program), [Event::Key(b'H'), Event::Key(b'Z')]);
+//! assert_eq!(search::inputs(&program), [Event::Key(b'H'), Event::Key(b'Z')]);
 //!
 //! // Two interpreters agree; the search finds the key that leads to MESSAGE.
 //! let lockstep = Lockstep::new(program.clone(), Interpreter::new(program.clone()), &robot)?;
 //! let mut engines = Session::new(lockstep);
 //! let inputs = Inputs { cycles: Some(100), ..Inputs::default() };
-//! let (tally, diverging) = search::verify(&mut engines, &program, &inputs, 20)?;
+//! let (coverage, diverging) = search::verify(&mut engines, &program, &inputs, 20)?;
 //! assert!(diverging.is_none());
-//! assert!((0..tally.reach.spots().all().len()).all(|spot| tally.reach.has(spot)));
+//! assert!((0..coverage.reach.spots().all().len()).all(|spot| coverage.reach.has(spot)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod levers;
-mod random;
-mod shrink;
-mod tally;
+mod coverage;
+mod inputs;
 
-pub use levers::levers;
-pub use random::Random;
-pub use shrink::shrink;
-pub use tally::{Came, Diverging, Tally};
+pub use coverage::{Came, Coverage, Diverging};
+pub use inputs::inputs;
 
 use crate::event::{Event, Inputs, Timed};
 use crate::lockstep::{Answer, Session};
@@ -89,19 +85,19 @@ pub fn verify<E: Engines>(
     program: &Program,
     inputs: &Inputs,
     runs: u64,
-) -> Result<(Tally, Option<Diverging>), Failed<E::Error>> {
-    let mut tally = Tally::new(program);
+) -> Result<(Coverage, Option<Diverging>), Failed<E::Error>> {
+    let mut coverage = Coverage::new(program);
     let diverging = if inputs.events.is_empty() {
-        Search::new(engines, &mut tally, inputs.cycles).run(program, runs)?
+        Search::new(engines, &mut coverage, inputs.cycles).run(program, runs)?
     } else {
-        match tally.run(engines, inputs)? {
+        match coverage.run(engines, inputs)? {
             Came::Diverged(diverging) => Some(diverging),
             Came::Agreed { .. } => None,
         }
     };
     let shortest = diverging.map(|diverging| shrink(engines, diverging));
     let shortest = shortest.transpose().map_err(Failed::Engines)?;
-    Ok((tally, shortest))
+    Ok((coverage, shortest))
 }
 
 /// Every search of a program is the same.
@@ -124,7 +120,7 @@ struct Seed {
 /// A search.
 struct Search<'a, E> {
     engines: &'a mut E,
-    tally: &'a mut Tally,
+    coverage: &'a mut Coverage,
     /// The most cycles of each run.
     cycles: Option<u64>,
     seeds: Vec<Seed>,
@@ -132,11 +128,11 @@ struct Search<'a, E> {
 }
 
 impl<'a, E: Engines> Search<'a, E> {
-    /// A search that adds its runs to a tally.
-    fn new(engines: &'a mut E, tally: &'a mut Tally, cycles: Option<u64>) -> Self {
+    /// A search that adds its runs to a coverage.
+    fn new(engines: &'a mut E, coverage: &'a mut Coverage, cycles: Option<u64>) -> Self {
         Search {
             engines,
-            tally,
+            coverage,
             cycles,
             seeds: Vec::new(),
             random: Random::new(SEED),
@@ -145,14 +141,14 @@ impl<'a, E: Engines> Search<'a, E> {
 
     /// Makes `runs` runs, or one only if nothing from outside matters to the program; ends at once where the engines differ.
     fn run(mut self, program: &Program, runs: u64) -> Result<Option<Diverging>, Failed<E::Error>> {
-        let levers = levers(program);
+        let choices = inputs(program);
         if let Some(diverging) = self.attempt(Vec::new())? {
             return Ok(Some(diverging));
         }
         let length = self.seeds.first().map_or(0, |seed| seed.cycles);
-        let mut planned = first(&levers, length).into_iter();
-        while !levers.is_empty() && self.tally.runs() < runs {
-            let events = planned.next().unwrap_or_else(|| self.varied(&levers));
+        let mut planned = first(&choices, length).into_iter();
+        while !choices.is_empty() && self.coverage.runs() < runs {
+            let events = planned.next().unwrap_or_else(|| self.varied(&choices));
             if let Some(diverging) = self.attempt(events)? {
                 return Ok(Some(diverging));
             }
@@ -161,8 +157,8 @@ impl<'a, E: Engines> Search<'a, E> {
     }
 
     fn attempt(&mut self, events: Vec<Timed>) -> Result<Option<Diverging>, Failed<E::Error>> {
-        let inputs = inputs(&events, self.cycles);
-        match self.tally.run(self.engines, &inputs)? {
+        let inputs = of_events(&events, self.cycles);
+        match self.coverage.run(self.engines, &inputs)? {
             Came::Diverged(diverging) => Ok(Some(diverging)),
             Came::Agreed {
                 cycles,
@@ -182,7 +178,7 @@ impl<'a, E: Engines> Search<'a, E> {
     }
 
     /// A run that reached something new, more likely a late one, with one to three changes.
-    fn varied(&mut self, levers: &[Event]) -> Vec<Timed> {
+    fn varied(&mut self, choices: &[Event]) -> Vec<Timed> {
         let count = self.seeds.len() as u64;
         let which = self.random.below(count).max(self.random.below(count));
         let Some(seed) = self.seeds.get(which as usize).cloned() else {
@@ -203,10 +199,10 @@ impl<'a, E: Engines> Search<'a, E> {
                         .into_iter()
                         .for_each(|event| event.cycle = cycle);
                 }
-                2 => self.repeat(levers, &seed, &mut events),
+                2 => self.repeat(choices, &seed, &mut events),
                 _ => {
                     let cycle = self.moment(&seed);
-                    let what = self.random.pick(levers);
+                    let what = self.random.pick(choices);
                     events.extend(what.map(|what| what.clone().at(cycle)));
                 }
             }
@@ -215,8 +211,8 @@ impl<'a, E: Engines> Search<'a, E> {
     }
 
     /// Adds the same event again and again, as counters ask for it.
-    fn repeat(&mut self, levers: &[Event], seed: &Seed, events: &mut Vec<Timed>) {
-        let Some(what) = self.random.pick(levers).cloned() else {
+    fn repeat(&mut self, choices: &[Event], seed: &Seed, events: &mut Vec<Timed>) {
+        let Some(what) = self.random.pick(choices).cloned() else {
             return;
         };
         let (from, times) = (self.moment(seed), 2 + self.random.below(REPEATS));
@@ -235,7 +231,7 @@ impl<'a, E: Engines> Search<'a, E> {
 }
 
 /// The inputs that some events make. Of several halt requests the first one counts.
-fn inputs(events: &[Timed], cycles: Option<u64>) -> Inputs {
+fn of_events(events: &[Timed], cycles: Option<u64>) -> Inputs {
     let mut events = events.to_vec();
     events.sort_by_key(|timed| timed.cycle);
     let mut halted = false;
@@ -247,8 +243,131 @@ fn inputs(events: &[Timed], cycles: Option<u64>) -> Inputs {
 }
 
 /// Each lever alone, at the start of each part of a run of this length.
-fn first(levers: &[Event], length: u64) -> Vec<Vec<Timed>> {
+fn first(choices: &[Event], length: u64) -> Vec<Vec<Timed>> {
     let starts = (0..PARTS).map(|part| part * length / PARTS);
-    let at = |cycle| levers.iter().map(move |what| vec![what.clone().at(cycle)]);
+    let at = |cycle| choices.iter().map(move |what| vec![what.clone().at(cycle)]);
     starts.flat_map(at).collect()
+}
+
+/// Shrinks by dropping and moving events until nothing helps any more.
+///
+/// # Errors
+/// The engines fail.
+pub fn shrink<E: Engines>(engines: &mut E, diverging: Diverging) -> Result<Diverging, E::Error> {
+    let mut events = diverging.inputs.events.all().to_vec();
+    // The order of the options, which are tried one after the other.
+    events.sort_by_key(|timed| match timed.event {
+        Event::Key(_) => 0,
+        Event::Sensor(..) => 1,
+        Event::Halt => 2,
+        _ => 3,
+    });
+    let mut shrinking = Shrinking {
+        events,
+        best: diverging,
+        engines,
+    };
+    loop {
+        let before = shrinking.events.clone();
+        shrinking.drop_events()?;
+        shrinking.advance_events()?;
+        if shrinking.events == before {
+            break;
+        }
+    }
+    // The last cycle is the one that differs.
+    let mut best = shrinking.best;
+    best.inputs.events = shrinking.events.into();
+    best.inputs.cycles = Some(best.divergence.cycle + 1);
+    Ok(best)
+}
+
+struct Shrinking<'a, E> {
+    engines: &'a mut E,
+    events: Vec<Timed>,
+    best: Diverging,
+}
+
+impl<E: Engines> Shrinking<'_, E> {
+    /// Keeps the events if the engines still differ.
+    fn attempt(&mut self, events: Vec<Timed>) -> Result<bool, E::Error> {
+        let inputs = Inputs {
+            events: events.clone().into(),
+            cycles: self.best.inputs.cycles,
+        };
+        let Answer::Diverged(divergence) = self.engines.ask(&inputs)? else {
+            return Ok(false);
+        };
+        self.best = Diverging { inputs, divergence };
+        self.events = events;
+        Ok(true)
+    }
+
+    /// Drops events, many at once first.
+    fn drop_events(&mut self) -> Result<(), E::Error> {
+        let mut size = self.events.len();
+        while size > 0 {
+            let mut from = 0;
+            while from < self.events.len() {
+                let mut fewer = self.events.clone();
+                fewer.drain(from..fewer.len().min(from + size));
+                if !self.attempt(fewer)? {
+                    from += size;
+                }
+            }
+            size /= 2;
+        }
+        Ok(())
+    }
+
+    /// Moves each event to an earlier cycle: the earliest that bisection finds.
+    fn advance_events(&mut self) -> Result<(), E::Error> {
+        for which in 0..self.events.len() {
+            let mut too_early = None;
+            while self.events[which].cycle > too_early.map_or(0, |cycle: u64| cycle + 1) {
+                let mut events = self.events.clone();
+                let last = events[which].cycle;
+                let cycle = too_early.map_or(0, |early: u64| early + (last - early) / 2);
+                events[which].cycle = cycle;
+                if !self.attempt(events)? {
+                    too_early = Some(cycle);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Steele, Lea and Flood's SplitMix64 (Fast Splittable Pseudorandom Number Generators, 2014).
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// The same seed gives the same numbers.
+    pub const fn new(seed: u64) -> Self {
+        Random(seed)
+    }
+
+    /// Any number.
+    pub fn draw(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// One of 0, 1, … `count` − 1; 0 if there is none.
+    pub fn below(&mut self, count: u64) -> u64 {
+        self.draw().checked_rem(count).unwrap_or(0)
+    }
+
+    /// True once in `n` times.
+    pub fn once_in(&mut self, n: u64) -> bool {
+        self.below(n) == 0
+    }
+
+    /// One of them, if there are any.
+    pub fn pick<'a, T>(&mut self, of: &'a [T]) -> Option<&'a T> {
+        of.get(self.below(of.len() as u64) as usize)
+    }
 }

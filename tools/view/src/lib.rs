@@ -11,7 +11,6 @@ mod plot;
 mod recorder;
 mod recording;
 mod skeleton;
-mod slips;
 mod trace;
 mod updates;
 

@@ -21,17 +21,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod draft;
-mod finding;
-mod host;
-mod known;
+mod buffer;
+mod language_service;
 mod reader;
 mod request;
 mod runner;
 mod session;
 mod update;
 
-pub use host::{Host, NoFile};
 pub use reader::{Reader, Reading, Unread};
 pub use request::Asked;
 pub use session::{Session, Setup};
@@ -44,4 +41,33 @@ pub const MOST_BYTES: usize = 2 << 20;
 /// query.
 pub fn page() -> String {
     crate::page::live()
+}
+
+/// The file of the program, which only the one who holds the session can reach.
+pub trait Host {
+    /// Gives the file these bytes, all of them or none.
+    ///
+    /// # Errors
+    /// Why not, in words for the viewer.
+    fn write(&mut self, bytes: &[u8]) -> Result<(), String>;
+
+    /// What is in the file now.
+    ///
+    /// # Errors
+    /// Why it cannot be read, in words for the viewer.
+    fn read(&mut self) -> Result<Vec<u8>, String>;
+}
+
+/// No file: the program is only in the page.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoFile;
+
+impl Host for NoFile {
+    fn write(&mut self, _: &[u8]) -> Result<(), String> {
+        Err("there is no file".to_owned())
+    }
+
+    fn read(&mut self) -> Result<Vec<u8>, String> {
+        Err("there is no file".to_owned())
+    }
 }

@@ -128,7 +128,7 @@ impl Stopped<'_> {
                 Stopping::OutOfReach { target }.into(),
                 self.joints_of(target),
             ),
-            Fault::Hardware(what) => match self.run.trouble() {
+            Fault::Hardware(what) => match self.run.plant_error() {
                 Some(trouble) => (trouble.message().into(), None),
                 None => (Stopping::Broken { what }.into(), None),
             },

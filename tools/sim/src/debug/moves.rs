@@ -4,8 +4,8 @@
 use super::Debugger;
 use super::ask::Now;
 use super::breakpoints::Known;
-use super::history::{Frontier, MESSAGES};
 use super::stop::{Goal, Move, Origin, Progress, Reason, Stop};
+use super::{Frontier, MESSAGES};
 use crate::run::Run;
 use std::fmt::Display;
 use tip_runtime::machine::Status;
@@ -22,7 +22,7 @@ pub enum Work {
 
 /// A movement, from where it began.
 #[derive(Debug)]
-pub(super) struct Errand {
+pub(super) struct PendingCommand {
     pub(super) goal: Goal,
     pub(super) origin: Origin,
     is_back: bool,
@@ -32,7 +32,7 @@ pub(super) struct Errand {
 #[derive(Debug)]
 enum Phase {
     /// Hits have to be counted first.
-    Learning(Learn),
+    CountingHits(HitCounting),
     Forward,
     Back(Back),
 }
@@ -40,7 +40,7 @@ enum Phase {
 impl Debugger {
     /// Begins a movement, in the place of one that is under way; [`work`](Self::work) does it.
     pub fn start(&mut self, movement: Move) {
-        self.errand = None;
+        self.pending = None;
         let origin = Origin {
             at: self.now(),
             step: self.run().program().at(),
@@ -59,11 +59,11 @@ impl Debugger {
         if !is_back && self.now() == 0 {
             self.log_here();
         }
-        let phase = match unknown.and_then(|from| Learn::new(from, self)) {
-            Some(learn) => Phase::Learning(learn),
-            None => Phase::after_learning(is_back, self.now()),
+        let phase = match unknown.and_then(|from| HitCounting::new(from, self)) {
+            Some(counting) => Phase::CountingHits(counting),
+            None => Phase::after_counting(is_back, self.now()),
         };
-        self.errand = Some(Errand {
+        self.pending = Some(PendingCommand {
             goal,
             origin,
             is_back,
@@ -94,19 +94,19 @@ impl Debugger {
 
     /// Goes on with the movement for at most so many cycles. While it searches backwards, the debugger stands where it was.
     pub fn work(&mut self, cycles: u64) -> Work {
-        let Some(mut errand) = self.errand.take() else {
+        let Some(mut pending) = self.pending.take() else {
             return Work::Stopped(self.stop.clone());
         };
         let mut left = cycles.max(1);
         let found = loop {
-            match &mut errand.phase {
-                Phase::Learning(learn) => match self.learn(learn, &mut left) {
-                    true => errand.phase = Phase::after_learning(errand.is_back, self.now()),
+            match &mut pending.phase {
+                Phase::CountingHits(counting) => match self.count_hits(counting, &mut left) {
+                    true => pending.phase = Phase::after_counting(pending.is_back, self.now()),
                     false => break None,
                 },
-                Phase::Forward => break self.run_on(errand.goal, &errand.origin, &mut left),
+                Phase::Forward => break self.run_on(pending.goal, &pending.origin, &mut left),
                 Phase::Back(back) => {
-                    break self.look_back(back, errand.goal, &errand.origin, &mut left);
+                    break self.look_back(back, pending.goal, &pending.origin, &mut left);
                 }
             }
         };
@@ -116,8 +116,8 @@ impl Debugger {
                 Work::Stopped(self.stop.clone())
             }
             None => {
-                let progress = errand.progress(self.now());
-                self.errand = Some(errand);
+                let progress = pending.progress(self.now());
+                self.pending = Some(pending);
                 Work::Going(progress)
             }
         }
@@ -135,12 +135,12 @@ impl Debugger {
 
     /// Whether a movement is under way.
     pub fn is_going(&self) -> bool {
-        self.errand.is_some()
+        self.pending.is_some()
     }
 
     /// Gives a movement up: forwards the debugger stands where it has come to, backwards where it was.
     pub fn cancel(&mut self) -> &Stop {
-        if self.errand.take().is_some() {
+        if self.pending.take().is_some() {
             self.stop = Stop {
                 reason: Reason::Interrupted,
                 at: self.now(),
@@ -156,7 +156,7 @@ impl Debugger {
 }
 
 impl Phase {
-    fn after_learning(is_back: bool, now: u64) -> Self {
+    fn after_counting(is_back: bool, now: u64) -> Self {
         match is_back {
             true => Phase::Back(Back::new(now)),
             false => Phase::Forward,
@@ -164,10 +164,10 @@ impl Phase {
     }
 }
 
-impl Errand {
+impl PendingCommand {
     fn progress(&self, now: u64) -> Progress {
         match &self.phase {
-            Phase::Learning(learn) => learn.progress(),
+            Phase::CountingHits(counting) => counting.progress(),
             Phase::Forward => Progress {
                 done: now - self.origin.at,
                 of: match self.goal {
@@ -493,21 +493,21 @@ impl Stretch {
 
 /// A run that goes again over cycles in which nobody counted.
 #[derive(Debug)]
-pub(super) struct Learn {
+pub(super) struct HitCounting {
     scout: Run,
     from: u64,
     at: u64,
     until: u64,
 }
 
-impl Learn {
+impl HitCounting {
     /// From a position up to where the debugger stands.
     pub(super) fn new(from: u64, debugger: &Debugger) -> Option<Self> {
         let (at, mark) = debugger.timeline.before(from)?;
         let mut scout = debugger.run().clone();
         scout.restore(mark);
         scout.happen();
-        Some(Learn {
+        Some(HitCounting {
             scout,
             from: at,
             at,
@@ -525,26 +525,26 @@ impl Learn {
 
 impl Debugger {
     /// Goes on counting; says whether all is counted.
-    pub(super) fn learn(&mut self, learn: &mut Learn, left: &mut u64) -> bool {
+    pub(super) fn count_hits(&mut self, counting: &mut HitCounting, left: &mut u64) -> bool {
         loop {
-            let begins = self.history.enters(learn.at);
+            let begins = self.history.enters(counting.at);
             let now = Now {
-                run: &learn.scout,
-                at: learn.at,
+                run: &counting.scout,
+                at: counting.at,
                 asker: &self.asker,
             };
-            let step = learn.scout.program().at();
+            let step = counting.scout.program().at();
             self.breakpoints.count(begins.then_some(step), &now);
-            if learn.at >= learn.until {
+            if counting.at >= counting.until {
                 return true;
             }
             if *left == 0 {
                 return false;
             }
             *left -= 1;
-            learn.scout.advance(None);
-            learn.scout.happen();
-            learn.at += 1;
+            counting.scout.advance(None);
+            counting.scout.happen();
+            counting.at += 1;
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Where a debugger is to go, why it stops, and why it refuses what it is asked.
 
 use super::Debugger;
-use super::history::History;
+use super::History;
 use crate::message::Debugging;
 use crate::motion::Fall;
 use crate::refused;

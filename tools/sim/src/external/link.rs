@@ -1,8 +1,7 @@
 //! The process behind an external plant, and the pipes to it.
 
-use super::line::{BYE, LONGEST};
-use super::trouble::Ended;
-use crate::apart::Apart;
+use super::protocol::{BYE, Ended, LONGEST};
+use crate::process_group::ProcessGroup;
 use std::ffi::{OsStr, OsString};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
@@ -21,7 +20,7 @@ const SAID: u64 = 4096;
 
 /// A process that answers line by line.
 pub(super) struct Link {
-    process: Apart,
+    process: ProcessGroup,
     /// None when it has been told the last line.
     lines: Option<Sender<Line>>,
     answers: Receiver<Heard>,
@@ -61,7 +60,7 @@ impl Link {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
-        let mut process = Apart::start(&mut command)?;
+        let mut process = ProcessGroup::start(&mut command)?;
         let child = process.child();
         let (lines, to_write) = mpsc::channel();
         let (heard, answers) = mpsc::channel();

@@ -1,13 +1,17 @@
 //! One engine on a simulated robot of its own.
 
 use super::Evidence;
-use super::notes::{Notes, Shown};
 use crate::interp::Interpreter;
 use crate::run::Run;
 use crate::trace::both;
+use std::fmt::{self, Display, Write as _};
 use tip_lint::spots::Place;
-use tip_runtime::record::JsonLines;
-use tip_runtime::record::{Ending, Sink};
+use tip_runtime::command::{Command, Value};
+use tip_runtime::console::{Bars, Console};
+use tip_runtime::hardware::JointCommand;
+use tip_runtime::machine::Report;
+use tip_runtime::program::Program;
+use tip_runtime::record::{Cycle, Dump, Ending, JsonLines, Sample, Sink};
 
 /// A run, and what is noted of it.
 pub(super) struct Side {
@@ -144,4 +148,169 @@ pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> [String; 
         line.unwrap_or("(no record)").to_owned()
     };
     [at(&left), at(&right)]
+}
+
+/// A hash of words that goes on and on. Each word is taken in by a one-to-one map, so that one that differs is never lost
+/// to those after it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Hash(u64);
+
+impl Hash {
+    /// The odd constant of FxHash (the hash of the compiler rustc).
+    const FACTOR: u64 = 0x517c_c1b7_2722_0a95;
+
+    pub(super) fn add(&mut self, word: u64) {
+        self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(Self::FACTOR);
+    }
+
+    pub(super) fn value(self) -> u64 {
+        self.0
+    }
+}
+
+impl fmt::Write for Hash {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        text.bytes().for_each(|byte| self.add(u64::from(byte)));
+        Ok(())
+    }
+}
+
+/// Hashes each cycle; on demand also in words.
+#[derive(Debug, Default)]
+pub(super) struct Notes {
+    pub(super) hash: Hash,
+    /// The present cycle in words, if they are wanted.
+    pub(super) words: Option<String>,
+}
+
+impl Notes {
+    /// Notes that write cycles down.
+    pub(super) fn in_words() -> Self {
+        Notes {
+            words: Some(String::new()),
+            ..Notes::default()
+        }
+    }
+
+    fn tell(&mut self, what: fmt::Arguments<'_>) {
+        if let Some(words) = &mut self.words {
+            writeln!(words, "  {what}").expect("writing to a string");
+        }
+    }
+
+    fn variables(&mut self, program: &dyn Program) {
+        for n in 0.. {
+            let Some((name, value)) = program.scalar(n) else {
+                break;
+            };
+            self.hash.add(value.map_or(u64::MAX, f64::to_bits));
+            self.tell(format_args!("{name} is {value:?}"));
+        }
+    }
+
+    fn joints(&mut self, cycle: &Cycle<'_>) {
+        let mut kinds = 0;
+        for (n, (command, angle)) in cycle
+            .sample
+            .commands
+            .iter()
+            .zip(cycle.sample.angles)
+            .enumerate()
+        {
+            kinds = kinds * 2 + u64::from(matches!(command, JointCommand::Torque(_)));
+            self.hash.add(command.value().to_bits());
+            self.hash.add(angle.to_bits());
+            self.tell(format_args!(
+                "joint {n} is at {angle:?} and told {command:?}"
+            ));
+        }
+        self.hash.add(kinds);
+    }
+}
+
+impl Sink for Notes {
+    fn begin(&mut self, program: &dyn Program) {
+        if let Some(words) = &mut self.words {
+            words.clear();
+        }
+        let at = program.at();
+        self.tell(format_args!("step {at}, line {}", program.line(at)));
+    }
+
+    fn command(&mut self, command: &Command<'_>) {
+        self.hash.add(command.op as u64 * 2 + u64::from(command.hs));
+        write!(self.hash, "{}", command.target).expect("a hash takes every text");
+        for value in command.values {
+            self.hash.add(value.number().to_bits());
+            self.hash.add(match value {
+                Value::Absolute(_) => 0,
+                Value::Relative(_) => 1,
+                Value::Fixed(_) => 2,
+            });
+        }
+        self.tell(format_args!("{command:?}"));
+    }
+
+    fn say(&mut self, text: &dyn Display) {
+        write!(self.hash, "{text}").expect("a hash takes every text");
+        self.tell(format_args!("says {text}"));
+    }
+
+    fn lamp(&mut self, device: u8, on: bool) {
+        self.hash.add(u64::from(device) * 2 + u64::from(on));
+        self.tell(format_args!("lamp {device} {on}"));
+    }
+
+    fn cycle(&mut self, cycle: &Cycle<'_>) {
+        let next = cycle.next.map_or(u64::MAX, u64::from);
+        self.hash.add(cycle.sample.cycle);
+        self.hash.add(u64::from(cycle.step));
+        self.hash.add(next);
+        self.tell(format_args!("next {:?}", cycle.next));
+        self.variables(cycle.program);
+        self.joints(cycle);
+    }
+}
+
+/// Hashes what a console is shown.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct Shown(Hash);
+
+impl Shown {
+    fn show(&mut self, text: &dyn Display) {
+        write!(self.0, "{text}").expect("a hash takes every text");
+    }
+}
+
+impl Console for Shown {
+    fn silent(&mut self, on: bool) {
+        self.0.add(u64::from(on));
+    }
+
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        self.0.add(u64::from(graph));
+        bars.0.iter().for_each(|share| self.0.add(share.to_bits()));
+    }
+
+    fn sample(&mut self, sample: &Sample<'_>) {
+        self.0.add(sample.cycle);
+        self.0.add(sample.time.to_bits());
+        let sensed = [sample.torques, sample.paws, sample.knobs, &[sample.antenna]];
+        sensed
+            .concat()
+            .iter()
+            .for_each(|value| self.0.add(value.to_bits()));
+    }
+
+    fn variables(&mut self, dump: &Dump<'_>) {
+        self.show(dump);
+    }
+
+    fn emergency(&mut self, report: &Report<'_>) {
+        self.show(report);
+    }
+
+    fn ended(&mut self) {
+        self.0.add(u64::MAX);
+    }
 }

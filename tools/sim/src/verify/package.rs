@@ -1,7 +1,7 @@
 //! The package that is built: the user's program as Rust and as text, its robot, and a loop that answers requests.
 
+use super::NotBuilt;
 use super::Subject;
-use super::error::NotBuilt;
 use super::project::Project;
 use crate::robot::Robot;
 use proc_macro2::{Ident, Span};

@@ -1,6 +1,6 @@
 //! The user's project, as cargo reports it: where the runtime comes from, and the build.
 
-use super::error::NotBuilt;
+use super::NotBuilt;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io::{self, IsTerminal};

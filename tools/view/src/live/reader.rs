@@ -1,7 +1,6 @@
 //! Checks the text of the editor and answers questions about it: what takes long in a long text, apart from the run.
 
-use super::finding::{Finding, findings};
-use super::known::{self, Known};
+use super::language_service::{self, Finding, Known, findings};
 use super::request::{Answer, Asked, Request};
 use tip_ide::Document;
 use tip_sim::Robot;
@@ -64,8 +63,8 @@ impl Reader {
     pub fn answer(&self, asked: &Asked) -> Option<String> {
         let document = self.document.as_ref();
         let known: Option<Known> = match &asked.request {
-            Ok(Request::Hover { at }) => document.map(|it| known::hover(it, *at)),
-            Ok(Request::Complete { at }) => document.map(|it| known::offers(it, *at)),
+            Ok(Request::Hover { at }) => document.map(|it| language_service::hover(it, *at)),
+            Ok(Request::Complete { at }) => document.map(|it| language_service::offers(it, *at)),
             _ => return None,
         };
         Some(Answer::new(asked.id, Ok(known)).text())

@@ -1,6 +1,6 @@
 //! What viewers ask for.
 
-use super::known::{Known, Place};
+use super::language_service::{Known, Place};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use tip_sim::Event;

@@ -19,7 +19,7 @@ const CUTS: usize = 64;
 
 /// A program that runs, and what it did.
 pub(super) struct Runner {
-    timeline: Timeline<recorder::Mark>,
+    timeline: Timeline<recorder::Checkpoint>,
     recorder: Recorder,
     /// What happens before the next step.
     waiting: Vec<Event>,
@@ -44,7 +44,7 @@ impl Runner {
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = scripted.all().to_vec();
         let mut runner = Runner {
-            timeline: Timeline::new(run, recorder.mark()),
+            timeline: Timeline::new(run, recorder.checkpoint()),
             recorder,
             waiting: Vec::new(),
             cuts: VecDeque::new(),
@@ -67,7 +67,7 @@ impl Runner {
             recorder.recording.outcome = Outcome::from(ending);
             return;
         }
-        if self.timeline.note(|| recorder.mark()) {
+        if self.timeline.note(|| recorder.checkpoint()) {
             self.forget();
         }
     }
@@ -118,10 +118,10 @@ impl Runner {
     pub(super) fn go_to(&mut self, taken: u64) {
         let taken = taken.max(self.first() + 1);
         if taken < self.taken() {
-            let Some(mark) = self.timeline.rewind(taken - 1) else {
+            let Some(checkpoint) = self.timeline.rewind(taken - 1) else {
                 return;
             };
-            self.recorder.take_back(mark);
+            self.recorder.take_back(checkpoint);
             self.waiting.clear();
             self.recorder.recording.outcome = Outcome::Limit;
             self.cuts.push_back(taken);

@@ -1,8 +1,8 @@
 //! A program that runs, the text that becomes the next one, and what viewers do to both.
 
+use super::Host;
 use super::MOST_BYTES;
-use super::draft::Draft;
-use super::host::Host;
+use super::buffer::Buffer;
 use super::reader::{Reader, Reading, Unread};
 use super::request::{Answer, Asked, Refusal, Request, is_stop, refuse, refuse_since};
 use super::runner::Runner;
@@ -56,7 +56,7 @@ pub struct Session {
     rest: Option<u64>,
     /// Checks the text, unless someone else does.
     reader: Option<Reader>,
-    pub(super) draft: Draft,
+    pub(super) buffer: Buffer,
     /// The text of this version runs once it is checked.
     runs_next: Option<u64>,
     pub(super) runner: Runner,
@@ -86,13 +86,13 @@ impl Session {
             events,
             rest,
         } = setup;
-        let mut draft = Draft::new(name.clone(), &bytes, options);
+        let mut buffer = Buffer::new(name.clone(), &bytes, options);
         let mut reader = Reader::new(robot.clone());
-        if let Some(unread) = draft.unread() {
-            draft.keep(reader.read(unread));
+        if let Some(unread) = buffer.unread() {
+            buffer.keep(reader.read(unread));
         }
         let refused = || Box::new(tip_lint::load(&name, &bytes, &options));
-        let loaded = draft.program().ok_or_else(refused)?;
+        let loaded = buffer.program().ok_or_else(refused)?;
         let runner =
             Runner::begin(loaded, &robot, &events).map_err(|_| Box::new(loaded.clone()))?;
         Ok(Session {
@@ -100,7 +100,7 @@ impl Session {
             events,
             rest,
             reader: Some(reader),
-            draft,
+            buffer,
             runs_next: None,
             runner,
             runs: 1,
@@ -168,7 +168,7 @@ impl Session {
     pub fn ask(&mut self, asked: &Asked, host: &mut dyn Host) -> Option<String> {
         let result = match &asked.request {
             Ok(Request::Hover { .. } | Request::Complete { .. }) => return None,
-            Ok(Request::Restart {}) if !self.draft.is_checked() => return None,
+            Ok(Request::Restart {}) if !self.buffer.is_checked() => return None,
             Ok(request) => self.fulfil(request, host),
             Err(refusal) => Err(refusal.clone()),
         };
@@ -180,18 +180,18 @@ impl Session {
     /// ([`Session::checked`]).
     pub fn hand_over(&mut self) {
         self.reader = None;
-        self.draft.forget_given();
+        self.buffer.forget_given();
     }
 
     /// Returns the text that is to be checked, once.
     pub fn unread(&mut self) -> Option<Unread> {
-        self.draft.unread()
+        self.buffer.unread()
     }
 
     /// Takes what was found in a text.
     pub fn checked(&mut self, reading: Reading) {
-        self.draft.keep(reading);
-        if self.runs_next == Some(self.draft.checked()) {
+        self.buffer.keep(reading);
+        if self.runs_next == Some(self.buffer.checked()) {
             self.runs_next = None;
             // With errors in the text the run before goes on.
             let _ = self.restart();
@@ -203,7 +203,7 @@ impl Session {
         let Some(mut reader) = self.reader.take() else {
             return;
         };
-        if let Some(unread) = self.draft.unread() {
+        if let Some(unread) = self.buffer.unread() {
             self.checked(reader.read(unread));
         }
         self.reader = Some(reader);
@@ -283,7 +283,7 @@ impl Session {
 
     /// Runs the text from the beginning; it plays, unless the run before it rests.
     fn restart(&mut self) -> Result<(), Refusal> {
-        let Some(loaded) = self.draft.program() else {
+        let Some(loaded) = self.buffer.program() else {
             return refuse("errors");
         };
         let rests = !self.is_playing && !self.runner.is_over();
@@ -292,30 +292,30 @@ impl Session {
             Err(reason) => return refuse_since("impossible", reason),
         }
         self.runs += 1;
-        self.running = self.draft.checked();
+        self.running = self.buffer.checked();
         self.owed = 0.0;
         self.is_playing = !rests && !self.runner.is_over();
         Ok(())
     }
 
     fn edit(&mut self, text: &str, base: u64, by: &str) -> Result<(), Refusal> {
-        if base != self.draft.version {
+        if base != self.buffer.version {
             return refuse("stale");
         }
         if by.len() > NAME || text.len() > MOST_BYTES {
             return refuse("long");
         }
-        self.draft.edit(text, by.to_owned());
+        self.buffer.edit(text, by.to_owned());
         Ok(())
     }
 
     fn save(&mut self, host: &mut dyn Host) -> Result<(), Refusal> {
-        let bytes = match self.draft.bytes() {
+        let bytes = match self.buffer.bytes() {
             Ok(bytes) => bytes,
             Err(char) => return refuse_since("unspelled", char),
         };
         match host.write(&bytes) {
-            Ok(()) => self.draft.saved(&bytes),
+            Ok(()) => self.buffer.saved(&bytes),
             Err(reason) => return refuse_since("unsaved", reason),
         }
         Ok(())
@@ -324,19 +324,19 @@ impl Session {
     /// The file has changed. Its text takes the place of one that nobody has edited, and runs if it is a program; an edited
     /// text stays, and viewers learn of it.
     pub fn file_changed(&mut self, bytes: &[u8]) {
-        if self.draft.is_file(bytes) {
+        if self.buffer.is_file(bytes) {
             return;
         }
-        match self.draft.is_changed() {
-            true => self.draft.is_overtaken = true,
+        match self.buffer.is_changed() {
+            true => self.buffer.is_overtaken = true,
             false => self.load(bytes),
         }
     }
 
     /// Takes the text of the file, and runs it once it is checked, if it is a program.
     fn load(&mut self, bytes: &[u8]) {
-        self.draft.reload(bytes);
-        self.runs_next = Some(self.draft.version);
+        self.buffer.reload(bytes);
+        self.runs_next = Some(self.buffer.version);
         self.check();
     }
 

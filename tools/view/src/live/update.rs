@@ -1,6 +1,6 @@
 //! What a viewer does not know yet.
 
-use super::finding::Finding;
+use super::language_service::Finding;
 use super::session::Session;
 use crate::recording::Recording;
 use crate::updates::{self, Ended, Part, json};
@@ -77,23 +77,23 @@ fn next(session: &Session, viewer: &mut Viewer) -> Option<String> {
         };
         return Some(more(session, viewer, cut));
     }
-    let draft = &session.draft;
-    if viewer.text != draft.version {
-        viewer.text = draft.version;
+    let buffer = &session.buffer;
+    if viewer.text != buffer.version {
+        viewer.text = buffer.version;
         return Some(json(&Text {
             r#type: "text",
-            version: draft.version,
-            by: &draft.author,
-            text: &draft.text,
+            version: buffer.version,
+            by: &buffer.author,
+            text: &buffer.text,
         }));
     }
-    if viewer.findings != draft.checked() {
-        viewer.findings = draft.checked();
+    if viewer.findings != buffer.checked() {
+        viewer.findings = buffer.checked();
         return Some(json(&Found {
             r#type: "findings",
-            version: draft.checked(),
-            findings: draft.findings(),
-            good: draft.program().is_some(),
+            version: buffer.checked(),
+            findings: buffer.findings(),
+            good: buffer.program().is_some(),
         }));
     }
     let status = status(session);
@@ -168,7 +168,7 @@ fn status(session: &Session) -> String {
         over: runner.is_over(),
         outcome: runner.is_over().then(|| Ended::of(runner.recording())),
         running: session.running,
-        changed: session.draft.is_changed(),
-        overtaken: session.draft.is_overtaken,
+        changed: session.buffer.is_changed(),
+        overtaken: session.buffer.is_overtaken,
     })
 }

@@ -1,24 +1,24 @@
 //! Foxglove's messages, field by field as published.
 
-use super::proto::{self, messages};
+use super::proto::{self, protobuf};
 use prost_types::field_descriptor_proto::Type;
 use prost_types::{EnumDescriptorProto, EnumValueDescriptorProto, FileDescriptorProto};
 
-messages! { time:
+protobuf! { time:
     Timestamp {
         seconds: required int64 i64 = 1,
         nanos: required int32 i32 = 2,
     }
 }
 
-messages! { durations:
+protobuf! { durations:
     Duration {
         seconds: required int64 i64 = 1,
         nanos: required int32 i32 = 2,
     }
 }
 
-messages! { all:
+protobuf! { all:
     Vector3 {
         x: required double f64 = 1,
         y: required double f64 = 2,
@@ -155,26 +155,21 @@ messages! { all:
 
 type Bytes = Vec<u8>;
 
-/// Enumerations are numbers in messages: the message, the field, the enumeration, and its values from 0.
-const ENUMERATIONS: [(&str, &str, &str, &[&str]); 3] = [
-    (
+/// Enumerations are numbers in messages: the message, the field, the enumeration, and its values from 0 with blanks between.
+const ENUMERATIONS: [[&str; 4]; 3] = [
+    [
         "LinePrimitive",
         "type",
         "Type",
-        &["LINE_STRIP", "LINE_LOOP", "LINE_LIST"],
-    ),
-    (
-        "SceneEntityDeletion",
-        "type",
-        "Type",
-        &["MATCHING_ID", "ALL"],
-    ),
-    (
+        "LINE_STRIP LINE_LOOP LINE_LIST",
+    ],
+    ["SceneEntityDeletion", "type", "Type", "MATCHING_ID ALL"],
+    [
         "Log",
         "level",
         "Level",
-        &["UNKNOWN", "DEBUG", "INFO", "WARNING", "ERROR", "FATAL"],
-    ),
+        "UNKNOWN DEBUG INFO WARNING ERROR FATAL",
+    ],
 ];
 
 /// The file of time, which messages of all files need.
@@ -192,15 +187,15 @@ pub(super) fn duration_file() -> FileDescriptorProto {
 /// Foxglove's file.
 pub(super) fn file() -> FileDescriptorProto {
     let mut messages = all();
-    for (name, field, enumeration, values) in ENUMERATIONS {
+    for [name, field, enumeration, values] in ENUMERATIONS {
         for message in messages.iter_mut().filter(|message| message.name() == name) {
             for of in message.field.iter_mut().filter(|of| of.name() == field) {
                 of.r#type = Some(Type::Enum.into());
                 of.type_name = Some(format!("/{enumeration}"));
             }
-            let values = (0..).zip(values);
-            let value = |(number, name): (i32, &&str)| EnumValueDescriptorProto {
-                name: Some((*name).to_owned()),
+            let values = (0..).zip(values.split_whitespace());
+            let value = |(number, name): (i32, &str)| EnumValueDescriptorProto {
+                name: Some(name.to_owned()),
                 number: Some(number),
                 options: None,
             };

@@ -1,13 +1,13 @@
 //! The messages of this project's own: what the program did, and how the robot stands.
 
 use super::foxglove::{TIME, Timestamp};
-use super::proto::{self, message, messages};
+use super::proto::{self, message, protobuf};
 use crate::recording::{Frame, Recording};
 use prost::encoding::{bytes, double};
 use prost_types::{DescriptorProto, FieldDescriptorProto, FileDescriptorProto};
 use tip_sim::urdf::frame::foot;
 
-messages! { same:
+protobuf! { same:
     State {
         timestamp: required message Timestamp = 1,
         cycle: required int64 i64 = 2,

@@ -5,7 +5,7 @@ use prost_types::{DescriptorProto, FieldDescriptorProto, FileDescriptorProto};
 
 /// Declares messages, and a function that returns their descriptors. Each field has its label, its type in Protocol Buffers and
 /// in Rust, and its number. What is `required` is written even if it is 0: readers need not know the default.
-macro_rules! messages {
+macro_rules! protobuf {
     ($all:ident: $($name:ident {
         $($field:ident: $label:ident $kind:ident $([$($option:tt)*])? $type:ident = $tag:literal,)*
     })*) => {
@@ -35,7 +35,7 @@ macro_rules! labelled {
     (repeated $type:ty) => { Vec<$type> };
 }
 
-pub(super) use {labelled, messages};
+pub(super) use {labelled, protobuf};
 
 /// A file of messages, as `protoc` would describe it.
 pub(super) fn file(

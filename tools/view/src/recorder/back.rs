@@ -1,14 +1,13 @@
 //! A recorder that is taken back, and one that forgets.
 
-use super::Recorder;
+use super::{Recorder, Slips};
 use crate::recording::{At, Recording, Tick};
-use crate::slips::Slips;
 use std::collections::HashSet;
 use std::hash::Hash;
 
 /// What a recorder knows beside its recording.
 #[derive(Clone, Debug)]
-pub(crate) struct Mark {
+pub(crate) struct Checkpoint {
     cycle: u64,
     slips: Slips,
     falls: u32,
@@ -16,8 +15,8 @@ pub(crate) struct Mark {
 
 impl Recorder {
     /// Marks where it is.
-    pub(crate) fn mark(&self) -> Mark {
-        Mark {
+    pub(crate) fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
             cycle: self.recording.cycles,
             slips: self.slips.clone(),
             falls: self.falls,
@@ -25,11 +24,11 @@ impl Recorder {
     }
 
     /// Back to where a mark was made.
-    pub(crate) fn take_back(&mut self, mark: &Mark) {
-        self.slips = mark.slips.clone();
-        self.falls = mark.falls;
+    pub(crate) fn take_back(&mut self, checkpoint: &Checkpoint) {
+        self.slips = checkpoint.slips.clone();
+        self.falls = checkpoint.falls;
         self.pending = None;
-        self.recording.cut(mark.cycle);
+        self.recording.cut(checkpoint.cycle);
     }
 }
 

@@ -11,10 +11,10 @@ use tip_tests::{Settings, cases, root, run};
 use tipc::program::Program;
 use tipc::{Options, Robot};
 
-/// How many random programs are watched: enough to reach reads that find a value on some paths only.
+/// Number of random programs: enough to reach reads that find a value on some paths only.
 const SEEDS: u64 = 1_000;
 
-/// What the runs of all programs did.
+/// Observations of the runs of all programs.
 pub(crate) struct Runs {
     /// The reads that they came to.
     pub(crate) seen: Seen,

@@ -10,7 +10,7 @@ use tip_sim::Interpreter;
 use tipc::analysis::assignment::{Assigned, Assignment};
 use tipc::program::Action;
 
-/// How often runs came to reads of each kind.
+/// Number of reads of each kind that runs reached.
 pub(crate) type Seen = BTreeMap<Assigned, u64>;
 
 /// The interpreter, watched: each step's reads are judged before it runs.
@@ -19,7 +19,7 @@ pub(crate) struct Watched {
     name: String,
     engine: Interpreter,
     assignment: Assignment,
-    /// Whether the step is reached "not taken"; `None` if that cannot be seen from outside.
+    /// True if the step is reached "not taken"; `None` if that cannot be seen from outside.
     not_taken: Option<bool>,
     seen: Arc<Mutex<Seen>>,
 }
@@ -35,7 +35,7 @@ impl Watched {
         }
     }
 
-    /// Whether the step that runs next may read what it names: a passed ELSEIF does not.
+    /// Returns true if the step that runs next may read what it names: a passed ELSEIF does not.
     fn reads_now(&self) -> bool {
         let action = &self.engine.program().steps()[self.engine.at() as usize].action;
         !matches!(action, Action::ElseIf { .. }) || self.not_taken == Some(true)
@@ -61,7 +61,7 @@ impl Watched {
         }
     }
 
-    /// How the next step is reached, by the one that ran.
+    /// Returns the way from the step that ran to the next.
     fn arrival(&self, ran: u32) -> Option<bool> {
         match self.engine.program().steps()[ran as usize].action {
             Action::If { otherwise, .. } | Action::ElseIf { otherwise, .. }

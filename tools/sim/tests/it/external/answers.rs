@@ -5,7 +5,7 @@ use super::peer::{
 };
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::external::{Head, Trouble};
+use tip_sim::external::{Head, PlantError};
 use tip_sim::{ExternalPlant, Limit, Plant, Refused, Robot, Run, load};
 
 const TO: Head = Head::Cycle(3);
@@ -14,7 +14,7 @@ const TO: Head = Head::Cycle(3);
 fn trace(mut run: Run) -> Result<String, String> {
     match run.to_end(Limit::cycles(1000)) {
         Ending::Program(End::End) => Ok(run.trace()),
-        other => Err(format!("{other:?} {:?}", run.trouble())),
+        other => Err(format!("{other:?} {:?}", run.plant_error())),
     }
 }
 
@@ -68,7 +68,7 @@ fn a_line_that_is_no_answer() -> Outcome {
     let line = "step 3 done".to_owned();
     assert_eq!(
         trouble,
-        Trouble::Garbage {
+        PlantError::Garbage {
             to: TO,
             line,
             begins: "state"
@@ -85,7 +85,7 @@ fn a_line_that_is_no_answer() -> Outcome {
     let line = "Welcome".to_owned();
     assert_eq!(
         trouble,
-        Trouble::Garbage {
+        PlantError::Garbage {
             to: Head::Hello,
             line,
             begins: "ready"
@@ -110,7 +110,7 @@ fn bytes_that_are_no_text() -> Outcome {
     let (word, _, trouble) = stopped(&in_cycle_3("printf 'state n=3 \\377\\n'"))?;
     assert_eq!(
         (word, trouble),
-        ("plant: wrong answer", Trouble::NotText { to: TO })
+        ("plant: wrong answer", PlantError::NotText { to: TO })
     );
     Ok(())
 }
@@ -120,7 +120,7 @@ fn too_few_numbers_and_too_many() -> Outcome {
     for (found, numbers) in [(11, "${targets#*,}"), (13, "0,$targets"), (0, "")] {
         let (word, _, trouble) =
             stopped(&in_cycle_3(&format!("echo \"state n=3 angles={numbers}\"")))?;
-        let count = Trouble::Count {
+        let count = PlantError::Count {
             to: TO,
             key: "angles",
             wanted: 12,
@@ -152,7 +152,7 @@ fn what_is_not_finite_has_its_place() -> Outcome {
         let place = "J31".to_owned();
         assert_eq!(
             trouble,
-            Trouble::NotFinite {
+            PlantError::NotFinite {
                 to: TO,
                 key: "angles",
                 place
@@ -170,7 +170,7 @@ fn the_answer_to_another_cycle() -> Outcome {
         assert_eq!(word, "plant: answer to another cycle");
         assert_eq!(
             trouble,
-            Trouble::Cycle {
+            PlantError::Cycle {
                 to: TO,
                 found: found.to_owned()
             }
@@ -188,7 +188,7 @@ fn words_that_an_answer_has_not() -> Outcome {
         let (_, _, trouble) = stopped(&in_cycle_3(&format!("{ECHO}\" {word}\"")))?;
         assert_eq!(
             trouble,
-            Trouble::Word {
+            PlantError::Word {
                 to: TO,
                 word: word.to_owned()
             }
@@ -197,7 +197,7 @@ fn words_that_an_answer_has_not() -> Outcome {
     let (_, _, trouble) = stopped(&in_cycle_3(&format!("{ECHO}\" angles=1\"")))?;
     assert_eq!(
         trouble,
-        Trouble::Twice {
+        PlantError::Twice {
             to: TO,
             key: "angles"
         }
@@ -205,7 +205,7 @@ fn words_that_an_answer_has_not() -> Outcome {
     let (_, _, trouble) = stopped(&in_cycle_3("echo state n=3"))?;
     assert_eq!(
         trouble,
-        Trouble::Missing {
+        PlantError::Missing {
             to: TO,
             key: "angles"
         }
@@ -219,14 +219,14 @@ fn another_version() -> Outcome {
     assert_eq!((word, cycle), ("plant: other version", 0));
     assert_eq!(
         trouble,
-        Trouble::Version {
+        PlantError::Version {
             found: "2".to_owned()
         }
     );
     let (_, _, trouble) = stopped(&peer(&format!("echo ready {ANGLES}"), ECHO))?;
     assert_eq!(
         trouble,
-        Trouble::Missing {
+        PlantError::Missing {
             to: Head::Hello,
             key: "version"
         }
@@ -241,11 +241,11 @@ fn lines_may_be_long_but_not_endless() -> Outcome {
     let (word, _, trouble) = stopped(&in_cycle_3(&of(65_537)))?;
     assert_eq!(
         (word, trouble),
-        ("plant: wrong answer", Trouble::TooLong { to: TO })
+        ("plant: wrong answer", PlantError::TooLong { to: TO })
     );
     // One without any end.
     let (_, _, trouble) = stopped(&in_cycle_3("exec cat /dev/zero"))?;
-    assert_eq!(trouble, Trouble::TooLong { to: TO });
+    assert_eq!(trouble, PlantError::TooLong { to: TO });
     Ok(())
 }
 
@@ -255,7 +255,7 @@ fn what_is_measured_first_is_measured_always() -> Outcome {
     let (_, _, trouble) = stopped(&peer(&ready, ECHO))?;
     assert_eq!(
         trouble,
-        Trouble::Missing {
+        PlantError::Missing {
             to: Head::Cycle(0),
             key: "loads"
         }
@@ -320,10 +320,10 @@ fn a_hand_has_torques_and_a_slider() -> Outcome {
     let missing = |answer: &str| {
         let mut run = run_on("hand", "END", &plant(answer))?;
         run.to_end(Limit::NONE);
-        let trouble = run.trouble().cloned();
+        let trouble = run.plant_error().cloned();
         trouble.ok_or_else(|| Box::<dyn std::error::Error>::from("no trouble"))
     };
-    let of = |key| Trouble::Missing {
+    let of = |key| PlantError::Missing {
         to: Head::Hello,
         key,
     };
@@ -333,7 +333,7 @@ fn a_hand_has_torques_and_a_slider() -> Outcome {
     assert_eq!(run.to_end(Limit::NONE), Ending::Program(End::End));
     // It has no soles that could carry something.
     let (_, loads) = (of("loads"), format!("{needed} loads=1,2,3"));
-    let count = Trouble::Count {
+    let count = PlantError::Count {
         to: Head::Hello,
         key: "loads",
         wanted: 0,

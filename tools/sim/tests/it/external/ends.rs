@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use tip_runtime::fault::Fault;
 use tip_runtime::machine::Status;
 use tip_runtime::record::Ending;
-use tip_sim::external::{Ended, Head, NotStarted, Patience, Trouble};
+use tip_sim::external::{Ended, Head, NotStarted, Patience, PlantError};
 use tip_sim::{ExternalPlant, Limit, Observer, Robot, Run, load};
 
 const TO: Head = Head::Cycle(3);
@@ -52,7 +52,7 @@ fn it_ends_before_it_is_ready() -> Outcome {
     let ended = Ended::Exit(7);
     assert_eq!(
         trouble,
-        Trouble::Ended {
+        PlantError::Ended {
             to: Head::Hello,
             ended
         }
@@ -75,14 +75,14 @@ fn it_ends_in_the_middle() -> Outcome {
     ] {
         let (word, cycle, trouble) = stopped(&in_cycle_3(does))?;
         assert_eq!((word, cycle), ("plant: ended", 4), "{does}");
-        assert_eq!(trouble, Trouble::Ended { to: TO, ended }, "{does}");
+        assert_eq!(trouble, PlantError::Ended { to: TO, ended }, "{does}");
     }
     // One that has answered before it goes is missed in the next cycle.
     let (_, cycle, trouble) = stopped(&in_cycle_3(&format!("{ECHO}; exit 2")))?;
     assert_eq!(cycle, 5);
     assert_eq!(
         trouble,
-        Trouble::Ended {
+        PlantError::Ended {
             to: Head::Cycle(4),
             ended: Ended::Exit(2)
         }
@@ -96,7 +96,7 @@ fn it_takes_too_long() -> Outcome {
     let within = SHORT.later;
     let (word, cycle, trouble) = stopped(&in_cycle_3("sleep 60").with_patience(SHORT))?;
     assert_eq!((word, cycle), ("plant: no answer", 4));
-    assert_eq!(trouble, Trouble::NoAnswer { to: TO, within });
+    assert_eq!(trouble, PlantError::NoAnswer { to: TO, within });
     assert_eq!(
         trouble.to_string(),
         "the external plant has not answered 'cycle n=3' within 1 s"
@@ -109,7 +109,7 @@ fn it_takes_too_long() -> Outcome {
         (cycle, trouble),
         (
             0,
-            Trouble::NoAnswer {
+            PlantError::NoAnswer {
                 to: Head::Hello,
                 within: first
             }
@@ -287,7 +287,7 @@ fn an_observer_need_not_wait() -> Outcome {
     let mut run = run(NOD, &peer("sleep 60", ECHO))?;
     let ending = run.observed(Limit::NONE, &mut Impatient(5));
     assert_eq!((ending, run.cycles()), (Ending::Interrupted, 0));
-    assert_eq!(run.trouble(), None);
+    assert_eq!(run.plant_error(), None);
     drop(run);
     assert!(begin.elapsed() < Duration::from_secs(10));
     Ok(())
@@ -303,8 +303,8 @@ fn a_copy_has_no_process() -> Outcome {
     let without = Some(Fault::Hardware("plant: a copy has no process"));
     assert_eq!(copy.cycle().status, Status::Emergency);
     assert_eq!(
-        (why(&copy), copy.trouble()),
-        (without, Some(&Trouble::Copy))
+        (why(&copy), copy.plant_error()),
+        (without, Some(&PlantError::Copy))
     );
     // The run itself goes on, until it is taken back.
     assert_eq!(run.cycle().status, Status::Running);

@@ -19,7 +19,7 @@ fn lines(
     let plant = ExternalPlant::new("sh", ["-c", &keeps]).with_patience(PATIENCE);
     let mut run = run_on(robot, statements, &plant)?;
     run.to_end(Limit::cycles(100));
-    assert_eq!(run.trouble(), None);
+    assert_eq!(run.plant_error(), None);
     drop(run);
     let text = fs::read_to_string(file)?;
     Ok(text.lines().map(str::to_owned).collect())

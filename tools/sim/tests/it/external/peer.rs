@@ -4,7 +4,7 @@ use std::error::Error;
 use std::time::Duration;
 use tip_runtime::fault::Fault;
 use tip_runtime::record::Ending;
-use tip_sim::external::{Patience, Trouble};
+use tip_sim::external::{Patience, PlantError};
 use tip_sim::{ExternalPlant, Limit, Robot, Run, load};
 
 pub(crate) type Outcome = Result<(), Box<dyn Error>>;
@@ -75,7 +75,7 @@ pub(crate) fn run_on(
 /// Runs it until it stops: the word, the cycle, and what is wrong.
 pub(crate) fn stopped(
     plant: &ExternalPlant,
-) -> Result<(&'static str, u64, Trouble), Box<dyn Error>> {
+) -> Result<(&'static str, u64, PlantError), Box<dyn Error>> {
     let mut run = run(NOD, plant)?;
     let Ending::Emergency(emergency) = run.to_end(Limit::cycles(1000)) else {
         return Err("no emergency".into());
@@ -83,6 +83,6 @@ pub(crate) fn stopped(
     let Fault::Hardware(word) = emergency.fault else {
         return Err(emergency.to_string().into());
     };
-    let trouble = run.trouble().cloned().ok_or("no trouble")?;
+    let trouble = run.plant_error().cloned().ok_or("no trouble")?;
     Ok((word, emergency.cycle, trouble))
 }

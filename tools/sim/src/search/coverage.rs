@@ -32,7 +32,7 @@ pub enum Came {
 
 /// What all runs came to.
 #[derive(Debug)]
-pub struct Tally {
+pub struct Coverage {
     /// What they reached.
     pub reach: Reach,
     /// Cycles that were compared.
@@ -45,10 +45,10 @@ pub struct Tally {
     pub stopped: u64,
 }
 
-impl Tally {
+impl Coverage {
     /// No runs yet.
     pub fn new(program: &Program) -> Self {
-        Tally {
+        Coverage {
             reach: Reach::new(program),
             cycles: 0,
             finished: 0,

@@ -1,13 +1,13 @@
 //! The program as it stands in the editor.
 
-use super::finding::Finding;
+use super::language_service::Finding;
 use super::reader::{Reading, Unread};
 use tipc::source::{Charset, Encoding, Source};
 use tipc::{Loaded, Options};
 
 /// The text that viewers edit, and the file that it comes from.
 #[derive(Debug)]
-pub(super) struct Draft {
+pub(super) struct Buffer {
     name: String,
     options: Options,
     /// The file as it was last read or written.
@@ -27,11 +27,11 @@ pub(super) struct Draft {
     pub(super) is_overtaken: bool,
 }
 
-impl Draft {
+impl Buffer {
     /// That of a file, not checked yet.
     pub(super) fn new(name: String, bytes: &[u8], options: Options) -> Self {
         let (file, _) = Source::decode(&*name, bytes, options.encoding);
-        Draft {
+        Buffer {
             name,
             options,
             text: plain(file.text()),

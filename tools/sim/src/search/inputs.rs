@@ -12,7 +12,7 @@ const KEYS: std::ops::RangeInclusive<f64> = 32.0..=126.0;
 const VOLTS: std::ops::RangeInclusive<f64> = -10.0..=10.0;
 
 /// Every single thing that may happen to a program and matter to it.
-pub fn levers(program: &Program) -> Vec<Event> {
+pub fn inputs(program: &Program) -> Vec<Event> {
     let mut takes_keys = false;
     let mut takes_halts = false;
     let mut ports = Vec::new();

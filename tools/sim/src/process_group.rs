@@ -23,18 +23,18 @@ pub fn end_processes() {
 /// A process in a group of its own: Ctrl-C of the terminal is for this process, which then ends the other, and all that
 /// it started, when it is dropped.
 #[derive(Debug)]
-pub(crate) struct Apart {
+pub(crate) struct ProcessGroup {
     child: Child,
     is_over: bool,
 }
 
-impl Apart {
+impl ProcessGroup {
     /// Starts a process.
     pub(crate) fn start(command: &mut Command) -> io::Result<Self> {
         lead(command);
         let child = command.spawn()?;
         running().push(child.id());
-        Ok(Apart {
+        Ok(ProcessGroup {
             child,
             is_over: false,
         })
@@ -69,7 +69,7 @@ impl Apart {
     }
 }
 
-impl Drop for Apart {
+impl Drop for ProcessGroup {
     fn drop(&mut self) {
         self.end(Duration::ZERO);
     }

@@ -1,12 +1,14 @@
-//! What the page's editor asks about the text.
+//! The language in the page's editor: what is found in a text, and answers to questions about it.
 
 use serde::Serialize;
 use tip_ide::Document;
+use tipc::Loaded;
+use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::source::{Position, Source, Span, Unit};
 
 /// The most offers of one answer; a program may have more names than anyone reads.
-const MOST: usize = 2000;
+const MOST_OFFERS: usize = 2000;
 
 /// A line and a column from 1, the column in units of UTF-16.
 pub(super) type Place = [u32; 2];
@@ -61,7 +63,7 @@ pub(super) fn hover(document: &Document, place: Place) -> Known {
 pub(super) fn offers(document: &Document, place: Place) -> Known {
     let source = document.source();
     let offers = document.complete(offset(source, place)).into_iter();
-    let shown = offers.take(MOST).map(|offer| {
+    let shown = offers.take(MOST_OFFERS).map(|offer| {
         let [from, to] = ends(source, offer.span);
         Offer {
             label: offer.label,
@@ -85,4 +87,44 @@ fn ends(source: &Source, span: Span) -> [Place; 2] {
         let Position { line, column } = source.position(offset, Unit::Utf16);
         [line, column]
     })
+}
+
+/// More are of no use to anyone.
+const MOST_FINDINGS: usize = 200;
+
+/// One finding. Places are lines and columns from 1, columns in units of UTF-16. Texts are in English and Japanese.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Finding {
+    level: &'static str,
+    code: &'static str,
+    from: Place,
+    to: Place,
+    text: [String; 2],
+    help: Option<[String; 2]>,
+    classical: String,
+}
+
+/// All of a program, but for the last of very many.
+pub(super) fn findings(loaded: &Loaded) -> Vec<Finding> {
+    let found = loaded.diagnostics.iter().take(MOST_FINDINGS);
+    found.map(|one| Finding::of(one, &loaded.source)).collect()
+}
+
+impl Finding {
+    fn of(diagnostic: &Diagnostic, source: &Source) -> Self {
+        let [from, to] = ends(source, diagnostic.span);
+        let both = |text: &dyn Fn(Lang) -> String| [Lang::English, Lang::Japanese].map(text);
+        Finding {
+            level: diagnostic.level().name(),
+            code: diagnostic.id(),
+            from,
+            to,
+            text: both(&|lang| diagnostic.headline(lang)),
+            help: diagnostic
+                .help
+                .as_ref()
+                .map(|help| both(&|lang| help.in_lang(lang).to_string())),
+            classical: diagnostic.message(),
+        }
+    }
 }
