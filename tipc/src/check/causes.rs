@@ -1,18 +1,17 @@
 //! One mistake, one finding: what follows from another finding joins it.
 
-mod ends;
-mod names;
-
 use super::title;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Findings, Label};
 use crate::foreign;
-use crate::language::Keyword;
-use crate::language::commands;
+use crate::language::{Keyword, commands};
 use crate::lex::{Kind, Token, lex, split_comment};
-use crate::message::{Commanding, Habit, Message, Naming, Parsing, Structuring};
+use crate::message::{
+    Commanding, Habit, Instead, Message, Naming, Parsing, Structuring, Suggesting,
+};
 use crate::parse::narrow;
 use crate::source::{Source, Span};
+use crate::suggest::is_near;
 use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
@@ -35,14 +34,14 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
     crossed_loops(source, found);
     broken_lines(source, found);
     same_text(source, module, found);
-    names::undeclared(source, module, found);
-    names::missing_labels(found);
-    names::declared_again(source, module, found);
-    names::with_sign(source, found);
-    names::called_loop(found);
-    names::flags(source, module, found);
+    undeclared(source, module, found);
+    missing_labels(found);
+    declared_again(source, module, found);
+    with_sign(source, found);
+    called_loop(found);
+    flags(source, module, found);
     title::blame(source, module, found);
-    ends::last_word(found);
+    last_word(found);
 }
 
 /// `START` where `START:` was meant: the jumps to it are not wrong.
@@ -386,4 +385,186 @@ fn label(span: Span, text: impl Into<Message>) -> Label {
         span,
         text: text.into(),
     }
+}
+
+/// The word that was to be END at the end of the text: STOP, EDN. One mistake is one finding.
+pub(super) fn last_word(found: &mut Findings) {
+    let Some(missing) = found.iter().position(|it| it.code == Code::NoEnd) else {
+        return;
+    };
+    let place = found[missing].span;
+    let unknown = |it: &Diagnostic| it.span == place && it.code == Code::UnknownCommand;
+    let Some(word) = found.iter().position(unknown) else {
+        return;
+    };
+    let ends = [Habit::Stop, Habit::Exit].map(Message::from);
+    let end = Keyword::End.word();
+    let subject = found[word].subject.as_deref();
+    if subject.is_some_and(|subject| is_near(subject, end)) {
+        found[word].help = Some(Suggesting::DidYouMean { near: end.into() }.into());
+        found.remove(missing);
+    } else if found[word]
+        .help
+        .as_ref()
+        .is_some_and(|help| ends.contains(help))
+    {
+        found.remove(word);
+    }
+}
+
+/// A name that is not declared is one finding; the others become its labels, and the best guess of its type its help.
+pub(super) fn undeclared(source: &Source, module: &Module, found: &mut Findings) {
+    let in_title = title::declared(source, module);
+    let mut first_of: HashMap<String, usize> = HashMap::new();
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for mut finding in found.drain(..) {
+        if finding.code != Code::UnknownVariable {
+            kept.push(finding);
+            continue;
+        }
+        let name = finding.subject.clone().unwrap_or_default();
+        if let Some(first) = first_of.get(&name).map(|at| &mut kept[*at]) {
+            first.labels.push(label(finding.span, Naming::AlsoHere));
+            if is_open(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
+                first.help = finding.help;
+            }
+            continue;
+        }
+        if let Some(place) = in_title.get(&name) {
+            finding.labels.push(label(*place, Habit::TitleHere));
+            finding.help = Some(Habit::Title.into());
+        }
+        first_of.insert(name, kept.len());
+        kept.push(finding);
+    }
+    **found = kept;
+}
+
+/// Whether a help leaves the type open.
+fn is_open(help: Option<&Message>) -> bool {
+    matches!(help, Some(Message::Naming(Naming::Declare { .. })))
+}
+
+/// Whether a help names one type.
+fn is_guess(help: Option<&Message>) -> bool {
+    matches!(help, Some(Message::Naming(Naming::DeclareAs { .. })))
+}
+
+/// A label that is missing is one mistake, however many jumps name it.
+pub(super) fn missing_labels(found: &mut Findings) {
+    let mut first_of: HashMap<String, usize> = HashMap::new();
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for finding in found.drain(..) {
+        let name = finding.subject.clone().unwrap_or_default();
+        if finding.code == Code::UnknownLabel && !name.is_empty() {
+            if let Some(first) = first_of.get(&name) {
+                kept[*first]
+                    .labels
+                    .push(label(finding.span, Naming::AlsoHere));
+                continue;
+            }
+            first_of.insert(name, kept.len());
+        }
+        kept.push(finding);
+    }
+    **found = kept;
+}
+
+/// What follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses mean.
+pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findings) {
+    let is_again =
+        |it: &&Diagnostic| matches!(it.reason, Message::Naming(Naming::DeclaredAgain { .. }));
+    let again: HashSet<String> = found
+        .iter()
+        .filter(is_again)
+        .map(|it| source.slice(it.span).to_ascii_uppercase())
+        .collect();
+    if again.is_empty() {
+        return;
+    }
+    let names_one = |place: Span| {
+        let statement = module.statement_at(place.start)?;
+        let text = source.slice(module.statements[statement].span);
+        let is_end = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
+        let mut words = text.split(is_end).map(str::to_ascii_uppercase);
+        words.any(|word| again.contains(&word)).then_some(())
+    };
+    found.retain(|it| {
+        let follows = match &it.reason {
+            Message::Commanding(_) | Message::Calculating(_) => true,
+            Message::Structuring(reason) => matches!(reason, Structuring::PlainLabel { .. }),
+            _ => it.code == Code::RunsInto,
+        };
+        !follows || names_one(it.span).is_none()
+    });
+}
+
+/// `DEF_VAR A$`, and wherever `A$` stands.
+pub(super) fn with_sign(source: &Source, found: &mut Findings) {
+    let mut first_of: HashMap<String, usize> = HashMap::new();
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for finding in found.drain(..) {
+        match &finding.reason {
+            Message::Naming(Naming::NoVariableName { word }) => {
+                first_of.entry(word.to_string()).or_insert(kept.len());
+            }
+            Message::Parsing(Parsing::ForeignInName { .. }) => {
+                let word = word_at(source, finding.span);
+                let name = source.slice(word).to_ascii_uppercase();
+                if let Some(first) = first_of.get(&name) {
+                    kept[*first].labels.push(label(word, Naming::AlsoHere));
+                    continue;
+                }
+            }
+            _ => {}
+        }
+        kept.push(finding);
+    }
+    **found = kept;
+}
+
+/// The name that a sign ends.
+fn word_at(source: &Source, sign: Span) -> Span {
+    let before = &source.text()[..sign.start];
+    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let start = before.trim_end_matches(is_name).len();
+    Span::new(start, sign.end)
+}
+
+/// `SUBROUTINE LOOP:` and its calls.
+pub(super) fn called_loop(found: &mut Findings) {
+    let is_named = |it: &Diagnostic| it.reason == Naming::SubroutineLoop.into();
+    let is_called = |it: &Diagnostic| it.reason == Structuring::LoopForGoto.into();
+    if !found.iter().any(is_named) {
+        return;
+    }
+    let calls = found.iter().filter(|it| is_called(it));
+    let labels: Vec<_> = calls.map(|it| label(it.span, Naming::AlsoHere)).collect();
+    found.retain(|it| !is_called(it));
+    if let Some(named) = found.iter_mut().find(|it| is_named(it)) {
+        named.labels.extend(labels);
+    }
+}
+
+/// `PTP F1 R 0 0` with a variable R: that R is a flag there explains the missing number.
+pub(super) fn flags(source: &Source, module: &Module, found: &mut Findings) {
+    let statement = |span: Span| module.statement_at(span.start);
+    let mut explained = HashSet::new();
+    for at in 0..found.len() {
+        let (flag, used) = match (found[at].code, found[at].labels.first()) {
+            (Code::FlagName, Some(used)) => (found[at].span, used.span),
+            _ => continue,
+        };
+        let is_there = |it: &&mut Diagnostic| {
+            let is_few = matches!(it.reason, Message::Commanding(Commanding::TooFew { .. }));
+            is_few && it.span != used && statement(it.span) == statement(used)
+        };
+        if let Some(fault) = found.iter_mut().find(is_there) {
+            let name = source.slice(used).to_ascii_uppercase().into();
+            fault.labels.push(label(used, Instead::FlagHere));
+            fault.help = Some(Instead::OtherName { name }.into());
+            explained.insert(flag);
+        }
+    }
+    found.retain(|it| it.code != Code::FlagName || !explained.contains(&it.span));
 }

@@ -193,3 +193,24 @@ impl Jumps<'_> {
         self.found.push(warning);
     }
 }
+
+/// Warns of each SUBROUTINE that the step above it runs into.
+pub(crate) fn warn_of_entries(module: &Module, found: &mut Findings) {
+    let mut open_above = true;
+    for statement in &module.statements {
+        if !statement.is_step() {
+            continue;
+        }
+        let is_reported = |place: Span| found.iter().any(|it| it.span == place);
+        if let StatementKind::Subroutine { keyword, name } = &statement.kind
+            && open_above
+            && !is_reported(*keyword)
+        {
+            let reason = Structuring::RunsInto;
+            let help = Structuring::PutJumpAbove;
+            let warning = Diagnostic::new(Code::RunsInto, *keyword, reason);
+            found.push(warning.about(name.node.as_str()).help(help));
+        }
+        open_above = statement.kind.goes_on();
+    }
+}

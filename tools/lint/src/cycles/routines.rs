@@ -1,7 +1,7 @@
 //! Which subroutines call which.
 
 use super::distance::Work;
-use super::rings::rings;
+use super::loops::rings;
 use std::collections::{BTreeMap, BTreeSet};
 use tipc::analysis::flow::{Flow, NodeId};
 
