@@ -4,6 +4,7 @@ use crate::code::{Code, Level, Mistake};
 use crate::language::Edition;
 use crate::message::{Cut, Lang, Message, Naming, Reading, Structuring};
 use crate::source::{Span, Undecodable};
+use smol_str::SmolStr;
 
 mod findings;
 
@@ -49,6 +50,8 @@ pub struct Diagnostic {
     pub fixes: Vec<Fix>,
     /// Whose rules it is judged by.
     pub edition: Edition,
+    /// The mistake, if it is one mistake wherever it shows: the first finding of it is reported, the others are its labels.
+    pub(crate) once: Option<SmolStr>,
 }
 
 impl Diagnostic {
@@ -63,6 +66,7 @@ impl Diagnostic {
             help: None,
             fixes: Vec::new(),
             edition: Edition::default(),
+            once: None,
         }
     }
 
@@ -70,6 +74,13 @@ impl Diagnostic {
     #[must_use]
     pub fn about(mut self, subject: impl Into<String>) -> Self {
         self.subject = Some(subject.into());
+        self
+    }
+
+    /// Names the mistake, which is reported once.
+    #[must_use]
+    pub(crate) fn once(mut self, mistake: impl Into<SmolStr>) -> Self {
+        self.once = Some(mistake.into());
         self
     }
 

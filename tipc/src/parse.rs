@@ -15,6 +15,7 @@ mod reader;
 mod statement;
 
 pub use jump::glued;
+pub(crate) use jump::label_of;
 pub use line::{LONG_VOWEL, narrow};
 
 use crate::code::Code;

@@ -10,7 +10,8 @@ use crate::language::commands::{Arguments, Command, Form, Meaning};
 use crate::language::{Keyword, commands};
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
-use crate::message::{Commanding, Habit};
+use crate::message::{Commanding, Habit, Message, Parsing};
+use crate::parse::label_of;
 use crate::program::{MessagePart, Scalar};
 use crate::robot::Robot;
 use crate::source::Span;
@@ -125,7 +126,12 @@ impl Resolver<'_> {
                 (Commanding::NoCommand { word: command }, help)
             }
         };
-        let fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
+        let mut fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
+        match &help {
+            Message::Habit(Habit::NoParameters { name }) => fault = fault.once(name.clone()),
+            Message::Parsing(Parsing::WriteLabel { name }) => fault = fault.once(label_of(name)),
+            _ => {}
+        }
         self.report(fault.about(word).help(help));
         None
     }

@@ -9,7 +9,6 @@ use crate::lex::{Kind, Token, lex, split_comment};
 use crate::message::{
     Commanding, Habit, Instead, Message, Naming, Parsing, Structuring, Suggesting,
 };
-use crate::parse::narrow;
 use crate::source::{Source, Span};
 use crate::suggest::is_near;
 use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
@@ -33,9 +32,8 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
     reversed_loops(found);
     crossed_loops(source, found);
     broken_lines(source, found);
-    same_text(source, module, found);
-    undeclared(source, module, found);
-    missing_labels(found);
+    declared_in_title(source, module, found);
+    repeated(found);
     declared_again(source, module, found);
     with_sign(source, found);
     called_loop(found);
@@ -298,67 +296,6 @@ fn broken_lines(source: &Source, found: &mut Findings) {
     **found = kept;
 }
 
-/// The same characters that no statement may hold, or the same array, are one mistake wherever they stand.
-fn same_text(source: &Source, module: &Module, found: &mut Findings) {
-    let mut first_of: HashMap<String, usize> = HashMap::new();
-    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        let text = || source.slice(finding.span).to_ascii_uppercase();
-        let same = match &finding.help {
-            Some(Message::Habit(Habit::NoArray { name } | Habit::NoParameters { name })) => {
-                Some(name.to_string())
-            }
-            // `*L1` and `GOTO *L1`
-            Some(Message::Parsing(Parsing::WriteLabel { name }))
-                if matches!(
-                    finding.reason,
-                    Message::Commanding(Commanding::NoCommand { .. })
-                        | Message::Naming(Naming::NoLabelName { .. })
-                ) =>
-            {
-                Some(format!("{name}:"))
-            }
-            // `1N`, which is not a number either.
-            _ if matches!(
-                finding.reason,
-                Message::Naming(Naming::NoVariableName { .. })
-                    | Message::Parsing(Parsing::NoNumber { .. })
-            ) =>
-            {
-                Some(text())
-            }
-            _ if matches!(finding.reason, Message::Naming(Naming::NoMember { .. })) => {
-                let member = source.slice(finding.span).to_ascii_uppercase();
-                Some(format!("{} {member}", finding.code.id()))
-            }
-            // `P == Q`
-            _ if finding.reason == Commanding::StructForNumber.into() => {
-                let statement = module.statement_at(finding.span.start);
-                statement.map(|index| format!("statement {index}"))
-            }
-            _ if matches!(finding.reason, Message::Naming(Naming::NoLabelName { .. })) => {
-                Some(source.slice(finding.span).to_ascii_uppercase())
-            }
-            Some(Message::Parsing(Parsing::PlainNames)) => {
-                Some(source.slice(finding.span).to_owned())
-            }
-            Some(Message::Parsing(Parsing::WriteHalfWidth { .. })) => {
-                let text = narrow(source.slice(finding.span)).to_ascii_uppercase();
-                Some(format!("{} wide", text.trim_end_matches(':')))
-            }
-            _ => None,
-        };
-        match same.as_ref().and_then(|same| first_of.get(same)) {
-            Some(at) => kept[*at].labels.push(label(finding.span, Naming::AlsoHere)),
-            None => {
-                first_of.extend(same.map(|same| (same, kept.len())));
-                kept.push(finding);
-            }
-        }
-    }
-    **found = kept;
-}
-
 /// Whether a statement at this place is this word alone.
 fn is_alone(module: &Module, place: Span) -> bool {
     let statement = module
@@ -412,30 +349,37 @@ pub(super) fn last_word(found: &mut Findings) {
     }
 }
 
-/// A name that is not declared is one finding; the others become its labels, and the best guess of its type its help.
-pub(super) fn undeclared(source: &Source, module: &Module, found: &mut Findings) {
+/// A name that line 2 would declare, if it were not the title.
+fn declared_in_title(source: &Source, module: &Module, found: &mut Findings) {
     let in_title = title::declared(source, module);
-    let mut first_of: HashMap<String, usize> = HashMap::new();
-    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for mut finding in found.drain(..) {
-        if finding.code != Code::UnknownVariable {
-            kept.push(finding);
-            continue;
-        }
-        let name = finding.subject.clone().unwrap_or_default();
-        if let Some(first) = first_of.get(&name).map(|at| &mut kept[*at]) {
-            first.labels.push(label(finding.span, Naming::AlsoHere));
-            if is_open(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
-                first.help = finding.help;
-            }
-            continue;
-        }
-        if let Some(place) = in_title.get(&name) {
+    for finding in found.iter_mut() {
+        let name = finding.subject.as_deref().unwrap_or_default();
+        let is_unknown = finding.code == Code::UnknownVariable;
+        if let Some(place) = in_title.get(name).filter(|_| is_unknown) {
             finding.labels.push(label(*place, Habit::TitleHere));
             finding.help = Some(Habit::Title.into());
         }
-        first_of.insert(name, kept.len());
-        kept.push(finding);
+    }
+}
+
+/// Findings of one mistake are one finding at the first place, and the best guess of the type of a name is its help.
+fn repeated(found: &mut Findings) {
+    let mut first_of: HashMap<SmolStr, usize> = HashMap::new();
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for finding in found.drain(..) {
+        let first = finding.once.as_ref().and_then(|once| first_of.get(once));
+        match first.map(|at| &mut kept[*at]) {
+            Some(first) => {
+                first.labels.push(label(finding.span, Naming::AlsoHere));
+                if is_open(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
+                    first.help = finding.help;
+                }
+            }
+            None => {
+                first_of.extend(finding.once.clone().map(|once| (once, kept.len())));
+                kept.push(finding);
+            }
+        }
     }
     **found = kept;
 }
@@ -448,26 +392,6 @@ fn is_open(help: Option<&Message>) -> bool {
 /// Whether a help names one type.
 fn is_guess(help: Option<&Message>) -> bool {
     matches!(help, Some(Message::Naming(Naming::DeclareAs { .. })))
-}
-
-/// A label that is missing is one mistake, however many jumps name it.
-pub(super) fn missing_labels(found: &mut Findings) {
-    let mut first_of: HashMap<String, usize> = HashMap::new();
-    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        let name = finding.subject.clone().unwrap_or_default();
-        if finding.code == Code::UnknownLabel && !name.is_empty() {
-            if let Some(first) = first_of.get(&name) {
-                kept[*first]
-                    .labels
-                    .push(label(finding.span, Naming::AlsoHere));
-                continue;
-            }
-            first_of.insert(name, kept.len());
-        }
-        kept.push(finding);
-    }
-    **found = kept;
 }
 
 /// What follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses mean.

@@ -67,6 +67,7 @@ impl Jumps<'_> {
             };
             let reason = Structuring::NoSuchLabel { name: name.into() };
             let fault = Diagnostic::new(Code::UnknownLabel, place, reason);
+            let fault = fault.once(format!("label {name}"));
             self.found.push(fault.about(name).help(help));
             return None;
         };
@@ -97,6 +98,7 @@ impl Jumps<'_> {
         if to.is_none() {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
+            let fault = fault.once(format!("label {LOOP}"));
             let near = match &jump.label {
                 Some(_) if !self.found.are_many() => nearest(LOOP, self.labels.names()),
                 _ => None,

@@ -1,6 +1,6 @@
 //! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
 
-use super::jump::{joined, marked, spread};
+use super::jump::{joined, label_of, marked, spread};
 use super::statement::meant;
 use super::{Parser, narrow};
 use crate::code::Code;
@@ -175,11 +175,10 @@ impl Parser<'_> {
         }
         let place = spread(self.text, first.span, rest)?;
         let written = upper_case(self.source.slice(place));
-        let help = Parsing::WriteLabel {
-            name: joined(&written),
-        };
+        let name = joined(&written);
         let reason = Naming::NoLabelName { word: written };
-        self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
+        let fault = Diagnostic::new(Code::Argument, place, reason).once(label_of(&name));
+        self.report(fault.help(Parsing::WriteLabel { name }));
         Some(StatementKind::Broken(Shape::Plain))
     }
 
@@ -191,7 +190,9 @@ impl Parser<'_> {
         let first = tokens.first()?.span;
         let word = upper_case(self.source.slice(first));
         let reason = Commanding::NoCommand { word: word.clone() };
-        self.report_unknown(first, &word, reason, Parsing::WriteLabel { name });
+        let fault = Diagnostic::new(Code::UnknownCommand, first, reason).about(word.as_str());
+        let fault = fault.once(label_of(&name));
+        self.report(fault.help(Parsing::WriteLabel { name }));
         // What jumps there is not wrong.
         Some(StatementKind::Label(Word { node, span }))
     }

@@ -78,6 +78,11 @@ pub(super) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
     }
 }
 
+/// Returns the mistake of a label that is spelled as in another language: its jumps are wrong in the same way.
+pub(crate) fn label_of(name: &str) -> String {
+    format!("{name}:")
+}
+
 impl Reader<'_> {
     /// The whole name of a label that is not in one piece.
     fn spread_label(&self, first: Span) -> Option<Span> {
@@ -113,7 +118,8 @@ impl Reader<'_> {
             let reason = Naming::NoLabelName {
                 word: upper_case(self.slice(place)),
             };
-            return Err(self.fault_with_help(place, reason, Parsing::WriteLabel { name }));
+            let fault = self.fault(place, reason).once(label_of(&name));
+            return Err(fault.help(Parsing::WriteLabel { name }).into());
         }
         let word = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
@@ -128,11 +134,10 @@ impl Reader<'_> {
         };
         if let Some(place) = self.spread_label(word.span) {
             let written = upper_case(self.slice(place));
-            let help = Parsing::WriteLabel {
-                name: joined(&written),
-            };
+            let name = joined(&written);
             let reason = Naming::NoLabelName { word: written };
-            return Err(self.fault_with_help(place, reason, help));
+            let fault = self.fault(place, reason).once(label_of(&name));
+            return Err(fault.help(Parsing::WriteLabel { name }).into());
         }
         match self.peek() {
             Some(token) if token.kind == Kind::Colon && !token.spaced => {
@@ -146,8 +151,9 @@ impl Reader<'_> {
             }
             _ => {
                 if let Some(name) = with_parameters(&word.node) {
-                    let help = Habit::NoParameters { name };
-                    return Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help));
+                    let fault = self.fault(word.span, Parsing::LabelColonMissing);
+                    let fault = fault.once(name.clone());
+                    return Err(fault.help(Habit::NoParameters { name }).into());
                 }
                 let name = bare(&word.node);
                 let is_number = name.chars().all(|c| c.is_ascii_digit());

@@ -187,6 +187,7 @@ impl Parser<'_> {
         {
             diagnostic = diagnostic.help(Habit::Comment);
         } else if let Some(narrow) = half_width(text) {
+            diagnostic = diagnostic.once(wide_name(&narrow));
             let narrow = self.narrow_statement(place).unwrap_or(narrow);
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if self.is_in_foreign_comment(place) {
@@ -194,7 +195,7 @@ impl Parser<'_> {
         } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(place) {
             diagnostic = diagnostic.help(Instead::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
-            diagnostic = diagnostic.help(Parsing::PlainNames);
+            diagnostic = diagnostic.once(text).help(Parsing::PlainNames);
         } else {
             diagnostic = diagnostic.help(Parsing::TakeOut);
         }
@@ -305,6 +306,12 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
     }
 }
 
+/// Returns the mistake of a full-width name, with or without its colon.
+fn wide_name(narrow: &str) -> String {
+    let name = narrow.trim_end_matches(':').to_ascii_uppercase();
+    format!("{name} wide")
+}
+
 /// The text with half-width letters, digits and signs for full-width ones.
 pub fn narrow(text: &str) -> String {
     text.chars()
@@ -378,6 +385,7 @@ impl Parser<'_> {
         let place = foreign_run(self.text, whole).unwrap_or(whole);
         let narrow = narrow(self.source.slice(whole));
         let fault = Diagnostic::new(Code::Format, place, Parsing::ForeignCharacters);
+        let fault = fault.once(wide_name(&super::narrow(self.source.slice(place))));
         self.report(fault.help(Parsing::WriteHalfWidth { narrow }));
         self.check_name_length(&label);
         self.push(StatementKind::Label(label), whole);

@@ -174,7 +174,8 @@ impl Reader<'_> {
             }
             Err(_) => {
                 let reason = Parsing::NoNumber { word: word.into() };
-                Err(self.fault_with_help(span, reason, meant_by_number(word)))
+                let fault = self.fault(span, reason).once(upper_case(word));
+                Err(fault.help(meant_by_number(word)).into())
             }
         }
     }
@@ -225,7 +226,11 @@ impl Reader<'_> {
             }
             _ => help,
         };
-        self.fault_with_help(place, reason, help)
+        let mut fault = self.fault_with_help(place, reason, help);
+        if let Some(Message::Habit(Habit::NoArray { name })) = &fault.help {
+            fault.once = Some(name.clone());
+        }
+        fault
     }
 }
 
