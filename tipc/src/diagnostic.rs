@@ -8,7 +8,8 @@ use smol_str::SmolStr;
 
 mod findings;
 
-pub use findings::{Findings, Omitted};
+pub(crate) use findings::in_place;
+pub use findings::{Findings, MOST, Omitted};
 
 /// A second place that a diagnostic points at.
 #[derive(Clone, Debug, PartialEq)]

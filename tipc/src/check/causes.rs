@@ -2,6 +2,7 @@
 
 use super::title;
 use crate::code::Code;
+use crate::diagnostic::in_place;
 use crate::diagnostic::{Diagnostic, Findings, Label};
 use crate::foreign;
 use crate::language::{Keyword, commands};
@@ -17,7 +18,7 @@ use std::collections::{HashMap, HashSet};
 
 /// Lets findings about one name be one finding, at the first place.
 pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
-    found.sort_by_key(|finding| finding.span);
+    in_place(found);
     // What ends no block here may be reported as such already.
     found.dedup_by(|second, first| {
         second.code == Code::UnknownCommand
@@ -114,7 +115,7 @@ fn labels_after_end(source: &Source, module: &Module, found: &mut Findings) {
         false
     });
     found.extend(first);
-    found.sort_by_key(|finding| finding.span);
+    in_place(found);
 }
 
 /// The labels and the names of SUBROUTINEs in a part of the text, each at its first place.

@@ -1,12 +1,12 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use crate::code::Code;
+use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::foreign;
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, names};
-use crate::load::MOST;
 use crate::message::{Habit, Instead, Message, Naming, Suggesting};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;

@@ -12,7 +12,8 @@ use std::ops::Deref;
 
 mod other;
 
-use other::FAR;
+/// How far the end of a block is looked for, and the block that an end names.
+const FAR: usize = 1_000;
 
 /// Ties every control word to its partner and reports those without one.
 pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Findings) -> Blocks {

@@ -7,28 +7,33 @@
 //! ten open calls are one. All together takes time O(n log n): where jumps cross so often that the same steps belong to very
 //! many parts, counting ends early, and says so.
 
+mod costs;
+mod count;
 mod counted;
 mod counters;
 mod distance;
 mod graph;
 mod loops;
 mod render;
+mod rings;
 mod routines;
+mod steps;
+mod turns;
 
 #[cfg(test)]
 mod tests;
 
-pub use counted::Count;
-pub use graph::Steps;
+pub use count::Count;
 pub use render::{human, json, short};
+pub use steps::Steps;
 
-use counters::turns;
 use distance::{Place, Work};
 use graph::Graph;
 use std::collections::BTreeSet;
 use tipc::Robot;
 use tipc::analysis::flow::{Flow, NodeId};
 use tipc::program::{Program, StepId};
+use turns::turns;
 
 /// A part of a program, and how many cycles it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,12 +1,10 @@
 //! FOR loops whose number of turns is known: constants, and a body that leaves the counting alone.
 
-use super::Sampling;
 use super::counters::Counters;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use tipc::analysis::flow::{Flow, NodeId};
-use tipc::language::commands;
-use tipc::program::{Action, Op, Operand, Program, StepId};
+use tipc::program::{Action, Operand, Program, StepId};
 
 /// The most turns that are counted. At 20 ms they take more than five hours.
 const TURNS: u64 = 1_000_000;
@@ -134,127 +132,4 @@ fn turns(from: f64, to: f64, by: f64) -> Option<u64> {
 /// Whether sums of a few million such numbers are exact.
 fn is_whole(number: f64) -> bool {
     number.fract() == 0.0 && number.abs() < 1e9
-}
-
-/// What a step costs by itself: one cycle, or the least of a step that waits.
-pub(super) fn cost(action: &Action, longest_sampling: f64) -> Count {
-    let least = match action {
-        Action::KeyIn { .. } => 1,
-        Action::Command { op, arguments, .. } if commands::waits(*op) => {
-            match (op, arguments.first().map(|argument| argument.operand)) {
-                (Op::Sleep, Some(Operand::Constant(ms))) => slept(ms, longest_sampling),
-                _ => 1,
-            }
-        }
-        Action::Command { .. }
-        | Action::Nothing
-        | Action::SetScalar { .. }
-        | Action::SetStruct { .. }
-        | Action::If { .. }
-        | Action::ElseIf { .. }
-        | Action::Else { .. }
-        | Action::While { .. }
-        | Action::Goto { .. }
-        | Action::Until { .. }
-        | Action::For { .. }
-        | Action::Next { .. }
-        | Action::IfGoto { .. }
-        | Action::Gosub { .. }
-        | Action::IfGosub { .. }
-        | Action::Return
-        | Action::Finish(_)
-        | Action::TeachStruct { .. }
-        | Action::TeachScalar { .. }
-        | Action::AdIn { .. }
-        | Action::Message { .. } => return Count::exactly(1),
-    };
-    Count {
-        waits: true,
-        ..Count::exactly(least)
-    }
-}
-
-/// The cycles of SLEEP (clause 2.19).
-fn slept(ms: f64, sampling: f64) -> u64 {
-    // Out of range saturates; a negative time fails when it runs.
-    ((ms / sampling - 1e-9).ceil() as u64).max(1)
-}
-
-/// The longest sampling time that may be in force.
-pub(super) fn longest_sampling(program: &Program, sampling: Sampling) -> f64 {
-    let set = program
-        .steps()
-        .iter()
-        .filter_map(|step| match &step.action {
-            Action::Command {
-                op: op @ (Op::SetSamplingTime | Op::SetSamplingFreq),
-                arguments,
-                ..
-            } => Some((*op, arguments.first()?.operand)),
-            _ => None,
-        });
-    let times = set.map(|(op, operand)| match (op, operand) {
-        (Op::SetSamplingTime, Operand::Constant(ms)) => ms,
-        (Op::SetSamplingFreq, Operand::Constant(hz)) if hz > 0.0 => 1000.0 / hz,
-        _ => sampling.longest,
-    });
-    times
-        .fold(sampling.standard, f64::max)
-        .min(sampling.longest)
-}
-
-/// How many cycles a part of a program takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Count {
-    /// The least.
-    pub min: u64,
-    /// The most, outside waits; `None` if nothing bounds it.
-    pub max: Option<u64>,
-    /// Some path through the part waits: there it may take longer.
-    pub waits: bool,
-}
-
-impl Count {
-    /// That many.
-    pub(super) const fn exactly(cycles: u64) -> Self {
-        Count {
-            min: cycles,
-            max: Some(cycles),
-            waits: false,
-        }
-    }
-
-    /// This, and then that.
-    pub(super) fn then(self, other: Count) -> Count {
-        Count {
-            min: self.min.saturating_add(other.min),
-            max: self.max.zip(other.max).map(|(a, b)| a.saturating_add(b)),
-            waits: self.waits || other.waits,
-        }
-    }
-
-    /// This, several times.
-    pub(super) fn times(self, turns: u64) -> Count {
-        Count {
-            min: self.min.saturating_mul(turns),
-            max: self.max.map(|max| max.saturating_mul(turns)),
-            waits: self.waits,
-        }
-    }
-
-    /// This up to several times, or not at all.
-    pub(super) fn at_most(self, turns: u64) -> Count {
-        match turns {
-            0 => Count::exactly(0),
-            _ => Count {
-                min: 0,
-                ..self.times(turns)
-            },
-        }
-    }
-
-    /// This without a bound.
-    pub(super) fn unbounded(self) -> Count {
-        Count { max: None, ..self }
-    }
 }

@@ -1,6 +1,6 @@
 //! The least and the most cycles from one node of a graph to where paths end.
 
-use super::counted::Count;
+use super::count::Count;
 use std::cell::Cell;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, VecDeque};

@@ -1,7 +1,7 @@
 //! Which subroutines call which.
 
 use super::distance::Work;
-use super::loops::rings;
+use super::rings::rings;
 use std::collections::{BTreeMap, BTreeSet};
 use tipc::analysis::flow::{Flow, NodeId};
 

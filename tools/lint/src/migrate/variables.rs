@@ -5,7 +5,7 @@
 use super::Migrator;
 use super::header::Style;
 use super::lines::Piece;
-use super::lines::old_placeholders;
+use super::placeholders::old_placeholders;
 use crate::message::Migrating;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashSet};
