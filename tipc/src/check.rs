@@ -6,13 +6,11 @@ mod arguments;
 mod blocks;
 mod causes;
 mod conditions;
-mod entries;
 mod equations;
 mod inputs;
 mod jumps;
 mod labels;
 mod meant;
-mod message;
 mod names;
 mod ranges;
 mod resolve;
@@ -20,7 +18,6 @@ mod resolved;
 mod structure;
 mod targets;
 mod title;
-mod usage;
 mod uses;
 mod values;
 
@@ -71,8 +68,8 @@ pub(crate) fn check<'m>(
     let (statements, named) = resolve::statements(&known, &mut found);
     // What a variable is used for shows only where the blocks are whole.
     if found.iter().all(|finding| finding.code != Code::Structure) {
-        usage::report(source, &names, &named, &mut found);
-        entries::warn_of_entries(module, &mut found);
+        uses::report(source, &names, &named, &mut found);
+        jumps::warn_of_entries(module, &mut found);
     }
     causes::join(source, module, &mut found);
     let resolved = statements.map(|statements| ResolvedModule {

@@ -1,16 +1,15 @@
 //! One diagnostic, as every pass makes it.
 
-mod findings;
-mod fix;
-mod undecodable;
-
-pub use findings::{Findings, Omitted};
-pub use fix::{Applicability, Edit, Fix};
-
 use crate::code::{Code, Level, Mistake};
 use crate::language::Edition;
-use crate::message::{Cut, Lang, Message, Naming, Structuring};
-use crate::source::Span;
+use crate::message::{Cut, Lang, Message, Naming, Reading, Structuring};
+use crate::source::{Span, Undecodable};
+use smol_str::SmolStr;
+
+mod findings;
+
+pub(crate) use findings::in_place;
+pub use findings::{Findings, MOST, Omitted};
 
 /// A second place that a diagnostic points at.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +51,8 @@ pub struct Diagnostic {
     pub fixes: Vec<Fix>,
     /// Whose rules it is judged by.
     pub edition: Edition,
+    /// The mistake, if it is one mistake wherever it shows: the first finding of it is reported, the others are its labels.
+    pub(crate) once: Option<SmolStr>,
 }
 
 impl Diagnostic {
@@ -66,6 +67,7 @@ impl Diagnostic {
             help: None,
             fixes: Vec::new(),
             edition: Edition::default(),
+            once: None,
         }
     }
 
@@ -73,6 +75,13 @@ impl Diagnostic {
     #[must_use]
     pub fn about(mut self, subject: impl Into<String>) -> Self {
         self.subject = Some(subject.into());
+        self
+    }
+
+    /// Names the mistake, which is reported once.
+    #[must_use]
+    pub(crate) fn once(mut self, mistake: impl Into<SmolStr>) -> Self {
+        self.once = Some(mistake.into());
         self
     }
 
@@ -132,5 +141,98 @@ impl Diagnostic {
             Some(kind) => format!("TIP_ERR:{} ({kind})", self.message()),
             None => self.message(),
         }
+    }
+}
+
+/// How sure it is that a fix is what was meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Applicability {
+    /// Every reader would mean exactly this.
+    Certain,
+    /// Most readers would mean this; someone has to look.
+    Likely,
+}
+
+impl Applicability {
+    /// Its name for tools.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Applicability::Certain => "certain",
+            Applicability::Likely => "likely",
+        }
+    }
+}
+
+/// One change of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// What goes; empty where something is only put in.
+    pub span: Span,
+    /// What comes in its place: ASCII, which every encoding spells alike.
+    pub text: String,
+}
+
+impl Edit {
+    /// `text` in the place of `span`.
+    pub fn replace(span: Span, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Edit { span, text }
+    }
+
+    /// `text` before the byte at `at`.
+    pub fn insert(at: usize, text: impl Into<String>) -> Self {
+        Edit::replace(Span::new(at, at), text)
+    }
+
+    /// Nothing in the place of `span`.
+    pub fn remove(span: Span) -> Self {
+        Edit::replace(span, "")
+    }
+}
+
+/// A way to put a finding right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fix {
+    /// What it does.
+    pub title: Message,
+    /// How sure it is.
+    pub applicability: Applicability,
+    /// The changes, which belong together and do not overlap.
+    pub edits: Vec<Edit>,
+}
+
+impl Fix {
+    /// What every reader would mean.
+    pub fn certain(title: impl Into<Message>, edits: impl Into<Vec<Edit>>) -> Self {
+        Fix {
+            title: title.into(),
+            applicability: Applicability::Certain,
+            edits: edits.into(),
+        }
+    }
+
+    /// What most readers would mean.
+    pub fn likely(title: impl Into<Message>, edits: impl Into<Vec<Edit>>) -> Self {
+        Fix {
+            applicability: Applicability::Likely,
+            ..Fix::certain(title, edits)
+        }
+    }
+}
+
+impl From<Undecodable> for Diagnostic {
+    fn from(bad: Undecodable) -> Diagnostic {
+        let reason = Reading::NotValid {
+            byte: bad.byte,
+            encoding: bad.charset.name(),
+        };
+        let help = match bad.other {
+            Some((charset, byte)) => Reading::NotTheOtherEither {
+                encoding: charset.name(),
+                byte,
+            },
+            None => Reading::SaveInThatEncoding,
+        };
+        Diagnostic::new(Code::Format, bad.span, reason).help(help)
     }
 }

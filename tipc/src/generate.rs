@@ -24,31 +24,27 @@
 //! A program with errors fails the build, each error shown with its line. The script runs again
 //! when a `.prg` file changes, and only then.
 
-mod error;
-mod files;
-
-#[cfg(test)]
-mod tests;
-
-pub use error::BuildError;
-
-use crate::Robot;
 use crate::code::Code;
-#[cfg(feature = "robot-files")]
-use crate::description::{self, Description};
 use crate::diagnostic::Diagnostic;
 use crate::load::{self, Loaded, load};
 use crate::message::{Building, Lang, Reading};
-#[cfg(feature = "robot-files")]
-use crate::published;
-use crate::render::{self, Style};
+use crate::program::Program;
+use crate::render::Style;
 use crate::source::{Encoding, Source, Span};
-use crate::{embed, emit, program::Program};
+use crate::{Robot, embed, emit, render};
 use proc_macro2::TokenStream;
 use std::collections::BTreeMap;
-use std::env;
+use std::error::Error;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
+use std::{env, fmt};
+
+mod files;
+
+#[cfg(feature = "robot-files")]
+use crate::description::{self, Description};
+#[cfg(feature = "robot-files")]
+use crate::published;
 
 /// Compiles one motion program with the standard settings: TITAN VIII, TIP 3.1, a `pub` type named
 /// after the file, in `$OUT_DIR/<file's stem>.rs`.
@@ -388,3 +384,42 @@ fn unreadable(name: &str, reason: Reading) -> Loaded {
     let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
     Loaded::refused(source, vec![finding.about(name)])
 }
+
+/// Why nothing could be generated. It displays every error with its place in the source.
+pub struct BuildError {
+    message: String,
+}
+
+impl BuildError {
+    /// A setting of [`Config`](self::Config) that makes no sense.
+    pub(super) fn setting(message: Building) -> Self {
+        BuildError {
+            message: message.to_string(),
+        }
+    }
+
+    /// Programs with errors, each one rendered.
+    pub(super) fn programs(errors: &[String]) -> Self {
+        BuildError {
+            message: errors.join("\n"),
+        }
+    }
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+/// As displayed: a build script that returns the error prints its `Debug`.
+impl fmt::Debug for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl Error for BuildError {}
+
+#[cfg(test)]
+mod tests;

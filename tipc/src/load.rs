@@ -4,14 +4,15 @@
 
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
-use crate::diagnostic::{Diagnostic, Findings, Omitted};
+pub use crate::diagnostic::MOST;
+use crate::diagnostic::{Diagnostic, Findings, Omitted, in_place};
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::{Habit, Message, Parsing};
 use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
-use crate::source::{Encoding, Source, Span, looks_like};
+use crate::source::{Encoding, Source, looks_like};
 use crate::symbols::Symbols;
 use crate::syntax::Module;
 
@@ -35,9 +36,6 @@ impl Default for Options {
         }
     }
 }
-
-/// The most findings of a file that are reported: nobody reads more, and what shows and tries them takes a while for each.
-pub const MOST: usize = 1_000;
 
 /// What came of a file.
 #[derive(Clone, Debug)]
@@ -87,11 +85,6 @@ impl Loaded {
         self.diagnostics = diagnostics;
         self.omitted.append(omitted);
     }
-}
-
-/// Where findings stand among each other.
-fn place(finding: &Diagnostic) -> (Span, Code) {
-    (finding.span, finding.code)
 }
 
 /// Reads, checks and lowers a program. `name` is how diagnostics call the file.
@@ -196,17 +189,19 @@ fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModu
 fn in_order(found: Findings, edition: Edition) -> (Vec<Diagnostic>, Omitted) {
     let (mut diagnostics, mut omitted) = found.into_parts();
     judge(&mut diagnostics, edition);
-    diagnostics.sort_by_key(place);
+    in_place(&mut diagnostics);
     // One mistake is reported once, however many passes find it.
     diagnostics.dedup_by(|later, first| {
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
         later.span == first.span && is_mistake(later) && is_mistake(first)
     });
     if diagnostics.len() > MOST {
-        diagnostics.sort_by_key(|one| one.level() == Level::Warning);
-        let rest = diagnostics.drain(MOST..);
-        rest.for_each(|one| omitted.add(one.code));
-        diagnostics.sort_by_key(place);
+        let is_error = |one: &Diagnostic| one.level() == Level::Error;
+        let (mut kept, warnings): (Vec<_>, Vec<_>) = diagnostics.into_iter().partition(is_error);
+        kept.extend(warnings);
+        kept.drain(MOST..).for_each(|one| omitted.add(one.code));
+        in_place(&mut kept);
+        return (kept, omitted);
     }
     (diagnostics, omitted)
 }

@@ -1,51 +1,38 @@
 //! What findings say, as data: a reason, a help or a label is a row of a table and the arguments of its text.
 //!
-//! Each room that finds something has a table, and [`phrase`] one for each part of a sentence that
+//! Each module that finds something has a table, and [`phrase`] one for each part of a sentence that
 //! varies. Nothing else spells a sentence, so that a text is changed in one place. Each language is a column.
 //! Quoted words are cut to 80 characters.
+
+use say::Say;
+use smol_str::SmolStr;
+use std::any::Any;
+use std::fmt::{self, Debug, Display, Formatter, Write};
+use std::sync::Arc;
 
 #[macro_use]
 mod table;
 
 #[cfg(feature = "build")]
 mod building;
-mod calculating;
-mod commanding;
+mod checking;
 #[cfg(feature = "robot-files")]
 mod describing;
 mod habit;
-mod instead;
 pub mod list;
-mod naming;
-mod other;
 mod parsing;
 pub mod phrase;
-mod reading;
 #[doc(hidden)]
 pub mod say;
-mod structuring;
-mod suggesting;
-mod word;
 
 #[cfg(feature = "build")]
 pub use building::Building;
-pub use calculating::Calculating;
-pub use commanding::Commanding;
+pub use checking::{Calculating, Commanding, Naming, Structuring};
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
-pub use habit::Habit;
-pub use instead::Instead;
-pub use naming::Naming;
-pub use other::Other;
-pub use parsing::Parsing;
-pub use reading::Reading;
+pub use habit::{Habit, Instead};
+pub use parsing::{Parsing, Reading, Suggesting};
 pub use say::{Decimal, Lang, Letter};
-pub use structuring::Structuring;
-pub use suggesting::Suggesting;
-pub(crate) use word::Cut;
-pub use word::Text;
-
-use std::fmt::{self, Display, Formatter};
 
 tables! {
     Reading,
@@ -80,7 +67,119 @@ impl Message {
 
 impl Display for Message {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.in_lang(Lang::English).fmt(f)
+        Display::fmt(&self.in_lang(Lang::English), f)
+    }
+}
+
+/// A message of a table that another crate defines with [`message_table!`](crate::message_table).
+#[derive(Clone)]
+pub struct Other(Arc<dyn AnyMessage>);
+
+/// What [`Other`] needs of a message.
+trait AnyMessage: Any + Debug + Say + Send + Sync {
+    /// Returns true if the other message is of the same table and row, with the same arguments.
+    fn equals(&self, other: &dyn Any) -> bool;
+}
+
+impl<T: Any + Debug + PartialEq + Say + Send + Sync> AnyMessage for T {
+    fn equals(&self, other: &dyn Any) -> bool {
+        other.downcast_ref() == Some(self)
+    }
+}
+
+impl Other {
+    /// Wraps a message of any table.
+    #[doc(hidden)]
+    pub fn new(message: impl Any + Debug + PartialEq + Say + Send + Sync) -> Self {
+        Other(Arc::new(message))
+    }
+
+    /// Returns the message if it is of the table `T`.
+    pub fn get<T: Any>(&self) -> Option<&T> {
+        let message: &dyn Any = &*self.0;
+        message.downcast_ref()
+    }
+}
+
+impl Debug for Other {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        Debug::fmt(&self.0, f)
+    }
+}
+
+impl PartialEq for Other {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.equals(&*other.0)
+    }
+}
+
+impl Say for Other {
+    fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        self.0.say(lang, f)
+    }
+}
+
+/// The characters of a quoted word that are shown.
+const WORD: usize = 80;
+
+/// Those of a [`Text`]: as many as the longest path of Linux has bytes.
+const TEXT: usize = 4096;
+
+/// A path, or a sentence that somebody else wrote: cut only beyond all reason.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Text(pub String);
+
+impl From<String> for Text {
+    fn from(text: String) -> Self {
+        Text(text)
+    }
+}
+
+/// The start of a word, and `…` in the place of the rest if that is long.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cut<'a> {
+    text: &'a str,
+    most: usize,
+}
+
+impl<'a> Cut<'a> {
+    /// As much of a quoted word as is shown.
+    pub(crate) const fn word(text: &'a str) -> Self {
+        Cut { text, most: WORD }
+    }
+}
+
+impl Display for Cut<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.text.char_indices().nth(self.most) {
+            Some((end, _)) => {
+                f.write_str(&self.text[..end])?;
+                f.write_char('…')
+            }
+            None => f.write_str(self.text),
+        }
+    }
+}
+
+impl Say for String {
+    fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        Display::fmt(&Cut::word(self), f)
+    }
+}
+
+impl Say for SmolStr {
+    fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        Display::fmt(&Cut::word(self), f)
+    }
+}
+
+impl Say for Text {
+    fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        let whole = Cut {
+            text: &self.0,
+            most: TEXT,
+        };
+        Display::fmt(&whole, f)
     }
 }
 

@@ -1,9 +1,7 @@
 //! Lines to statements. It never fails and reports every bad line; it judges form, never meaning.
 
 mod arguments;
-mod assignment;
 mod braces;
-mod command;
 mod condition;
 mod control;
 mod declaration;
@@ -12,18 +10,12 @@ mod foreign;
 pub mod header;
 mod jump;
 mod line;
-mod message;
-mod numbered;
 mod operand;
 mod reader;
-mod relation;
-mod routine;
-mod shape;
-mod signs;
 mod statement;
-mod wide;
 
 pub use jump::glued;
+pub(crate) use jump::label_of;
 pub use line::{LONG_VOWEL, narrow};
 
 use crate::code::Code;

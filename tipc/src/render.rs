@@ -1,32 +1,20 @@
 //! Diagnostics as people and tools read them.
 
 #[cfg(feature = "build")]
-mod classical;
-#[cfg(feature = "build")]
 mod human;
 #[cfg(feature = "build")]
 mod json;
 mod plain;
 #[cfg(feature = "build")]
 mod short;
-#[cfg(feature = "build")]
-mod style;
-#[cfg(feature = "build")]
-mod wrap;
 
 #[cfg(feature = "build")]
-pub use classical::classical;
+pub use human::{Style, human};
 #[cfg(feature = "build")]
-pub use human::human;
-#[cfg(feature = "build")]
-pub use json::json;
-#[cfg(feature = "build")]
-pub use json::{push_member, push_number, push_string};
+pub use json::{json, push_member, push_number, push_string};
 pub use plain::plain;
 #[cfg(feature = "build")]
-pub use short::short;
-#[cfg(feature = "build")]
-pub use style::Style;
+pub use short::{classical, short};
 
 use std::fmt::Display;
 use tip_runtime::printable::Printable;

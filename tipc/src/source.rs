@@ -16,27 +16,23 @@
 //! assert_eq!(again, bytes);
 //! ```
 
-mod decode;
-mod guess;
-mod lines;
-mod original;
-mod position;
-mod respelled;
-mod span;
-mod width;
-
-pub use decode::{Charset, Encoding, Undecodable};
-pub use guess::looks_like;
-pub use lines::{Line, Lines};
-pub use position::{Position, Unit};
-pub use span::Span;
-pub use width::byte_length;
-pub(crate) use width::first_beyond;
-
 use decode::{Decoded, MARK, decode};
 use lines::LineIndex;
 use original::Original;
 use position::ColumnIndex;
+
+mod decode;
+mod lines;
+mod original;
+mod position;
+mod respelled;
+
+pub use decode::looks_like;
+pub use decode::{Charset, Encoding, Undecodable};
+pub use lines::{Line, Lines};
+pub use position::byte_length;
+pub(crate) use position::first_beyond;
+pub use position::{Position, Unit};
 
 /// What DOS puts after the last line of a text file.
 const TAIL: &[u8] = b"\x1A";
@@ -185,6 +181,27 @@ fn fnv1a<'a>(bytes: impl Iterator<Item = &'a u8>) -> u64 {
     bytes.fold(0xCBF2_9CE4_8422_2325, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01B3)
     })
+}
+
+/// A stretch of the decoded source text, in bytes of UTF-8.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Span {
+    /// The first byte.
+    pub start: usize,
+    /// The byte after the last one.
+    pub end: usize,
+}
+
+impl Span {
+    /// From `start` up to `end`.
+    pub const fn new(start: usize, end: usize) -> Self {
+        Span { start, end }
+    }
+
+    /// From the start of `self` to the end of `other`.
+    pub const fn to(self, other: Span) -> Span {
+        Span::new(self.start, other.end)
+    }
 }
 
 #[cfg(test)]

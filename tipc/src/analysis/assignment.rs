@@ -11,8 +11,6 @@
 mod batch;
 mod blocks;
 mod gap;
-mod touches;
-mod worklist;
 
 #[cfg(test)]
 mod tests;
@@ -22,8 +20,8 @@ pub use gap::{Gap, gaps};
 use super::flow::{Flow, NodeId};
 use crate::program::{Program, StepId};
 use batch::{Batch, Found};
+use batch::{Sorted, Touches};
 use blocks::Blocks;
-use touches::{Sorted, Touches};
 
 /// For how many batches of scalars every program is followed.
 const LEAST: usize = 16;

@@ -1,25 +1,24 @@
 //! One mistake, one finding: what follows from another finding joins it.
 
-mod ends;
-mod names;
-
 use super::title;
 use crate::code::Code;
+use crate::diagnostic::in_place;
 use crate::diagnostic::{Diagnostic, Findings, Label};
 use crate::foreign;
-use crate::language::Keyword;
-use crate::language::commands;
+use crate::language::{Keyword, commands};
 use crate::lex::{Kind, Token, lex, split_comment};
-use crate::message::{Commanding, Habit, Message, Naming, Parsing, Structuring};
-use crate::parse::narrow;
+use crate::message::{
+    Commanding, Habit, Instead, Message, Naming, Parsing, Structuring, Suggesting,
+};
 use crate::source::{Source, Span};
+use crate::suggest::is_near;
 use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 
 /// Lets findings about one name be one finding, at the first place.
 pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
-    found.sort_by_key(|finding| finding.span);
+    in_place(found);
     // What ends no block here may be reported as such already.
     found.dedup_by(|second, first| {
         second.code == Code::UnknownCommand
@@ -34,15 +33,14 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
     reversed_loops(found);
     crossed_loops(source, found);
     broken_lines(source, found);
-    same_text(source, module, found);
-    names::undeclared(source, module, found);
-    names::missing_labels(found);
-    names::declared_again(source, module, found);
-    names::with_sign(source, found);
-    names::called_loop(found);
-    names::flags(source, module, found);
+    declared_in_title(source, module, found);
+    repeated(found);
+    declared_again(source, module, found);
+    with_sign(source, found);
+    called_loop(found);
+    flags(source, module, found);
     title::blame(source, module, found);
-    ends::last_word(found);
+    last_word(found);
 }
 
 /// `START` where `START:` was meant: the jumps to it are not wrong.
@@ -117,7 +115,7 @@ fn labels_after_end(source: &Source, module: &Module, found: &mut Findings) {
         false
     });
     found.extend(first);
-    found.sort_by_key(|finding| finding.span);
+    in_place(found);
 }
 
 /// The labels and the names of SUBROUTINEs in a part of the text, each at its first place.
@@ -299,67 +297,6 @@ fn broken_lines(source: &Source, found: &mut Findings) {
     **found = kept;
 }
 
-/// The same characters that no statement may hold, or the same array, are one mistake wherever they stand.
-fn same_text(source: &Source, module: &Module, found: &mut Findings) {
-    let mut first_of: HashMap<String, usize> = HashMap::new();
-    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        let text = || source.slice(finding.span).to_ascii_uppercase();
-        let same = match &finding.help {
-            Some(Message::Habit(Habit::NoArray { name } | Habit::NoParameters { name })) => {
-                Some(name.to_string())
-            }
-            // `*L1` and `GOTO *L1`
-            Some(Message::Parsing(Parsing::WriteLabel { name }))
-                if matches!(
-                    finding.reason,
-                    Message::Commanding(Commanding::NoCommand { .. })
-                        | Message::Naming(Naming::NoLabelName { .. })
-                ) =>
-            {
-                Some(format!("{name}:"))
-            }
-            // `1N`, which is not a number either.
-            _ if matches!(
-                finding.reason,
-                Message::Naming(Naming::NoVariableName { .. })
-                    | Message::Parsing(Parsing::NoNumber { .. })
-            ) =>
-            {
-                Some(text())
-            }
-            _ if matches!(finding.reason, Message::Naming(Naming::NoMember { .. })) => {
-                let member = source.slice(finding.span).to_ascii_uppercase();
-                Some(format!("{} {member}", finding.code.id()))
-            }
-            // `P == Q`
-            _ if finding.reason == Commanding::StructForNumber.into() => {
-                let statement = module.statement_at(finding.span.start);
-                statement.map(|index| format!("statement {index}"))
-            }
-            _ if matches!(finding.reason, Message::Naming(Naming::NoLabelName { .. })) => {
-                Some(source.slice(finding.span).to_ascii_uppercase())
-            }
-            Some(Message::Parsing(Parsing::PlainNames)) => {
-                Some(source.slice(finding.span).to_owned())
-            }
-            Some(Message::Parsing(Parsing::WriteHalfWidth { .. })) => {
-                let text = narrow(source.slice(finding.span)).to_ascii_uppercase();
-                Some(format!("{} wide", text.trim_end_matches(':')))
-            }
-            _ => None,
-        };
-        match same.as_ref().and_then(|same| first_of.get(same)) {
-            Some(at) => kept[*at].labels.push(label(finding.span, Naming::AlsoHere)),
-            None => {
-                first_of.extend(same.map(|same| (same, kept.len())));
-                kept.push(finding);
-            }
-        }
-    }
-    **found = kept;
-}
-
 /// Whether a statement at this place is this word alone.
 fn is_alone(module: &Module, place: Span) -> bool {
     let statement = module
@@ -386,4 +323,173 @@ fn label(span: Span, text: impl Into<Message>) -> Label {
         span,
         text: text.into(),
     }
+}
+
+/// The word that was to be END at the end of the text: STOP, EDN. One mistake is one finding.
+pub(super) fn last_word(found: &mut Findings) {
+    let Some(missing) = found.iter().position(|it| it.code == Code::NoEnd) else {
+        return;
+    };
+    let place = found[missing].span;
+    let unknown = |it: &Diagnostic| it.span == place && it.code == Code::UnknownCommand;
+    let Some(word) = found.iter().position(unknown) else {
+        return;
+    };
+    let ends = [Habit::Stop, Habit::Exit].map(Message::from);
+    let end = Keyword::End.word();
+    let subject = found[word].subject.as_deref();
+    if subject.is_some_and(|subject| is_near(subject, end)) {
+        found[word].help = Some(Suggesting::DidYouMean { near: end.into() }.into());
+        found.remove(missing);
+    } else if found[word]
+        .help
+        .as_ref()
+        .is_some_and(|help| ends.contains(help))
+    {
+        found.remove(word);
+    }
+}
+
+/// A name that line 2 would declare, if it were not the title.
+fn declared_in_title(source: &Source, module: &Module, found: &mut Findings) {
+    let in_title = title::declared(source, module);
+    for finding in found.iter_mut() {
+        let name = finding.subject.as_deref().unwrap_or_default();
+        let is_unknown = finding.code == Code::UnknownVariable;
+        if let Some(place) = in_title.get(name).filter(|_| is_unknown) {
+            finding.labels.push(label(*place, Habit::TitleHere));
+            finding.help = Some(Habit::Title.into());
+        }
+    }
+}
+
+/// Findings of one mistake are one finding at the first place, and the best guess of the type of a name is its help.
+fn repeated(found: &mut Findings) {
+    let mut first_of: HashMap<SmolStr, usize> = HashMap::new();
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for finding in found.drain(..) {
+        let first = finding.once.as_ref().and_then(|once| first_of.get(once));
+        match first.map(|at| &mut kept[*at]) {
+            Some(first) => {
+                first.labels.push(label(finding.span, Naming::AlsoHere));
+                if is_open(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
+                    first.help = finding.help;
+                }
+            }
+            None => {
+                first_of.extend(finding.once.clone().map(|once| (once, kept.len())));
+                kept.push(finding);
+            }
+        }
+    }
+    **found = kept;
+}
+
+/// Whether a help leaves the type open.
+fn is_open(help: Option<&Message>) -> bool {
+    matches!(help, Some(Message::Naming(Naming::Declare { .. })))
+}
+
+/// Whether a help names one type.
+fn is_guess(help: Option<&Message>) -> bool {
+    matches!(help, Some(Message::Naming(Naming::DeclareAs { .. })))
+}
+
+/// What follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses mean.
+pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findings) {
+    let is_again =
+        |it: &&Diagnostic| matches!(it.reason, Message::Naming(Naming::DeclaredAgain { .. }));
+    let again: HashSet<String> = found
+        .iter()
+        .filter(is_again)
+        .map(|it| source.slice(it.span).to_ascii_uppercase())
+        .collect();
+    if again.is_empty() {
+        return;
+    }
+    let names_one = |place: Span| {
+        let statement = module.statement_at(place.start)?;
+        let text = source.slice(module.statements[statement].span);
+        let is_end = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
+        let mut words = text.split(is_end).map(str::to_ascii_uppercase);
+        words.any(|word| again.contains(&word)).then_some(())
+    };
+    found.retain(|it| {
+        let follows = match &it.reason {
+            Message::Commanding(_) | Message::Calculating(_) => true,
+            Message::Structuring(reason) => matches!(reason, Structuring::PlainLabel { .. }),
+            _ => it.code == Code::RunsInto,
+        };
+        !follows || names_one(it.span).is_none()
+    });
+}
+
+/// `DEF_VAR A$`, and wherever `A$` stands.
+pub(super) fn with_sign(source: &Source, found: &mut Findings) {
+    let mut first_of: HashMap<String, usize> = HashMap::new();
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for finding in found.drain(..) {
+        match &finding.reason {
+            Message::Naming(Naming::NoVariableName { word }) => {
+                first_of.entry(word.to_string()).or_insert(kept.len());
+            }
+            Message::Parsing(Parsing::ForeignInName { .. }) => {
+                let word = word_at(source, finding.span);
+                let name = source.slice(word).to_ascii_uppercase();
+                if let Some(first) = first_of.get(&name) {
+                    kept[*first].labels.push(label(word, Naming::AlsoHere));
+                    continue;
+                }
+            }
+            _ => {}
+        }
+        kept.push(finding);
+    }
+    **found = kept;
+}
+
+/// The name that a sign ends.
+fn word_at(source: &Source, sign: Span) -> Span {
+    let before = &source.text()[..sign.start];
+    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let start = before.trim_end_matches(is_name).len();
+    Span::new(start, sign.end)
+}
+
+/// `SUBROUTINE LOOP:` and its calls.
+pub(super) fn called_loop(found: &mut Findings) {
+    let is_named = |it: &Diagnostic| it.reason == Naming::SubroutineLoop.into();
+    let is_called = |it: &Diagnostic| it.reason == Structuring::LoopForGoto.into();
+    if !found.iter().any(is_named) {
+        return;
+    }
+    let calls = found.iter().filter(|it| is_called(it));
+    let labels: Vec<_> = calls.map(|it| label(it.span, Naming::AlsoHere)).collect();
+    found.retain(|it| !is_called(it));
+    if let Some(named) = found.iter_mut().find(|it| is_named(it)) {
+        named.labels.extend(labels);
+    }
+}
+
+/// `PTP F1 R 0 0` with a variable R: that R is a flag there explains the missing number.
+pub(super) fn flags(source: &Source, module: &Module, found: &mut Findings) {
+    let statement = |span: Span| module.statement_at(span.start);
+    let mut explained = HashSet::new();
+    for at in 0..found.len() {
+        let (flag, used) = match (found[at].code, found[at].labels.first()) {
+            (Code::FlagName, Some(used)) => (found[at].span, used.span),
+            _ => continue,
+        };
+        let is_there = |it: &&mut Diagnostic| {
+            let is_few = matches!(it.reason, Message::Commanding(Commanding::TooFew { .. }));
+            is_few && it.span != used && statement(it.span) == statement(used)
+        };
+        if let Some(fault) = found.iter_mut().find(is_there) {
+            let name = source.slice(used).to_ascii_uppercase().into();
+            fault.labels.push(label(used, Instead::FlagHere));
+            fault.help = Some(Instead::OtherName { name }.into());
+            explained.insert(flag);
+        }
+    }
+    found.retain(|it| it.code != Code::FlagName || !explained.contains(&it.span));
 }

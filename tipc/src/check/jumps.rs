@@ -67,6 +67,7 @@ impl Jumps<'_> {
             };
             let reason = Structuring::NoSuchLabel { name: name.into() };
             let fault = Diagnostic::new(Code::UnknownLabel, place, reason);
+            let fault = fault.once(format!("label {name}"));
             self.found.push(fault.about(name).help(help));
             return None;
         };
@@ -97,6 +98,7 @@ impl Jumps<'_> {
         if to.is_none() {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
+            let fault = fault.once(format!("label {LOOP}"));
             let near = match &jump.label {
                 Some(_) if !self.found.are_many() => nearest(LOOP, self.labels.names()),
                 _ => None,
@@ -191,5 +193,26 @@ impl Jumps<'_> {
             .label(opener.keyword(), Structuring::For)
             .label(self.module.statements[to].span, Structuring::Label);
         self.found.push(warning);
+    }
+}
+
+/// Warns of each SUBROUTINE that the step above it runs into.
+pub(crate) fn warn_of_entries(module: &Module, found: &mut Findings) {
+    let mut open_above = true;
+    for statement in &module.statements {
+        if !statement.is_step() {
+            continue;
+        }
+        let is_reported = |place: Span| found.iter().any(|it| it.span == place);
+        if let StatementKind::Subroutine { keyword, name } = &statement.kind
+            && open_above
+            && !is_reported(*keyword)
+        {
+            let reason = Structuring::RunsInto;
+            let help = Structuring::PutJumpAbove;
+            let warning = Diagnostic::new(Code::RunsInto, *keyword, reason);
+            found.push(warning.about(name.node.as_str()).help(help));
+        }
+        open_above = statement.kind.goes_on();
     }
 }

@@ -123,6 +123,7 @@ fn refusal(name: &Word, subroutine: bool, edition: Edition) -> Option<Diagnostic
             fault(Naming::NoLabelName {
                 word: name.node.clone(),
             })
+            .once(name.node.clone())
             .help(help),
         );
     }

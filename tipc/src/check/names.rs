@@ -1,12 +1,12 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use crate::code::Code;
+use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::foreign;
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, names};
-use crate::load::MOST;
 use crate::message::{Habit, Instead, Message, Naming, Suggesting};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
@@ -139,14 +139,15 @@ impl Names {
         let name = word.node.as_str();
         let fault = |reason: Naming| Diagnostic::new(Code::Argument, word.span, reason);
         if !names::is_variable(name) {
-            let help: Message = match name.split_once(['(', '[']) {
-                None if name.ends_with('$') => Habit::NoText.into(),
+            let (mistake, help): (_, Message) = match name.split_once(['(', '[']) {
+                None if name.ends_with('$') => (name, Habit::NoText.into()),
                 Some((array, _)) if names::is_variable(array) => {
-                    Habit::NoArray { name: array.into() }.into()
+                    (array, Habit::NoArray { name: array.into() }.into())
                 }
-                _ => Naming::VariableCharacters.into(),
+                _ => (name, Naming::VariableCharacters.into()),
             };
-            return Some(fault(Naming::NoVariableName { word: name.into() }).help(help));
+            let fault = fault(Naming::NoVariableName { word: name.into() });
+            return Some(fault.once(mistake).help(help));
         }
         if is_reserved(name, self.edition) {
             let help = Naming::ChooseAnother;
@@ -258,7 +259,10 @@ impl Names {
                 last: variable.size(),
             },
         };
-        Diagnostic::new(shape, span, reason).help(help)
+        let mistake = format!("{} {}.{member}", shape.id(), variable.name);
+        Diagnostic::new(shape, span, reason)
+            .once(mistake)
+            .help(help)
     }
 
     /// What to write in place of a word of the language where a number belongs.
@@ -335,6 +339,7 @@ impl Names {
         };
         Diagnostic::new(Code::UnknownVariable, span, reason)
             .about(name)
+            .once(format!("variable {name}"))
             .help(help)
     }
 }

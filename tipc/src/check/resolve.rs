@@ -293,7 +293,9 @@ impl Resolver<'_> {
             return Some(number);
         }
         let reason = Commanding::StructForNumber;
+        let statement = self.known.module.statement_at(operand.span.start);
         let fault = Diagnostic::new(shape, operand.span, reason);
+        let fault = fault.once(format!("statement {statement:?}"));
         self.report(fault.help(Commanding::NameMember));
         None
     }

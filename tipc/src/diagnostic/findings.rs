@@ -3,9 +3,11 @@
 use super::Diagnostic;
 use crate::code::{Code, Level};
 use crate::language::Edition;
-use crate::load::MOST;
 use std::collections::BTreeMap;
 use std::ops::{Deref, DerefMut};
+
+/// The most findings of a file that are reported: nobody reads more, and what shows and tries them takes a while for each.
+pub const MOST: usize = 1_000;
 
 /// The most findings that the passes keep: of a hostile file there may be one for each byte, and each takes hundreds.
 const KEPT: usize = 10_000;
@@ -137,4 +139,9 @@ impl Omitted {
             *self.0.entry(code).or_default() += count;
         }
     }
+}
+
+/// Puts findings in the order of their places.
+pub(crate) fn in_place(found: &mut [Diagnostic]) {
+    found.sort_by_key(|one| (one.span, one.code));
 }

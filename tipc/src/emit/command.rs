@@ -1,7 +1,7 @@
 //! How Rust spells what commands and messages are given.
 
 use super::expression::Values;
-use super::word;
+use super::ident;
 use crate::program::{Argument, Mark, MessagePart, Operand, Scalar, VariableKind};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -50,7 +50,7 @@ impl Values<'_> {
         let parts = parts.iter().map(|part| match part {
             MessagePart::Text(text) => quote!(Part::Text(#text)),
             MessagePart::Value { scalar, decimals } => {
-                let (value, decimals) = (self.read(*scalar), word::small(*decimals));
+                let (value, decimals) = (self.read(*scalar), ident::small(*decimals));
                 quote!(Part::Number(#value, #decimals))
             }
         });

@@ -1,8 +1,8 @@
 //! How Rust spells operands, equations and conditions. Evaluation order is that of the tokens:
 //! operands left to right, then the operation, then the left side of `op=`, then the result.
 
+use super::ident;
 use super::ident::{field, identifier};
-use super::word;
 use crate::analysis::assignment::Assignment;
 use crate::program::{
     Arithmetic, Axis, Condition, Operand, Program, Relation, Scalar, ScalarExpression, StepId,
@@ -59,7 +59,7 @@ impl Values<'_> {
 
     pub(super) fn operand(&self, operand: Operand) -> TokenStream {
         match operand {
-            Operand::Constant(value) => word::number(value),
+            Operand::Constant(value) => ident::number(value),
             Operand::Scalar {
                 scalar,
                 negative: false,
@@ -83,7 +83,7 @@ impl Values<'_> {
     ) -> (Option<TokenStream>, TokenStream) {
         let (operation, old) = (arithmetic(operation), self.read(target));
         if let ScalarExpression::Operand(Operand::Constant(value)) = value {
-            let value = word::number(value);
+            let value = ident::number(value);
             return (None, quote!(#operation(#old, #value)));
         }
         let value = match value {
@@ -196,7 +196,7 @@ impl Values<'_> {
                 quote!(#left #relation #right)
             }
             Condition::Flag { flag, negated } => {
-                let flag = word::flag(flag);
+                let flag = ident::flag(flag);
                 let not = negated.then(|| quote!(!));
                 quote!(#not cx.flag(#flag))
             }

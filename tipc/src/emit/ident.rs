@@ -1,8 +1,10 @@
 //! Names of the generated code.
 
-use crate::program::{Label, StepId, Variable};
-use proc_macro2::{Ident, Span};
+use crate::program::{Flag, Label, Op, Port, StepId, Target, Teach, Variable};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
 use std::collections::BTreeMap;
+use std::fmt::{Debug, Write};
 
 /// The type that a source file's program gets: its name without folders and extension, in
 /// UpperCamelCase (`walk_fast.prg` is `WalkFast`). Characters other than ASCII letters and digits
@@ -65,4 +67,86 @@ pub(super) fn label_constants(labels: &[Label]) -> Vec<(u32, Ident)> {
 
 pub(super) fn identifier(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
+}
+
+/// The text with an escape in the place of each character that a comment may not hold; a tab stays.
+pub(crate) fn in_comment(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for char in text.chars() {
+        match breaks_comments(char) {
+            // Writing to a string cannot fail.
+            true => _ = write!(shown, "{}", char.escape_unicode()),
+            false => shown.push(char),
+        }
+    }
+    shown
+}
+
+/// Control characters, line separators, and characters that set the direction of text.
+fn breaks_comments(char: char) -> bool {
+    let sets_direction = matches!(
+        char,
+        '\u{61C}' | '\u{200E}' | '\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}'
+    );
+    let parts_lines = matches!(char, '\u{2028}' | '\u{2029}');
+    sets_direction || parts_lines || (char.is_control() && char != '\t')
+}
+
+/// A number that reads back to the same bits.
+pub(crate) fn number(value: f64) -> TokenStream {
+    let magnitude = Literal::f64_unsuffixed(value.abs());
+    if value.is_sign_negative() {
+        quote!(-#magnitude)
+    } else {
+        quote!(#magnitude)
+    }
+}
+
+/// A variant of the vocabulary: Rust spells it as `Debug` does, after the name of its type.
+fn variant(of: &str, variant: impl Debug) -> TokenStream {
+    let spelled = format!("{of}::{variant:?}");
+    spelled.parse().unwrap_or_default()
+}
+
+pub(super) fn op(op: Op) -> TokenStream {
+    variant("Op", op)
+}
+
+pub(super) fn target(target: Target) -> TokenStream {
+    variant("Target", target)
+}
+
+pub(super) fn teach(what: Teach) -> TokenStream {
+    variant("Teach", what)
+}
+
+pub(super) fn port(port: Port) -> TokenStream {
+    variant("Port", port)
+}
+
+pub(super) fn flag(flag: Flag) -> TokenStream {
+    let Some(of) = flag.target() else {
+        return variant("Flag", flag);
+    };
+    let spelled = format!("{flag:?}");
+    let name = identifier(spelled.split('(').next().unwrap_or_default());
+    let of = target(of);
+    quote!(Flag::#name(#of))
+}
+
+pub(super) fn small(n: u8) -> Literal {
+    Literal::u8_unsuffixed(n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_comment;
+
+    #[test]
+    fn what_ends_a_line_or_turns_text_is_an_escape() {
+        assert_eq!(in_comment("a\nb\r\u{202E}c"), "a\\u{a}b\\u{d}\\u{202e}c");
+        assert_eq!(in_comment("\u{1b}\u{85}\u{7f}"), "\\u{1b}\\u{85}\\u{7f}");
+        assert_eq!(in_comment("\u{2028}\u{2066}"), "\\u{2028}\\u{2066}");
+        assert_eq!(in_comment("歩く\t\\n → ok"), "歩く\t\\n → ok");
+    }
 }

@@ -1,9 +1,9 @@
 //! How Rust spells a program's state: the struct, its constructor and its implementations.
 
 use super::ident::field;
+use super::ident::in_comment;
 use super::table::States;
-use super::text::in_comment;
-use super::{Emitter, header_of, word};
+use super::{Emitter, header_of, ident};
 use crate::program::{Variable, VariableKind};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -252,7 +252,7 @@ impl Emitter<'_> {
             Family::Hand => quote!(Hand),
             Family::Generic => quote!(Generic),
         };
-        let (legs, joints) = (word::small(signature.legs), word::small(signature.joints));
+        let (legs, joints) = (ident::small(signature.legs), ident::small(signature.joints));
         quote! {
             #runtime::program::Signature {
                 robot: #robot,

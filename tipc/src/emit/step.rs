@@ -2,7 +2,7 @@
 
 use super::expression::Values;
 use super::ident::field;
-use super::{Emitter, word};
+use super::{Emitter, ident};
 use crate::program::{Action, Argument, End, Operand, ScalarExpression, StepId};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -138,7 +138,7 @@ impl Emitter<'_> {
                 target,
                 arguments,
             } => {
-                let (op, target) = (word::op(*op), word::target(*target));
+                let (op, target) = (ident::op(*op), ident::target(*target));
                 let values = values.of_arguments(arguments);
                 let command =
                     quote!(&Command { op: #op, hs: #hs, target: #target, values: &#values });
@@ -152,7 +152,7 @@ impl Emitter<'_> {
                 }
             }
             Action::TeachStruct { what, target, into } => {
-                let (what, target) = (word::teach(*what), word::target(*target));
+                let (what, target) = (ident::teach(*what), ident::target(*target));
                 let variable = &self.program.variables[*into];
                 let place = field(variable);
                 let members: Vec<Ident> = (1..=variable.size())
@@ -167,7 +167,7 @@ impl Emitter<'_> {
             }
             Action::TeachScalar { what, target, into } => {
                 let place = values.place(*into);
-                let (what, target) = (word::teach(*what), word::target(*target));
+                let (what, target) = (ident::teach(*what), ident::target(*target));
                 let go = self.go(next);
                 quote! {
                     let [measured, ..] = cx.teach(#what, #target)?;
@@ -176,7 +176,7 @@ impl Emitter<'_> {
                 }
             }
             Action::AdIn { port, into } => {
-                let (place, port) = (values.place(*into), word::port(*port));
+                let (place, port) = (values.place(*into), ident::port(*port));
                 let go = self.go(next);
                 quote!(#place.set(cx.analog(#port)?); #go)
             }

@@ -1,9 +1,9 @@
 //! How Rust spells the table of states: one row for each step, and a function for each row that needs code.
 
 use super::Emitter;
+use super::ident::in_comment;
 use super::ident::{identifier, state};
 use super::step::State;
-use super::text::in_comment;
 use crate::program::StepId;
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::quote;

@@ -1,7 +1,7 @@
 //! The shape of the emitted code. That it compiles and does what the interpreter does is proved
 //! where generated code can be compiled: in the workspace's `tests`.
 
-use super::{Options, emit, skeleton, type_name, word};
+use super::{Options, emit, ident, skeleton, type_name};
 use crate::Robot;
 use crate::fixture::{argument, compare, constant, labelled, member, program, read, scalar};
 use crate::program::{
@@ -63,7 +63,7 @@ fn numbers_read_back_to_the_same_bits() {
         f64::MAX,
         1.0 / 3.0,
     ] {
-        let text = word::number(value).to_string().replace("- ", "-");
+        let text = ident::number(value).to_string().replace("- ", "-");
         let back: f64 = text.parse().unwrap();
         assert_eq!(back.to_bits(), value.to_bits(), "{text}");
         assert!(text.contains('.'), "{text} must be a float literal");

@@ -331,7 +331,9 @@ impl Reader<'_> {
                     true => Habit::NoParameters { name: written }.into(),
                     false => Parsing::WriteSubroutine { name: written }.into(),
                 };
-                Err(self.fault_with_help(name.span, Parsing::NameColonMissing, help))
+                let mut fault = self.fault_with_help(name.span, Parsing::NameColonMissing, help);
+                fault.once = takes_some.then(|| name.node.clone());
+                Err(fault)
             }
         };
         Ok((StatementKind::Subroutine { keyword, name }, end))

@@ -144,7 +144,8 @@ impl Parser<'_> {
         let help = Habit::NoHyphen {
             name: written.replace('-', "_").into(),
         };
-        self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
+        let fault = Diagnostic::new(Code::Argument, place, reason);
+        self.report(fault.once(written.as_str()).help(help));
         if self.hyphened.len() < HYPHENED {
             self.hyphened.push(written);
         }

@@ -1,19 +1,23 @@
 //! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
 
-use super::jump::{joined, marked, spread};
-use super::shape::meant;
+use super::jump::{joined, label_of, marked, spread};
+use super::statement::meant;
 use super::{Parser, narrow};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
-use crate::foreign::{self, Means};
-use crate::language::commands::{self, COMMANDS};
-use crate::language::reserved::LOOP;
-use crate::language::{Edition, Keyword, keywords};
+use crate::diagnostic::MOST;
+use crate::diagnostic::{Diagnostic, Label};
+use crate::foreign;
+use crate::foreign::Means;
+use crate::language::commands::{COMMANDS, Meaning};
+use crate::language::reserved::{JOINT, LOOP, POSITION};
+use crate::language::{Edition, Keyword, commands, keywords, names};
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Commanding, Habit, Message, Naming, Parsing, Suggesting};
+use crate::message::{Commanding, Habit, Instead, Message, Naming, Parsing, Suggesting};
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::syntax::{Shape, Statement, StatementKind, VariableKind, Word, upper_case};
+use crate::syntax::{
+    Arithmetic, Relation, Shape, Statement, StatementKind, VariableKind, Word, upper_case,
+};
 use smol_str::SmolStr;
 
 /// The most statements of a line that may show parts of one text.
@@ -171,11 +175,10 @@ impl Parser<'_> {
         }
         let place = spread(self.text, first.span, rest)?;
         let written = upper_case(self.source.slice(place));
-        let help = Parsing::WriteLabel {
-            name: joined(&written),
-        };
+        let name = joined(&written);
         let reason = Naming::NoLabelName { word: written };
-        self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
+        let fault = Diagnostic::new(Code::Argument, place, reason).once(label_of(&name));
+        self.report(fault.help(Parsing::WriteLabel { name }));
         Some(StatementKind::Broken(Shape::Plain))
     }
 
@@ -187,7 +190,9 @@ impl Parser<'_> {
         let first = tokens.first()?.span;
         let word = upper_case(self.source.slice(first));
         let reason = Commanding::NoCommand { word: word.clone() };
-        self.report_unknown(first, &word, reason, Parsing::WriteLabel { name });
+        let fault = Diagnostic::new(Code::UnknownCommand, first, reason).about(word.as_str());
+        let fault = fault.once(label_of(&name));
+        self.report(fault.help(Parsing::WriteLabel { name }));
         // What jumps there is not wrong.
         Some(StatementKind::Label(Word { node, span }))
     }
@@ -352,5 +357,185 @@ impl Parser<'_> {
             node: upper_case(self.source.slice(first.span)),
             span: first.span,
         })
+    }
+}
+
+impl Parser<'_> {
+    /// An assignment with an operator of another language.
+    pub(super) fn assignment(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let [name, operator, rest @ ..] = tokens else {
+            return None;
+        };
+        if name.kind != Kind::Word {
+            return self.increment_before(tokens);
+        }
+        if operator.kind == Kind::Word
+            && let Some(several) = self.several_assigned(tokens)
+        {
+            return Some(several);
+        }
+        let next = rest.first();
+        let both = operator
+            .span
+            .to(next.map_or(operator.span, |next| next.span));
+        let assigns = next.is_some_and(|next| next.kind == Kind::Assign(None));
+        if operator.kind == Kind::Word && !assigns {
+            return None;
+        }
+        let word = upper_case(self.source.slice(name.span));
+        let assign = Habit::Assign { name: word.clone() };
+        let (reason, help): (Habit, Message) = match (operator.kind, next.map(|next| next.kind)) {
+            (Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)), Some(second))
+                if second == operator.kind && rest.len() == 1 =>
+            {
+                let signs = self.source.slice(both).into();
+                let sign = if sign == Arithmetic::Add { "+" } else { "-" };
+                let help = Habit::Increment {
+                    name: word.clone(),
+                    sign: sign.into(),
+                };
+                (Habit::NoOperator { sign: signs }, help.into())
+            }
+            (Kind::Relation(Relation::Eq), _) => (Habit::CompareAsStatement, assign.into()),
+            (Kind::Arithmetic(_), Some(Kind::Assign(None))) => {
+                let sign = format!("{}=", self.source.slice(operator.span)).into();
+                let help = Habit::Update { name: word.clone() };
+                (Habit::SplitOperator { sign }, help.into())
+            }
+            (Kind::Word, Some(Kind::Assign(None))) if self.source.slice(operator.span) == "%" => {
+                let sign = self.source.slice(both).into();
+                (Habit::NoOperator { sign }, Habit::Remainder.into())
+            }
+            (Kind::Arithmetic(Arithmetic::Sub), Some(Kind::Relation(Relation::Gt))) => {
+                let member = rest.get(1).map(|member| self.source.slice(member.span));
+                let text = upper_case(&format!("{word}.{}", member.unwrap_or_default()));
+                let sign = self.source.slice(both).into();
+                (Habit::NoOperator { sign }, Instead::Write { text }.into())
+            }
+            (Kind::Colon, Some(Kind::Assign(None))) => {
+                let sign = self.source.slice(both).into();
+                let fault = Diagnostic::new(Code::Equation, both, Habit::NoOperator { sign });
+                self.report(fault.help(assign));
+                return Some(StatementKind::Broken(Shape::Plain));
+            }
+            _ => return None,
+        };
+        self.report_unknown(name.span, &word, reason, help);
+        Some(StatementKind::Broken(Shape::Plain))
+    }
+
+    /// `A, B = 1, 2`
+    fn several_assigned(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let equals = tokens.iter().position(|it| it.kind == Kind::Assign(None))?;
+        let (names, _) = tokens.split_at(equals);
+        let word = |token: &Token| self.source.slice(token.span);
+        let are_names = names
+            .iter()
+            .all(|it| names::is_variable(&upper_case(word(it))));
+        let (first, last) = (names.first()?, names.last()?);
+        let place = first.span.to(last.span);
+        let text = self.source.slice(place);
+        let is_list = text.matches(',').count() + 1 == names.len();
+        let name = upper_case(word(first));
+        let is_known = commands::find(&name).is_some() || foreign::statement(&name).is_some();
+        if !are_names || !is_list || is_known {
+            return None;
+        }
+        let fault = Diagnostic::new(Code::Equation, place, Parsing::OneVariableLeft);
+        let member = upper_case(word(last));
+        let help: Message = match names {
+            // `P,X = 1`
+            [_, _] if is_member(&member) && !is_list_after(tokens, equals) => {
+                let text = format!("{name}.{member}").into();
+                Instead::Write { text }.into()
+            }
+            _ => Habit::AssignEach { name }.into(),
+        };
+        self.report(fault.help(help));
+        Some(StatementKind::Broken(Shape::Plain))
+    }
+
+    /// `++A`
+    fn increment_before(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let [first, second, name] = tokens else {
+            return None;
+        };
+        let is_sign = matches!(
+            first.kind,
+            Kind::Arithmetic(Arithmetic::Add | Arithmetic::Sub)
+        );
+        if !is_sign || second.kind != first.kind || second.spaced || name.kind != Kind::Word {
+            return None;
+        }
+        let sign = self.source.slice(first.span);
+        let both = first.span.to(second.span);
+        let reason = Habit::NoOperator {
+            sign: self.source.slice(both).into(),
+        };
+        let help = Habit::Increment {
+            name: upper_case(self.source.slice(name.span)),
+            sign: sign.into(),
+        };
+        self.report_unknown(both, sign, reason, help);
+        Some(StatementKind::Broken(Shape::Plain))
+    }
+}
+
+/// Whether several values follow the `=`.
+fn is_list_after(tokens: &[Token], equals: usize) -> bool {
+    let after = tokens[equals + 1..].iter();
+    after.filter(|it| it.kind == Kind::Word).count() > 1
+}
+
+/// Whether a word is a member of a POS or JOINT.
+fn is_member(word: &str) -> bool {
+    let is_joint = |rest: &str| rest.len() == 1 && rest.bytes().all(|it| it.is_ascii_digit());
+    POSITION.contains(&word) || word.strip_prefix(JOINT).is_some_and(is_joint)
+}
+
+impl Parser<'_> {
+    /// `10 PTP F1 P`: one mistake, however many lines have a number.
+    pub(super) fn line_number(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+        let text = self.source.slice(word);
+        let digits = text.trim_end_matches('.').trim_start_matches(['N', 'n']);
+        let is_number = !digits.is_empty() && digits.bytes().all(|it| it.is_ascii_digit());
+        let second = self.source.slice(tokens.get(1)?.span);
+        let command = commands::find(second);
+        if !is_number || command.is_none() && !foreign::is_g_code(second) {
+            return None;
+        }
+        let shape = match command.map(|command| command.meaning) {
+            Some(Meaning::Keyword(keyword)) => meant(keyword, self.text, &tokens[1..]),
+            _ => Shape::Plain,
+        };
+        match self.numbered {
+            Some(first) => {
+                let text = Instead::NumberedToo.into();
+                // Of too many findings it is omitted.
+                if let Some(first) = self.diagnostics.get_mut(first)
+                    && first.labels.len() < MOST
+                {
+                    first.labels.push(Label { span: word, text });
+                }
+            }
+            None => {
+                self.numbered = Some(self.diagnostics.len());
+                let reason = Commanding::NoCommand { word: text.into() };
+                self.report_unknown(word, text, reason, Instead::NoNumbers);
+            }
+        }
+        Some(StatementKind::Broken(shape))
+    }
+
+    /// `90 END` at the end of the file: its number is reported.
+    pub(super) fn ends_with_number(&self) -> bool {
+        let last = self.module.statements.last();
+        last.filter(|_| self.numbered.is_some())
+            .is_some_and(|last| {
+                let mut words = self.source.slice(last.span).split_whitespace();
+                let is_end = |word: &str| word.eq_ignore_ascii_case(Keyword::End.word());
+                matches!(last.kind, StatementKind::Broken(_))
+                    && words.next_back().is_some_and(is_end)
+            })
     }
 }

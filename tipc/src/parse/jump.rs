@@ -1,11 +1,15 @@
 //! Jumps and the labels they name (T.I.P. 3.1 §7-7).
 
+use super::Parser;
 use super::reader::{Parsed, Reader};
+use crate::foreign;
+use crate::foreign::Means;
+use crate::language::reserved::LOOP;
 use crate::language::{Keyword, commands, names};
 use crate::lex::{Kind, Token};
 use crate::message::{Habit, Message, Naming, Parsing};
 use crate::source::Span;
-use crate::syntax::{Arithmetic, Jump, Word, upper_case};
+use crate::syntax::{Arithmetic, Jump, Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
 
 /// A label's name without quotes, parentheses and other signs around it.
@@ -74,6 +78,11 @@ pub(super) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
     }
 }
 
+/// Returns the mistake of a label that is spelled as in another language: its jumps are wrong in the same way.
+pub(crate) fn label_of(name: &str) -> String {
+    format!("{name}:")
+}
+
 impl Reader<'_> {
     /// The whole name of a label that is not in one piece.
     fn spread_label(&self, first: Span) -> Option<Span> {
@@ -109,7 +118,8 @@ impl Reader<'_> {
             let reason = Naming::NoLabelName {
                 word: upper_case(self.slice(place)),
             };
-            return Err(self.fault_with_help(place, reason, Parsing::WriteLabel { name }));
+            let fault = self.fault(place, reason).once(label_of(&name));
+            return Err(fault.help(Parsing::WriteLabel { name }).into());
         }
         let word = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
@@ -124,11 +134,10 @@ impl Reader<'_> {
         };
         if let Some(place) = self.spread_label(word.span) {
             let written = upper_case(self.slice(place));
-            let help = Parsing::WriteLabel {
-                name: joined(&written),
-            };
+            let name = joined(&written);
             let reason = Naming::NoLabelName { word: written };
-            return Err(self.fault_with_help(place, reason, help));
+            let fault = self.fault(place, reason).once(label_of(&name));
+            return Err(fault.help(Parsing::WriteLabel { name }).into());
         }
         match self.peek() {
             Some(token) if token.kind == Kind::Colon && !token.spaced => {
@@ -142,8 +151,9 @@ impl Reader<'_> {
             }
             _ => {
                 if let Some(name) = with_parameters(&word.node) {
-                    let help = Habit::NoParameters { name };
-                    return Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help));
+                    let fault = self.fault(word.span, Parsing::LabelColonMissing);
+                    let fault = fault.once(name.clone());
+                    return Err(fault.help(Habit::NoParameters { name }).into());
                 }
                 let name = bare(&word.node);
                 let is_number = name.chars().all(|c| c.is_ascii_digit());
@@ -153,6 +163,43 @@ impl Reader<'_> {
                 };
                 Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help))
             }
+        }
+    }
+}
+
+impl Parser<'_> {
+    /// `DEF WALK()`, `INT MAIN(VOID) {`: a routine, not a variable.
+    pub(super) fn is_routine(&self, means: Means, tokens: &[Token]) -> bool {
+        let word = |at: usize| tokens.get(at).map_or("", |it| self.source.slice(it.span));
+        let name = word(1);
+        let is_def = word(0).eq_ignore_ascii_case("DEF") && name.contains('(');
+        means == Means::Keyword(Keyword::Subroutine)
+            || is_def
+            || name.contains("()")
+            || name.contains('(') && self.names_main(tokens)
+    }
+
+    /// Whether a routine is the program itself in another language.
+    pub(super) fn names_main(&self, tokens: &[Token]) -> bool {
+        let name = tokens.get(1).map_or("", |it| self.source.slice(it.span));
+        let (name, called) = name.split_once('(').unwrap_or((name, ""));
+        foreign::is_main(name) && (!called.is_empty() || name.eq_ignore_ascii_case("MAIN"))
+    }
+
+    /// A routine that begins with another word: what calls it is not wrong.
+    pub(super) fn subroutine_named(&self, word: Span, tokens: &[Token]) -> StatementKind {
+        let name = tokens.get(1).filter(|token| token.kind == Kind::Word);
+        let Some(name) = name.map(|name| self.narrow_word(name.span)) else {
+            return StatementKind::Broken(Shape::Subroutine);
+        };
+        let written = name.node.split('(').next().unwrap_or_default();
+        let node = bare(written);
+        if node == LOOP {
+            return StatementKind::Broken(Shape::Subroutine);
+        }
+        StatementKind::Subroutine {
+            keyword: word,
+            name: Word { node, ..name },
         }
     }
 }

@@ -4,9 +4,9 @@ use super::{Flow, LINE_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
-use crate::language::commands::{self, Meaning};
-use crate::language::{Keyword, keywords, names};
-use crate::lex::{DELIMITERS, Piece, Pieces, foreign_run, split_comment};
+use crate::language::commands::Meaning;
+use crate::language::{Keyword, commands, keywords, names};
+use crate::lex::{DELIMITERS, Piece, Pieces, foreign_run, split_comment, word_end};
 use crate::message::{Habit, Instead, Message, Naming, Parsing};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, Word, upper_case};
@@ -187,6 +187,7 @@ impl Parser<'_> {
         {
             diagnostic = diagnostic.help(Habit::Comment);
         } else if let Some(narrow) = half_width(text) {
+            diagnostic = diagnostic.once(wide_name(&narrow));
             let narrow = self.narrow_statement(place).unwrap_or(narrow);
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if self.is_in_foreign_comment(place) {
@@ -194,7 +195,7 @@ impl Parser<'_> {
         } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(place) {
             diagnostic = diagnostic.help(Instead::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
-            diagnostic = diagnostic.help(Parsing::PlainNames);
+            diagnostic = diagnostic.once(text).help(Parsing::PlainNames);
         } else {
             diagnostic = diagnostic.help(Parsing::TakeOut);
         }
@@ -305,6 +306,12 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
     }
 }
 
+/// Returns the mistake of a full-width name, with or without its colon.
+fn wide_name(narrow: &str) -> String {
+    let name = narrow.trim_end_matches(':').to_ascii_uppercase();
+    format!("{name} wide")
+}
+
 /// The text with half-width letters, digits and signs for full-width ones.
 pub fn narrow(text: &str) -> String {
     text.chars()
@@ -337,5 +344,58 @@ fn narrow_char(char: char) -> Option<char> {
     match char {
         '\u{FF01}'..='\u{FF5E}' => char::from_u32(char as u32 - 0xFEE0),
         _ => None,
+    }
+}
+
+/// The colon of full-width text.
+const COLON: char = '：';
+
+impl Parser<'_> {
+    /// A name as it was meant to be typed.
+    pub(super) fn narrow_word(&self, span: Span) -> Word {
+        let word = self.source.slice(span);
+        Word {
+            node: match word.is_ascii() {
+                true => upper_case(word),
+                false => upper_case(&narrow(word)),
+            },
+            span,
+        }
+    }
+
+    /// `L1：`, `Ｌ１：`: where the name of a label ends that a full-width colon follows.
+    pub(super) fn ends_with_wide_colon(&self, word: Span) -> Option<Span> {
+        let text = self.source.slice(word);
+        let name = &text[..text.find(COLON)?];
+        let meant = upper_case(&narrow(name));
+        let is_name = names::is_label(&meant) && commands::find(&meant).is_none();
+        is_name.then(|| Span::new(word.start, word.start + name.len()))
+    }
+
+    /// A label with a full-width colon, and the statement after it.
+    pub(super) fn wide_label(
+        &mut self,
+        name: Span,
+        span: Span,
+        text_end: usize,
+        comment: Option<Span>,
+    ) -> Flow {
+        let whole = Span::new(name.start, name.end + COLON.len_utf8());
+        let label = self.narrow_word(name);
+        let place = foreign_run(self.text, whole).unwrap_or(whole);
+        let narrow = narrow(self.source.slice(whole));
+        let fault = Diagnostic::new(Code::Format, place, Parsing::ForeignCharacters);
+        let fault = fault.once(wide_name(&super::narrow(self.source.slice(place))));
+        self.report(fault.help(Parsing::WriteHalfWidth { narrow }));
+        self.check_name_length(&label);
+        self.push(StatementKind::Label(label), whole);
+        let rest = self.source.slice(Span::new(whole.end, span.end));
+        let start = span.end - rest.trim_start_matches(DELIMITERS).len();
+        if start == span.end {
+            return Flow::Continue;
+        }
+        let word = word_end(&self.text.as_bytes()[..span.end], start);
+        let rest = Span::new(start, span.end);
+        self.statement(Span::new(start, word), rest, text_end, comment)
     }
 }

@@ -1,10 +1,11 @@
 //! Operands: constants, names, members, and their signs.
 
 use super::reader::{Fault, Parsed, Reader};
-use crate::foreign::{self, Means};
-use crate::language::Keyword;
-use crate::language::commands::{self, Meaning};
-use crate::language::functions::{self, Operation};
+use crate::foreign;
+use crate::foreign::Means;
+use crate::language::commands::Meaning;
+use crate::language::functions::Operation;
+use crate::language::{Keyword, commands, functions};
 use crate::lex::{Kind, Token};
 use crate::message::list::List;
 use crate::message::{Habit, Instead, Message, Parsing, Suggesting};
@@ -173,7 +174,8 @@ impl Reader<'_> {
             }
             Err(_) => {
                 let reason = Parsing::NoNumber { word: word.into() };
-                Err(self.fault_with_help(span, reason, meant_by_number(word)))
+                let fault = self.fault(span, reason).once(upper_case(word));
+                Err(fault.help(meant_by_number(word)).into())
             }
         }
     }
@@ -224,7 +226,11 @@ impl Reader<'_> {
             }
             _ => help,
         };
-        self.fault_with_help(place, reason, help)
+        let mut fault = self.fault_with_help(place, reason, help);
+        if let Some(Message::Habit(Habit::NoArray { name })) = &fault.help {
+            fault.once = Some(name.clone());
+        }
+        fault
     }
 }
 
@@ -358,4 +364,32 @@ pub(super) fn no_function(word: &str) -> (Message, Message) {
 
 fn is_name_char(char: char) -> bool {
     char.is_ascii_alphanumeric() || char == '_'
+}
+
+impl Reader<'_> {
+    /// `N =+ 5`, where `N += 5` was meant.
+    pub(super) fn turned_update(&self, sign: Span, operand: Span) -> Option<Fault> {
+        let equals = self.before()?;
+        let is_glued = equals.kind == Kind::Assign(None) && equals.span.end == sign.start;
+        let name = self.slice(self.whole()).split('=').next()?.trim();
+        let text = format!("{name} {}= {}", self.slice(sign), self.slice(operand));
+        let both = equals.span.to(sign);
+        let reason = Habit::NoOperator {
+            sign: self.slice(both).into(),
+        };
+        let text = upper_case(&text);
+        is_glued.then(|| self.fault_with_help(both, reason, Instead::Write { text }))
+    }
+
+    /// `--391`
+    pub(super) fn two_signs(&self, first: Span, second: Span) -> Fault {
+        let both = first.to(second);
+        let third = self.left_tokens().get(2);
+        let operand = third.map_or("", |it| self.slice(it.span));
+        let text = format!("{}{operand}", self.slice(second)).into();
+        let reason = Habit::NoOperator {
+            sign: self.slice(both).into(),
+        };
+        self.fault_with_help(both, reason, Instead::Write { text })
+    }
 }

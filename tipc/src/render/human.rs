@@ -1,11 +1,10 @@
 //! A diagnostic as people read it: the lines, carets under the place, the reason, the help.
 
-use super::wrap::wrapped;
-use super::{Style, printable, shown};
+use super::{printable, shown};
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
-use crate::source::{Source, Span};
+use crate::source::{Source, Span, first_beyond};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
 use std::ops::Range;
 
@@ -217,4 +216,74 @@ fn snippet<'a>(
         .line_start(window.first as usize)
         .path(name)
         .annotations(primary.into_iter().chain(labels))
+}
+
+/// The language, the colours and the width of what is shown to people.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Style {
+    /// The language of reasons and helps.
+    pub lang: Lang,
+    /// Whether there are colours, for a terminal.
+    pub colour: bool,
+    /// The columns that a line may fill, if there is a limit.
+    pub width: Option<usize>,
+}
+
+impl Style {
+    /// This style in a language.
+    #[must_use]
+    pub fn lang(mut self, lang: Lang) -> Self {
+        self.lang = lang;
+        self
+    }
+
+    /// This style with colours, or without.
+    #[must_use]
+    pub fn colour(mut self, colour: bool) -> Self {
+        self.colour = colour;
+        self
+    }
+
+    /// This style for lines of so many columns.
+    #[must_use]
+    pub fn width(mut self, width: Option<usize>) -> Self {
+        self.width = width;
+        self
+    }
+}
+
+/// The fewest columns that a text is broken for.
+const LEAST: usize = 20;
+
+/// The text with line breaks, so that each line fits into what `used` columns leave of the width. It breaks at blanks and
+/// beside full-width characters, not inside of code between backquotes.
+pub(super) fn wrapped(text: &str, width: Option<usize>, used: usize) -> String {
+    let room = width.and_then(|width| width.checked_sub(used));
+    let Some(room) = room.filter(|room| *room >= LEAST) else {
+        return text.to_owned();
+    };
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(beyond) = first_beyond(rest, room) {
+        let breaks = |at: &usize| rest.is_char_boundary(*at) && may_break(rest, *at);
+        let at = (1..=beyond).rev().find(breaks).unwrap_or(beyond);
+        let (line, after) = rest.split_at(at);
+        out += line.trim_end();
+        out.push('\n');
+        rest = after.trim_start();
+    }
+    out + rest
+}
+
+/// Whether a line may end before the byte `at`.
+fn may_break(text: &str, at: usize) -> bool {
+    let (line, rest) = text.split_at(at);
+    let is_in_code = line.matches('`').count() % 2 == 1;
+    let (Some(before), Some(after)) = (line.chars().next_back(), rest.chars().next()) else {
+        return false;
+    };
+    let is_wide = !before.is_ascii() || !after.is_ascii();
+    let sticks = "、。)…".contains(after) || before == '(';
+    !is_in_code && (before == ' ' || is_wide && !sticks)
 }

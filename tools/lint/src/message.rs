@@ -6,17 +6,15 @@
 //! assert_eq!(Changes::from(2).to_string(), "2 changes");
 //! ```
 
+use tipc::message::list::List;
+
 mod fixing;
-mod formatting;
 mod linting;
 mod migrating;
 
 pub use fixing::Fixing;
-pub use formatting::Formatting;
 pub use linting::{Allowing, Lack, Linting, Stretch};
 pub use migrating::Migrating;
-
-use tipc::message::list::List;
 
 tipc::count_table! {
     /// So many changes of a program.
@@ -52,4 +50,22 @@ tipc::message_table! {
 
     OneType ": variables are declared since 3.0, AGL and TRQ as one type", "(3.0から変数は宣言が必要です。AGLとTRQは一つの型になりました)";
     Plainly ": variables are declared since 3.0", "(3.0から変数は宣言が必要です)";
+}
+
+tipc::message_table! {
+    /// What the formatter says.
+    Formatting;
+
+    DoesNotLoad
+        "left as it is: a program with errors cannot be formatted",
+        "そのままにしました。エラーのあるプログラムは整形できません";
+    LineTooLong { line: u32, limit: usize }
+        "left as it is: line {line} would be longer than {limit} bytes; break it in two",
+        "そのままにしました。整形すると{line}行目が{limit}バイトを超えます。2行に分けてください";
+    OtherEncoding { encoding: &'static str }
+        "left as it is: without its full-width blanks the file would be read as {encoding}; name its encoding",
+        "そのままにしました。全角の空白がなくなると{encoding}として読まれます。文字コードを指定してください";
+    OtherProgram
+        "left as it is: formatted, it would be another program; this is a defect of tip, please report it",
+        "そのままにしました。整形すると別のプログラムになってしまいます。tipの不具合ですので報告してください";
 }

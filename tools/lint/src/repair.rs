@@ -17,18 +17,16 @@
 //! assert_eq!(bytes, b"3.1\r\nwait\r\nIF KB_HIT THEN\r\nREM\r\nENDIF\r\nEND\r\n");
 //! ```
 
-mod judge;
-mod report;
-mod taken;
-
-pub use report::{render_json, render_short};
-
 use crate::{Loaded, Options, load};
 use std::cell::Cell;
-use std::collections::HashSet;
-use taken::Taken;
+use std::collections::{BTreeMap, HashSet};
+use tip_runtime::printable::Printable;
 use tipc::diagnostic::{Applicability, Diagnostic, Edit, Fix};
+use tipc::message::Lang;
+use tipc::render::{push_member, push_number, push_string};
 use tipc::source::Span;
+
+mod judge;
 
 /// The most times that a file is read again.
 const READINGS: usize = 200;
@@ -302,4 +300,89 @@ fn spliced<'a>(text: &str, changes: impl Iterator<Item = (Span, &'a str)>) -> St
         at = span.end;
     }
     out + &text[at..]
+}
+
+/// What stands for the level of a finding.
+const LEVEL: &str = "fixed";
+
+/// `FILE:LINE:COLUMN: fixed[CODE]: <what was done>`, one line each.
+pub fn render_short(repaired: &Repaired, lang: Lang) -> String {
+    let name = repaired.loaded.source.name();
+    let line = |one: &Applied| {
+        let (code, title) = (one.finding.id(), one.fix.title.in_lang(lang));
+        let (line, column) = (one.line, one.column);
+        let text = format_args!("{name}:{line}:{column}: {LEVEL}[{code}]: {title}");
+        Printable::line(text).to_string() + "\n"
+    };
+    repaired.applied.iter().map(line).collect()
+}
+
+/// One object a line: `level` (`fixed`), `message` (what was done), `applicability`, `code`, `file`, `line`, `column`.
+pub fn render_json(repaired: &Repaired, lang: Lang) -> String {
+    let name = repaired.loaded.source.name();
+    let object = |one: &Applied| {
+        let mut out = String::from("{\"level\":");
+        push_string(&mut out, LEVEL);
+        push_member(
+            &mut out,
+            "message",
+            &one.fix.title.in_lang(lang).to_string(),
+        );
+        push_member(&mut out, "applicability", one.fix.applicability.name());
+        push_member(&mut out, "code", one.finding.id());
+        push_member(&mut out, "file", name);
+        push_number(&mut out, "line", one.line);
+        push_number(&mut out, "column", one.column);
+        out + "}\n"
+    };
+    repaired.applied.iter().map(object).collect()
+}
+
+/// The starts and ends of stretches that do not touch.
+#[derive(Debug, Default)]
+pub(super) struct Taken(BTreeMap<usize, usize>);
+
+impl Taken {
+    /// Takes the stretches of some edits, unless one of them touches what is taken.
+    pub(super) fn take(&mut self, edits: &[Edit]) -> bool {
+        let is_free = edits.iter().all(|edit| self.is_free(edit));
+        if is_free {
+            let stretches = edits.iter().map(|edit| (edit.span.start, edit.span.end));
+            self.0.extend(stretches);
+        }
+        is_free
+    }
+
+    fn is_free(&self, edit: &Edit) -> bool {
+        let before = self.0.range(..=edit.span.end).next_back();
+        before.is_none_or(|(_, end)| *end < edit.span.start)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Taken;
+    use tipc::diagnostic::Edit;
+    use tipc::source::Span;
+
+    #[test]
+    fn edits_that_touch_are_not_taken_together() {
+        let edit = |start, end| Edit::remove(Span::new(start, end));
+        let mut taken = Taken::default();
+        assert!(taken.take(&[edit(10, 12), edit(20, 20)]));
+        for touches in [
+            edit(10, 12),
+            edit(11, 11),
+            edit(8, 10),
+            edit(9, 30),
+            edit(12, 15),
+            edit(20, 20),
+            edit(19, 20),
+        ] {
+            assert!(!taken.take(&[edit(40, 41), touches.clone()]), "{touches:?}");
+        }
+        assert!(taken.take(&[edit(13, 19), edit(40, 41)]));
+        assert!(!taken.take(&[edit(41, 41)]));
+        assert!(taken.take(&[edit(0, 9)]));
+    }
 }

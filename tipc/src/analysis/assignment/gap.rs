@@ -1,8 +1,8 @@
 //! Where a variable lacks a value, and a path that leads there.
 
 use super::batch::Batch;
+use super::batch::Touches;
 use super::blocks::Blocks;
-use super::touches::Touches;
 use super::{Assigned, Assignment};
 use crate::analysis::flow::{Flow, NodeId};
 use crate::program::{Program, StepId, VariableId};

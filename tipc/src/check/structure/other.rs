@@ -1,6 +1,6 @@
 //! Ends of blocks that other languages write: END for each, NEXT for a WHILE.
 
-use super::Matcher;
+use super::{FAR, Matcher};
 use crate::check::blocks::BlockKind;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -10,9 +10,6 @@ use crate::lex::BLANKS;
 use crate::message::{Commanding, Habit, Instead, Message, Structuring};
 use crate::source::Source;
 use crate::syntax::{Shape, StatementKind};
-
-/// How far the end of a block is looked for, and the block that an end names.
-pub(super) const FAR: usize = 1_000;
 
 impl Matcher<'_> {
     /// `WHILE … NEXT`: the end of another block, where the innermost one never gets its own. `other_open` says whether

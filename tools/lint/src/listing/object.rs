@@ -1,18 +1,16 @@
 //! TIP.OBJ: what the original keeps of each step in memory, as text (T.I.P. 3.1 §11, layouts in §5 to §7).
 
-mod record;
-mod slot;
-
 use super::formal;
-use record::Record;
-use slot::{Slot, Variables, port_name, target_name};
+use std::borrow::Cow;
+use std::fmt::Write;
 use tip_runtime::command::{Port, Target};
 use tipc::language::Keyword;
 use tipc::language::commands::find;
 use tipc::language::functions::Operation;
+use tipc::language::reserved::POSITION;
 use tipc::program::{
-    Action, Argument, Arithmetic, Condition, Operand, Program, Relation, ScalarExpression, StepId,
-    StructExpression,
+    Action, Argument, Arithmetic, Condition, Mark, Operand, Program, Relation, Scalar,
+    ScalarExpression, StepId, StructExpression, VariableId, VariableKind,
 };
 use tipc::source::Source;
 use tipc::syntax::Module;
@@ -289,5 +287,166 @@ const fn relation_name(relation: Relation) -> &'static str {
         Relation::Lt => "LT",
         Relation::Ge => "GE",
         Relation::Le => "LE",
+    }
+}
+
+/// A command, its target and its arguments.
+#[derive(Debug)]
+pub(super) struct Record {
+    command: String,
+    target: String,
+    arguments: Vec<Slot>,
+}
+
+impl Record {
+    /// A command without target and arguments.
+    pub(super) fn new(command: impl Into<String>) -> Self {
+        Record {
+            command: command.into(),
+            target: target_name(Target::None),
+            arguments: Vec::new(),
+        }
+    }
+
+    /// The same with this target.
+    pub(super) fn to(self, target: String) -> Self {
+        Record { target, ..self }
+    }
+
+    /// The same with another argument after the others.
+    pub(super) fn with(mut self, argument: Slot) -> Self {
+        self.arguments.push(argument);
+        self
+    }
+
+    /// Its lines, with `count` arguments.
+    pub(super) fn text(&self, number: usize, count: usize) -> String {
+        let arguments = || {
+            let empty = std::iter::repeat(&Slot::NONE);
+            (1..=count).zip(self.arguments.iter().chain(empty))
+        };
+        let mut out = format!("[{number}Line]\n");
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "Cmd      = {}", self.command);
+        let _ = writeln!(out, "Target   = {}", self.target);
+        for (place, slot) in arguments() {
+            let _ = writeln!(out, "ArgType {place} = {}", slot.kind);
+        }
+        for (place, slot) in arguments() {
+            let _ = writeln!(out, "ArgValue{place} = {:.6}", slot.value);
+        }
+        out
+    }
+}
+
+/// The type and the value of an argument.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Slot {
+    pub(super) kind: Cow<'static, str>,
+    pub(super) value: f64,
+}
+
+impl Slot {
+    /// No argument.
+    pub(super) const NONE: Slot = Slot {
+        kind: Cow::Borrowed("ARG_NONE"),
+        value: 0.0,
+    };
+
+    pub(super) fn new(kind: impl Into<Cow<'static, str>>, value: f64) -> Self {
+        Slot {
+            kind: kind.into(),
+            value,
+        }
+    }
+
+    pub(super) fn constant(value: f64) -> Self {
+        Slot::new("CONSTANT", value)
+    }
+
+    /// The same after a mark, of which `R` alone shows.
+    pub(super) fn marked(self, mark: Mark) -> Self {
+        match mark {
+            Mark::None | Mark::Absolute => self,
+            Mark::Relative => Slot::new(format!("REL_{}", self.kind), self.value),
+        }
+    }
+}
+
+/// The place of each variable among those of its type.
+pub(super) struct Variables<'a> {
+    program: &'a Program,
+    places: Vec<u32>,
+}
+
+impl<'a> Variables<'a> {
+    pub(super) fn new(program: &'a Program) -> Self {
+        let mut counts = [0; 3];
+        let places = program.variables().iter().map(|variable| {
+            let count = &mut counts[variable.kind as usize];
+            let place = *count;
+            *count += 1;
+            place
+        });
+        Variables {
+            places: places.collect(),
+            program,
+        }
+    }
+
+    /// A struct as a whole; of a VAR, the VAR.
+    pub(super) fn whole(&self, variable: VariableId) -> Slot {
+        let kind = match self.program.variables()[variable].kind {
+            VariableKind::Var => "VAR",
+            VariableKind::Pos => "POS",
+            VariableKind::Joint => "JNT",
+        };
+        Slot::new(kind, f64::from(self.places[variable]))
+    }
+
+    /// A VAR or member, perhaps with a minus before it.
+    pub(super) fn scalar(&self, scalar: Scalar, negative: bool) -> Slot {
+        let Slot { kind, value } = self.whole(scalar.variable);
+        let sign = if negative { "MINUS_" } else { "" };
+        let member = match self.program.variables()[scalar.variable].kind {
+            VariableKind::Var => String::new(),
+            VariableKind::Pos => format!("_{}", POSITION[scalar.member]),
+            VariableKind::Joint => format!("_{}", scalar.member + 1),
+        };
+        Slot::new(format!("{sign}{kind}{member}"), value)
+    }
+
+    pub(super) fn operand(&self, operand: Operand) -> Slot {
+        match operand {
+            Operand::Constant(value) => Slot::constant(value),
+            Operand::Scalar { scalar, negative } => self.scalar(scalar, negative),
+        }
+    }
+
+    /// The struct that was written as `word` in the place of these arguments.
+    pub(super) fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
+        let first = arguments.first()?;
+        let Operand::Scalar { scalar, .. } = first.operand else {
+            return None;
+        };
+        let variable = &self.program.variables()[scalar.variable];
+        let is_struct = variable.kind != VariableKind::Var && variable.name == word;
+        is_struct.then(|| self.whole(scalar.variable).marked(first.mark))
+    }
+}
+
+/// A target's name; `NO_TARGET` for none.
+pub(super) fn target_name(target: Target) -> String {
+    match target {
+        Target::None => "NO_TARGET".to_owned(),
+        target => format!("TARGET_{target}"),
+    }
+}
+
+/// An input's name.
+pub(super) fn port_name(port: Port) -> String {
+    match port {
+        Port::Channel(_) => target_name(Target::None),
+        port => format!("TARGET_{port}"),
     }
 }
