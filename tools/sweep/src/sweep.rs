@@ -11,6 +11,7 @@ use tip_runtime::plant::{self, Scene};
 use tip_runtime::program::End;
 use tip_sim::{Event, Events, Interpreter, Plant, Robot, Run, Timed};
 use tipc::analysis::access;
+use tipc::language::Keyword;
 use tipc::program::Program;
 use tipc::published;
 
@@ -330,8 +331,8 @@ impl Sweep {
             figures.after(&run);
             match status {
                 Status::Running => {}
-                Status::Finished(End::End) => break "END".to_owned(),
-                Status::Finished(End::Exit) => break "EXIT".to_owned(),
+                Status::Finished(End::End) => break Keyword::End.word().to_owned(),
+                Status::Finished(End::Exit) => break Keyword::Exit.word().to_owned(),
                 Status::Emergency => {
                     let fault = run.emergency().map(|emergency| emergency.fault.to_string());
                     break fault.unwrap_or_default();

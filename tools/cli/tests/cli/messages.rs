@@ -587,8 +587,7 @@ fn a_hand_that_trembles_waits_without_a_motion() {
             "500",
         ])
         .expect(0);
-    let expected =
-        "stopped after 60 s without a motion: line 22 waits for INPOS_ALL since 1.2 s, for ";
+    let expected = "stopped after 60 s without a motion: line 22 has been waiting for INPOS_ALL for 60.8 s, since 1.2 s;";
     assert!(outcome.err.contains(expected), "{outcome:#?}");
 }
 
@@ -608,7 +607,6 @@ fn a_recording_that_ends_in_time_says_what_the_program_waits_for() {
         "log", "keys.prg", "-o", "keys.csv", "--events", &keys, "--every", "500",
     ];
     let outcome = folder.tip(&log).expect(0);
-    let expected =
-        "stopped after 10 minutes of the robot's time: line 5 waits for a key since 550.";
+    let expected = "stopped after 10 minutes of the robot's time: line 5 has been waiting for a key for 49.9 s, since 550.1 s;";
     assert!(outcome.err.contains(expected), "{outcome:#?}");
 }
