@@ -41,8 +41,8 @@ impl<'a> LinkTree<'a> {
             .copied()
             .filter(|link| !held.contains(link))
             .collect();
-        let root = match roots.as_slice() {
-            [root] => root,
+        let mut root = match roots.as_slice() {
+            [root] => *root,
             [] if links.is_empty() => {
                 return Err(ImportError::new(Importing::NoLink));
             }
@@ -54,6 +54,13 @@ impl<'a> LinkTree<'a> {
                 return Err(ImportError::new(Importing::TwoBases { one, other }));
             }
         };
+        // A floating joint at the root says that the robot is free; its parent stands for the world.
+        if let Some([only]) = joints.get(root).map(Vec::as_slice)
+            && only.kind == JointType::Floating
+        {
+            links.remove(root);
+            root = &only.child;
+        }
         let tree = LinkTree {
             root,
             links,

@@ -219,6 +219,21 @@ fn a_robot_that_is_bolted_down_has_no_shapes_of_its_base() {
     assert!(!bolted("").contains("collision"));
 }
 
+#[test]
+fn a_base_that_floats_in_the_world_is_free() {
+    let text = robot(
+        PLAIN,
+        &collision(PLAIN, PLAIN, "box size=\"0.4 0.2 0.1\""),
+        "",
+        "",
+    );
+    let world = "<robot name=\"shaped\"><link name=\"world\"/>\
+        <joint name=\"w\" type=\"floating\"><parent link=\"world\"/><child link=\"base\"/></joint>";
+    let floating = imported(&text.replace("<robot name=\"shaped\">", world));
+    let free = imported(&text);
+    assert_eq!(floating.0.toml, free.0.toml);
+}
+
 /// Two legs drawn once, one of them turned and mirrored, and a body: each kind of shape turned in some way.
 const DESCRIBED: &str = r#"name = "shaped"
 joint = [
