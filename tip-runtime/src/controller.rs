@@ -104,15 +104,15 @@ pub type ControllerView<'m, const J: usize> = Core<'m, [LegState<'m, J>]>;
 pub struct Core<'m, S: ?Sized> {
     robot: ModelFacts<'m>,
     params: Params,
-    /// Where the slider is to be: mm.
+    /// Set point of the slider, mm.
     slider: Track<3>,
-    /// Where the slider was measured: mm.
+    /// Measured place of the slider, mm.
     slider_at: Point,
-    /// Whether joint angles have been measured yet.
+    /// True once joint angles have been measured.
     sensed: bool,
     hold: Hold,
     task: Task,
-    /// What arose in the last advance, to be reported by the next sense.
+    /// Fault of the last advance, for the next sense to report.
     pending: Option<Fault>,
     legs: S,
 }
@@ -134,7 +134,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
         self.model
     }
 
-    /// What every joint is commanded.
+    /// Returns the command of every joint.
     #[must_use]
     pub fn outputs(&self) -> [[JointCommand; J]; L] {
         let mut outputs = [[JointCommand::at(0.0); J]; L];
@@ -167,7 +167,7 @@ impl<const L: usize, const J: usize> DerefMut for Controller<'_, L, J> {
 }
 
 impl<'m> Core<'m, ()> {
-    /// What a controller keeps of the robot as a whole, with nothing controlled.
+    /// Returns the part of a controller that does not depend on the legs, with nothing controlled.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     fn resting(robot: ModelFacts<'m>) -> Self {
@@ -185,7 +185,7 @@ impl<'m> Core<'m, ()> {
         }
     }
 
-    /// The same with legs; only this is compiled for each number of them.
+    /// Adds the legs; only this is compiled for each number of them.
     fn with<S>(self, legs: S) -> Core<'m, S> {
         Core {
             robot: self.robot,
@@ -217,7 +217,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         self.params.period
     }
 
-    /// What the model says of the robot as a whole.
+    /// Returns the facts of the model that hold for the whole robot.
     pub(crate) const fn robot(&self) -> &ModelFacts<'m> {
         &self.robot
     }
@@ -234,13 +234,13 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         }
     }
 
-    /// Where the slider is commanded to be: mm; zeros where there is none.
+    /// Returns the commanded place of the slider, mm; zeros without a slider.
     #[must_use]
     pub const fn slider(&self) -> Point {
         self.slider.position()
     }
 
-    /// How many legs there are.
+    /// Returns the number of legs.
     pub(crate) fn count(&self) -> u8 {
         u8::try_from(self.legs.len()).unwrap_or(u8::MAX)
     }

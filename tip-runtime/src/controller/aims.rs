@@ -1,4 +1,4 @@
-//! What a controller does with every leg, to be looked at.
+//! A readable view of the set points of every leg.
 
 use super::leg::LegState;
 use super::trajectory::{Goal, Track};
@@ -6,7 +6,7 @@ use super::{ControllerView, targets};
 use crate::command::Target;
 use crate::controller::drive::{Drive, THIRD};
 
-/// How a foot or joint is controlled.
+/// Control mode of a foot or joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// Not at all: it stays where it is.
@@ -21,12 +21,12 @@ pub enum Mode {
     Effort,
 }
 
-/// What a foot, a joint or the slider is to do.
+/// Control mode and target of a foot, a joint or the slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim {
     /// Which one.
     pub of: Target,
-    /// How it is controlled.
+    /// The control mode.
     pub mode: Mode,
     goal: [f64; 3],
     axes: usize,
@@ -62,8 +62,8 @@ impl Aim {
 }
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// What every leg is to do, F1 first: its foot, if that is controlled, or else each of its joints; then the slider, if there
-    /// is one.
+    /// Iterates over the aims of every leg, F1 first: its foot, if that is controlled, or else each
+    /// of its joints; then the slider, if there is one.
     pub fn aims(&self) -> impl Iterator<Item = Aim> {
         let legs = self.legs.iter().enumerate();
         let legs = legs.flat_map(|(index, leg)| of_leg(targets::number(index), leg));

@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::kinematics::LegPoint;
 use crate::model::{Inverse, Point};
 
-/// How close counts.
+/// The distance at which a target counts as reached.
 #[derive(Clone, Copy)]
 enum Tolerance {
     Just,
@@ -111,7 +111,7 @@ impl<const J: usize> LegState<'_, J> {
         }
     }
 
-    /// Of joint `m`, counted from 0.
+    /// Returns true if joint `m`, counted from 0, has arrived.
     fn angle_arrived(&self, m: usize, track: &Track<1>, tolerance: Tolerance) -> Option<bool> {
         let [target] = track.goal().target()?;
         let params = self.params.joints.get(m)?;
@@ -136,7 +136,8 @@ fn distance(a: Point, b: Point) -> f64 {
     libm::sqrt(squares.sum())
 }
 
-/// Whether all parts are true, looking no farther than the first that is not; `None` of nothing.
+/// Returns true if all parts are true, looking no farther than the first that is not; `None`
+/// without parts.
 fn all(parts: impl Iterator<Item = bool>) -> Option<bool> {
     let mut all = None;
     for part in parts {

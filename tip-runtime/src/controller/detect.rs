@@ -72,7 +72,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// Whether the sole of leg `n` feels the floor.
+    /// Returns true if the sole of leg `n` senses the floor.
     fn touches(&self, n: u8) -> Result<bool, Fault> {
         let volts = self.leg(n)?.paw;
         if volts.is_finite() {

@@ -1,4 +1,4 @@
-//! What moves the joints of one leg: their own set points, or that of a point of the leg.
+//! Motion of the joints of one leg, by their own set points or by that of a point of the leg.
 
 mod advance;
 mod bend;
@@ -24,7 +24,7 @@ use crate::model::{Inverse, Leg, Point};
 /// before it.
 pub(super) const THIRD: usize = 2;
 
-/// Who decides about a leg's joints.
+/// The set points that a leg's joints follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Drive<const J: usize> {
     /// Each joint for itself: free (it stays where it is), at an angle, at an angular velocity, or
@@ -49,13 +49,13 @@ pub(super) struct LegDrive<const J: usize> {
     pub(super) drive: Drive<J>,
     /// The stiffness of the spring at a point, where it is not that of the parameter: N/mm.
     pub(super) own_stiffness: Option<[f64; 3]>,
-    /// What joints to spare do on the path of a point.
+    /// Motion of redundant joints on the path of a point.
     pub(super) lead: Lead<J>,
-    /// What the closed form of the inverse kinematics said last.
+    /// The last solution of the closed form of the inverse kinematics.
     solved: Option<Solved<J>>,
 }
 
-/// Where a foot was to be (mm), and the angles (deg) that put it there.
+/// The demanded place of a foot, mm, and the angles, deg, that put it there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Solved<const J: usize> {
     foot: Point,
@@ -76,7 +76,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// What each joint is commanded.
+    /// Returns the command of each joint.
     pub(super) fn outputs(&self) -> [JointCommand; J] {
         let mut outputs = self.angles.map(JointCommand::at);
         let joints = self.angles.iter().zip(&self.turns).zip(&self.torques);
@@ -114,7 +114,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Whether a torque, force or spring decides about any joint.
+    /// Returns true if a torque, force or spring drives any joint.
     pub(super) fn is_soft(&self) -> bool {
         match &self.drive {
             Drive::Joints(joints) => joints.iter().any(|joint| joint.goal().is_soft()),
@@ -174,8 +174,8 @@ impl<const J: usize> LegDrive<J> {
         )
     }
 
-    /// As [`point`](Self::point), but a spring that pulls at the point already stays strained, unless
-    /// its stiffness is to change.
+    /// Like [`point`](Self::point), but a spring that pulls at the point already stays strained,
+    /// unless its stiffness is to change.
     pub(super) fn strained_point(
         &self,
         point: LegPoint,

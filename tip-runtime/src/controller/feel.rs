@@ -19,23 +19,23 @@ use crate::fault::Fault;
 use crate::kinematics::LegPoint;
 use crate::model::Forces;
 
-/// How long a joint that meets something stands still before that counts.
+/// Number of cycles that a joint has to stand still before contact counts.
 const STILL_CYCLES: u16 = 10;
 
 /// A joint that turns no faster stands still: deg/s.
 const STILL: f64 = 2.0;
 
-/// Of a fingertip's place, the height.
+/// Index of the height in a fingertip's place.
 const HEIGHT: usize = 1;
 
 /// A lever that is shorter gets less than the search torque, or a finger that is nearly straight would
 /// push without bound: mm.
 const LEAST_LEVER: f64 = 20.0;
 
-/// How many joints push a fingertip down.
+/// Number of joints that push a fingertip down.
 const BOTH: usize = 2;
 
-/// How far from its limit such a joint stays: deg.
+/// Distance that such a joint keeps from its limit, deg.
 const KEEPS_OFF: f64 = 1.0;
 
 /// It is stopped so many cycles before it would be there.
@@ -189,14 +189,14 @@ impl<const J: usize> LegState<'_, J> {
         self.drive.drive = Drive::Joints(tracks);
     }
 
-    /// How fast each joint raises the fingertip: mm/rad.
+    /// Returns the rise of the fingertip for each joint, mm/rad.
     fn levers(&self) -> [f64; J] {
         let columns = self.chain().foot_jacobian();
         columns.map(|column| column.get(HEIGHT).copied().unwrap_or_default())
     }
 }
 
-/// Whether it is DETECT_FLOOR 2.
+/// Returns true if the command is DETECT_FLOOR 2.
 fn is_downward(command: &Command<'_>) -> bool {
     command.op == Op::DetectFloor && kind(command) == Ok(2)
 }

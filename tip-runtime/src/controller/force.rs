@@ -168,7 +168,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 }
 
-/// The same for leg `n` alone, where it is for all.
+/// Narrows a command for all legs to leg `n`.
 fn of_leg<'c>(command: &Command<'c>, n: u8) -> Command<'c> {
     let target = match command.target {
         Target::All => Target::Foot(n),

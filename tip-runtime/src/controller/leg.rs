@@ -22,7 +22,7 @@ pub struct LegState<'m, const J: usize> {
     pub(super) rates: [f64; J],
     /// Measured, in the robot's torque unit.
     pub(super) torques: [f64; J],
-    /// Of the sole's pressure sensor: V.
+    /// Voltage of the sole's pressure sensor, V.
     pub(super) paw: f64,
     /// For how many cycles the leg has been still in a search; `None` if it does not search.
     pub(super) search: Option<u16>,
@@ -65,7 +65,7 @@ impl<'m, const J: usize> LegState<'m, J> {
         Chain::new(self.model, &self.angles)
     }
 
-    /// Where a point of it is measured: mm.
+    /// Returns the measured place of one of its points, mm.
     pub(super) fn place(&self, point: LegPoint, inverse: Inverse) -> Result<Point, Fault> {
         let place = self.chain().point(point).ok_or(Fault::Domain)?;
         Ok(inverse.flat(place))
@@ -92,7 +92,7 @@ impl<'m, const J: usize> LegState<'m, J> {
         self.drive.joints(self.model, &self.stays(), inverse)
     }
 
-    /// What its joints are commanded, vibrations included.
+    /// Returns the commands of its joints, vibrations included.
     pub(super) fn outputs(&self, robot: &ModelFacts<'_>) -> [JointCommand; J] {
         let mut commands = self.drive.outputs();
         let Some(per_volt) = robot.vibration else {

@@ -194,7 +194,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(leg.drive.point(LegPoint::Tip, leg.model, inverse))
     }
 
-    /// Where a foot comes to rest when it brakes now.
+    /// Returns the place where a foot comes to rest when it brakes now.
     pub(super) fn foot_rest_point(&self, n: u8) -> Result<Point, Fault> {
         let limits = self.leg(n)?.params.foot.limits();
         Ok(self.foot_track(n)?.rest_point(limits))
@@ -205,7 +205,7 @@ impl<const J: usize> ControllerView<'_, J> {
         self.leg(n)?.target(point, self.robot.inverse)
     }
 
-    /// Where a point of leg `n` is.
+    /// Returns the place of a point of leg `n`.
     pub(super) fn measured_point(&self, n: u8, point: LegPoint) -> Result<Point, Fault> {
         self.leg(n)?.place(point, self.robot.inverse)
     }

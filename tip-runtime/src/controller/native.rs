@@ -1,4 +1,4 @@
-//! What native code alone asks of the controller.
+//! Queries and changes that only native code makes.
 
 use super::drive::reach;
 use super::trajectory::{Goal, Track};

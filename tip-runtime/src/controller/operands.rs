@@ -3,7 +3,7 @@
 use crate::command::Value;
 use crate::fault::Fault;
 
-/// How a REL_ command and a plain one read their operands.
+/// The way in which a REL_ command and a plain one read their operands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Base {
     /// Each operand says for itself; relative ones count from the measured value.

@@ -1,4 +1,4 @@
-//! What the SET_ commands set (T.I.P. 3.1 §7-8), and how they set it.
+//! The parameters of the SET_ commands (T.I.P. 3.1 §7-8), and the rules by which they are set.
 
 mod springs;
 
@@ -24,7 +24,7 @@ pub(super) struct FootParams {
     pub(super) third_limit: Option<[f64; 3]>,
 }
 
-/// What a spring at a point of a leg obeys.
+/// Parameters of a spring at a point of a leg.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PointParams {
     /// N/mm along each axis.
@@ -48,7 +48,7 @@ pub(super) struct JointParams {
     pub(super) limit: Option<f64>,
 }
 
-/// What a robot without commands of force has in their place.
+/// Placeholder for a robot without commands of force.
 const NO_FORCES: Forces = Forces {
     unit: TorqueUnit::NewtonMetre,
     torque_max: 0.0,
@@ -140,7 +140,7 @@ impl<const J: usize> LegParams<J> {
 /// Parameters and switches of the robot as a whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Params {
-    /// Of the slider.
+    /// Limits of the slider.
     pub(super) slider: FootParams,
     /// Sampling time: ms.
     pub(super) period: f64,
@@ -167,7 +167,7 @@ enum Field {
     Joint(JointField),
 }
 
-/// Where the new value comes from.
+/// The source of the new value.
 enum Source {
     /// The operand.
     Operand,
@@ -181,7 +181,7 @@ const SLOW: Source = Source::Share(0.5);
 const FAST: Source = Source::Share(1.5);
 const NORMAL: Source = Source::Share(1.0);
 
-/// What a SET_ command of feet and joints means.
+/// Returns the meaning of a SET_ command of feet and joints.
 fn setting(op: Op) -> Option<(Field, Source)> {
     use Field::{Foot, Joint};
     use Source::{Operand, Rate};

@@ -5,7 +5,7 @@ use super::drive::LegDrive;
 use super::task::Task;
 use super::trajectory::Track;
 
-/// Whether motions are held.
+/// The hold of all motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hold {
     /// They go on.
@@ -30,7 +30,7 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// As [`hold`](Self::hold); whether this call is what holds the robot.
+    /// Like [`hold`](Self::hold); returns true if this call is what holds the robot.
     pub(crate) fn take_hold(&mut self) -> bool {
         let holds = !self.is_held();
         if holds {
@@ -46,7 +46,7 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// Whether ALL_STOP is in force.
+    /// Returns true if ALL_STOP is in force.
     #[must_use]
     pub fn is_held(&self) -> bool {
         self.hold == Hold::On
@@ -87,13 +87,13 @@ impl<const J: usize> ControllerView<'_, J> {
         self.pending = None;
     }
 
-    /// As a new controller, on a robot that is where it was measured.
+    /// Resets to the state of a new controller, on a robot that is where it was measured.
     pub(crate) fn restart(&mut self) {
         self.emergency();
         self.standardise();
     }
 
-    /// Whether no joint command moves.
+    /// Returns true if no joint command moves.
     pub(super) fn is_at_rest(&self) -> bool {
         self.legs.iter().all(|leg| leg.drive.is_at_rest()) && self.slider.is_at_rest()
     }

@@ -8,17 +8,17 @@ pub(super) fn index(n: u8) -> usize {
     usize::from(n).wrapping_sub(1)
 }
 
-/// What belongs to leg or joint `n`.
+/// Returns the entry of leg or joint `n`.
 pub(super) fn leg<T>(legs: &[T], n: u8) -> Result<&T, Fault> {
     legs.get(index(n)).ok_or(Fault::Domain)
 }
 
-/// What belongs to leg or joint `n`.
+/// Returns the entry of leg or joint `n`.
 pub(super) fn leg_mut<T>(legs: &mut [T], n: u8) -> Result<&mut T, Fault> {
     legs.get_mut(index(n)).ok_or(Fault::Domain)
 }
 
-/// What belongs to the one leg, or to all legs, that a target names.
+/// Returns the entries of the one leg, or of all legs, that a target names.
 pub(super) fn feet<T>(legs: &mut [T], target: Target) -> Result<&mut [T], Fault> {
     match target {
         Target::All => Ok(legs),

@@ -1,4 +1,4 @@
-//! What a command that takes several cycles remembers between them.
+//! The state that a command of several cycles keeps between them.
 
 /// The command in progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +17,7 @@ pub(super) enum Task {
     Feel,
 }
 
-/// How far STAND_UP or SIT_DOWN has come.
+/// Phase of STAND_UP or SIT_DOWN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stand {
     /// The feet come to rest where they are.

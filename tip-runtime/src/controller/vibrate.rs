@@ -13,11 +13,11 @@ use core::f64::consts::TAU;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shaker {
     vibration: Option<Vibration>,
-    /// Where in its wave it is: 0…1.
+    /// Phase of the wave, 0…1.
     phase: f64,
 }
 
-/// What a vibration at a joint depends on.
+/// The values that a vibration of a joint depends on.
 pub(super) struct Shaken {
     pub(super) per_volt: PerVolt,
     /// The most torque that the joint is commanded.
@@ -43,7 +43,7 @@ impl Shaker {
         };
     }
 
-    /// How far it departs now: V.
+    /// Returns the present departure, V.
     fn volts(&self) -> f64 {
         self.vibration.map_or(0.0, |vibration| {
             vibration.amplitude * wave(vibration.waveform, self.phase)

@@ -11,18 +11,18 @@ use crate::fault::Fault;
 use crate::kinematics::{Chain, LegPoint, ROUNDING};
 use crate::model::{Inverse, Joint, Leg, Range};
 
-/// What holds for every leg while they move on.
+/// Values that all legs share while they move on.
 #[derive(Clone, Copy)]
 pub(in crate::controller) struct Going {
     /// Which inverse kinematics the robot has.
     pub(in crate::controller) inverse: Inverse,
-    /// How many of the robot's torque unit one N·m is.
+    /// Number of the robot's torque units in 1 N·m.
     pub(in crate::controller) torque_unit: f64,
     /// The sampling time: s.
     pub(in crate::controller) dt: f64,
     /// Its reciprocal: 1/s; 0 of none.
     pub(in crate::controller) per_second: f64,
-    /// Whether every motion brakes and waits.
+    /// True if every motion brakes and waits.
     pub(in crate::controller) held: bool,
 }
 
@@ -290,7 +290,7 @@ impl<const J: usize> LegDrive<J> {
     }
 }
 
-/// Whether numbers are the same to the bit.
+/// Returns true if the numbers are equal to the bit.
 fn is_same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
     a.map(f64::to_bits) == b.map(f64::to_bits)
 }

@@ -8,10 +8,10 @@ use super::trial::PointOfLeg;
 use crate::kinematics::{self, resolve_piece};
 use crate::model::Leg;
 
-/// How fast joints turn meanwhile: deg/s.
+/// Joint speed meanwhile, deg/s.
 const RATE: f64 = 30.0;
 
-/// How far the joints turn in one step of the search: deg.
+/// Turn of the joints in one step of the search, deg.
 const STEP: f64 = 0.5;
 
 /// The most steps of the search.
@@ -23,7 +23,7 @@ const FARTHEST: f64 = 25.0;
 /// Joints that turn less than this share of a step have arrived.
 const AT_REST: f64 = 0.05;
 
-/// How long a leg bends at most: s.
+/// Longest time that a leg bends, s.
 const LONGEST: f64 = 3.0;
 
 /// Joints so near to the posture have taken it: deg.
@@ -37,9 +37,9 @@ pub(in crate::controller) struct Bend<const J: usize> {
     /// The posture at the end of the line that follows.
     end: [f64; J],
     line: Line,
-    /// How far the joints turn in this cycle: deg.
+    /// Turn of the joints in this cycle, deg.
     step: f64,
-    /// How long the leg may take: s.
+    /// Time that the leg may still take, s.
     left: f64,
 }
 
@@ -83,7 +83,7 @@ pub(super) struct Bending<const J: usize> {
     steps: u8,
 }
 
-/// What a step of the search shows.
+/// Result of one step of the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Bent<const J: usize> {
     SoFar(Bending<J>),

@@ -4,7 +4,7 @@
 
 use crate::controller::trajectory::{Goal, Limits, Track};
 
-/// How long the return to the initial angles takes, at least: s.
+/// Shortest time of the return to the initial angles, s.
 const RETURN: f64 = 0.8;
 
 /// It speeds up in the first half of that time and slows down in the second.
@@ -26,7 +26,7 @@ pub(in crate::controller) struct Guide<const J: usize> {
     to: [f64; J],
     /// From where the point was to its target: mm.
     length: f64,
-    /// What is left of the path to the posture, where time decides as well.
+    /// Rest of the path to the posture, where time decides as well.
     ease: Option<Track<1>>,
     /// The posture to be taken once the point is at its target, if it is not `to`.
     home: Option<[f64; J]>,
@@ -47,7 +47,7 @@ impl<const J: usize> Guide<J> {
         }
     }
 
-    /// The same, but no faster than in [`RETURN`].
+    /// Limits the motion to the speed that [`RETURN`] allows.
     pub(super) fn eased(self) -> Self {
         let ease = Track::resting([1.0]).towards(Goal::Point {
             target: [0.0],
@@ -59,12 +59,12 @@ impl<const J: usize> Guide<J> {
         }
     }
 
-    /// The same, and then on to a posture, with the point at its target.
+    /// Adds a motion to a posture afterwards, with the point at its target.
     pub(super) fn and_home(self, home: Option<[f64; J]>) -> Self {
         Guide { home, ..self }
     }
 
-    /// The same, but bowed towards a posture within the limits.
+    /// Bows the path towards a posture within the limits.
     pub(super) fn bowed(self, bow: Option<[f64; J]>) -> Self {
         Guide { bow, ..self }
     }

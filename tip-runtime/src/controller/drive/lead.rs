@@ -1,4 +1,4 @@
-//! What joints to spare do while a point goes straight to its target.
+//! Motion of redundant joints while a point goes straight to its target.
 //!
 //! A leg with more joints than its point needs goes through the postures between the one that it has
 //! and one in which its point is at the target. Resolved rate puts the point on its line and leaves the
@@ -14,7 +14,7 @@ use crate::controller::trajectory::{Limits, Track};
 use crate::kinematics::{self, LegPoint};
 use crate::model::{Inverse, Leg};
 
-/// Who decides about joints to spare.
+/// The rule that redundant joints follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::controller) enum Lead<const J: usize> {
     /// Nobody: there are none, or no postures lead to the target.
@@ -93,7 +93,7 @@ impl<const J: usize> Lead<J> {
         }
     }
 
-    /// Whether the point has to wait.
+    /// Returns true if the point has to wait.
     pub(super) fn waits(&self) -> bool {
         matches!(self, Lead::Sought(_) | Lead::Bends(_))
     }
@@ -130,7 +130,7 @@ impl<const J: usize> Lead<J> {
     }
 }
 
-/// Whether enough joints move a point for every direction, and a closed form does not decide.
+/// Returns true if enough joints move a point for every direction, and no closed form decides.
 pub(super) fn has_choice<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
     !inverse.is_closed() && !has_few_joints::<J>(inverse, point)
 }

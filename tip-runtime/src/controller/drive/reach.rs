@@ -1,4 +1,4 @@
-//! What a leg can reach.
+//! The places that a leg can reach.
 
 use crate::command::Target;
 use crate::controller::targets::number;
@@ -7,7 +7,7 @@ use crate::fault::Fault;
 use crate::kinematics::{self, Chain, LegPoint};
 use crate::model::{Inverse, Leg, Point};
 
-/// What the language calls a point of leg `n`.
+/// Returns the name that the language has for a point of leg `n`.
 pub(in crate::controller) fn name(point: LegPoint, n: u8) -> Target {
     match point {
         LegPoint::Tip => Target::Foot(n),
@@ -43,7 +43,7 @@ fn within_rounding<const J: usize>(inverse: Inverse, leg: &Leg<J>, angles: [f64;
     }
 }
 
-/// Why no angles put a point of leg `n` at `position`.
+/// Returns the reason why no angles put a point of leg `n` at `position`.
 fn refused<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,
@@ -111,7 +111,7 @@ pub(in crate::controller) fn nearest_place<const J: usize>(
     place.map_or(position, |place| inverse.flat(place))
 }
 
-/// Whether too few joints move a point for every direction that counts.
+/// Returns true if too few joints move a point for every direction that counts.
 pub(super) fn has_few_joints<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
     let directions = inverse.axes().iter().filter(|counts| **counts).count();
     point.moved_by(J) < directions

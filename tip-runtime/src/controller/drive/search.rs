@@ -12,32 +12,32 @@ use crate::kinematics::{self, is_straight, resolve_piece};
 /// many pieces as lines mostly have, so that most legs set off at once.
 const A_CYCLE: usize = 48;
 
-/// How many pieces take as many turns as a posture that is started from anywhere.
+/// Number of pieces that take as many turns as a posture that is started from anywhere.
 const START: usize = 6;
 
-/// How many postures a leg starts from that goes past the middle of its limits, or has bent.
+/// Number of postures to start from for a leg that goes past the middle of its limits, or has bent.
 const STARTS_AGAIN: usize = 4;
 
-/// How often a posture at the target is drawn nearer to the present one.
+/// Number of times that a posture at the target is drawn nearer to the present one.
 const DRAWS: u8 = 8;
 
-/// How far the search has come.
+/// State of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::controller) struct Search<const J: usize> {
     from: [f64; J],
     line: Line,
-    /// Where the joints return to, if they do.
+    /// Angles to return to, if the joints do.
     home: Option<[f64; J]>,
     attempt: Attempt,
-    /// Whether the leg was straight when the search began.
+    /// True if the leg was straight when the search began.
     is_straight: bool,
     /// The number of the next posture to start from: 0 of the present one.
     next: usize,
     stage: Stage<J>,
 }
 
-/// What is tried, one after the other; a straight leg, whose posture does not show to which side it bends,
-/// tries the second first.
+/// One attempt of several in order; a straight leg, whose posture does not show to which side it
+/// bends, tries the second first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Attempt {
     /// Directly from posture to posture.
@@ -63,7 +63,7 @@ enum Stage<const J: usize> {
 }
 
 impl<const J: usize> Stage<J> {
-    /// How many pieces its next step is worth.
+    /// Returns the number of pieces that its next step is worth.
     const fn pieces(&self) -> usize {
         match self {
             Stage::Starting => START,
@@ -72,7 +72,7 @@ impl<const J: usize> Stage<J> {
     }
 }
 
-/// What a search came to.
+/// Result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Outcome<const J: usize> {
     Found(Guide<J>),

@@ -24,7 +24,7 @@ pub(super) struct PointOfLeg<'a, const J: usize> {
     pub(super) axes: Axes,
 }
 
-/// Whether postures lead a point along a line, as far as it was tried.
+/// A trial of the postures that lead a point along a line, as far as it has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Trial<const J: usize> {
     guide: Guide<J>,
@@ -34,7 +34,7 @@ pub(super) struct Trial<const J: usize> {
     pieces: u16,
 }
 
-/// What a piece showed.
+/// Result of one piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Shown<const J: usize> {
     /// The line has to be tried farther.

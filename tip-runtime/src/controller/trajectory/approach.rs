@@ -4,7 +4,7 @@
 
 use super::{INSTANT, Limits};
 
-/// How far the point still is, and how fast that distance shrinks.
+/// Distance of the point from its goal, and the speed at which it shrinks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Approach {
     pub(super) gap: f64,

@@ -71,7 +71,7 @@ impl<const N: usize> Course<N> {
         add_scaled(velocity, self.side, self.across.speed)
     }
 
-    /// Where it is farthest to the side of its line.
+    /// Returns the place where it is farthest to the side of its line.
     pub(super) fn swing(mut self, limits: Limits) -> [f64; N] {
         let braking = limits.acceleration * self.across_share;
         if braking > 0.0 {
