@@ -1,5 +1,5 @@
-//! What generated code is made of. It is no part of the public API: [`version`](crate::version) ties generated
-//! code to this crate.
+//! The parts that generated code is made of. It is no part of the public API:
+//! [`version`](crate::version) ties generated code to this crate.
 //!
 //! Every row of a table of states starts with a function, also one that is data: [`step`] loads it and jumps
 //! there, without a branch on the kind of row and without keeping anything of its own.
@@ -8,7 +8,7 @@ use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
 use crate::program::{Context, Flow};
 
-/// What a state does; the row is its own.
+/// The function of a state; the row is its own.
 pub type Run<P> = fn(&mut P, &mut dyn Context, Row<P>) -> Result<Flow, Fault>;
 
 /// A row where it stands.
@@ -18,9 +18,9 @@ pub type Row<P> = &'static Step<P>;
 #[derive(Clone, Copy, Debug)]
 pub struct Step<P: 'static> {
     run: Run<P>,
-    /// What a row of a command asks for.
+    /// The command of a row of a command.
     command: &'static Command<'static>,
-    /// Where a row without code leads.
+    /// The next row, for a row without code.
     next: u32,
 }
 

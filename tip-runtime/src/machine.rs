@@ -86,7 +86,7 @@ pub struct Machine<'m, P, H, C, S, const L: usize, const J: usize> {
     hardware: H,
     controller: Controller<'m, L, J>,
     sensors: Sensors<L, J>,
-    /// What was sent last.
+    /// The outputs of the last cycle.
     outputs: Outputs<L, J>,
 }
 
@@ -197,12 +197,12 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
         self.state.resume(&mut self.controller);
     }
 
-    /// What became of the program.
+    /// Returns the status of the program.
     pub fn status(&self) -> Status {
         self.state.status
     }
 
-    /// Why and where the robot stopped.
+    /// Returns the cause and the place of an emergency stop.
     pub fn emergency(&self) -> Option<&Emergency> {
         self.state.emergency.as_ref()
     }
@@ -242,18 +242,18 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
         &self.controller
     }
 
-    /// Whether a flag of conditions (T.I.P. 3.1 §6-2) is up.
+    /// Returns true if a flag of conditions (T.I.P. 3.1 §6-2) is up.
     pub fn flag(&self, flag: Flag) -> bool {
         let (controller, inputs) = (&self.controller, &self.sensors.inputs);
         self.state.io.flag(flag, controller, inputs)
     }
 
-    /// What was measured in the last cycle.
+    /// Returns the readings of the last cycle.
     pub fn sensors(&self) -> &Sensors<L, J> {
         &self.sensors
     }
 
-    /// What was sent in the last cycle.
+    /// Returns the outputs of the last cycle.
     pub fn outputs(&self) -> &Outputs<L, J> {
         &self.outputs
     }

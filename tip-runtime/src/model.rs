@@ -92,7 +92,7 @@ impl Range {
         Range { min, max }
     }
 
-    /// Whether `value` lies inside; NaN never does.
+    /// Returns true if `value` lies inside; NaN never does.
     pub const fn contains(&self, value: f64) -> bool {
         value >= self.min && value <= self.max
     }
@@ -122,7 +122,8 @@ pub struct Joint {
     pub outer: Range,
     /// The link's mass: kg.
     pub mass: f64,
-    /// How it is spread; `None`: evenly along the link. The simulated hand takes all its links to be so.
+    /// Distribution of the mass; `None`: evenly along the link. The simulated hand takes all its
+    /// links to be so.
     pub spread: Option<Spread>,
     /// The most torque that its motor gives: N·m.
     pub torque: f64,
@@ -150,11 +151,11 @@ pub struct Body {
     pub z: Range,
     /// Mass without legs: kg.
     pub mass: f64,
-    /// How it is spread; `None`: evenly in the box, its centre in the origin.
+    /// Distribution of the mass; `None`: evenly in the box, its centre in the origin.
     pub spread: Option<Spread>,
 }
 
-/// What parameter commands set, at its standard value.
+/// Standard values of the parameters that commands set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standards {
     /// `V_MAX`: mm/s.
@@ -177,7 +178,7 @@ pub struct Standards {
     pub period: f64,
 }
 
-/// How joint angles follow from a foot's position.
+/// The inverse kinematics of a leg: joint angles from a foot's position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inverse {
     /// Closed form of a yaw joint followed by two parallel pitch joints; the knee bends downwards.
@@ -203,7 +204,7 @@ impl Inverse {
         Inverse::LeastSquares,
     ];
 
-    /// What descriptions call it.
+    /// Returns its name in descriptions.
     pub const fn name(self) -> &'static str {
         match self {
             Inverse::YawPitchPitch => "yaw-pitch-pitch",
@@ -213,7 +214,7 @@ impl Inverse {
         }
     }
 
-    /// Whether a closed form finds the angles of a foot, so that no search is needed.
+    /// Returns true if a closed form finds the angles of a foot, so that no search is needed.
     pub const fn is_closed(self) -> bool {
         matches!(self, Inverse::YawPitchPitch | Inverse::RollPitchPitch)
     }
@@ -231,7 +232,7 @@ impl Inverse {
     }
 }
 
-/// What torques are counted in.
+/// The unit of torques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TorqueUnit {
     /// N·m.
@@ -252,7 +253,7 @@ impl TorqueUnit {
         }
     }
 
-    /// How many of this unit one N·m is.
+    /// Returns the number of these units in 1 N·m.
     pub const fn per_newton_metre(self) -> f64 {
         match self {
             TorqueUnit::NewtonMetre => 1.0,
@@ -261,7 +262,8 @@ impl TorqueUnit {
     }
 }
 
-/// What a robot that senses and gives torques needs for commands of torque, force and compliance.
+/// Parameters of commands of torque, force and compliance, for a robot that senses and gives
+/// torques.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
     /// The unit of every torque that is commanded or sensed.
@@ -280,7 +282,7 @@ pub struct Forces {
     pub contact_torque: f64,
 }
 
-/// What one volt of [vibration](crate::vibration) does to a joint.
+/// Response of a joint to one volt of [vibration](crate::vibration).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerVolt {
     /// To the angle that is commanded: deg.
@@ -292,14 +294,14 @@ pub struct PerVolt {
 /// A slider that carries the floor under a hand (`FLOOR`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
-    /// Where it is at first: mm.
+    /// Initial place, mm.
     pub initial: Point,
-    /// How far it goes along x, y and z: mm.
+    /// Travel along x, y and z, mm.
     pub travel: [Range; 3],
 }
 
 impl Slider {
-    /// Whether it can go there.
+    /// Returns true if the slider can go there.
     pub fn reaches(&self, position: Point) -> bool {
         let axes = self.travel.iter().zip(position);
         axes.into_iter().all(|(travel, at)| travel.contains(at))
@@ -327,10 +329,10 @@ pub struct Model<const L: usize, const J: usize> {
     pub contact: f64,
     /// Lamps and relays: devices 0 up to, but not including, this number.
     pub lamps: u8,
-    /// What it can do with torques and forces, if anything.
+    /// Parameters of torques and forces, if it has any.
     pub forces: Option<Forces>,
     /// Its slider, if it has one.
     pub slider: Option<Slider>,
-    /// How its joints vibrate, if they do.
+    /// Vibration of its joints, if they vibrate.
     pub vibration: Option<PerVolt>,
 }

@@ -1,4 +1,4 @@
-//! What a compiled or interpreted program is, and what a step of it can reach.
+//! The interface of a compiled or interpreted program, and the robot that its steps can reach.
 //!
 //! Macros and build scripts make programs of text. One by hand shows what they have to answer:
 //!
@@ -83,7 +83,7 @@ pub enum End {
     Exit,
 }
 
-/// What one step did.
+/// Result of one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flow {
     /// It ran to its end; [`Program::at`] names the step of the next cycle.
@@ -108,7 +108,7 @@ pub struct Signature {
 }
 
 impl<const L: usize, const J: usize> Model<L, J> {
-    /// What a program must have been checked for to run on this robot.
+    /// Returns the signature that a program must have been checked for to run on this robot.
     pub const fn signature(&self) -> Signature {
         Signature {
             robot: self.name,
@@ -202,7 +202,7 @@ impl<P: Program + ?Sized> Program for &mut P {
     }
 }
 
-/// What native code of a SPECIAL command, and every step, can ask of the robot.
+/// The robot as native code of a SPECIAL command, and every step, sees it.
 pub trait Robot {
     /// Starts or continues a command. While it answers `Pending` the same command is asked again each cycle.
     ///
@@ -259,7 +259,7 @@ pub trait Robot {
     fn period(&self) -> f64;
 }
 
-/// What a step can reach: the robot and the console.
+/// The robot and the console as a step sees them.
 pub trait Context: Robot {
     /// Asks for the command of a step, which puts the program on from `at` to `next` once it is done. A compiled
     /// step that is a command ends in this call.
@@ -290,7 +290,7 @@ pub struct CallStack {
 }
 
 impl CallStack {
-    /// How deep calls may nest.
+    /// Maximum depth of nested calls.
     pub const DEPTH: usize = 10;
 
     /// No call is open.
@@ -315,12 +315,12 @@ impl CallStack {
         Ok(())
     }
 
-    /// Where the open calls return to, the outermost first.
+    /// Returns the return addresses of the open calls, the outermost first.
     pub fn open(&self) -> &[u32] {
         self.steps.get(..usize::from(self.len)).unwrap_or(&[])
     }
 
-    /// Where to return to.
+    /// Removes the innermost return address and returns it.
     ///
     /// # Errors
     /// `InvalidReturn` when no call is open.

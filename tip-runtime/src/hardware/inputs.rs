@@ -1,4 +1,4 @@
-//! What the analogue inputs of a robot read, whichever they are.
+//! A value for each analogue input of a robot.
 
 use crate::command::Port;
 
@@ -8,7 +8,7 @@ use crate::command::Port;
 pub struct Inputs<T = f64>([T; Port::INPUTS]);
 
 impl<T: Copy> Inputs<T> {
-    /// The same value for all.
+    /// Creates inputs that all have one value.
     pub const fn all(value: T) -> Self {
         Inputs([value; Port::INPUTS])
     }
@@ -18,7 +18,7 @@ impl<T: Copy> Inputs<T> {
         self.0.get(port.place()?).copied()
     }
 
-    /// The same, to be changed.
+    /// Returns the value of an input, to be changed.
     pub fn get_mut(&mut self, port: Port) -> Option<&mut T> {
         self.0.get_mut(port.place()?)
     }

@@ -118,7 +118,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         Ok(flow)
     }
 
-    /// What the step asked of the console and could not reach itself.
+    /// Serves the console requests that the step made and could not serve itself.
     fn serve_console(&mut self, step: u32) {
         let io = &mut self.state.io;
         if let Some(on) = io.silence.take() {
@@ -201,7 +201,7 @@ fn hardware_fault(HardwareFault(what): HardwareFault) -> Fault {
     Fault::Hardware(what)
 }
 
-/// What a cycle measured and sent.
+/// Returns the readings and outputs of a cycle.
 fn sample<'a, const J: usize>(
     robot: &'a dyn DynHardware<J>,
     controller: &ControllerView<'_, J>,

@@ -6,7 +6,7 @@ use crate::controller::ControllerView;
 use crate::fault::Fault;
 use crate::model::Forces;
 
-/// How long bars stay before they are redrawn: ms.
+/// Time between two drawings of the bars, ms.
 const EVERY: f64 = 100.0;
 
 /// One bar for each joint that the language can name.

@@ -1,4 +1,4 @@
-//! Where a machine is in its run.
+//! The state of a machine in its run.
 
 use super::io_state::IoState;
 use crate::controller::ControllerView;
@@ -11,7 +11,7 @@ const RETURN_KEY: u8 = 0x0D;
 /// The halt request.
 const ESCAPE_KEY: u8 = 0x1B;
 
-/// What became of a program.
+/// The status of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// It runs, or is paused.

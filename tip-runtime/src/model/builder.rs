@@ -2,7 +2,7 @@
 
 use super::{Inverse, Joint, Leg, Model, Point, Range, Spread, generic};
 
-/// How far beyond the working limits the potentiometers measure: deg.
+/// Margin by which the potentiometers measure beyond the working limits, deg.
 const OUTER: f64 = 5.0;
 
 impl Joint {
@@ -94,7 +94,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
         }
     }
 
-    /// The same robot with these legs.
+    /// Returns the robot with these legs.
     #[must_use]
     pub const fn with_legs<const N: usize>(self, legs: [Leg<J>; N]) -> Model<N, J> {
         Model {

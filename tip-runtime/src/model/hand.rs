@@ -30,7 +30,7 @@ const L1: f64 = 70.0;
 const L2: f64 = 50.0;
 const L3: f64 = 40.0;
 
-/// How far F2 and F3 are beside F1: mm.
+/// Distance of F2 and F3 from F1 to the side, mm.
 const APART: f64 = 30.0;
 
 /// The robot.

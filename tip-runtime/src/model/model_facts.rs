@@ -1,4 +1,4 @@
-//! What a model says of the whole robot, for any number of legs.
+//! The facts of a model that hold for the whole robot, with any number of legs.
 
 use super::{Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards};
 
@@ -31,7 +31,7 @@ impl<'m> ModelFacts<'m> {
         }
     }
 
-    /// How many of the robot's torque unit one N·m is.
+    /// Returns the number of the robot's torque units in 1 N·m.
     pub(crate) fn torque_unit(&self) -> f64 {
         self.forces
             .map_or(1.0, |forces| forces.unit.per_newton_metre())
@@ -39,8 +39,8 @@ impl<'m> ModelFacts<'m> {
 }
 
 impl<const J: usize> Leg<J> {
-    /// What fills an array until it is filled in over a slice, which compiles once for all of
-    /// its lengths; `map` of an array does not.
+    /// Placeholder for arrays that are filled in over a slice, which compiles once for all of their
+    /// lengths; `map` of an array does not.
     pub(crate) const BLANK: &'static Self =
         &Leg::at([0.0; 3], [Joint::revolute([0.0, 0.0, 1.0], [0.0; 3]); J]);
 

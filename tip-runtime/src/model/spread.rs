@@ -1,8 +1,8 @@
-//! How the mass of a link or a body is spread.
+//! Distribution of the mass of a link or a body.
 
 use super::{Point, Range};
 
-/// Where a mass is, and how hard it is to turn.
+/// Centre of mass and inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The centre of mass, of a link from its joint on, of a body in the robot frame: mm.
@@ -12,7 +12,7 @@ pub struct Spread {
     pub inertia: [f64; 6],
 }
 
-/// What rounding adds to a tensor, in parts of it.
+/// Relative rounding error of a tensor.
 const SLIGHT: f64 = 1e-9;
 
 impl Spread {
@@ -52,7 +52,7 @@ impl Spread {
         }
     }
 
-    /// Whether all its numbers are finite, and some rigid body has such an inertia.
+    /// Returns true if all its numbers are finite, and some rigid body has such an inertia.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         let numbers = self.centre.iter().chain(&self.inertia);
@@ -60,8 +60,9 @@ impl Spread {
     }
 }
 
-/// Whether the second moments of mass that such a tensor comes from are not negative in any direction. Its principal moments are
-/// not negative then, and none is greater than the other two together.
+/// Returns true if the second moments of mass that such a tensor comes from are not negative in any
+/// direction. Its principal moments are not negative then, and none is greater than the other two
+/// together.
 fn is_of_a_body([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let half = (xx + yy + zz) / 2.0;
     let (x, y, z) = (half - xx, half - yy, half - zz);

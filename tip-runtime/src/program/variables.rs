@@ -4,7 +4,7 @@ use super::Program;
 use crate::command::CONSTANT;
 use core::fmt;
 
-/// Why a variable cannot be read or set by that name.
+/// The reason why a variable cannot be read or set by that name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum VariableError {
