@@ -1,4 +1,4 @@
-//! What happened in a cycle, as a value.
+//! Everything that happened in a cycle, as a value.
 
 use crate::dyn_machine::DynMachine;
 use std::fmt::{self, Display};
@@ -21,18 +21,18 @@ pub struct Cycle {
     pub next: Option<u32>,
     /// Scalars by name whose bits changed or that became assigned, with their values, in order of declaration.
     pub set: Vec<(String, f64)>,
-    /// What a MESSAGE showed; an empty one cleared the line.
+    /// Text of a MESSAGE; an empty one cleared the line.
     pub say: Option<String>,
     /// The lamp that was switched, and whether on.
     pub lamp: Option<(u8, bool)>,
     /// The command that was accepted, in its first cycle.
     pub command: Option<Asked>,
-    /// Where the body is after the cycle; none for a robot that stays where it is. One outside of this process says where it
-    /// was when the cycle began.
+    /// Pose of the body after the cycle; none for a robot that stays where it is. A robot outside
+    /// of this process gives the pose at the beginning of the cycle.
     pub pose: Option<Pose>,
     /// A hash of what each joint was sent and measured, as in a trace with state.
     pub state: u64,
-    /// What became of the program.
+    /// Status of the program.
     pub status: Status,
 }
 
@@ -43,14 +43,14 @@ pub struct Asked {
     pub op: Op,
     /// HS: hand over to the next command at once.
     pub hs: bool,
-    /// What it is for.
+    /// The foot, joint or device that it is for.
     pub target: Target,
     /// Its numbers, before relative ones are resolved.
     pub values: Vec<Value>,
 }
 
 impl Display for Asked {
-    /// As a statement has it, such as `PTP HS F1 300.0 R10.0 -200.0`.
+    /// Writes it as in a statement, such as `PTP HS F1 300.0 R10.0 -200.0`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.op.fmt(f)?;
         if self.hs {

@@ -56,7 +56,7 @@ use tip_runtime::machine::{Emergency, Mismatch};
 use tip_runtime::program::End;
 use tipc::program::Program;
 
-/// What may be given up for a change.
+/// The cycles that may be given up for a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Discard {
     /// Nothing: in the past a change is refused.
@@ -69,7 +69,7 @@ pub enum Discard {
 pub struct Debugger {
     program: Arc<Program>,
     asker: Asker,
-    /// Where the debugger stands.
+    /// The run and its checkpoints.
     timeline: Timeline,
     history: History,
     breakpoints: Breakpoints,
@@ -78,9 +78,9 @@ pub struct Debugger {
     /// The first one that is known.
     fall: Option<Fall>,
     said: Vec<(u64, String)>,
-    /// How many of them someone has taken.
+    /// Number of messages that have been taken.
     taken: usize,
-    /// What log points have said and no one has taken.
+    /// Output of log points that has not been taken.
     logged: Vec<(u64, String)>,
     pending: Option<PendingCommand>,
     stop: Stop,
@@ -130,12 +130,12 @@ impl Debugger {
         self.timeline.now()
     }
 
-    /// How many cycles have been run at all; what follows them is not known yet.
+    /// Returns the number of cycles that have been run; nothing is known of later ones.
     pub fn known(&self) -> u64 {
         self.history.len()
     }
 
-    /// Why it stands where it does.
+    /// Returns the reason and the position of the last stop.
     pub fn stop(&self) -> &Stop {
         &self.stop
     }
@@ -155,7 +155,7 @@ impl Debugger {
         run.engine()
     }
 
-    /// How many calls are open in a run.
+    /// Returns the number of open calls in a run.
     fn depth(run: &Run) -> u8 {
         let calls = Self::interpreter(run).map_or(0, |engine| engine.calls().len());
         u8::try_from(calls).unwrap_or(u8::MAX)
@@ -206,7 +206,7 @@ impl Debugger {
         Ok(())
     }
 
-    /// What its user made happen, in the order in which it happens.
+    /// Returns the user's changes, in the order in which they happen.
     pub fn changes(&self) -> Events {
         self.timeline.changes().clone()
     }
@@ -224,10 +224,10 @@ impl Debugger {
     }
 }
 
-/// How many messages are kept.
+/// Maximum number of messages that are kept.
 const MESSAGES: usize = 10_000;
 
-/// How the run went on after the last cycle that is known.
+/// State of the run after the last cycle that is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Frontier {
     /// This step comes next.
@@ -260,7 +260,7 @@ impl History {
         self.depths.push(depth);
     }
 
-    /// What came after it.
+    /// Stores the step and the state that came after it.
     fn reached(&mut self, next: u32, frontier: Frontier) {
         self.next = next;
         self.frontier = frontier;
@@ -280,17 +280,18 @@ impl History {
         self.steps.get(place(at)).copied().unwrap_or(self.next)
     }
 
-    /// How many calls are open before a cycle.
+    /// Returns the number of open calls before a cycle.
     fn depth(&self, at: u64) -> u8 {
         self.depths.get(place(at)).copied().unwrap_or_default()
     }
 
-    /// Whether the step at a position is not that of the cycle before: it begins there.
+    /// Returns true if the step at a position begins there: it differs from that of the cycle
+    /// before.
     fn enters(&self, at: u64) -> bool {
         at == 0 || self.step(at) != self.step(at - 1)
     }
 
-    /// Whether the step of a cycle failed, and so changed nothing.
+    /// Returns true if the step of a cycle failed, and so changed nothing.
     fn fails(&self, at: u64) -> bool {
         matches!(self.frontier, Frontier::Failed(_)) && at + 1 == self.len()
     }

@@ -1,4 +1,4 @@
-//! What happens to a robot from outside, and when.
+//! Events that reach a robot from outside, and their cycles.
 //!
 //! ```
 //! use tip_sim::event::{Event, Events};
@@ -65,7 +65,7 @@ pub enum Event {
 pub struct Timed {
     /// The cycle, from 0.
     pub cycle: u64,
-    /// What happens.
+    /// The event.
     pub event: Event,
 }
 
@@ -89,7 +89,7 @@ impl Events {
         &self.0
     }
 
-    /// Whether nothing happens.
+    /// Returns true if there is no event.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -57,7 +57,7 @@ pub struct ExternalPlant {
     listener: Arc<dyn Fn(&str) + Send + Sync>,
 }
 
-/// How long answers may take.
+/// Time limits of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Patience {
     /// The one to `hello`: a simulator may have to load much.
@@ -125,13 +125,13 @@ pub enum NotStarted {
     Process {
         /// Its program.
         program: String,
-        /// What the system says.
+        /// Message of the system.
         reason: String,
     },
 }
 
 impl NotStarted {
-    /// What it says in a language. What the runtime and the system say themselves is English.
+    /// Returns the message in a language. Messages of the runtime and the system are English.
     pub fn text(&self, lang: Lang) -> String {
         match self {
             NotStarted::Mismatch(mismatch) => mismatch.to_string(),
@@ -168,7 +168,7 @@ impl Run {
         Ok(Run::on(machine.map_err(NotStarted::Mismatch)?))
     }
 
-    /// What is wrong with its external plant, if anything is.
+    /// Returns the error of its external plant, if there is one.
     pub fn plant_error(&self) -> Option<&PlantError> {
         self.plant::<ExternalHardware>()?.error.as_ref()
     }
@@ -180,12 +180,12 @@ pub(crate) struct ExternalHardware {
     /// None in a copy.
     link: Option<Link>,
     patience: Patience,
-    /// What an answer is awaited to.
+    /// The request whose answer is awaited.
     awaits: Option<Head>,
-    /// Of the next control cycle.
+    /// Number of the next control cycle.
     number: u64,
     measured: Measured,
-    /// What events have set inputs to.
+    /// Values of inputs that events have set.
     overrides: Inputs<Option<f64>>,
     odometry: Option<Odometry>,
     error: Option<PlantError>,
@@ -393,12 +393,12 @@ impl Odometry {
         }
     }
 
-    /// Where it is.
+    /// Returns the present pose.
     fn now(&self) -> Pose {
         self.now
     }
 
-    /// How far it has come.
+    /// Returns the distance that the body has come.
     fn travel(&self) -> Travel {
         let ([x, y, z], [x0, y0, z0]) = (self.now.position, self.start.position);
         let turn = self.now.yaw - self.start.yaw + self.turned;

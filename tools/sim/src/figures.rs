@@ -1,4 +1,4 @@
-//! What a run says about the motion of its robot.
+//! Figures of a run on the motion of its robot.
 
 use crate::motion::{Fall, Grasp, Limbs};
 use crate::run::Run;
@@ -6,18 +6,20 @@ use tip_runtime::controller::Aim;
 use tip_runtime::plant::{Motion, Pose, Travel};
 
 impl Run {
-    /// How the body moves; none for a robot that stays where it is, or that another process simulates.
+    /// Returns the motion of the body; none for a robot that stays where it is, or that another
+    /// process simulates.
     pub fn motion(&self) -> Option<Motion> {
         self.machine.hardware().motion()
     }
 
-    /// Where the body is; none for a robot that stays where it is, or that another process simulates without saying so.
+    /// Returns the pose of the body; none for a robot that stays where it is, or that another
+    /// process simulates without giving it.
     pub fn pose(&self) -> Option<Pose> {
         self.machine.hardware().pose()
     }
 
-    /// How far the body has come; none for a robot that stays where it is, or that another process simulates without saying
-    /// where it is.
+    /// Returns the distance that the body has come; none for a robot that stays where it is, or
+    /// that another process simulates without giving the pose.
     pub fn travel(&self) -> Option<Travel> {
         self.machine.hardware().travel()
     }
@@ -32,12 +34,12 @@ impl Run {
         self.machine.hardware().limbs()
     }
 
-    /// What every leg or finger is to do, foot by foot or joint by joint.
+    /// Returns the aims of every leg or finger, foot by foot or joint by joint.
     pub fn aims(&self) -> Vec<Aim> {
         self.machine.aims()
     }
 
-    /// What the robot grasps; none if it is not a hand.
+    /// Returns the robot's grasp; none if it is not a hand.
     pub fn grasp(&self) -> Option<Grasp> {
         self.machine.hardware().grasp()
     }

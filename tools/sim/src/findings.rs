@@ -1,4 +1,4 @@
-//! What is wrong with a file, as text.
+//! Diagnostics of a file, as text.
 
 use std::fmt;
 use tipc::message::Lang;

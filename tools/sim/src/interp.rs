@@ -37,7 +37,7 @@ impl Interpreter {
         }
     }
 
-    /// Where it is.
+    /// Returns its place in the program.
     pub fn place(&self) -> Place {
         Place {
             step: self.at,
@@ -45,7 +45,7 @@ impl Interpreter {
         }
     }
 
-    /// Where the open calls return to, the outermost first.
+    /// Returns the return addresses of the open calls, the outermost first.
     pub fn calls(&self) -> &[u32] {
         self.calls.open()
     }

@@ -15,13 +15,13 @@ use tip_runtime::machine::{Machine, Mismatch};
 use tip_runtime::model::{Body, Forces, Inverse, Joint, Leg, Model, Point, Slider, Standards};
 use tip_runtime::plant::{DynamicPlant, Scene, SimulatedPlant, Simulation};
 
-/// What a robot has, whatever its size.
+/// The parts of a robot, whatever its size.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Anatomy {
     /// Its body, if it walks.
     pub body: Option<Body>,
-    /// What it can do with torques and forces, if anything.
+    /// Parameters of torques and forces, if it has any.
     pub forces: Option<Forces>,
     /// Its inverse kinematics.
     pub inverse: Inverse,
@@ -33,7 +33,7 @@ pub struct Anatomy {
     pub slider: Option<Slider>,
     /// Its parameters at program start.
     pub standards: Standards,
-    /// Where each foot is in the initial posture: mm.
+    /// Place of each foot in the initial posture, mm.
     pub feet: Vec<Point>,
 }
 
@@ -65,7 +65,7 @@ impl Limb {
         frames(self.base, &self.joints, angles).collect()
     }
 
-    /// Where the foot is at these angles (deg), in the robot frame: mm.
+    /// Returns the place of the foot at these angles, deg, in the robot frame, mm.
     pub fn foot(&self, angles: &[f64]) -> Point {
         let last = frames(self.base, &self.joints, angles).zip(&self.joints);
         last.last()

@@ -6,7 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often it is looked at whether a process has ended.
+/// Time between two checks that a process has ended.
 const BLINK: Duration = Duration::from_millis(5);
 
 /// The processes that were started here and have not been ended.
@@ -96,7 +96,7 @@ fn lead(command: &mut Command) {
     command.process_group(0);
 }
 
-/// Whether there is a process in the group that this one leads, or led.
+/// Returns true if there is a process in the group that this one leads, or led.
 #[cfg(unix)]
 fn is_there(id: u32) -> bool {
     group(id).is_some_and(|group| rustix::process::test_kill_process_group(group).is_ok())

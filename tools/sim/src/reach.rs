@@ -58,7 +58,7 @@ impl Robot {
     }
 }
 
-/// Whether a joint at its limit is always an emergency.
+/// Returns true if a joint at its limit is always an emergency.
 fn stops_at_limits(program: &Program) -> bool {
     let clips = |step: &Step| matches!(step.action, Action::Command { op: Op::EmgOff, .. });
     !program.steps().iter().any(clips)
@@ -73,7 +73,7 @@ fn constants(arguments: &[Argument]) -> Option<Vec<f64>> {
     arguments.iter().map(constant).collect()
 }
 
-/// What targets miss: a program may go to the same one again and again.
+/// Misses by target: a program may go to the same one again and again.
 struct Misses<'a> {
     robot: &'a Robot,
     known: Vec<Known>,
@@ -87,7 +87,7 @@ struct Known {
     miss: Option<Miss>,
 }
 
-/// So many targets are remembered.
+/// Maximum number of targets that are remembered.
 const REMEMBERED: usize = 100;
 
 impl<'a> Misses<'a> {
@@ -119,7 +119,7 @@ impl<'a> Misses<'a> {
     }
 }
 
-/// What is wrong with a target, or with the straight path that leads there from `start`.
+/// Returns the warning on a target, or on the straight path that leads there from `start`.
 fn warning(
     statement: &Statement,
     step: &Step,
@@ -194,7 +194,7 @@ fn on_the_path(
     Some(finding.help(Linting::GoAround))
 }
 
-/// Whether a target is missed by more than the inexact start of a path explains.
+/// Returns true if a target is missed by more than the inexact start of a path explains.
 fn is_clear(miss: Miss) -> bool {
     match miss {
         Miss::Turns { by, .. } => by.abs() > 2.0,

@@ -40,9 +40,9 @@ enum Hardware {
     Own(Box<dyn DynHardware>),
 }
 
-/// Where a robot and the objects around it are before the first control cycle.
+/// State of a robot and the objects around it before the first control cycle.
 pub(crate) struct Beginning {
-    /// Of the body; `None` if it is bolted down.
+    /// Pose of the body; `None` if it is bolted down.
     pub(crate) pose: Option<plant::Pose>,
     /// The objects that a hand is to grasp, in the order of the scene; `None` for any other robot.
     pub(crate) objects: Option<Vec<plant::ObjectState>>,
@@ -122,7 +122,7 @@ impl Robot {
         Ok(self)
     }
 
-    /// What surrounds it, unless it has a plant of its own.
+    /// Returns its surroundings, unless it has a plant of its own.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
@@ -141,22 +141,22 @@ impl Robot {
         self.answers
     }
 
-    /// What it is called.
+    /// Returns its name.
     pub fn name(&self) -> &'static str {
         self.facts.signature.robot
     }
 
-    /// What programs for it are checked for.
+    /// Returns the facts that programs for it are checked for.
     pub fn facts(&self) -> Facts {
         self.facts
     }
 
-    /// What it has.
+    /// Returns its parts.
     pub fn anatomy(&self) -> Anatomy {
         self.model.anatomy()
     }
 
-    /// What a description says that it looks like.
+    /// Returns its shapes in a description.
     pub fn shapes(&self) -> &Shapes {
         &self.shapes
     }
@@ -166,7 +166,7 @@ impl Robot {
         self
     }
 
-    /// How it and what is around it begin, if everything has mass.
+    /// Returns its initial state and that of the objects around it, if everything has mass.
     pub(crate) fn beginning(&self) -> Beginning {
         let hardware = self.clone().with_plant(Plant::Dynamic).simulated();
         Beginning {
@@ -175,7 +175,7 @@ impl Robot {
         }
     }
 
-    /// How programs for it are loaded.
+    /// Returns the options for loading programs for it.
     pub fn options(&self) -> Options {
         Options {
             robot: tipc::Robot::Described(self.facts),
@@ -183,12 +183,12 @@ impl Robot {
         }
     }
 
-    /// Whether it has this input.
+    /// Returns true if it has this input.
     pub fn has_input(&self, port: Port) -> bool {
         SimHardware::new(self.simulated()).has_input(port)
     }
 
-    /// What a PTP or PTP_ANGLE to these numbers misses, if it does.
+    /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it misses.
     pub(crate) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
         self.model.miss(op, target, values)
     }

@@ -21,10 +21,10 @@ use tip_runtime::record::{Ending, Sink, state_hash};
 /// The byte of the ESC key: a halt request.
 const ESCAPE: u8 = 0x1B;
 
-/// How often an observer is asked while a robot outside of this process is waited for.
+/// Time between two calls of an observer while a robot outside of this process is awaited.
 const NAP: Duration = Duration::from_millis(50);
 
-/// How long a run may take.
+/// Maximum length of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Limit(Option<u64>);
 
@@ -32,7 +32,7 @@ impl Limit {
     /// Until the program ends.
     pub const NONE: Self = Limit(None);
 
-    /// As many cycles since the start of the run.
+    /// Limits a run to a number of cycles since its start.
     pub const fn cycles(cycles: u64) -> Self {
         Limit(Some(cycles))
     }
@@ -52,7 +52,8 @@ pub trait Observer {
         true
     }
 
-    /// Where the cycle is written down, if anywhere. Each cycle that runs goes there once.
+    /// Returns the sink that records the cycle, if there is one. Each cycle that runs goes there
+    /// once.
     fn sink(&mut self) -> Option<&mut dyn Sink> {
         None
     }
@@ -72,7 +73,7 @@ impl Observer for () {}
 pub struct Run {
     pub(crate) machine: Box<dyn DynMachine>,
     pub(crate) events: Events,
-    /// How many of them have happened.
+    /// Number of them that have happened.
     pub(crate) happened: usize,
     pub(crate) ending: Option<Ending>,
     /// The first one.
@@ -92,7 +93,7 @@ impl Run {
         Self::of(ProgramRunner::new(program), &robot)
     }
 
-    /// The same with any engine.
+    /// Puts a program with any engine on a robot.
     ///
     /// # Errors
     /// The program was checked for another robot.
@@ -309,12 +310,13 @@ impl Run {
         self.machine.pause(on);
     }
 
-    /// How it ended, if it has; a run whose cycles were used up goes on when it is asked to.
+    /// Returns the end of the run, if it has ended; a run whose cycles were used up goes on when it
+    /// is asked to.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
 
-    /// Why and where the robot stopped.
+    /// Returns the cause and the place of an emergency stop.
     pub fn emergency(&self) -> Option<Emergency> {
         self.machine.emergency().copied()
     }
@@ -344,18 +346,19 @@ impl Run {
         self.machine.program().get()
     }
 
-    /// What is simulated, if it is one of type `H`, such as
-    /// [`SimulatedPlant<4, 3>`](tip_runtime::plant::SimulatedPlant).
+    /// Returns the simulated plant, if it is of type `H`, such as [`SimulatedPlant<4,
+    /// 3>`](tip_runtime::plant::SimulatedPlant).
     pub fn plant<H: 'static>(&self) -> Option<&H> {
         self.machine.hardware().plant().downcast_ref()
     }
 
-    /// Whether a flag of conditions is up, as the step of the next cycle finds it unless sensors and keys change it.
+    /// Returns true if a flag of conditions is up, as the step of the next cycle finds it unless
+    /// sensors and keys change it.
     pub fn flag(&self, flag: Flag) -> bool {
         self.machine.flag(flag)
     }
 
-    /// What each joint was sent in the last cycle, leg by leg.
+    /// Returns the command of each joint in the last cycle, leg by leg.
     pub fn commands(&self) -> &[JointCommand] {
         self.machine.commands()
     }
@@ -365,7 +368,7 @@ impl Run {
         self.machine.angles()
     }
 
-    /// Whether a lamp or relay is on.
+    /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
         let word = self.machine.lamps().get(usize::from(device / 32));
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)

@@ -37,7 +37,7 @@ use tipc::program::Program;
 
 /// Two engines that run the same program, wherever they are.
 pub trait Engines {
-    /// What keeps them from running.
+    /// The error that keeps them from running.
     type Error;
 
     /// One run.
@@ -55,7 +55,7 @@ impl Engines for Session {
     }
 }
 
-/// Why a search came to nothing.
+/// The reason why a search has no result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Failed<E> {
     /// The robot lacks something that was asked for.
@@ -343,7 +343,7 @@ impl<E: Engines> Shrinking<'_, E> {
 pub struct Random(u64);
 
 impl Random {
-    /// The same seed gives the same numbers.
+    /// Creates a generator; the same seed gives the same numbers.
     pub const fn new(seed: u64) -> Self {
         Random(seed)
     }

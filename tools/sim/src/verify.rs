@@ -101,7 +101,7 @@ impl Project {
 const PATIENCE: Duration = Duration::from_secs(60);
 const PATIENCE_PER_CYCLE: Duration = Duration::from_millis(1);
 
-/// How soon it is noticed that nobody waits for the answer any more.
+/// Time in which it is noticed that nobody waits for the answer any more.
 const NAP: Duration = Duration::from_millis(100);
 
 /// Both engines, in a process of their own.
@@ -190,15 +190,15 @@ impl search::Engines for Engines {
     }
 }
 
-/// What keeps both engines from running.
+/// The reason why both engines cannot run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotBuilt {
     /// Cargo knows no project there.
     NoProject {
-        /// What is wrong.
+        /// The reason.
         reason: String,
-        /// What cargo says of it, line by line.
+        /// Output of cargo, line by line.
         said: String,
     },
     /// Something outside does not do what it is asked.
@@ -207,7 +207,7 @@ pub enum NotBuilt {
     CannotWrite {
         /// Which one.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }

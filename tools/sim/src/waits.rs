@@ -1,4 +1,4 @@
-//! What a program waits for while its robot rests.
+//! Waits of a program while its robot rests.
 
 use crate::interp::Interpreter;
 use crate::message::Awaited;
@@ -18,11 +18,11 @@ const MOVED: f64 = 1.0;
 pub struct Wait {
     /// The lines that run meanwhile: the first and the last one of a loop, or twice the same.
     pub lines: [u32; 2],
-    /// What ends it; none for a loop without conditions.
+    /// The condition that ends it; none for a loop without conditions.
     pub on: Option<Awaited>,
     /// When it began: ms.
     pub since: f64,
-    /// How long it has lasted: ms.
+    /// Present length, ms.
     pub time: f64,
 }
 
@@ -35,7 +35,7 @@ pub struct Waits {
     /// The step that is next, and since when.
     step: u32,
     entered: f64,
-    /// Whether nothing came before it again.
+    /// True if nothing came before it again.
     is_first: bool,
     /// Steps that were next before this cycle count as new ones.
     effect: u64,
@@ -82,7 +82,7 @@ impl Waits {
         (self.done, self.rests_since) = (cycle, now);
     }
 
-    /// Whether robot or variables have changed.
+    /// Returns true if robot or variables have changed.
     fn moves(&mut self, run: &Run, now: f64) -> bool {
         let is_first = self.commands.is_empty();
         let mut moves = self.commands != run.commands();
@@ -139,7 +139,7 @@ impl Waits {
     }
 }
 
-/// What ends the wait of a step that may take any time.
+/// Returns the condition that ends the wait of a step that may take any time.
 fn awaited(action: &Action) -> Option<Awaited> {
     let flag = |flag: Flag| Awaited::Flags {
         names: flag.to_string().into(),
@@ -158,7 +158,7 @@ fn awaited(action: &Action) -> Option<Awaited> {
     }
 }
 
-/// Whether a step does what can be seen without a motion.
+/// Returns true if a step does what can be seen without a motion.
 fn switches(action: &Action) -> bool {
     matches!(
         action,
@@ -169,7 +169,7 @@ fn switches(action: &Action) -> bool {
     )
 }
 
-/// What the steps of a loop ask for: flags, inputs and variables.
+/// Returns the flags, inputs and variables that the steps of a loop read.
 fn conditions(program: &Program, steps: &[&Step]) -> Option<Awaited> {
     let mut names: Vec<String> = Vec::new();
     let mut add = |name: String| {

@@ -1,4 +1,4 @@
-//! What is asked of a run in the program's own language, what log points say, and what a debugger shows where it stands.
+//! Expressions in the program's own language, log points, and the values that a debugger shows.
 
 use super::{Debugger, Refused};
 use crate::interp::Interpreter;
@@ -20,12 +20,12 @@ pub struct Asked {
     condition: Condition,
 }
 
-/// What an expression comes to.
+/// The value of an expression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// Of an equation's right side.
+    /// The value of an equation's right side.
     Number(f64),
-    /// Of a condition.
+    /// The value of a condition.
     Truth(bool),
 }
 
@@ -70,12 +70,12 @@ impl Asked {
         })
     }
 
-    /// As it was written.
+    /// Returns the text as it was written.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Whether it holds at a position; it does not where it reads what is not assigned.
+    /// Returns true if it holds at a position; it does not where it reads what is not assigned.
     pub(super) fn holds(&self, now: &Now<'_>) -> bool {
         now.holds(self.condition).unwrap_or(false)
     }
@@ -153,7 +153,7 @@ impl Now<'_> {
 }
 
 impl Debugger {
-    /// What a condition, or the right side of an equation, comes to where the debugger stands.
+    /// Evaluates a condition, or the right side of an equation, at the present position.
     ///
     /// # Errors
     /// It is neither, or it cannot be calculated.
@@ -213,7 +213,7 @@ impl Words {
         Ok(Words(parts))
     }
 
-    /// What it says at a position.
+    /// Returns its text at a position.
     pub(super) fn at(&self, now: &Now<'_>) -> String {
         self.0.iter().map(|part| part.at(now)).collect()
     }
@@ -276,7 +276,7 @@ pub struct Frame {
     pub column: u32,
 }
 
-/// What a way of controlling a leg or joint is called.
+/// Returns the name of a control mode of a leg or joint.
 pub fn control(mode: Mode) -> Debugging {
     match mode {
         Mode::Rest => Debugging::AtRest,
@@ -342,7 +342,7 @@ impl Debugger {
         }
     }
 
-    /// What a step calls.
+    /// Returns the name of the label that a step calls.
     fn called_by(&self, step: u32) -> Option<String> {
         let to = match &self.program.steps().get(step as usize)?.action {
             Action::Gosub { to } | Action::IfGosub { to, .. } => *to,
@@ -352,7 +352,8 @@ impl Debugger {
         label.map(|label| label.name.clone())
     }
 
-    /// What the program has said up to here: the cycle and the text of each message. Of very many only the last are kept.
+    /// Returns the cycle and the text of each message up to here. Of very many only the last are
+    /// kept.
     pub fn messages(&self) -> &[(u64, String)] {
         let until = self.said.partition_point(|(at, _)| *at < self.now());
         self.said.get(..until).unwrap_or_default()

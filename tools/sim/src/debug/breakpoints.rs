@@ -36,15 +36,16 @@ struct Breakpoint {
     steps: Vec<u32>,
     asked: Option<Asked>,
     hits: Option<Hits>,
-    /// What it says in place of stopping the run.
+    /// Text to log in place of stopping the run.
     says: Option<Words>,
-    /// Where it was passed, in order; kept where hits count, and for positions before `known`.
+    /// Positions at which it was passed, in order; kept where hits count, and for positions before
+    /// `known`.
     passes: Vec<u64>,
     known: u64,
 }
 
 impl Breakpoint {
-    /// Whether a pass at a position is one of those that count.
+    /// Returns true if a pass at a position is one of those that count.
     fn counts(&self, hits: Hits, at: u64) -> bool {
         let place = self.passes.binary_search(&at);
         place.is_ok_and(|place| hits.has(place as u64 + 1))
@@ -54,7 +55,7 @@ impl Breakpoint {
         self.asked.as_ref().is_none_or(|asked| asked.holds(now))
     }
 
-    /// Whether a pass that has just been counted is one that it is for.
+    /// Returns true if the pass that has just been counted is due to stop.
     fn is_due(&self, now: &Now<'_>) -> bool {
         match self.hits {
             Some(hits) => self.counts(hits, now.at),
@@ -70,7 +71,7 @@ impl Breakpoint {
     }
 }
 
-/// What is known of a position without going there.
+/// Knowledge of a position without going there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Known {
     /// Nothing stops there.
@@ -85,7 +86,7 @@ pub(super) enum Known {
 #[derive(Debug)]
 pub(super) struct Breakpoints {
     all: Vec<Breakpoint>,
-    /// Whether there is one at a step.
+    /// True for each step that has a breakpoint.
     steps: Vec<bool>,
 }
 
@@ -121,7 +122,7 @@ impl Breakpoints {
         here.find(|one| one.is_due(now)).map(|one| one.id)
     }
 
-    /// What is said there.
+    /// Returns the texts of the log points there.
     pub(super) fn said(&self, step: u32, now: &Now<'_>) -> Vec<String> {
         let here = self.at(step).filter(|one| one.is_due(now));
         let words = here.filter_map(|one| one.says.as_ref());
@@ -135,7 +136,7 @@ impl Breakpoints {
         }
     }
 
-    /// The same, as far as it is known without the run.
+    /// Returns the answer of [`stops`](Self::stops), as far as it is known without the run.
     pub(super) fn known(&self, step: u32, at: u64) -> Known {
         let mut known = Known::No;
         for one in self.at(step).filter(|one| one.says.is_none()) {
@@ -193,7 +194,7 @@ impl Debugger {
         self.break_at(line, 1, when)
     }
 
-    /// The same from a column (in characters, from 1) on, where a line has several steps.
+    /// Sets a breakpoint from a column (in characters, from 1) on, where a line has several steps.
     ///
     /// # Errors
     /// As [`break_at_line`](Self::break_at_line).
@@ -296,7 +297,8 @@ impl Debugger {
         Ok(placed)
     }
 
-    /// What log points have said since this was asked last, each with the position. Of very much only the last is kept.
+    /// Takes the output of log points since the last call, each with its position. Of very much
+    /// only the last is kept.
     pub fn logged(&mut self) -> Vec<(u64, String)> {
         std::mem::take(&mut self.logged)
     }
@@ -322,7 +324,7 @@ struct Watch {
     id: u32,
     /// Upper case.
     names: Vec<String>,
-    /// Whether a step assigns any of them.
+    /// True for each step that assigns one of them.
     steps: Vec<bool>,
 }
 
@@ -331,7 +333,8 @@ struct Watch {
 pub(super) struct Watches(Vec<Watch>);
 
 impl Watches {
-    /// What the step of a cycle assigns, if the watch `only`, or any, is on it. Only KEY_IN may assign nothing: it waits.
+    /// Returns the variable that the step of a cycle assigns, if the watch `only`, or any, is on
+    /// it. Only KEY_IN may assign nothing: it waits.
     pub(super) fn assigned(
         &self,
         at: u64,
@@ -351,7 +354,8 @@ impl Watches {
         })
     }
 
-    /// What events assign before the step of a cycle, if the watch `only`, or any, is on it.
+    /// Returns the variable that events assign before the step of a cycle, if the watch `only`, or
+    /// any, is on it.
     pub(super) fn set(&self, at: u64, only: Option<u32>, events: &Events) -> Option<Reason> {
         if self.0.is_empty() {
             return None;

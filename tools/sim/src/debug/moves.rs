@@ -11,7 +11,7 @@ use std::fmt::Display;
 use tip_runtime::machine::Status;
 use tip_runtime::record::Sink;
 
-/// What became of a portion of work.
+/// Result of a portion of work.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Work {
     /// There is more to do.
@@ -71,7 +71,7 @@ impl Debugger {
         });
     }
 
-    /// Where a movement ends that needs no work.
+    /// Returns the end of a movement that needs no work.
     fn there_at_once(&self, goal: Goal, is_back: bool) -> Option<Stop> {
         let at = self.now();
         match goal {
@@ -133,7 +133,7 @@ impl Debugger {
         }
     }
 
-    /// Whether a movement is under way.
+    /// Returns true if a movement is under way.
     pub fn is_going(&self) -> bool {
         self.pending.is_some()
     }
@@ -195,7 +195,7 @@ impl Debugger {
         None
     }
 
-    /// Why a run that has just come to this position stops here.
+    /// Returns the reason for a run that has just come to this position to stop here.
     fn reason_here(&self, goal: Goal, origin: &Origin) -> Option<Reason> {
         if let Some(end) = self.end_at(self.now()) {
             return Some(end);
@@ -227,7 +227,7 @@ impl Debugger {
         goal.is_reached(origin, self).then(|| goal.reason())
     }
 
-    /// How the run ended, if it did before this position.
+    /// Returns the end of the run, if it ended before this position.
     pub(super) fn end_at(&self, at: u64) -> Option<Reason> {
         match self.history.frontier {
             _ if at < self.history.len() => None,
@@ -327,7 +327,7 @@ pub(super) struct Back {
 #[derive(Debug)]
 struct Stretch {
     from: u64,
-    /// Where the scout is.
+    /// Position of the scout.
     at: u64,
     /// In order, those that are not asked yet.
     asks: std::vec::IntoIter<u64>,
@@ -335,7 +335,7 @@ struct Stretch {
     best: Option<Stop>,
 }
 
-/// What is known of a position before the origin.
+/// Knowledge of a position before the origin.
 enum Found {
     Nothing,
     Stops(Reason),
@@ -449,7 +449,8 @@ impl Debugger {
         }
     }
 
-    /// What is assigned between a position and the next one, if a watch is on it: that watch, or any.
+    /// Returns the variable that is assigned between a position and the next one, if a watch is on
+    /// it: that watch, or any.
     fn set_at(&self, at: u64, watch: Option<u32>) -> Option<Reason> {
         let assigned = (self.watches).assigned(at, watch, &self.history, &self.program);
         assigned.or_else(|| self.watches.set(at, watch, &self.run().events))

@@ -1,4 +1,4 @@
-//! Where a debugger is to go, why it stops, and why it refuses what it is asked.
+//! Movements of a debugger, and its reasons to stop or to refuse a request.
 
 use super::Debugger;
 use super::History;
@@ -16,13 +16,13 @@ use tipc::message::Lang;
 /// A position, and why the debugger stopped there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stop {
-    /// Why.
+    /// The reason.
     pub reason: Reason,
     /// The cycle that comes next.
     pub at: u64,
 }
 
-/// Why a debugger stopped.
+/// The reason why a debugger stopped.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Reason {
@@ -38,7 +38,7 @@ pub enum Reason {
     Watch {
         /// The watch of this number.
         id: u32,
-        /// Who assigns it.
+        /// The source of the assignment.
         by: By,
     },
     /// The robot fell. Forwards, in the cycle before; backwards, in the cycle that comes next.
@@ -53,7 +53,7 @@ pub enum Reason {
     Change,
 }
 
-/// Who assigns a variable.
+/// The source of an assignment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// A step of the program.
@@ -62,12 +62,12 @@ pub enum By {
     Event,
 }
 
-/// How far a movement has come.
+/// Progress of a movement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
     /// Cycles that are done or searched.
     pub done: u64,
-    /// Of how many; none where nobody knows.
+    /// Number of all cycles; none if it is not known.
     pub of: Option<u64>,
 }
 
@@ -93,7 +93,7 @@ pub enum Move {
     CycleBack,
     /// Back to the beginning of this step or, from there, of the one before; into routines.
     StepBack,
-    /// The same over what GOSUB and CALL did.
+    /// Goes back over what GOSUB and CALL did.
     OverBack,
     /// Back to the call of a routine.
     OutBack,
@@ -106,7 +106,7 @@ pub enum Move {
 }
 
 impl Move {
-    /// Whether it goes back.
+    /// Returns true if it goes back.
     pub fn is_back(self) -> bool {
         match self {
             Move::Cycle
@@ -127,7 +127,7 @@ impl Move {
     }
 }
 
-/// What a movement ends at.
+/// The end of a movement.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Goal {
     /// This position.
@@ -146,7 +146,7 @@ pub(super) enum Goal {
     Nowhere,
 }
 
-/// Where a movement began.
+/// The beginning of a movement.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Origin {
     pub(super) at: u64,
@@ -169,7 +169,7 @@ impl Goal {
         }
     }
 
-    /// What a debugger that comes there says.
+    /// Returns the reason to stop for a debugger that comes there.
     pub(super) fn reason(self) -> Reason {
         match self {
             Goal::Step | Goal::Over | Goal::Out => Reason::Step,
@@ -177,12 +177,12 @@ impl Goal {
         }
     }
 
-    /// Whether breakpoints and the like count on the path to it.
+    /// Returns true if breakpoints and the like count on the path to it.
     pub(super) fn stops_early(self) -> bool {
         !matches!(self, Goal::At(_) | Goal::Set(_))
     }
 
-    /// Whether a run that has come forward from an origin is there.
+    /// Returns true if a run that has come forward from an origin is there.
     pub(super) fn is_reached(self, from: &Origin, debugger: &Debugger) -> bool {
         let (step, depth) = (
             debugger.run().program().at(),
@@ -201,7 +201,7 @@ impl Goal {
         }
     }
 
-    /// Whether a position before an origin is there.
+    /// Returns true if a position before an origin is there.
     pub(super) fn is_met(
         self,
         from: &Origin,
@@ -282,7 +282,7 @@ impl FromStr for Hits {
     }
 }
 
-/// Why something is refused.
+/// The reason why a request is refused.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Refused {
@@ -298,7 +298,7 @@ pub enum Refused {
     Fault(Fault),
     /// The text does not say how many hits.
     Hits(NotHits),
-    /// So many cycles have been run after this position, and would be discarded.
+    /// The change would discard this number of cycles after the position.
     WouldDiscard(u64),
     /// The program is over.
     Ended,
@@ -307,7 +307,7 @@ pub enum Refused {
 }
 
 impl Refused {
-    /// What it says in a language. A fault has its classical text in each.
+    /// Returns the message in a language. A fault has its classical text in each.
     pub fn text(&self, lang: Lang) -> String {
         let message = match self {
             Refused::Wrong(diagnostic) => return diagnostic.headline(lang),

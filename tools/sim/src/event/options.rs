@@ -11,7 +11,7 @@ use std::str::FromStr;
 /// What has no short form follows `--events`, without blanks around its commas.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inputs {
-    /// What happens.
+    /// The events.
     pub events: Events,
     /// The most cycles.
     pub cycles: Option<u64>,

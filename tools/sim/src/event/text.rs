@@ -105,7 +105,7 @@ fn noisy(text: &str) -> Option<Event> {
     (angle >= 0.0 && volts >= 0.0).then_some(Event::Noise(noise))
 }
 
-/// So many finite numbers, with blanks between them.
+/// Reads `N` finite numbers with blanks between them.
 fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     let numbers: Option<Vec<f64>> = (text.split_whitespace())
         .map(|word| word.parse().ok().filter(|number: &f64| number.is_finite()))
@@ -114,7 +114,7 @@ fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
 }
 
 impl Event {
-    /// What a debugger's user writes for an assignment: `N = 5`, `P.X=-1.5`.
+    /// Reads an assignment as a debugger's user writes it: `N = 5`, `P.X=-1.5`.
     pub fn assignment(text: &str) -> Option<Self> {
         let (name, value) = text.split_once('=')?;
         let name = name.trim();

@@ -11,9 +11,10 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tip_runtime::printable::Printable;
 
-/// How long a process and those that it started may take to end after the last line; then they are killed.
+/// Time that a process and those that it started have to end after the last line; then they are
+/// killed.
 const GRACE: Duration = Duration::from_secs(2);
-/// How long it is waited for whether a process that has closed its output ends.
+/// Time that a process which has closed its output has to end.
 const MOMENT: Duration = Duration::from_millis(500);
 /// The longest line of standard error that is passed on in one piece: bytes.
 const SAID: u64 = 4096;
@@ -37,7 +38,7 @@ struct Line {
     is_answered: bool,
 }
 
-/// What came in place of an answer, or the answer.
+/// An answer, or what came in its place.
 pub(super) enum Heard {
     Line(String),
     /// Not yet.
@@ -117,7 +118,7 @@ impl Link {
         }
     }
 
-    /// How it ended.
+    /// Returns the way in which it ended.
     fn ended(&mut self) -> Ended {
         match self.process.wait(MOMENT) {
             None => Ended::Closed,

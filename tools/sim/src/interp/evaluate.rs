@@ -53,7 +53,7 @@ impl Interpreter {
         }
     }
 
-    /// What stands on the right of an equation.
+    /// Evaluates the right side of an equation.
     pub(crate) fn scalar_expression(&self, value: ScalarExpression) -> Result<f64, Fault> {
         match value {
             ScalarExpression::Operand(operand) => self.operand(operand),

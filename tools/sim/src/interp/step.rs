@@ -1,4 +1,4 @@
-//! What one cycle of each step does: first what it comes to, then, if nothing failed, its effect.
+//! Execution of one cycle of each step: first its result, then, if nothing failed, its effect.
 
 use super::Interpreter;
 use std::fmt;
@@ -8,7 +8,7 @@ use tip_runtime::ops::{self, FormattedNumber};
 use tip_runtime::program::{CallStack, Context, Flow};
 use tipc::program::{Action, Argument, End, Mark, MessagePart, Scalar, StepId, VariableId};
 
-/// What a step came to.
+/// Result of a step.
 pub(super) struct Outcome {
     /// The scalars that it assigns, the first one at `first`.
     first: usize,
@@ -18,7 +18,7 @@ pub(super) struct Outcome {
     then: Then,
 }
 
-/// Where a step leads.
+/// The step that comes next.
 enum Then {
     /// To another step, "taken".
     To(StepId),

@@ -15,9 +15,9 @@ use tipc::program::Program;
 pub enum Answer {
     /// Both engines did the same.
     Agreed {
-        /// How many cycles were compared.
+        /// Number of cycles that were compared.
         cycles: u64,
-        /// How it ended.
+        /// End of the run.
         end: RunEnd,
         /// The spots that no run before reached, by their places in [`Spots::all`](tip_lint::spots::Spots::all).
         new: Vec<usize>,
@@ -30,7 +30,7 @@ pub enum Answer {
     Refused(String),
 }
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RunEnd {
     /// END or EXIT.
@@ -191,7 +191,7 @@ const CHANCES: usize = 64;
 pub struct Reach {
     spots: Spots,
     seen: Vec<bool>,
-    /// Of the present run: what no run before reached.
+    /// The spots that the present run reached first.
     new: Vec<usize>,
     chances: Vec<u64>,
 }
@@ -214,7 +214,7 @@ impl Reach {
         &self.spots
     }
 
-    /// Whether some run reached the spot at this place among all.
+    /// Returns true if some run reached the spot at this place among all.
     pub fn has(&self, spot: usize) -> bool {
         self.seen.get(spot).copied().unwrap_or_default()
     }
@@ -225,8 +225,9 @@ impl Reach {
         seen.is_some_and(|seen| !std::mem::replace(seen, true))
     }
 
-    /// What the runs since the last call were the first to come by, by places in [`Spots::all`]; and some cycles whose
-    /// step had an edge that no run went along yet, where another input may change the path.
+    /// Takes the spots that the runs since the last call reached first, by places in
+    /// [`Spots::all`]; and some cycles whose step had an edge that no run went along yet, where
+    /// another input may change the path.
     pub fn take_news(&mut self) -> (Vec<usize>, Vec<u64>) {
         (
             std::mem::take(&mut self.new),

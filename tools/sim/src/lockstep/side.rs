@@ -21,13 +21,13 @@ pub(super) struct Side {
 }
 
 enum Tape {
-    /// What the last cycle left.
+    /// The record of the last cycle.
     Record(Box<JsonLines<String>>),
     Hash(Notes),
 }
 
 impl Tape {
-    /// What a cycle is written to.
+    /// Returns the sink that a cycle is written to.
     fn sink(&mut self) -> &mut dyn Sink {
         match self {
             Tape::Record(record) => record.as_mut(),
@@ -73,7 +73,7 @@ impl Side {
         self.ending
     }
 
-    /// Whether it equals the other side.
+    /// Returns true if it equals the other side.
     pub(super) fn equals(&self, other: &Side) -> bool {
         let is_same = match (&self.tape, &other.tape) {
             (Tape::Record(one), Tape::Record(other)) => one.get_ref() == other.get_ref(),
@@ -83,7 +83,7 @@ impl Side {
         is_same && self.ending == other.ending && self.shown() == other.shown()
     }
 
-    /// The same of what the console was shown.
+    /// Returns the output of the console.
     fn shown(&self) -> Option<&Shown> {
         self.run.console()
     }
@@ -121,7 +121,7 @@ impl Side {
         self.run.cycles()
     }
 
-    /// Where the interpreter is; compiled code gives its step only.
+    /// Returns the interpreter's place; compiled code gives its step only.
     pub(super) fn place(&self) -> Place {
         match self.run.engine::<Interpreter>() {
             Some(interpreter) => interpreter.place(),

@@ -27,7 +27,7 @@ const LEFT_OVER: f64 = 1.0;
 /// Angles that differ by less come from rounding: deg.
 const ROUNDING: f64 = 1e-6;
 
-/// What commands move, of a model with any number of legs.
+/// The points and joints that commands move, of a model with any number of legs.
 pub(super) struct Reach<'a, const J: usize> {
     legs: &'a [Leg<J>],
     family: Family,
@@ -47,7 +47,7 @@ impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for Reach<'a, J> 
 }
 
 impl<const J: usize> Reach<'_, J> {
-    /// What PTP or PTP_ANGLE misses, if it does.
+    /// Returns what PTP or PTP_ANGLE misses, if it misses.
     #[inline(never)] // Else it is compiled for each number of legs.
     pub(super) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
         let leg = |n: u8| self.legs.get(usize::from(n).checked_sub(1)?);
@@ -88,7 +88,7 @@ fn angles<const J: usize>(leg: &Leg<J>, n: u8, first: usize, values: &[f64]) -> 
         })
 }
 
-/// How far an angle is beyond its limits; negative below them.
+/// Returns the excess of an angle over its limits; negative below them.
 fn beyond(limits: Range, angle: f64) -> Option<f64> {
     let by = if angle > limits.max {
         angle - limits.max
@@ -124,7 +124,7 @@ fn place<const J: usize>(
     }
 }
 
-/// How near the point comes, if that is not near.
+/// Returns the end of the point's motion, if that is not near its target.
 fn ends<const J: usize>(
     leg: &Leg<J>,
     (kind, point): (Inverse, LegPoint),

@@ -1,4 +1,4 @@
-//! Where each foot is known to start, on the first pass through a program.
+//! Known start of each foot, on the first pass through a program.
 
 use super::constants;
 use crate::Robot;
@@ -6,16 +6,16 @@ use tip_runtime::command::{Op, Target};
 use tip_runtime::model::Point;
 use tipc::program::{Action, Step};
 
-/// What is known of a foot.
+/// Knowledge of a foot.
 #[derive(Clone, Copy, Default)]
 struct Foot {
-    /// Where it rests.
+    /// Place of rest.
     rests: Option<Point>,
-    /// Where it goes.
+    /// Place of its target.
     goes: Option<Point>,
 }
 
-/// What is known of all feet before a step.
+/// Knowledge of all feet before a step.
 pub(super) struct Starts {
     /// None after the first question, or a command that may move anything.
     feet: Option<Vec<Foot>>,
@@ -38,7 +38,8 @@ impl Starts {
         }
     }
 
-    /// Where the foot that a step moves starts, if that is known; what the step does is known afterwards.
+    /// Returns the start of the foot that a step moves, if that is known; afterwards the effect of
+    /// the step is known.
     pub(super) fn before(&mut self, step: &Step) -> Option<Point> {
         let feet = self.feet.as_mut()?;
         let Action::Command {

@@ -1,4 +1,4 @@
-//! What all runs came to.
+//! Results of all runs.
 
 use super::{Engines, Failed};
 use crate::event::Inputs;
@@ -8,18 +8,18 @@ use tipc::program::Program;
 /// Inputs on which the engines differ.
 #[derive(Clone, Debug)]
 pub struct Diverging {
-    /// What happened.
+    /// The inputs of the run.
     pub inputs: Inputs,
-    /// Where they differ.
+    /// The first difference.
     pub divergence: Divergence,
 }
 
-/// What one run came to.
+/// Result of one run.
 #[derive(Clone, Debug)]
 pub enum Came {
     /// The engines agree.
     Agreed {
-        /// How many cycles were compared.
+        /// Number of cycles that were compared.
         cycles: u64,
         /// It reached something that no run before it did.
         is_new: bool,
@@ -30,10 +30,10 @@ pub enum Came {
     Diverged(Diverging),
 }
 
-/// What all runs came to.
+/// Results of all runs.
 #[derive(Debug)]
 pub struct Coverage {
-    /// What they reached.
+    /// The spots that they reached.
     pub reach: Reach,
     /// Cycles that were compared.
     pub cycles: u64,
@@ -57,7 +57,7 @@ impl Coverage {
         }
     }
 
-    /// How many runs there were.
+    /// Returns the number of runs.
     pub fn runs(&self) -> u64 {
         self.finished + self.limited + self.stopped
     }

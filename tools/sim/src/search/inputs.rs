@@ -1,4 +1,4 @@
-//! What from outside can change the path of a program: read off its steps.
+//! Inputs from outside that can change the path of a program, read off its steps.
 
 use crate::event::Event;
 use std::collections::BTreeSet;
@@ -8,7 +8,7 @@ use tipc::program::{Action, Condition, Operand, Program};
 
 /// Key codes beyond these are none that a program can get.
 const KEYS: std::ops::RangeInclusive<f64> = 32.0..=126.0;
-/// What inputs may read: V.
+/// Range of the inputs' readings, V.
 const VOLTS: std::ops::RangeInclusive<f64> = -10.0..=10.0;
 
 /// Every single thing that may happen to a program and matter to it.

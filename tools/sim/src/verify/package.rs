@@ -64,7 +64,7 @@ impl Package {
     }
 }
 
-/// What a package's name may contain.
+/// Returns the name of a package made of the characters that it may contain.
 fn crate_name(source: &str) -> String {
     let stem = source.rsplit_once('.').map_or(source, |(stem, _)| stem);
     let plain = stem

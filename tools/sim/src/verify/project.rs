@@ -16,15 +16,15 @@ const WHERE: &str = "run it in the folder of a project that depends on tip-runti
 /// A cargo project that depends on the runtime.
 #[derive(Debug)]
 pub struct Project {
-    /// Where cargo runs, so that the project's configuration and toolchain count.
+    /// Folder in which cargo runs, so that the project's configuration and toolchain count.
     folder: PathBuf,
-    /// Where packages are written and built.
+    /// Folder in which packages are written and built.
     pub(super) target: PathBuf,
     /// The project's lock file, if it has one.
     pub(super) lock: PathBuf,
-    /// Where to take tip-runtime from: a TOML table without braces.
+    /// Source of tip-runtime: a TOML table without braces.
     pub(super) runtime: String,
-    /// Where to take tip-sim from: the same.
+    /// Source of tip-sim, in the same form.
     pub(super) sim: String,
 }
 
@@ -108,7 +108,7 @@ impl Project {
         }
     }
 
-    /// What a tool of the project says of its version.
+    /// Returns the version that a tool of the project reports.
     pub fn version_of(&self, variable: &str, tool: &str) -> String {
         let tool = env::var_os(variable).unwrap_or_else(|| tool.into());
         let output = Command::new(tool)
@@ -165,7 +165,7 @@ fn same_version(package: &Value) -> Result<(), NotBuilt> {
     )))
 }
 
-/// Where cargo took a package from, as a dependency states it.
+/// Returns the source from which cargo took a package, as a dependency states it.
 fn source(package: &Value) -> String {
     let source = package["source"].as_str().unwrap_or_default();
     let (kind, address) = source.split_once('+').unwrap_or_default();
