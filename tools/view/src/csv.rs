@@ -35,10 +35,10 @@ fn write_row(out: &mut impl Write, fields: &[String]) -> io::Result<()> {
     out.write_all(b"\r\n")
 }
 
-/// What holds from row to row.
+/// The state that is kept from row to row.
 struct Table<'a> {
     recording: &'a Recording,
-    /// Of each variable, once it has one.
+    /// Value of each variable, once it has one.
     values: Vec<Option<f64>>,
     lamps: BTreeSet<u8>,
     message: &'a str,
@@ -145,7 +145,7 @@ impl<'a> Table<'a> {
         row
     }
 
-    /// What the program did until the end of a cycle.
+    /// Adds the effects of the program until the end of a cycle.
     fn catch_up(&mut self, cycle: u64) {
         let recording = self.recording;
         let (from, until) = (self.from, cycle + 1);
@@ -183,7 +183,7 @@ impl<'a> Table<'a> {
             .collect()
     }
 
-    /// Where each foot is, in the world if the robot walks, and what it carries.
+    /// Returns the place of each foot, in the world if the robot walks, and its load.
     fn feet(&self, frame: &Frame) -> Vec<String> {
         let body = frame.pose.as_ref().map(robot_frame);
         let legs = self.recording.robot.legs.iter().zip(&frame.angles);

@@ -51,7 +51,7 @@ pub trait Host {
     /// Why not, in words for the viewer.
     fn write(&mut self, bytes: &[u8]) -> Result<(), String>;
 
-    /// What is in the file now.
+    /// Reads the present bytes of the file.
     ///
     /// # Errors
     /// Why it cannot be read, in words for the viewer.

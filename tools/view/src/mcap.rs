@@ -20,7 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Seek, Write};
 use tip_sim::urdf::frame;
 
-/// What an info is in `foxglove.Log`, and what an error is.
+/// Levels of infos and errors in `foxglove.Log`.
 const INFO: i32 = 2;
 const ERROR: i32 = 4;
 
@@ -51,11 +51,11 @@ struct Log<'a, W: Write + Seek> {
 
 struct Channel {
     id: u16,
-    /// Of its next message.
+    /// Sequence number of its next message.
     sequence: u32,
 }
 
-/// How messages of a topic are encoded and described.
+/// Encoding and description of a topic's messages.
 struct Topic {
     name: &'static str,
     schema: &'static str,
@@ -149,7 +149,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.writer.finish().map(drop)
     }
 
-    /// What the robot did until the end of a cycle.
+    /// Writes the motion of the robot until the end of a cycle.
     fn frame(&mut self, frame: &Frame) -> McapResult<()> {
         let (robot, time) = (&self.recording.robot, nanoseconds(frame.time));
         let moving = transforms::moving(robot, frame);
@@ -218,7 +218,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         cdr.into_bytes()
     }
 
-    /// What the program does in a cycle.
+    /// Returns the state of the program in a cycle.
     fn state(&self, time: u64, cycle: u64, frame: Option<&Frame>) -> State {
         let recording = self.recording;
         let line = recording.line(cycle);
@@ -292,7 +292,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.send(&MESSAGES, time, &message)
     }
 
-    /// How the run ended, among the messages.
+    /// Writes the end of the run, among the messages.
     fn ending(&mut self) -> McapResult<()> {
         let recording = self.recording;
         let level = if recording.outcome.is_emergency() {

@@ -16,13 +16,13 @@ use tipc::message::Lang;
 pub enum Diagram {
     /// Which feet carry the robot, or which fingertips touch something.
     Gait,
-    /// Where the feet go, in mm; of a robot that walks in the world.
+    /// Paths of the feet, mm; in the world for a robot that walks.
     Feet,
     /// The angle of each joint: deg.
     Angles,
-    /// What each motor gives, in the robot's unit of torque.
+    /// Torque of each motor, in the robot's unit of torque.
     Torques,
-    /// What each foot carries, or how hard each fingertip pushes: N.
+    /// Load of each foot, or push of each fingertip, N.
     Forces,
 }
 
@@ -87,7 +87,7 @@ impl Recording {
     }
 }
 
-/// What lines show, leg by leg; a leg may have none.
+/// Points of lines, leg by leg; a leg may have none.
 type Lines = Vec<Vec<(f64, f64)>>;
 
 /// A diagram with its data.
@@ -97,7 +97,7 @@ enum Panel {
         time: Span,
         /// From when to when each leg has contact: s.
         legs: Vec<Vec<(f64, f64)>>,
-        /// Of falls: s.
+        /// Times of falls, s.
         marks: Vec<f64>,
     },
     Lines {
@@ -320,7 +320,7 @@ impl<'a> Plot<'a> {
     }
 }
 
-/// Of a diagram; joints count from 1.
+/// Title of a diagram; joints count from 1.
 #[derive(Clone, Copy)]
 enum Title {
     Page,
@@ -373,7 +373,7 @@ impl Title {
     }
 }
 
-/// Of an axis.
+/// Label of an axis.
 #[derive(Clone, Copy)]
 enum Axis {
     Time,

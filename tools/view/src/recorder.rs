@@ -23,13 +23,13 @@ use tipc::source::Source;
 /// Frames are not closer than this: ms.
 const APART: f64 = 20.0;
 
-/// What sums of times differ by without being different: ms.
+/// Rounding error of sums of times, ms.
 const ROUNDING: f64 = 1e-6;
 
-/// How long a recording may become.
+/// Maximum length of a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
-    /// So many cycles.
+    /// A number of cycles.
     Cycles(u64),
     /// So much time of the robot, but less if it waits so long without a motion: ms.
     Time {
@@ -41,12 +41,12 @@ pub enum Extent {
 }
 
 impl Extent {
-    /// So many cycles.
+    /// Limits a recording to a number of cycles.
     pub const fn cycles(cycles: u64) -> Self {
         Extent::Cycles(cycles)
     }
 
-    /// So many minutes of the robot's time; a minute without a motion ends it too.
+    /// Limits a recording to minutes of the robot's time; a minute without a motion ends it too.
     pub const fn minutes(minutes: f64) -> Self {
         Extent::Time {
             most: minutes * 60_000.0,
@@ -62,7 +62,7 @@ impl Extent {
     }
 }
 
-/// Why nothing can be recorded.
+/// The reason why nothing can be recorded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotRecorded {
     /// The text is not a program.
@@ -100,7 +100,7 @@ impl Recording {
         Self::paced(loaded, robot, events, extent, Pace::Smooth, goes_on)
     }
 
-    /// The same with the motion kept as often as asked.
+    /// Records a program, with the motion kept as often as asked.
     ///
     /// # Errors
     /// There is no program, or it cannot run on that robot, or one of the events cannot happen to it.
@@ -144,7 +144,7 @@ impl Recording {
 }
 
 impl Script {
-    /// That of a program.
+    /// Returns the script of a program.
     pub(crate) fn of(source: &Source, program: &tipc::program::Program) -> Self {
         Script {
             name: program.source_name().to_owned(),
@@ -182,7 +182,7 @@ pub(crate) struct Recorder {
     slips: Slips,
     falls: u32,
     pub(crate) pace: Pace,
-    /// Of the last cycle, if it is not among the frames.
+    /// The last frame, if it is not among those of the recording.
     pub(crate) pending: Option<Frame>,
 }
 
@@ -277,7 +277,7 @@ impl Recorder {
         }
     }
 
-    /// What the program did in a cycle.
+    /// Adds the effects of the program in a cycle.
     pub(crate) fn note(&mut self, happened: Cycle) {
         let Cycle {
             number: cycle,
@@ -310,7 +310,7 @@ impl Recorder {
         }
     }
 
-    /// How often the robot has fallen until the end of a cycle.
+    /// Adds the falls of the robot until the end of a cycle.
     pub(crate) fn note_falls(&mut self, cycle: u64, falls: u32, margin: f64) {
         if falls > self.falls {
             self.falls = falls;
@@ -319,7 +319,7 @@ impl Recorder {
         }
     }
 
-    /// What the robot did in a cycle.
+    /// Adds the motion of the robot in a cycle.
     pub(crate) fn keep(&mut self, frame: Frame) {
         let recording = &mut self.recording;
         let cycle = frame.cycle;

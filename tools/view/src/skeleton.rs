@@ -1,4 +1,4 @@
-//! Where the body and the links of a robot are.
+//! Geometry of the body and the links of a robot.
 
 use tip_runtime::kinematics::Frame;
 use tip_runtime::model::{Body, Inverse, Point, Slider, TorqueUnit};
@@ -8,7 +8,7 @@ use tip_sim::{Limb, Robot};
 /// A robot as links and joints, whatever its size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Skeleton {
-    /// What it is called.
+    /// Name of the robot.
     pub name: String,
     /// Its body, if it walks; its frame stays where it is if not.
     pub body: Option<Body>,
@@ -16,14 +16,14 @@ pub struct Skeleton {
     pub legs: Vec<Limb>,
     /// The slider that carries the floor under a hand, if it has one.
     pub slider: Option<Slider>,
-    /// How torques are counted.
+    /// Unit of torques.
     pub torque_unit: TorqueUnit,
     /// All its joints turn about z, and y is the height: it is a hand.
     pub is_planar: bool,
 }
 
 impl Skeleton {
-    /// That of a robot.
+    /// Returns the skeleton of a robot.
     pub fn of(robot: &Robot) -> Self {
         let anatomy = robot.anatomy();
         Skeleton {

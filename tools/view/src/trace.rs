@@ -13,7 +13,7 @@ use tip_sim::{Asked, Cycle, Robot};
 use tipc::Loaded;
 use tipc::language::Keyword;
 
-/// Why a text is not the trace of a program's motion.
+/// The reason why a text is not the trace of a program's motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BadTrace {
     /// This line, counted from 1, is not a record.

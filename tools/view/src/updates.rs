@@ -28,8 +28,9 @@ struct Begin<'a> {
     inputs: &'a [String],
 }
 
-/// What happened from one cycle to another; what the viewer has seen of cycles from `from` on is not so any more. Numbers that
-/// are many are in columns, and a column of cycles, steps or motion holds the differences between its numbers.
+/// Everything that happened from one cycle to another; it replaces what the viewer has seen of
+/// cycles from `from` on. Large lists of numbers are in columns, and a column of cycles, steps or
+/// motion holds the differences between its numbers.
 #[derive(Serialize)]
 struct More<'a> {
     r#type: &'static str,
@@ -58,7 +59,7 @@ struct More<'a> {
     events: Vec<(u64, &'a Event)>,
 }
 
-/// How a recorded run ended.
+/// The end of a recorded run.
 #[derive(Serialize)]
 struct Over<'a> {
     r#type: &'static str,
@@ -312,7 +313,7 @@ fn named(modes: &[(Target, Mode)]) -> Vec<(String, &'static str)> {
     modes.collect()
 }
 
-/// As the page asks its words for it (`page/src/words.js`).
+/// Returns the name under which the page has its words (`page/src/words.js`).
 fn called(mode: Mode) -> &'static str {
     match mode {
         Mode::Rest => "rest",
@@ -435,7 +436,7 @@ struct Channel {
     value: Value,
 }
 
-/// What it is in a frame, if it is there.
+/// Reads the value from a frame, if it is there.
 type Value = Box<dyn Fn(&Frame) -> Option<f64>>;
 
 /// The channels of a recording; the first frame has them all.

@@ -18,7 +18,7 @@ pub(super) struct Buffer {
     pub(super) version: u64,
     /// Which viewer changed it last.
     pub(super) author: String,
-    /// Whether the text is that of the file, which may be in another encoding.
+    /// True if the text is that of the file, which may be in another encoding.
     is_file: bool,
     /// The last version that was given away to be checked.
     given: u64,
@@ -28,7 +28,7 @@ pub(super) struct Buffer {
 }
 
 impl Buffer {
-    /// That of a file, not checked yet.
+    /// Creates a buffer of a file's text, not checked yet.
     pub(super) fn new(name: String, bytes: &[u8], options: Options) -> Self {
         let (file, _) = Source::decode(&*name, bytes, options.encoding);
         Buffer {
@@ -95,7 +95,7 @@ impl Buffer {
         }
     }
 
-    /// Whether the text as it stands is checked.
+    /// Returns true if the present text has been checked.
     pub(super) fn is_checked(&self) -> bool {
         self.reading.version == self.version
     }
@@ -114,12 +114,12 @@ impl Buffer {
         self.reading.version
     }
 
-    /// Whether the text is not that of the file.
+    /// Returns true if the text is not that of the file.
     pub(super) fn is_changed(&self) -> bool {
         self.text != plain(self.file.text())
     }
 
-    /// Whether the file has these bytes already.
+    /// Returns true if the file has these bytes already.
     pub(super) fn is_file(&self, bytes: &[u8]) -> bool {
         self.file.bytes() == bytes
     }

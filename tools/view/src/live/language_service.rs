@@ -13,13 +13,13 @@ const MOST_OFFERS: usize = 2000;
 /// A line and a column from 1, the column in units of UTF-16.
 pub(super) type Place = [u32; 2];
 
-/// What is known, under the name of the question.
+/// An answer about the text, under the name of the question.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Known {
-    /// Of a word, if there is one.
+    /// Documentation of a word, if there is one.
     Hover(Option<Hover>),
-    /// What can be written.
+    /// Completions.
     Offers(Vec<Offer>),
 }
 
@@ -27,7 +27,7 @@ pub(super) enum Known {
 pub(super) struct Hover {
     from: Place,
     to: Place,
-    /// As Markdown, in English and Japanese.
+    /// Markdown, in English and Japanese.
     text: [String; 2],
 }
 
@@ -37,15 +37,15 @@ pub(super) struct Offer {
     detail: String,
     /// In English and Japanese.
     description: [&'static str; 2],
-    /// What goes.
+    /// Start of the text that is replaced.
     from: Place,
     to: Place,
-    /// What comes instead, as a snippet of the Language Server Protocol if it has places to fill.
+    /// Replacement, as a snippet of the Language Server Protocol if it has places to fill.
     text: String,
     fills: bool,
 }
 
-/// What is known of the word at a place.
+/// Returns the documentation of the word at a place.
 pub(super) fn hover(document: &Document, place: Place) -> Known {
     let at = offset(document.source(), place);
     let [english, japanese] = [Lang::English, Lang::Japanese].map(|lang| document.hover(at, lang));
@@ -59,7 +59,7 @@ pub(super) fn hover(document: &Document, place: Place) -> Known {
     }))
 }
 
-/// What can be written at a place.
+/// Returns the completions at a place.
 pub(super) fn offers(document: &Document, place: Place) -> Known {
     let source = document.source();
     let offers = document.complete(offset(source, place)).into_iter();

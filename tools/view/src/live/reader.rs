@@ -15,7 +15,7 @@ pub struct Unread {
     pub(super) options: Options,
 }
 
-/// What was found in a text.
+/// Result of reading a text.
 #[derive(Debug, Default)]
 pub struct Reading {
     pub(super) version: u64,

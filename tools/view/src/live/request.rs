@@ -1,4 +1,4 @@
-//! What viewers ask for.
+//! Requests of viewers.
 
 use super::language_service::{Known, Place};
 use serde::{Deserialize, Serialize};
@@ -22,12 +22,13 @@ impl Asked {
         Asked { id, request }
     }
 
-    /// Whether it is an emergency stop, which nothing may keep waiting.
+    /// Returns true for an emergency stop, which nothing may keep waiting.
     pub fn is_stop(&self) -> bool {
         matches!(&self.request, Ok(Request::Event { event }) if is_stop(event))
     }
 
-    /// Whether the robot may move again because of it: not after an emergency stop that came later.
+    /// Returns true if the robot may move again because of it: not after an emergency stop that
+    /// came later.
     pub fn moves(&self) -> bool {
         matches!(
             self.request,
@@ -50,7 +51,7 @@ impl Asked {
     }
 }
 
-/// Whether an event stops the robot at once.
+/// Returns true if an event stops the robot at once.
 pub(super) fn is_stop(event: &Event) -> bool {
     *event == Event::Key(RETURN_KEY)
 }
@@ -63,11 +64,11 @@ pub(super) enum Request {
     Play {},
     /// The run rests.
     Pause {},
-    /// So many cycles forward, or back if negative; then it rests.
+    /// Steps a number of cycles forward, or back if negative; then the run rests.
     Step { cycles: i64 },
     /// To the end of a cycle that has been; then it rests.
     Go { cycle: u64 },
-    /// So many times as fast as the robot.
+    /// Sets the speed, as a multiple of the robot's own.
     Speed { times: f64 },
     /// Something happens before the next step.
     Event { event: Event },
@@ -79,13 +80,13 @@ pub(super) enum Request {
     Save {},
     /// Takes the text of the file.
     Reload {},
-    /// What is known of the word at a place.
+    /// Asks for the documentation of the word at a place.
     Hover { at: Place },
-    /// What can be written at a place.
+    /// Asks for the completions at a place.
     Complete { at: Place },
 }
 
-/// Why a request is not fulfilled: a word that the page translates, and perhaps what it is about.
+/// The reason why a request is refused: a word that the page translates, and perhaps its subject.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Refusal {
     pub(super) error: &'static str,

@@ -8,24 +8,24 @@ use std::collections::VecDeque;
 use tip_sim::{Event, Events, Interpreter, Robot, Run, Timeline};
 use tipc::Loaded;
 
-/// How much of the past is kept, and how much more before it is cut: ms.
+/// Length of the past that is kept, and the excess at which it is cut, ms.
 const PAST: f64 = 300_000.0;
 const SLACK: f64 = 60_000.0;
 /// The most events that wait for one cycle, and that happen to one run.
 const MOST_WAITING: usize = 64;
 const MOST_EVENTS: usize = 100_000;
-/// As many cuts are remembered; who missed more begins anew.
+/// Number of cuts that are remembered; a viewer that missed more begins anew.
 const CUTS: usize = 64;
 
 /// A program that runs, and what it did.
 pub(super) struct Runner {
     timeline: Timeline<recorder::Checkpoint>,
     recorder: Recorder,
-    /// What happens before the next step.
+    /// Events that happen before the next step.
     waiting: Vec<Event>,
-    /// Where the run was taken back to, the last ones.
+    /// The last cycles to which the run was taken back.
     cuts: VecDeque<u64>,
-    /// How often it was.
+    /// Number of times that it was taken back.
     pub(super) cut_count: u64,
 }
 
@@ -162,7 +162,7 @@ impl Runner {
         self.timeline.first()
     }
 
-    /// How many cycles are recorded.
+    /// Returns the number of recorded cycles.
     pub(super) fn taken(&self) -> u64 {
         self.timeline.now()
     }
@@ -179,7 +179,7 @@ impl Runner {
         &self.recorder.recording
     }
 
-    /// What the robot did last, if it is not among the frames.
+    /// Returns the robot's last state, if it is not among the frames.
     pub(super) fn pending(&self) -> Option<&crate::recording::Frame> {
         self.recorder.pending.as_ref()
     }

@@ -9,7 +9,7 @@ use super::runner::Runner;
 use tip_sim::{Event, Events, Robot};
 use tipc::{Loaded, Options};
 
-/// How much slower and faster than the robot a run may go.
+/// Range of speeds of a run, as multiples of the robot's own.
 const SPEEDS: std::ops::RangeInclusive<f64> = 0.05..=100.0;
 /// A run that cannot keep up leaves out what is more than this: ms of the viewers' time.
 const LATE: f64 = 100.0;
@@ -18,7 +18,7 @@ const STEP: i64 = 1000;
 /// The longest name by which a viewer calls itself.
 const NAME: usize = 64;
 
-/// What a session begins with.
+/// The setup of a session.
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// The name of the program's file.
@@ -27,9 +27,9 @@ pub struct Setup {
     pub bytes: Vec<u8>,
     /// The robot, in its scene.
     pub robot: Robot,
-    /// How the file is read.
+    /// Options for reading the file.
     pub options: Options,
-    /// What happens to each run.
+    /// Events of each run.
     pub events: Events,
     /// After how many cycles a run rests, if it has not been asked to earlier.
     pub rest: Option<u64>,
@@ -66,9 +66,9 @@ pub struct Session {
     pub(super) running: u64,
     pub(super) is_playing: bool,
     pub(super) speed: f64,
-    /// How much time of the robot has passed that it has not run: ms.
+    /// Time of the robot that has passed and that it has not run, ms.
     owed: f64,
-    /// Whether the run was too slow for its speed just now.
+    /// True if the run was too slow for its speed just now.
     pub(super) is_late: bool,
 }
 
@@ -340,7 +340,7 @@ impl Session {
         self.check();
     }
 
-    /// How many cycles have run, as far as the run has not been taken back.
+    /// Returns the number of cycles that have run, as far as the run has not been taken back.
     pub fn cycles(&self) -> u64 {
         self.runner.taken()
     }

@@ -1,4 +1,4 @@
-//! What a viewer does not know yet.
+//! The news for a viewer.
 
 use super::language_service::Finding;
 use super::session::Session;
@@ -12,20 +12,20 @@ const MOST_FRAMES: usize = 1000;
 /// The most other things of one kind.
 const MOST_THINGS: usize = 20_000;
 
-/// How much one viewer knows.
+/// The state that one viewer has.
 #[derive(Clone, Debug, Default)]
 pub struct Viewer {
     /// The run that it sees; the first one is 1.
     run: u64,
-    /// Of that run, all before this cycle.
+    /// Cycle of that run up to which the viewer has everything.
     cycle: u64,
-    /// How often that was taken back.
+    /// Number of times that the run had been taken back.
     cuts: u64,
     /// The text, by version.
     text: u64,
-    /// What is found in it, by the version that was checked.
+    /// Version of the text whose diagnostics the viewer has.
     findings: u64,
-    /// How the run is.
+    /// Status of the run.
     status: String,
 }
 

@@ -13,7 +13,7 @@ int32 sec\nuint32 nanosec\n";
 /// Little endian, each number at a multiple of its size.
 pub(super) struct Cdr(Vec<u8>);
 
-/// What stands before the body, and does not count for the multiples.
+/// Header before the body, which does not count for the multiples.
 const HEADER: [u8; 4] = [0, 1, 0, 0];
 
 impl Cdr {

@@ -15,7 +15,7 @@ pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 type Failed<'a> = DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>;
 
-/// Whether it could be drawn.
+/// Result of drawing.
 pub(super) type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 const WIDTH: u32 = 960;
@@ -80,7 +80,7 @@ impl<'a> Page<'a> {
     }
 }
 
-/// What holds all values, with some room.
+/// Returns the range of all values, with some room.
 pub(super) fn padded(values: impl Iterator<Item = f64> + Clone) -> Span {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     let most = values.fold(f64::NEG_INFINITY, f64::max);
@@ -152,9 +152,9 @@ fn rounded(value: f64) -> String {
 /// Paths in a plane: mm.
 pub(super) struct View {
     pub(super) title: String,
-    /// Of its axes.
+    /// Names of its axes.
     pub(super) names: [&'static str; 2],
-    /// As long across as up.
+    /// True if a unit is as long across as up.
     pub(super) is_true: bool,
     pub(super) legs: Vec<Vec<(f64, f64)>>,
 }
@@ -271,22 +271,22 @@ pub(super) fn ground() -> RGBColor {
     light(GROUND)
 }
 
-/// Of texts and axes.
+/// Returns the color of texts and axes.
 pub(super) fn ink() -> RGBColor {
     light(INK)
 }
 
-/// Of lines that only guide the eye.
+/// Returns the color of lines that only guide the eye.
 pub(super) fn grid() -> RGBColor {
     light(GRID)
 }
 
-/// Of falls.
+/// Returns the color of falls.
 pub(super) fn alarm() -> RGBColor {
     light(ALARM)
 }
 
-/// Of a leg, from 0.
+/// Returns the color of a leg, from 0.
 pub(super) fn leg(number: usize) -> RGBColor {
     LEGS.get(number).copied().map_or(ink(), light)
 }

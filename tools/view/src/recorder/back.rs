@@ -5,7 +5,7 @@ use crate::recording::{At, Recording, Tick};
 use std::collections::HashSet;
 use std::hash::Hash;
 
-/// What a recorder knows beside its recording.
+/// State of a recorder besides its recording.
 #[derive(Clone, Debug)]
 pub(crate) struct Checkpoint {
     cycle: u64,
@@ -88,7 +88,7 @@ fn cut<T>(list: &mut Vec<At<T>>, from: u64) {
     list.truncate(list.partition_point(|at| at.cycle < from));
 }
 
-/// Of what happened before a cycle, keeps the last of each key.
+/// Keeps the last value of each key of everything that happened before a cycle.
 fn keep_last<T, K: Eq + Hash>(list: &mut Vec<At<T>>, before: u64, key: impl Fn(&T) -> K) {
     let mut seen = HashSet::new();
     let later = list.partition_point(|at| at.cycle < before);
