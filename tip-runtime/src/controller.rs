@@ -51,11 +51,9 @@
 //! # Ok::<(), tip_runtime::fault::Fault>(())
 //! ```
 
-mod aims;
 mod arrival;
-mod detect;
 mod drive;
-mod feel;
+mod floor_detection;
 mod force;
 mod leg;
 mod motion;
@@ -63,24 +61,26 @@ mod native;
 mod operands;
 mod params;
 mod posture;
+mod sensor_checks;
+mod setpoints;
 mod sleep;
 mod stand;
 mod stop;
 mod targets;
 mod task;
 mod teach;
+mod touch_detection;
 mod trajectory;
 mod vibrate;
-mod watch;
 
-pub use aims::{Aim, Mode};
+pub use setpoints::{Mode, Setpoint};
 
 use crate::command::{Command, Op, Poll};
 use crate::fault::Fault;
 use crate::hardware::{JointCommand, Sensors};
 use crate::model::{Family, Joint, Leg, Model, ModelFacts, Point};
 use core::ops::{Deref, DerefMut};
-use drive::Going;
+use drive::CycleParams;
 use leg::LegState;
 use operands::Base;
 use params::Params;
@@ -148,7 +148,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// A joint sensor that reads nonsense; a joint beyond its potentiometer's limits, or under
     /// EMG_ON beyond its working limits; the fault of the last advance.
     pub fn sense(&mut self, sensors: &Sensors<L, J>) -> Result<(), Fault> {
-        (**self).take_in(&sensors.view())
+        (**self).sense_view(&sensors.view())
     }
 }
 
@@ -287,10 +287,10 @@ impl<'m, const J: usize> ControllerView<'m, J> {
                 return self.detect_floor_by_soles(command);
             }
             Op::DetectFloor if family == Family::Hand => {
-                return self.feel(command, Self::floor_search);
+                return self.detect_touch(command, Self::floor_search);
             }
             Op::DetectObject if family == Family::Hand => {
-                return self.feel(command, Self::object_search);
+                return self.detect_touch(command, Self::object_search);
             }
             Op::Sleep => return self.sleep(command),
             Op::WaitInpos => return Ok(self.wait_inpos(command.target)),
@@ -304,7 +304,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
     /// [`sense`](Controller::sense).
     pub fn advance(&mut self) {
         let dt = self.params.period / 1000.0;
-        let going = Going {
+        let cycle = CycleParams {
             inverse: self.robot.inverse,
             torque_unit: self.robot.torque_unit(),
             dt,
@@ -312,13 +312,13 @@ impl<'m, const J: usize> ControllerView<'m, J> {
             held: self.hold.is_on(),
         };
         for (n, leg) in self.legs.iter_mut().enumerate() {
-            if let (Err(fault), true) = (leg.advance(targets::number(n), &going), self.params.emg) {
+            if let (Err(fault), true) = (leg.advance(targets::number(n), &cycle), self.params.emg) {
                 self.pending.get_or_insert(fault);
             }
         }
         self.slider
             .advance(self.params.slider.limits(), dt, self.hold.is_on());
-        self.shake(dt);
+        self.advance_vibrations(dt);
         self.end_if_finished();
     }
 }

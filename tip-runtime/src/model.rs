@@ -284,7 +284,7 @@ pub struct Forces {
 
 /// Response of a joint to one volt of [vibration](crate::vibration).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PerVolt {
+pub struct VibrationGain {
     /// To the angle that is commanded: deg.
     pub angle: f64,
     /// To the torque that is commanded, in the robot's [`TorqueUnit`].
@@ -334,5 +334,5 @@ pub struct Model<const L: usize, const J: usize> {
     /// Its slider, if it has one.
     pub slider: Option<Slider>,
     /// Vibration of its joints, if they vibrate.
-    pub vibration: Option<PerVolt>,
+    pub vibration: Option<VibrationGain>,
 }

@@ -3,17 +3,17 @@
 mod advance;
 mod bend;
 mod brake;
-mod guide;
 mod law;
-mod lead;
+mod posture_path;
 mod reach;
+mod redundancy;
 mod search;
 mod trial;
 
-pub(super) use advance::{Going, Mover};
+pub(super) use advance::{CycleParams, MovingLeg};
 pub(super) use law::bounded;
-pub(super) use lead::Lead;
 pub(super) use reach::{name, nearest_place, reach};
+pub(super) use redundancy::Redundancy;
 
 use super::trajectory::{Goal, Track};
 use crate::hardware::JointCommand;
@@ -50,7 +50,7 @@ pub(super) struct LegDrive<const J: usize> {
     /// The stiffness of the spring at a point, where it is not that of the parameter: N/mm.
     pub(super) own_stiffness: Option<[f64; 3]>,
     /// Motion of redundant joints on the path of a point.
-    pub(super) lead: Lead<J>,
+    pub(super) redundancy: Redundancy<J>,
     /// The last solution of the closed form of the inverse kinematics.
     solved: Option<Solved<J>>,
 }
@@ -71,7 +71,7 @@ impl<const J: usize> LegDrive<J> {
             torques: [None; J],
             drive: Drive::Joints(angles.map(|angle| Track::resting([angle]))),
             own_stiffness: None,
-            lead: Lead::None,
+            redundancy: Redundancy::None,
             solved: None,
         }
     }
@@ -106,10 +106,11 @@ impl<const J: usize> LegDrive<J> {
     pub(super) fn is_at_rest(&self) -> bool {
         match &self.drive {
             Drive::Joints(joints) => joints.iter().all(Track::is_at_rest),
-            Drive::Foot(foot) => foot.is_at_rest() && self.lead.is_at_rest(),
+            Drive::Foot(foot) => foot.is_at_rest() && self.redundancy.is_at_rest(),
             Drive::Third(third, joints) => {
                 let joints = joints.iter().skip(THIRD);
-                third.is_at_rest() && self.lead.is_at_rest() && { joints }.all(Track::is_at_rest)
+                third.is_at_rest() && self.redundancy.is_at_rest() && { joints }
+                    .all(Track::is_at_rest)
             }
         }
     }
@@ -203,7 +204,7 @@ impl<const J: usize> LegDrive<J> {
         inverse: Inverse,
     ) {
         self.own_stiffness = None;
-        self.lead = Lead::None;
+        self.redundancy = Redundancy::None;
         self.drive = match point {
             LegPoint::Tip => Drive::Foot(track),
             LegPoint::Joint(_) => Drive::Third(track, self.joints(leg, stays, inverse)),
@@ -263,7 +264,7 @@ impl<const J: usize> LegDrive<J> {
         if track.goal().is_soft() {
             return [0.0; J];
         }
-        if !self.lead.is_none() {
+        if !self.redundancy.is_none() {
             return self.turns;
         }
         let chain = Chain::new(leg, &self.angles);

@@ -1,9 +1,9 @@
 //! Everything that the controller keeps of one leg.
 
-use super::drive::{Going, LegDrive, Mover};
+use super::drive::{CycleParams, LegDrive, MovingLeg};
 use super::params::LegParams;
 use super::trajectory::Track;
-use super::vibrate::{Shaken, Shaker};
+use super::vibrate::{JointVibration, VibrationContext};
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
 use crate::kinematics::{Chain, LegPoint};
@@ -15,7 +15,7 @@ pub struct LegState<'m, const J: usize> {
     pub(super) model: &'m Leg<J>,
     pub(super) params: LegParams<J>,
     pub(super) drive: LegDrive<J>,
-    pub(super) shakers: [Shaker; J],
+    pub(super) vibrations: [JointVibration; J],
     /// Measured: deg.
     pub(super) angles: [f64; J],
     /// Measured joint rates: deg/s.
@@ -37,7 +37,7 @@ impl<'m, const J: usize> LegState<'m, J> {
             model,
             params: LegParams::standard(robot),
             drive: LegDrive::free(model.initial),
-            shakers: [Shaker::STILL; J],
+            vibrations: [JointVibration::STILL; J],
             angles: model.initial,
             rates: [0.0; J],
             torques: [0.0; J],
@@ -50,14 +50,14 @@ impl<'m, const J: usize> LegState<'m, J> {
     ///
     /// # Errors
     /// As those of its drive.
-    pub(super) fn advance(&mut self, number: u8, going: &Going) -> Result<(), Fault> {
-        let leg = Mover {
+    pub(super) fn advance(&mut self, number: u8, cycle: &CycleParams) -> Result<(), Fault> {
+        let leg = MovingLeg {
             number,
             model: self.model,
             params: &self.params,
             measured: &self.angles,
         };
-        self.drive.advance(&leg, going)
+        self.drive.advance(&leg, cycle)
     }
 
     /// The leg where it is measured.
@@ -99,16 +99,16 @@ impl<'m, const J: usize> LegState<'m, J> {
             return commands;
         };
         let joints = self.model.joints.iter().zip(&self.params.joints);
-        let states = self.shakers.iter().zip(&self.angles);
-        for (command, ((joint, params), (shaker, measured))) in
+        let states = self.vibrations.iter().zip(&self.angles);
+        for (command, ((joint, params), (vibration, measured))) in
             commands.iter_mut().zip(joints.zip(states))
         {
-            let state = Shaken {
+            let state = VibrationContext {
                 per_volt,
                 most_torque: params.most_torque(joint, robot.torque_unit()),
                 measured: *measured,
             };
-            *command = shaker.shaken(*command, joint, &state);
+            *command = vibration.vibrated(*command, joint, &state);
         }
         commands
     }

@@ -1,6 +1,6 @@
 //! Commands that start a motion (T.I.P. 3.1 §7-1, §7-2); they take one cycle.
 
-use super::drive::{Drive, Lead, THIRD, name, nearest_place, reach};
+use super::drive::{Drive, Redundancy, THIRD, name, nearest_place, reach};
 use super::operands::{Base, is_zero, resolve, resolve_from, sum};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
@@ -39,26 +39,26 @@ impl<const J: usize> ControllerView<'_, J> {
         };
         let track = moving.towards(Goal::Point { target, hs });
         let how = (inverse, limits);
-        let lead = match leg.drive.brakes_first(point, &track, leg.model, how) {
+        let redundancy = match leg.drive.brakes_first(point, &track, leg.model, how) {
             Some(rates) => {
                 if stop {
                     let angles = leg.drive.rest_angles(&rates, leg.model, &leg.params);
                     let rest = Chain::new(leg.model, &angles).point(point);
                     target = rest.map_or(target, |rest| inverse.flat(rest));
                 }
-                Lead::Brakes(rates)
+                Redundancy::Brakes(rates)
             }
-            None if stop => Lead::None,
+            None if stop => Redundancy::None,
             None => {
                 let line = (track.position(), target);
-                Lead::to_place(inverse, leg.model, point, &leg.drive.angles, line)
+                Redundancy::to_place(inverse, leg.model, point, &leg.drive.angles, line)
             }
         };
         if !stop {
             self.require_reach(n, point, target)?;
         }
         self.take_point(n, point, moving.towards(Goal::Point { target, hs }))?;
-        targets::leg_mut(&mut self.legs, n)?.drive.lead = lead;
+        targets::leg_mut(&mut self.legs, n)?.drive.redundancy = redundancy;
         Ok(())
     }
 

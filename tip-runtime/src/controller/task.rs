@@ -12,9 +12,9 @@ pub(super) enum Task {
     /// STAND_UP and SIT_DOWN.
     Stand(Stand),
     /// DETECT_FLOOR by soles.
-    Detect(Search),
+    DetectFloor(FloorSearch),
     /// DETECT_FLOOR and DETECT_OBJECT by touch.
-    Feel,
+    DetectTouch,
 }
 
 /// Phase of STAND_UP or SIT_DOWN.
@@ -28,7 +28,7 @@ pub(super) enum Stand {
 
 /// The operand of DETECT_FLOOR by soles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Search {
+pub(super) enum FloorSearch {
     /// One leg after the other goes down.
     DownInTurn,
     /// All legs go down at once.

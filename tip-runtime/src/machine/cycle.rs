@@ -49,7 +49,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         if core::mem::take(&mut self.state.stop_requested) {
             return Err(Fault::EmergencyKey);
         }
-        self.controller.take_in(&self.robot.sensors())
+        self.controller.sense_view(&self.robot.sensors())
     }
 
     fn take_keys(&mut self) {

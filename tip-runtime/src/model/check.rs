@@ -1,6 +1,8 @@
 //! Checks that a model makes sense.
 
-use super::{Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Spread, Standards};
+use super::{
+    Body, Forces, Inverse, Joint, Leg, Model, Range, Slider, Spread, Standards, VibrationGain,
+};
 use crate::command::{MAX, Target};
 use core::fmt;
 
@@ -263,8 +265,8 @@ fn check_slider(slider: &Slider) -> Result<(), ModelError> {
     )
 }
 
-fn check_vibration(per_volt: &PerVolt) -> Result<(), ModelError> {
-    let PerVolt { angle, torque } = *per_volt;
+fn check_vibration(per_volt: &VibrationGain) -> Result<(), ModelError> {
+    let VibrationGain { angle, torque } = *per_volt;
     for (field, value) in [("angle", angle), ("torque", torque)] {
         require(is_at_least_0(value), Place::Vibration, field, NOT_NEGATIVE)?;
     }

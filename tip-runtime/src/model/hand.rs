@@ -23,7 +23,7 @@
 //! ```
 
 use super::{
-    Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards, TorqueUnit,
+    Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, TorqueUnit, VibrationGain,
 };
 
 const L1: f64 = 70.0;
@@ -71,7 +71,7 @@ pub const MODEL: Model<3, 3> = Model {
             Range::new(0.0, 0.0),
         ],
     }),
-    vibration: Some(PerVolt {
+    vibration: Some(VibrationGain {
         angle: 0.5,
         torque: 10.0,
     }),

@@ -1,6 +1,6 @@
 //! The facts of a model that hold for the whole robot, with any number of legs.
 
-use super::{Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards};
+use super::{Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, VibrationGain};
 
 /// A model without its legs.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +13,7 @@ pub(crate) struct ModelFacts<'m> {
     pub(crate) lamps: u8,
     pub(crate) forces: Option<&'m Forces>,
     pub(crate) slider: Option<&'m Slider>,
-    pub(crate) vibration: Option<PerVolt>,
+    pub(crate) vibration: Option<VibrationGain>,
 }
 
 impl<'m> ModelFacts<'m> {

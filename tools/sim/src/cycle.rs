@@ -26,7 +26,7 @@ pub struct Cycle {
     /// The lamp that was switched, and whether on.
     pub lamp: Option<(u8, bool)>,
     /// The command that was accepted, in its first cycle.
-    pub command: Option<Asked>,
+    pub command: Option<IssuedCommand>,
     /// Pose of the body after the cycle; none for a robot that stays where it is. A robot outside
     /// of this process gives the pose at the beginning of the cycle.
     pub pose: Option<Pose>,
@@ -38,7 +38,7 @@ pub struct Cycle {
 
 /// A command as a step asked for it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub struct IssuedCommand {
     /// Which command.
     pub op: Op,
     /// HS: hand over to the next command at once.
@@ -49,7 +49,7 @@ pub struct Asked {
     pub values: Vec<Value>,
 }
 
-impl Display for Asked {
+impl Display for IssuedCommand {
     /// Writes it as in a statement, such as `PTP HS F1 300.0 R10.0 -200.0`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.op.fmt(f)?;
@@ -74,7 +74,7 @@ pub(crate) struct Collector {
     set: Vec<(String, f64)>,
     say: Option<String>,
     lamp: Option<(u8, bool)>,
-    command: Option<Asked>,
+    command: Option<IssuedCommand>,
 }
 
 impl Collector {
@@ -113,7 +113,7 @@ impl Sink for Collector {
     }
 
     fn command(&mut self, command: &Command<'_>) {
-        self.command = Some(Asked {
+        self.command = Some(IssuedCommand {
             op: command.op,
             hs: command.hs,
             target: command.target,

@@ -31,15 +31,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod ask;
 mod breakpoints;
+mod expressions;
 mod moves;
 mod stop;
 
-pub use ask::{Asked, Frame, Value, Variable, control};
 pub use breakpoints::{Placed, When};
+pub use expressions::{BreakCondition, Frame, Value, Variable, control};
 pub use moves::Work;
-pub use stop::{By, Hits, Move, NotHits, Progress, Reason, Refused, Stop};
+pub use stop::{By, Hits, HitsError, Move, Progress, Reason, Refused, Stop};
 
 use crate::event::{Event, Events};
 use crate::interp::Interpreter;
@@ -100,7 +100,7 @@ impl Debugger {
 
     fn of(run: Run, program: Arc<Program>, robot: &Robot) -> Self {
         Debugger {
-            asker: Asker::new(&program, robot.options(), ask::OWN),
+            asker: Asker::new(&program, robot.options(), expressions::OWN_NAMES),
             timeline: Timeline::new(run, ()),
             history: History::default(),
             breakpoints: Breakpoints::new(program.steps().len()),

@@ -5,7 +5,7 @@ use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::SimHardware;
 use tip_runtime::command::{Flag, Poll};
-use tip_runtime::controller::Aim;
+use tip_runtime::controller::Setpoint;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
@@ -31,7 +31,7 @@ pub(crate) trait DynMachine: Send {
     /// Returns the sampling time: ms.
     fn period(&self) -> f64;
     fn flag(&self, flag: Flag) -> bool;
-    fn aims(&self) -> Vec<Aim>;
+    fn setpoints(&self) -> Vec<Setpoint>;
     /// Returns what each joint was sent, leg by leg.
     fn commands(&self) -> &[JointCommand];
     /// Returns what each joint was measured at, leg by leg: deg.
@@ -104,8 +104,8 @@ impl<const L: usize, const J: usize> DynMachine
         self.flag(flag)
     }
 
-    fn aims(&self) -> Vec<Aim> {
-        self.controller().aims().collect()
+    fn setpoints(&self) -> Vec<Setpoint> {
+        self.controller().setpoints().collect()
     }
 
     fn commands(&self) -> &[JointCommand] {

@@ -26,7 +26,7 @@
 mod answer;
 mod side;
 
-pub use answer::{Answer, Reach, RunEnd, Session, serve};
+pub use answer::{Answer, ReachedPoints, RunEnd, Session, serve};
 
 use crate::event::Inputs;
 use crate::interp::Interpreter;

@@ -8,7 +8,7 @@ use crate::dyn_machine::{DynMachine, NativeCommands};
 use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
-use miss::Reach;
+use miss::MovableParts;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::{Frame, frames};
 use tip_runtime::machine::{Machine, Mismatch};
@@ -105,7 +105,7 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
     }
 
     fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        Reach::from(self).miss(op, target, values)
+        MovableParts::from(self).miss(op, target, values)
     }
 
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware> {

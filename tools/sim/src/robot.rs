@@ -41,7 +41,7 @@ enum Hardware {
 }
 
 /// State of a robot and the objects around it before the first control cycle.
-pub(crate) struct Beginning {
+pub(crate) struct InitialState {
     /// Pose of the body; `None` if it is bolted down.
     pub(crate) pose: Option<plant::Pose>,
     /// The objects that a hand is to grasp, in the order of the scene; `None` for any other robot.
@@ -167,9 +167,9 @@ impl Robot {
     }
 
     /// Returns its initial state and that of the objects around it, if everything has mass.
-    pub(crate) fn beginning(&self) -> Beginning {
+    pub(crate) fn initial_state(&self) -> InitialState {
         let hardware = self.clone().with_plant(Plant::Dynamic).simulated();
-        Beginning {
+        InitialState {
             pose: hardware.pose(),
             objects: hardware.grasp().map(|grasp| grasp.objects),
         }

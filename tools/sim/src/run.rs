@@ -8,7 +8,7 @@ use crate::motion::Fall;
 use crate::program_runner::ProgramRunner;
 use crate::refused::Refused;
 use crate::robot::Robot;
-use crate::trace::{Trace, both};
+use crate::trace::{Trace, tee};
 use std::fmt;
 use std::time::Duration;
 use tip_runtime::command::Flag;
@@ -263,7 +263,7 @@ impl Run {
         self.happen();
         let (cycle, time, step) = (self.cycles(), self.time(), self.program().at());
         let own = self.trace.as_mut().map(Trace::sink);
-        let status = both(own, sink, |sink| self.machine.cycle(sink));
+        let status = tee(own, sink, |sink| self.machine.cycle(sink));
         self.trace.iter_mut().for_each(Trace::keep);
         self.note_fall(cycle, time, step);
         self.ending = match status {

@@ -26,7 +26,7 @@
 mod coverage;
 mod inputs;
 
-pub use coverage::{Came, Coverage, Diverging};
+pub use coverage::{Coverage, Diverging, RunResult};
 pub use inputs::inputs;
 
 use crate::event::{Event, Inputs, Timed};
@@ -91,8 +91,8 @@ pub fn verify<E: Engines>(
         Search::new(engines, &mut coverage, inputs.cycles).run(program, runs)?
     } else {
         match coverage.run(engines, inputs)? {
-            Came::Diverged(diverging) => Some(diverging),
-            Came::Agreed { .. } => None,
+            RunResult::Diverged(diverging) => Some(diverging),
+            RunResult::Agreed { .. } => None,
         }
     };
     let shortest = diverging.map(|diverging| shrink(engines, diverging));
@@ -159,8 +159,8 @@ impl<'a, E: Engines> Search<'a, E> {
     fn attempt(&mut self, events: Vec<Timed>) -> Result<Option<Diverging>, Failed<E::Error>> {
         let inputs = of_events(&events, self.cycles);
         match self.coverage.run(self.engines, &inputs)? {
-            Came::Diverged(diverging) => Ok(Some(diverging)),
-            Came::Agreed {
+            RunResult::Diverged(diverging) => Ok(Some(diverging)),
+            RunResult::Agreed {
                 cycles,
                 is_new,
                 chances,

@@ -15,7 +15,7 @@ pub(crate) struct Trace {
 
 /// A trace at some cycle: how long it was, and what its writer knew.
 #[derive(Clone, Debug)]
-pub(crate) struct Mark {
+pub(crate) struct TraceMark {
     writer: JsonLines<String>,
     length: usize,
 }
@@ -47,14 +47,14 @@ impl Trace {
         text
     }
 
-    pub(crate) fn mark(&self) -> Mark {
-        Mark {
+    pub(crate) fn mark(&self) -> TraceMark {
+        TraceMark {
             writer: self.writer.clone(),
             length: self.records.len(),
         }
     }
 
-    pub(crate) fn restore(&mut self, mark: &Mark) {
+    pub(crate) fn restore(&mut self, mark: &TraceMark) {
         self.writer.clone_from(&mark.writer);
         self.records.truncate(mark.length);
     }
@@ -68,22 +68,22 @@ pub(crate) fn last_record(ending: Ending, cycles: u64) -> String {
 }
 
 /// Tells two sinks the same.
-struct Both<'a>(&'a mut dyn Sink, &'a mut dyn Sink);
+struct Tee<'a>(&'a mut dyn Sink, &'a mut dyn Sink);
 
 /// The sinks that there are, as one.
-pub(crate) fn both<T>(
+pub(crate) fn tee<T>(
     first: Option<&mut dyn Sink>,
     second: Option<&mut dyn Sink>,
     then: impl FnOnce(Option<&mut dyn Sink>) -> T,
 ) -> T {
     match (first, second) {
-        (Some(first), Some(second)) => then(Some(&mut Both(first, second))),
+        (Some(first), Some(second)) => then(Some(&mut Tee(first, second))),
         (Some(first), None) => then(Some(first)),
         (None, second) => then(second),
     }
 }
 
-impl Sink for Both<'_> {
+impl Sink for Tee<'_> {
     fn begin(&mut self, program: &dyn Program) {
         self.0.begin(program);
         self.1.begin(program);

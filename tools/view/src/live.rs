@@ -23,15 +23,15 @@
 
 mod buffer;
 mod language_service;
-mod reader;
 mod request;
 mod runner;
 mod session;
+mod text_checker;
 mod update;
 
-pub use reader::{Reader, Reading, Unread};
-pub use request::Asked;
+pub use request::ClientRequest;
 pub use session::{Session, Setup};
+pub use text_checker::{CheckedText, TextChecker, UncheckedText};
 pub use update::Viewer;
 
 /// The most bytes that a request may have; the text of a program takes most of it.

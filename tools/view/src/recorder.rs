@@ -1,11 +1,11 @@
 //! Recordings of runs.
 
-mod back;
+mod rewind;
 
-pub(crate) use back::Checkpoint;
+pub(crate) use rewind::Checkpoint;
 
 use crate::recording::{
-    Assigned, At, Frame, Outcome, Pace, Recording, Script, Slip, Stop, Thing, Tick,
+    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Slip, Stop, Tick,
 };
 use crate::skeleton::{Skeleton, robot_frame};
 use std::fmt;
@@ -15,7 +15,7 @@ use tip_runtime::machine::Mismatch;
 use tip_runtime::model::Point;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run, Waits};
+use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run, WaitDetector};
 use tipc::Loaded;
 use tipc::language::Keyword;
 use tipc::source::Source;
@@ -54,7 +54,7 @@ impl Extent {
         }
     }
 
-    fn is_over(self, run: &Run, waits: &Waits) -> bool {
+    fn is_over(self, run: &Run, waits: &WaitDetector) -> bool {
         match self {
             Extent::Cycles(cycles) => run.cycles() >= cycles,
             Extent::Time { most, wait } => run.time() >= most || waits.rest(run) >= wait,
@@ -64,7 +64,7 @@ impl Extent {
 
 /// The reason why nothing can be recorded.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NotRecorded {
+pub enum RecordError {
     /// The text is not a program.
     NoProgram,
     /// The program is for another robot.
@@ -73,17 +73,17 @@ pub enum NotRecorded {
     Refused(Refused),
 }
 
-impl fmt::Display for NotRecorded {
+impl fmt::Display for RecordError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            NotRecorded::NoProgram => f.write_str("the text is not a program"),
-            NotRecorded::Mismatch(mismatch) => mismatch.fmt(f),
-            NotRecorded::Refused(refused) => refused.fmt(f),
+            RecordError::NoProgram => f.write_str("the text is not a program"),
+            RecordError::Mismatch(mismatch) => mismatch.fmt(f),
+            RecordError::Refused(refused) => refused.fmt(f),
         }
     }
 }
 
-impl std::error::Error for NotRecorded {}
+impl std::error::Error for RecordError {}
 
 impl Recording {
     /// Runs a program by the reference interpreter to its end, or to that of the extent, as long as `goes_on` agrees.
@@ -96,7 +96,7 @@ impl Recording {
         events: &Events,
         extent: Extent,
         goes_on: impl FnMut() -> bool,
-    ) -> Result<Self, NotRecorded> {
+    ) -> Result<Self, RecordError> {
         Self::paced(loaded, robot, events, extent, Pace::Smooth, goes_on)
     }
 
@@ -111,17 +111,17 @@ impl Recording {
         extent: Extent,
         pace: Pace,
         mut goes_on: impl FnMut() -> bool,
-    ) -> Result<Self, NotRecorded> {
-        let program = loaded.program.as_ref().ok_or(NotRecorded::NoProgram)?;
+    ) -> Result<Self, RecordError> {
+        let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
         let interpreter = Interpreter::new(program.clone());
         let mut run = Run::new(interpreter, robot.clone())
-            .map_err(NotRecorded::Mismatch)?
+            .map_err(RecordError::Mismatch)?
             .with_events(events)
-            .map_err(NotRecorded::Refused)?;
+            .map_err(RecordError::Refused)?;
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = events.all().to_vec();
         recorder.pace = pace;
-        let mut waits = Waits::default();
+        let mut waits = WaitDetector::default();
         let outcome = loop {
             if let Some(ending) = run.ending() {
                 break Outcome::from(ending);
@@ -179,7 +179,7 @@ impl From<Ending> for Outcome {
 /// A recording that grows cycle by cycle.
 pub(crate) struct Recorder {
     pub(crate) recording: Recording,
-    slips: Slips,
+    slips: SlipDetector,
     falls: u32,
     pub(crate) pace: Pace,
     /// The last frame, if it is not among those of the recording.
@@ -211,7 +211,7 @@ impl Recorder {
                 outcome: Outcome::Limit,
                 wait: None,
             },
-            slips: Slips::default(),
+            slips: SlipDetector::default(),
             falls: 0,
             pace: Pace::Smooth,
             pending: None,
@@ -251,7 +251,7 @@ impl Recorder {
             };
             frame.pushes = grasp.fingertips.iter().map(sum).collect();
             frame.slider = Some(grasp.slider);
-            let things = grasp.objects.iter().map(|object| Thing {
+            let things = grasp.objects.iter().map(|object| ObjectPose {
                 position: object.position,
                 angle: object.angle,
             });
@@ -259,7 +259,11 @@ impl Recorder {
         }
         frame.flags = raised(run, frame.angles.len());
         note_change(&mut self.recording.flags, cycle, &frame.flags);
-        let modes: Vec<_> = run.aims().iter().map(|aim| (aim.of, aim.mode)).collect();
+        let modes: Vec<_> = run
+            .setpoints()
+            .iter()
+            .map(|aim| (aim.of, aim.mode))
+            .collect();
         note_change(&mut self.recording.modes, cycle, &modes);
         frame.torque_joints = torque_joints(run, &frame.angles);
         self.keep(frame);
@@ -325,7 +329,7 @@ impl Recorder {
         let cycle = frame.cycle;
         let touch: Vec<bool> = frame.loads.iter().map(|load| *load > 0.0).collect();
         note_change(&mut recording.contacts, cycle, &touch);
-        let slips = self.slips.watch(&recording.robot, &frame);
+        let slips = self.slips.detect(&recording.robot, &frame);
         recording
             .slips
             .extend(slips.into_iter().map(|what| At { cycle, what }));
@@ -383,7 +387,7 @@ const SLIPPED: f64 = 5.0;
 
 /// Watches where each foot touched down.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Slips(Vec<Stance>);
+pub(crate) struct SlipDetector(Vec<Stance>);
 
 /// One foot; in the air it has touched down nowhere.
 #[derive(Clone, Copy, Debug, Default)]
@@ -392,9 +396,9 @@ struct Stance {
     reported: bool,
 }
 
-impl Slips {
+impl SlipDetector {
     /// Looks at a robot in another cycle; each stance has one slip at most.
-    pub(crate) fn watch(&mut self, robot: &Skeleton, frame: &Frame) -> Vec<Slip> {
+    pub(crate) fn detect(&mut self, robot: &Skeleton, frame: &Frame) -> Vec<Slip> {
         let Some(pose) = &frame.pose else {
             return Vec::new();
         };

@@ -6,7 +6,7 @@ use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Pose, Scene};
-use tip_sim::{Asked, Timed, Wait};
+use tip_sim::{IssuedCommand, Timed, Wait};
 
 /// The run of a program, from its first cycle to its last.
 ///
@@ -35,7 +35,7 @@ pub struct Recording {
     /// Lamps that were switched, and whether on.
     pub lamps: Vec<At<(u8, bool)>>,
     /// Commands that were accepted.
-    pub commands: Vec<At<Asked>>,
+    pub commands: Vec<At<IssuedCommand>>,
     /// Which feet or fingertips touched something, where that changed; the first is that of cycle 0.
     pub contacts: Vec<At<Vec<bool>>>,
     /// The flags of conditions that were up, where that changed; the first is that of cycle 0. A trace does not say.
@@ -118,7 +118,7 @@ pub struct Frame {
     /// Place of the slider that carries the floor, mm.
     pub slider: Option<Point>,
     /// The objects, in the order of the scene. A trace does not say.
-    pub objects: Vec<Thing>,
+    pub objects: Vec<ObjectPose>,
     /// The flags of conditions that are up, for all joints and for each foot. A trace does not say.
     pub flags: Vec<Flag>,
     /// The joints that are driven by torque; the others are by angle. A trace does not say.
@@ -127,7 +127,7 @@ pub struct Frame {
 
 /// Pose of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Thing {
+pub struct ObjectPose {
     /// Its centre: mm.
     pub position: Point,
     /// deg.

@@ -8,7 +8,7 @@ use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Range;
 use tip_runtime::plant::{self, Object, Shape};
-use tip_sim::{Asked, Event};
+use tip_sim::{Event, IssuedCommand};
 
 /// The grid on which motion is: mm, deg or N.
 const GRID: f64 = 0.01;
@@ -324,7 +324,7 @@ fn called(mode: Mode) -> &'static str {
     }
 }
 
-fn values(asked: &Asked) -> String {
+fn values(asked: &IssuedCommand) -> String {
     let values: Vec<_> = asked.values.iter().map(ToString::to_string).collect();
     values.join(" ")
 }

@@ -3,7 +3,7 @@
 //! The postures of a straight leg's point are few, and those on its one side may end at a limit at once.
 //! The leg turns through the postures of that one place until it is bent towards the middle of its limits.
 
-use super::guide::{Guide, Line};
+use super::posture_path::{Line, PosturePath};
 use super::trial::PointOfLeg;
 use crate::kinematics::{self, resolve_piece};
 use crate::model::Leg;
@@ -64,9 +64,9 @@ impl<const J: usize> Bend<J> {
     }
 
     /// The postures to follow once the leg at `angles` is bent.
-    pub(super) fn done(&self, angles: &[f64; J]) -> Option<Guide<J>> {
+    pub(super) fn done(&self, angles: &[f64; J]) -> Option<PosturePath<J>> {
         let is_near = farthest(angles, &self.to) <= TAKEN;
-        (is_near || self.left <= 0.0).then(|| Guide::between(*angles, self.end, self.line))
+        (is_near || self.left <= 0.0).then(|| PosturePath::between(*angles, self.end, self.line))
     }
 
     /// The posture that the joints at `angles` turn towards.
@@ -85,7 +85,7 @@ pub(super) struct Bending<const J: usize> {
 
 /// Result of one step of the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Bent<const J: usize> {
+pub(super) enum BendResult<const J: usize> {
     SoFar(Bending<J>),
     /// The leg is bent.
     To([f64; J]),
@@ -103,24 +103,24 @@ impl<const J: usize> Bending<J> {
     }
 
     /// Turns the joints by one step, with the point at `place`.
-    pub(super) fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> Bent<J> {
+    pub(super) fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> BendResult<J> {
         let before = self.angles;
         let posture = towards(&before, &middle(point.leg), STEP);
         let turned = resolve_piece(point.leg, &before, point.point, place, point.axes, &posture);
         let Some(angles) = turned else {
-            return Bent::Fails;
+            return BendResult::Fails;
         };
         if farthest(&angles, &before) <= AT_REST * STEP {
             return match farthest(&angles, &self.from) > TAKEN {
-                true => Bent::To(angles),
-                false => Bent::Fails,
+                true => BendResult::To(angles),
+                false => BendResult::Fails,
             };
         }
         (self.angles, self.steps) = (angles, self.steps + 1);
         if self.steps >= STEPS || farthest(&angles, &self.from) > FARTHEST {
-            return Bent::Fails;
+            return BendResult::Fails;
         }
-        Bent::SoFar(self)
+        BendResult::SoFar(self)
     }
 }
 

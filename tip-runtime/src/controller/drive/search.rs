@@ -3,9 +3,9 @@
 //! It begins at the target with the posture nearest to the present one. Where that leads into a limit,
 //! it goes on from postures that are spread over the limits.
 
-use super::bend::{Bend, Bending, Bent, middle};
-use super::guide::{Guide, Line};
-use super::trial::{PointOfLeg, Shown, Trial};
+use super::bend::{Bend, BendResult, Bending, middle};
+use super::posture_path::{Line, PosturePath};
+use super::trial::{PointOfLeg, Trial, TrialResult};
 use crate::kinematics::{self, is_straight, resolve_piece};
 
 /// The pieces of a line that are tried in one cycle, at most: enough for the nearest posture and for as
@@ -75,7 +75,7 @@ impl<const J: usize> Stage<J> {
 /// Result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Outcome<const J: usize> {
-    Found(Guide<J>),
+    Found(PosturePath<J>),
     /// Once the leg has bent.
     Bends(Bend<J>),
     /// No postures are known that lead there.
@@ -136,21 +136,21 @@ impl<const J: usize> Search<J> {
             Stage::Starting => self.start(point),
             Stage::Drawing(end, draws) => self.draw(point, end, draws),
             Stage::Trying(trial) => match trial.try_piece(point, self.line) {
-                Shown::SoFar(trial) => Stage::Trying(trial),
-                Shown::Leads(guide) if self.attempt == Attempt::Bent => {
+                TrialResult::SoFar(trial) => Stage::Trying(trial),
+                TrialResult::Leads(guide) if self.attempt == Attempt::Bent => {
                     let bend = Bend::new(point, self.from, guide.with_left(0.0), self.line);
                     return Some(Outcome::Bends(bend));
                 }
-                Shown::Leads(guide) => return Some(Outcome::Found(guide)),
-                Shown::Fails => Stage::Starting,
+                TrialResult::Leads(guide) => return Some(Outcome::Found(guide)),
+                TrialResult::Fails => Stage::Starting,
             },
             Stage::Bending(bending) => match bending.bend(point, self.line.0) {
-                Bent::SoFar(bending) => Stage::Bending(bending),
-                Bent::To(angles) => {
+                BendResult::SoFar(bending) => Stage::Bending(bending),
+                BendResult::To(angles) => {
                     self.from = angles;
                     self.again(Attempt::Bent)
                 }
-                Bent::Fails => return Some(Outcome::Nothing),
+                BendResult::Fails => return Some(Outcome::Nothing),
             },
             Stage::Exhausted => match (self.home, self.attempt) {
                 (Some(home), _) => {
@@ -188,7 +188,7 @@ impl<const J: usize> Search<J> {
             nearest => {
                 let end = nearest.unwrap_or(end);
                 let bow = (self.attempt == Attempt::Bowed).then(|| middle(point.leg));
-                let guide = Guide::between(self.from, end, self.line)
+                let guide = PosturePath::between(self.from, end, self.line)
                     .and_home(self.home)
                     .bowed(bow);
                 Stage::Trying(Trial::new(guide, self.from))
@@ -198,8 +198,8 @@ impl<const J: usize> Search<J> {
 }
 
 /// Postures straight to the initial one.
-fn straight<const J: usize>(from: [f64; J], home: [f64; J], line: Line) -> Guide<J> {
-    Guide::between(from, home, line).eased()
+fn straight<const J: usize>(from: [f64; J], home: [f64; J], line: Line) -> PosturePath<J> {
+    PosturePath::between(from, home, line).eased()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! A line that is tried out before a leg sets off, piece by piece.
 
-use super::guide::{Guide, Line};
+use super::posture_path::{Line, PosturePath};
 use crate::kinematics::{LegPoint, resolve_piece};
 use crate::model::{Axes, Leg};
 
@@ -27,7 +27,7 @@ pub(super) struct PointOfLeg<'a, const J: usize> {
 /// A trial of the postures that lead a point along a line, as far as it has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Trial<const J: usize> {
-    guide: Guide<J>,
+    guide: PosturePath<J>,
     angles: [f64; J],
     gone: f64,
     piece: f64,
@@ -36,17 +36,17 @@ pub(super) struct Trial<const J: usize> {
 
 /// Result of one piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Shown<const J: usize> {
+pub(super) enum TrialResult<const J: usize> {
     /// The line has to be tried farther.
     SoFar(Trial<J>),
     /// The postures lead to the target.
-    Leads(Guide<J>),
+    Leads(PosturePath<J>),
     /// They do not.
     Fails,
 }
 
 impl<const J: usize> Trial<J> {
-    pub(super) fn new(guide: Guide<J>, from: [f64; J]) -> Self {
+    pub(super) fn new(guide: PosturePath<J>, from: [f64; J]) -> Self {
         Trial {
             guide,
             angles: from,
@@ -57,7 +57,7 @@ impl<const J: usize> Trial<J> {
     }
 
     /// Tries one piece, and half of it next if the point does not get over it without a leap.
-    pub(super) fn try_piece(mut self, point: &PointOfLeg<'_, J>, line: Line) -> Shown<J> {
+    pub(super) fn try_piece(mut self, point: &PointOfLeg<'_, J>, line: Line) -> TrialResult<J> {
         let next = (self.gone + self.piece).min(1.0);
         let posture = self.guide.with_left(1.0 - next);
         let at = on_line(line, next);
@@ -72,7 +72,7 @@ impl<const J: usize> Trial<J> {
         .filter(|turned| !leaps(&self.angles, turned));
         self.pieces += 1;
         match turned {
-            Some(_) if next >= 1.0 => return Shown::Leads(self.guide),
+            Some(_) if next >= 1.0 => return TrialResult::Leads(self.guide),
             Some(turned) => {
                 (self.angles, self.gone) = (turned, next);
                 self.piece = (self.piece * 2.0).min(LONGEST);
@@ -80,9 +80,9 @@ impl<const J: usize> Trial<J> {
             None => self.piece /= 2.0,
         }
         if self.piece < SHORTEST || self.pieces >= PIECES {
-            return Shown::Fails;
+            return TrialResult::Fails;
         }
-        Shown::SoFar(self)
+        TrialResult::SoFar(self)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Breakpoints: where they are, under which conditions, how often they were passed, and log points, which say something
 //! in place of stopping a run.
 
-use super::ask::{Asked, Now, Words};
+use super::expressions::{BreakCondition, LogText, Now};
 use super::stop::{By, Hits, Reason};
 use super::{Debugger, History, MESSAGES, Refused};
 use crate::event::{Event, Events};
@@ -34,10 +34,10 @@ pub struct Placed {
 struct Breakpoint {
     id: u32,
     steps: Vec<u32>,
-    asked: Option<Asked>,
+    asked: Option<BreakCondition>,
     hits: Option<Hits>,
     /// Text to log in place of stopping the run.
-    says: Option<Words>,
+    log_text: Option<LogText>,
     /// Positions at which it was passed, in order; kept where hits count, and for positions before
     /// `known`.
     passes: Vec<u64>,
@@ -73,7 +73,7 @@ impl Breakpoint {
 
 /// Knowledge of a position without going there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Known {
+pub(super) enum HitPrediction {
     /// Nothing stops there.
     No,
     /// This breakpoint does.
@@ -118,32 +118,32 @@ impl Breakpoints {
 
     /// The first one that stops a run at a position where a step begins.
     pub(super) fn stops(&self, step: u32, now: &Now<'_>) -> Option<u32> {
-        let mut here = self.at(step).filter(|one| one.says.is_none());
+        let mut here = self.at(step).filter(|one| one.log_text.is_none());
         here.find(|one| one.is_due(now)).map(|one| one.id)
     }
 
     /// Returns the texts of the log points there.
     pub(super) fn said(&self, step: u32, now: &Now<'_>) -> Vec<String> {
         let here = self.at(step).filter(|one| one.is_due(now));
-        let words = here.filter_map(|one| one.says.as_ref());
+        let words = here.filter_map(|one| one.log_text.as_ref());
         words.map(|words| words.at(now)).collect()
     }
 
     /// Lets one say something in place of stopping.
-    pub(super) fn say(&mut self, id: u32, words: Words) {
+    pub(super) fn say(&mut self, id: u32, words: LogText) {
         if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
-            one.says = Some(words);
+            one.log_text = Some(words);
         }
     }
 
     /// Returns the answer of [`stops`](Self::stops), as far as it is known without the run.
-    pub(super) fn known(&self, step: u32, at: u64) -> Known {
-        let mut known = Known::No;
-        for one in self.at(step).filter(|one| one.says.is_none()) {
+    pub(super) fn known(&self, step: u32, at: u64) -> HitPrediction {
+        let mut known = HitPrediction::No;
+        for one in self.at(step).filter(|one| one.log_text.is_none()) {
             match (one.hits, &one.asked) {
-                (Some(hits), _) if one.counts(hits, at) => return Known::Stops(one.id),
-                (None, None) => return Known::Stops(one.id),
-                (None, Some(_)) => known = Known::Asks,
+                (Some(hits), _) if one.counts(hits, at) => return HitPrediction::Stops(one.id),
+                (None, None) => return HitPrediction::Stops(one.id),
+                (None, Some(_)) => known = HitPrediction::Asks,
                 (Some(_), _) => {}
             }
         }
@@ -230,7 +230,9 @@ impl Debugger {
     }
 
     fn place(&mut self, steps: Vec<u32>, when: &When<'_>) -> Result<Placed, Refused> {
-        let asked = when.condition.map(|text| Asked::new(text, &self.asker));
+        let asked = when
+            .condition
+            .map(|text| BreakCondition::new(text, &self.asker));
         let hits = when.hits.map(str::parse);
         let (asked, hits) = (asked.transpose()?, hits.transpose()?);
         let first = steps
@@ -243,7 +245,7 @@ impl Debugger {
             steps,
             asked,
             hits,
-            says: None,
+            log_text: None,
             passes: Vec::new(),
             known: 0,
         });
@@ -291,7 +293,7 @@ impl Debugger {
         when: &When<'_>,
         text: &str,
     ) -> Result<Placed, Refused> {
-        let words = Words::new(text, &self.program, &self.asker)?;
+        let words = LogText::new(text, &self.program, &self.asker)?;
         let placed = self.break_at(line, column, when)?;
         self.breakpoints.say(placed.id, words);
         Ok(placed)

@@ -2,8 +2,8 @@
 //! is kept of every cycle, which runs a stretch again only where a condition asks it to.
 
 use super::Debugger;
-use super::ask::Now;
-use super::breakpoints::Known;
+use super::breakpoints::HitPrediction;
+use super::expressions::Now;
 use super::stop::{Goal, Move, Origin, Progress, Reason, Stop};
 use super::{Frontier, MESSAGES};
 use crate::run::Run;
@@ -34,7 +34,7 @@ enum Phase {
     /// Hits have to be counted first.
     CountingHits(HitCounting),
     Forward,
-    Back(Back),
+    BackwardSearch(BackwardSearch),
 }
 
 impl Debugger {
@@ -105,7 +105,7 @@ impl Debugger {
                     false => break None,
                 },
                 Phase::Forward => break self.run_on(pending.goal, &pending.origin, &mut left),
-                Phase::Back(back) => {
+                Phase::BackwardSearch(back) => {
                     break self.look_back(back, pending.goal, &pending.origin, &mut left);
                 }
             }
@@ -158,7 +158,7 @@ impl Debugger {
 impl Phase {
     fn after_counting(is_back: bool, now: u64) -> Self {
         match is_back {
-            true => Phase::Back(Back::new(now)),
+            true => Phase::BackwardSearch(BackwardSearch::new(now)),
             false => Phase::Forward,
         }
     }
@@ -175,7 +175,7 @@ impl PendingCommand {
                     _ => None,
                 },
             },
-            Phase::Back(back) => back.progress(self.origin.at),
+            Phase::BackwardSearch(back) => back.progress(self.origin.at),
         }
     }
 }
@@ -260,7 +260,7 @@ impl Debugger {
     fn explore(&mut self) {
         let before = self.run().program().at();
         self.history.push(before, Self::depth(self.run()));
-        let mut listener = Listener {
+        let mut listener = MessageListener {
             at: self.now(),
             said: &mut self.said,
             taken: &mut self.taken,
@@ -297,13 +297,13 @@ impl Debugger {
 }
 
 /// Keeps what the program says.
-struct Listener<'a> {
+struct MessageListener<'a> {
     at: u64,
     said: &'a mut Vec<(u64, String)>,
     taken: &'a mut usize,
 }
 
-impl Sink for Listener<'_> {
+impl Sink for MessageListener<'_> {
     fn say(&mut self, text: &dyn Display) {
         if self.said.len() >= 2 * MESSAGES {
             self.said.drain(..MESSAGES);
@@ -315,17 +315,17 @@ impl Sink for Listener<'_> {
 
 /// A search under way.
 #[derive(Debug)]
-pub(super) struct Back {
+pub(super) struct BackwardSearch {
     /// Positions from here on are searched.
     below: u64,
     /// Runs stretches again; there is one as soon as one is needed.
     scout: Option<Run>,
-    stretch: Option<Stretch>,
+    segment: Option<ReplaySegment>,
 }
 
 /// From a mark on, positions where conditions decide.
 #[derive(Debug)]
-struct Stretch {
+struct ReplaySegment {
     from: u64,
     /// Position of the scout.
     at: u64,
@@ -342,12 +342,12 @@ enum Found {
     Asks,
 }
 
-impl Back {
+impl BackwardSearch {
     pub(super) fn new(now: u64) -> Self {
-        Back {
+        BackwardSearch {
             below: now,
             scout: None,
-            stretch: None,
+            segment: None,
         }
     }
 
@@ -363,23 +363,23 @@ impl Debugger {
     /// Searches on until something is found, or no cycles are left.
     pub(super) fn look_back(
         &self,
-        back: &mut Back,
+        back: &mut BackwardSearch,
         goal: Goal,
         origin: &Origin,
         left: &mut u64,
     ) -> Option<Stop> {
         loop {
-            if let Some(stretch) = &mut back.stretch {
+            if let Some(segment) = &mut back.segment {
                 if let Some(scout) = &mut back.scout
-                    && !self.ask(stretch, scout, left)
+                    && !self.ask(segment, scout, left)
                 {
                     return None;
                 }
-                if let Some(stop) = stretch.best.take() {
+                if let Some(stop) = segment.best.take() {
                     return Some(stop);
                 }
-                back.below = stretch.from;
-                back.stretch = None;
+                back.below = segment.from;
+                back.segment = None;
             }
             let last = match back.below.checked_sub(1) {
                 Some(last) => last,
@@ -389,17 +389,17 @@ impl Debugger {
                 }
             };
             let (from, mark) = self.timeline.before(last)?;
-            let stretch = self.scan(from, last, goal, origin);
-            if !stretch.asks.as_slice().is_empty() {
+            let segment = self.scan(from, last, goal, origin);
+            if !segment.asks.as_slice().is_empty() {
                 let scout = back.scout.get_or_insert_with(|| self.run().clone());
                 scout.restore(mark);
             }
-            back.stretch = Some(stretch);
+            back.segment = Some(segment);
         }
     }
 
     /// Looks through the positions from a mark on, the last one first, up to one that stops for certain.
-    fn scan(&self, from: u64, last: u64, goal: Goal, origin: &Origin) -> Stretch {
+    fn scan(&self, from: u64, last: u64, goal: Goal, origin: &Origin) -> ReplaySegment {
         let mut asks = Vec::new();
         let mut best = None;
         for at in (from..=last).rev() {
@@ -413,7 +413,7 @@ impl Debugger {
             }
         }
         asks.reverse();
-        Stretch {
+        ReplaySegment {
             from,
             at: from,
             asks: asks.into_iter(),
@@ -429,9 +429,9 @@ impl Debugger {
         let step = self.history.step(at);
         let known = match self.history.enters(at) {
             true => self.breakpoints.known(step, at),
-            false => Known::No,
+            false => HitPrediction::No,
         };
-        if let Known::Stops(id) = known {
+        if let HitPrediction::Stops(id) = known {
             return Found::Stops(Reason::Breakpoint(id));
         }
         if let Some(watch) = self.set_at(at, None) {
@@ -444,7 +444,7 @@ impl Debugger {
         }
         match known {
             _ if goal.is_met(origin, at, &self.history, self) => Found::Stops(goal.reason()),
-            Known::Asks => Found::Asks,
+            HitPrediction::Asks => Found::Asks,
             _ => Found::Nothing,
         }
     }
@@ -457,15 +457,15 @@ impl Debugger {
     }
 
     /// Runs a stretch again up to its last condition; says whether it came there.
-    fn ask(&self, stretch: &mut Stretch, scout: &mut Run, left: &mut u64) -> bool {
-        while let Some(to) = stretch.asks.as_slice().first().copied() {
-            while stretch.at < to {
+    fn ask(&self, segment: &mut ReplaySegment, scout: &mut Run, left: &mut u64) -> bool {
+        while let Some(to) = segment.asks.as_slice().first().copied() {
+            while segment.at < to {
                 if *left == 0 {
                     return false;
                 }
                 *left -= 1;
                 scout.advance(None);
-                stretch.at += 1;
+                segment.at += 1;
             }
             scout.happen();
             let now = Now {
@@ -475,15 +475,15 @@ impl Debugger {
             };
             if let Some(id) = self.breakpoints.stops(self.history.step(to), &now) {
                 let reason = Reason::Breakpoint(id);
-                stretch.found(Stop { reason, at: to });
+                segment.found(Stop { reason, at: to });
             }
-            stretch.asks.next();
+            segment.asks.next();
         }
         true
     }
 }
 
-impl Stretch {
+impl ReplaySegment {
     /// The later one of two stops counts; one that is certain is before all that are asked for.
     fn found(&mut self, stop: Stop) {
         if self.best.as_ref().is_none_or(|best| best.at < stop.at) {

@@ -246,9 +246,9 @@ impl Hits {
 
 /// A text that does not say which passes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NotHits(pub(super) String);
+pub struct HitsError(pub(super) String);
 
-impl NotHits {
+impl HitsError {
     pub(super) fn message(&self) -> Debugging {
         Debugging::NoCountOfHits {
             text: self.0.clone().into(),
@@ -256,18 +256,18 @@ impl NotHits {
     }
 }
 
-impl fmt::Display for NotHits {
+impl fmt::Display for HitsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.message().fmt(f)
     }
 }
 
-impl std::error::Error for NotHits {}
+impl std::error::Error for HitsError {}
 
 impl FromStr for Hits {
-    type Err = NotHits;
+    type Err = HitsError;
 
-    fn from_str(text: &str) -> Result<Self, NotHits> {
+    fn from_str(text: &str) -> Result<Self, HitsError> {
         let text = text.trim();
         let digits = text.find(|char: char| char.is_ascii_digit());
         let (sign, number) = text.split_at(digits.unwrap_or(text.len()));
@@ -278,7 +278,7 @@ impl FromStr for Hits {
             "%" if n > 0 => Some(Hits::Each(n)),
             _ => None,
         });
-        hits.ok_or_else(|| NotHits(text.to_owned()))
+        hits.ok_or_else(|| HitsError(text.to_owned()))
     }
 }
 
@@ -297,7 +297,7 @@ pub enum Refused {
     /// It cannot be calculated, or reads what is not assigned.
     Fault(Fault),
     /// The text does not say how many hits.
-    Hits(NotHits),
+    Hits(HitsError),
     /// The change would discard this number of cycles after the position.
     WouldDiscard(u64),
     /// The program is over.
@@ -336,8 +336,8 @@ impl fmt::Display for Refused {
 
 impl std::error::Error for Refused {}
 
-impl From<NotHits> for Refused {
-    fn from(error: NotHits) -> Self {
+impl From<HitsError> for Refused {
+    fn from(error: HitsError) -> Self {
         Refused::Hits(error)
     }
 }

@@ -24,7 +24,7 @@ pub(super) struct Link {
     process: ProcessGroup,
     /// None when it has been told the last line.
     lines: Option<Sender<Line>>,
-    answers: Receiver<Heard>,
+    answers: Receiver<Received>,
     /// Disconnected when standard error has been read to its end.
     said: Receiver<()>,
     asked: Instant,
@@ -39,7 +39,7 @@ struct Line {
 }
 
 /// An answer, or what came in its place.
-pub(super) enum Heard {
+pub(super) enum Received {
     Line(String),
     /// Not yet.
     Nothing,
@@ -108,13 +108,15 @@ impl Link {
     }
 
     /// The answer to what it was asked last, waiting for it, but not longer than this; it is too late after `within`.
-    pub(super) fn answer(&mut self, longest: Duration, within: Duration) -> Heard {
+    pub(super) fn answer(&mut self, longest: Duration, within: Duration) -> Received {
         let left = within.saturating_sub(self.asked.elapsed());
         match self.answers.recv_timeout(left.min(longest)) {
-            Ok(Heard::End(_)) | Err(RecvTimeoutError::Disconnected) => Heard::End(self.ended()),
+            Ok(Received::End(_)) | Err(RecvTimeoutError::Disconnected) => {
+                Received::End(self.ended())
+            }
             Ok(heard) => heard,
-            Err(RecvTimeoutError::Timeout) if self.asked.elapsed() < within => Heard::Nothing,
-            Err(RecvTimeoutError::Timeout) => Heard::TooLate,
+            Err(RecvTimeoutError::Timeout) if self.asked.elapsed() < within => Received::Nothing,
+            Err(RecvTimeoutError::Timeout) => Received::TooLate,
         }
     }
 
@@ -149,7 +151,12 @@ impl Drop for Link {
 }
 
 /// Writes each line and reads its answer, as long as there are lines.
-fn talk(mut input: ChildStdin, output: ChildStdout, lines: &Receiver<Line>, heard: &Sender<Heard>) {
+fn talk(
+    mut input: ChildStdin,
+    output: ChildStdout,
+    lines: &Receiver<Line>,
+    heard: &Sender<Received>,
+) {
     let mut output = BufReader::new(output);
     for line in lines {
         // A process that does not read any more shows when its answer is missing.
@@ -163,7 +170,7 @@ fn talk(mut input: ChildStdin, output: ChildStdout, lines: &Receiver<Line>, hear
 }
 
 /// The next line.
-fn hear(output: &mut impl BufRead) -> Heard {
+fn hear(output: &mut impl BufRead) -> Received {
     let mut bytes = Vec::new();
     let read = output
         .by_ref()
@@ -171,11 +178,11 @@ fn hear(output: &mut impl BufRead) -> Heard {
         .read_until(b'\n', &mut bytes);
     let is_whole = bytes.pop_if(|byte| *byte == b'\n').is_some();
     match (read, is_whole, String::from_utf8(bytes)) {
-        (Ok(read), false, _) if read as u64 > LONGEST => Heard::TooLong,
-        (Ok(_), true, Ok(line)) => Heard::Line(line),
-        (Ok(_), true, Err(_)) => Heard::NotText,
+        (Ok(read), false, _) if read as u64 > LONGEST => Received::TooLong,
+        (Ok(_), true, Ok(line)) => Received::Line(line),
+        (Ok(_), true, Err(_)) => Received::NotText,
         // A line without its end was cut off.
-        _ => Heard::End(Ended::Closed),
+        _ => Received::End(Ended::Closed),
     }
 }
 

@@ -51,13 +51,13 @@ const ENDS: [(&str, RunEnd); 3] = [
 #[derive(Clone, Debug)]
 pub struct Session {
     lockstep: Lockstep,
-    reach: Reach,
+    reach: ReachedPoints,
 }
 
 impl Session {
     /// A session without runs.
     pub fn new(lockstep: Lockstep) -> Self {
-        let reach = Reach::new(lockstep.program());
+        let reach = ReachedPoints::new(lockstep.program());
         Session { lockstep, reach }
     }
 
@@ -188,7 +188,7 @@ const CHANCES: usize = 64;
 
 /// Which spots of a program some run reached.
 #[derive(Clone, Debug)]
-pub struct Reach {
+pub struct ReachedPoints {
     spots: Spots,
     seen: Vec<bool>,
     /// The spots that the present run reached first.
@@ -196,12 +196,12 @@ pub struct Reach {
     chances: Vec<u64>,
 }
 
-impl Reach {
+impl ReachedPoints {
     /// None yet.
     pub fn new(program: &Program) -> Self {
         let spots = Spots::of(program);
         let seen = vec![false; spots.all().len()];
-        Reach {
+        ReachedPoints {
             spots,
             seen,
             new: Vec::new(),
@@ -251,7 +251,7 @@ impl Reach {
     }
 }
 
-impl Scout for Reach {
+impl Scout for ReachedPoints {
     fn went(&mut self, cycle: u64, from: Place, to: Option<Place>) {
         let edge = to
             .filter(|to| *to != from)

@@ -3,7 +3,7 @@
 use super::Evidence;
 use crate::interp::Interpreter;
 use crate::run::Run;
-use crate::trace::both;
+use crate::trace::tee;
 use std::fmt::{self, Display, Write as _};
 use tip_lint::spots::Place;
 use tip_runtime::command::{Command, Value};
@@ -16,22 +16,22 @@ use tip_runtime::record::{Cycle, Dump, Ending, JsonLines, Sample, Sink};
 /// A run, and what is noted of it.
 pub(super) struct Side {
     run: Run,
-    tape: Tape,
+    record: CycleRecord,
     ending: Option<Ending>,
 }
 
-enum Tape {
+enum CycleRecord {
     /// The record of the last cycle.
     Record(Box<JsonLines<String>>),
-    Hash(Notes),
+    Hash(HashedCycles),
 }
 
-impl Tape {
+impl CycleRecord {
     /// Returns the sink that a cycle is written to.
     fn sink(&mut self) -> &mut dyn Sink {
         match self {
-            Tape::Record(record) => record.as_mut(),
-            Tape::Hash(notes) => notes,
+            CycleRecord::Record(record) => record.as_mut(),
+            CycleRecord::Hash(notes) => notes,
         }
     }
 }
@@ -39,35 +39,37 @@ impl Tape {
 impl Side {
     /// A run before its first cycle.
     pub(super) fn new(run: Run, evidence: Evidence) -> Self {
-        let (run, tape) = match evidence {
+        let (run, record) = match evidence {
             Evidence::Records => {
                 let record = Box::new(JsonLines::new(String::new(), true));
-                (run, Tape::Record(record))
+                (run, CycleRecord::Record(record))
             }
             Evidence::Hashes => (
                 run.with_console(Shown::default()),
-                Tape::Hash(Notes::default()),
+                CycleRecord::Hash(HashedCycles::default()),
             ),
         };
         Side {
             run,
-            tape,
+            record,
             ending: None,
         }
     }
 
     /// Runs a cycle, unless `limit` are used up, reports it to `sink`, and returns whether that was the end.
     pub(super) fn cycle(&mut self, limit: u64, sink: Option<&mut dyn Sink>) -> Option<Ending> {
-        if let Tape::Record(record) = &mut self.tape {
+        if let CycleRecord::Record(record) = &mut self.record {
             record.get_mut().clear();
         }
         self.ending = if self.run.cycles() >= limit {
             Some(Ending::Limit)
         } else {
-            both(Some(self.tape.sink()), sink, |sink| self.run.advance(sink));
+            tee(Some(self.record.sink()), sink, |sink| {
+                self.run.advance(sink)
+            });
             self.run.ending()
         };
-        if let (Tape::Record(record), Some(ending)) = (&mut self.tape, self.ending) {
+        if let (CycleRecord::Record(record), Some(ending)) = (&mut self.record, self.ending) {
             record.end(ending, self.run.cycles());
         }
         self.ending
@@ -75,9 +77,11 @@ impl Side {
 
     /// Returns true if it equals the other side.
     pub(super) fn equals(&self, other: &Side) -> bool {
-        let is_same = match (&self.tape, &other.tape) {
-            (Tape::Record(one), Tape::Record(other)) => one.get_ref() == other.get_ref(),
-            (Tape::Hash(one), Tape::Hash(other)) => one.hash == other.hash,
+        let is_same = match (&self.record, &other.record) {
+            (CycleRecord::Record(one), CycleRecord::Record(other)) => {
+                one.get_ref() == other.get_ref()
+            }
+            (CycleRecord::Hash(one), CycleRecord::Hash(other)) => one.hash == other.hash,
             _ => false,
         };
         is_same && self.ending == other.ending && self.shown() == other.shown()
@@ -90,19 +94,19 @@ impl Side {
 
     /// A hash of everything so far; 0 if there is none.
     pub(super) fn hash(&self) -> u64 {
-        match &self.tape {
-            Tape::Record(_) => 0,
-            Tape::Hash(notes) => notes.hash.value(),
+        match &self.record {
+            CycleRecord::Record(_) => 0,
+            CycleRecord::Hash(notes) => notes.hash.value(),
         }
     }
 
     /// Runs a cycle, and returns what happens in it.
     pub(super) fn in_words(&mut self, limit: u64) -> String {
-        self.tape = Tape::Hash(Notes::in_words());
+        self.record = CycleRecord::Hash(HashedCycles::in_words());
         self.cycle(limit, None);
-        let words = match &mut self.tape {
-            Tape::Record(_) => None,
-            Tape::Hash(notes) => notes.words.take(),
+        let words = match &mut self.record {
+            CycleRecord::Record(_) => None,
+            CycleRecord::Hash(notes) => notes.words.take(),
         };
         let words = words.unwrap_or_default();
         match self.ending {
@@ -136,7 +140,7 @@ impl Side {
 /// The first records that differ; the last cycle has two.
 pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> [String; 2] {
     let lines = |side: &Side| -> Vec<String> {
-        let Tape::Record(record) = &side.tape else {
+        let CycleRecord::Record(record) = &side.record else {
             return Vec::new();
         };
         record.get_ref().lines().map(str::to_owned).collect()
@@ -177,18 +181,18 @@ impl fmt::Write for Hash {
 
 /// Hashes each cycle; on demand also in words.
 #[derive(Debug, Default)]
-pub(super) struct Notes {
+pub(super) struct HashedCycles {
     pub(super) hash: Hash,
     /// The present cycle in words, if they are wanted.
     pub(super) words: Option<String>,
 }
 
-impl Notes {
+impl HashedCycles {
     /// Notes that write cycles down.
     pub(super) fn in_words() -> Self {
-        Notes {
+        HashedCycles {
             words: Some(String::new()),
-            ..Notes::default()
+            ..HashedCycles::default()
         }
     }
 
@@ -228,7 +232,7 @@ impl Notes {
     }
 }
 
-impl Sink for Notes {
+impl Sink for HashedCycles {
     fn begin(&mut self, program: &dyn Program) {
         if let Some(words) = &mut self.words {
             words.clear();

@@ -28,16 +28,16 @@ const LEFT_OVER: f64 = 1.0;
 const ROUNDING: f64 = 1e-6;
 
 /// The points and joints that commands move, of a model with any number of legs.
-pub(super) struct Reach<'a, const J: usize> {
+pub(super) struct MovableParts<'a, const J: usize> {
     legs: &'a [Leg<J>],
     family: Family,
     inverse: Inverse,
     slider: Option<&'a Slider>,
 }
 
-impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for Reach<'a, J> {
+impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for MovableParts<'a, J> {
     fn from(model: &'a Model<L, J>) -> Self {
-        Reach {
+        MovableParts {
             legs: &model.legs,
             family: model.family,
             inverse: model.inverse,
@@ -46,7 +46,7 @@ impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for Reach<'a, J> 
     }
 }
 
-impl<const J: usize> Reach<'_, J> {
+impl<const J: usize> MovableParts<'_, J> {
     /// Returns what PTP or PTP_ANGLE misses, if it misses.
     #[inline(never)] // Else it is compiled for each number of legs.
     pub(super) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {

@@ -2,7 +2,7 @@
 
 use super::{Engines, Failed};
 use crate::event::Inputs;
-use crate::lockstep::{Answer, Divergence, Reach, RunEnd};
+use crate::lockstep::{Answer, Divergence, ReachedPoints, RunEnd};
 use tipc::program::Program;
 
 /// Inputs on which the engines differ.
@@ -16,7 +16,7 @@ pub struct Diverging {
 
 /// Result of one run.
 #[derive(Clone, Debug)]
-pub enum Came {
+pub enum RunResult {
     /// The engines agree.
     Agreed {
         /// Number of cycles that were compared.
@@ -34,7 +34,7 @@ pub enum Came {
 #[derive(Debug)]
 pub struct Coverage {
     /// The spots that they reached.
-    pub reach: Reach,
+    pub reach: ReachedPoints,
     /// Cycles that were compared.
     pub cycles: u64,
     /// Runs to END or EXIT.
@@ -49,7 +49,7 @@ impl Coverage {
     /// No runs yet.
     pub fn new(program: &Program) -> Self {
         Coverage {
-            reach: Reach::new(program),
+            reach: ReachedPoints::new(program),
             cycles: 0,
             finished: 0,
             limited: 0,
@@ -70,10 +70,10 @@ impl Coverage {
         &mut self,
         engines: &mut E,
         inputs: &Inputs,
-    ) -> Result<Came, Failed<E::Error>> {
+    ) -> Result<RunResult, Failed<E::Error>> {
         match engines.ask(inputs).map_err(Failed::Engines)? {
             Answer::Refused(reason) => Err(Failed::Refused(reason)),
-            Answer::Diverged(divergence) => Ok(Came::Diverged(Diverging {
+            Answer::Diverged(divergence) => Ok(RunResult::Diverged(Diverging {
                 inputs: inputs.clone(),
                 divergence,
             })),
@@ -92,7 +92,7 @@ impl Coverage {
                 for spot in &new {
                     self.reach.add(*spot);
                 }
-                Ok(Came::Agreed {
+                Ok(RunResult::Agreed {
                     cycles,
                     is_new: !new.is_empty(),
                     chances,

@@ -1,7 +1,7 @@
 //! The program as it stands in the editor.
 
-use super::language_service::Finding;
-use super::reader::{Reading, Unread};
+use super::language_service::PageDiagnostic;
+use super::text_checker::{CheckedText, UncheckedText};
 use tipc::source::{Charset, Encoding, Source};
 use tipc::{Loaded, Options};
 
@@ -22,7 +22,7 @@ pub(super) struct Buffer {
     is_file: bool,
     /// The last version that was given away to be checked.
     given: u64,
-    reading: Reading,
+    reading: CheckedText,
     /// The file was changed by someone else, and the text is not what was in it before.
     pub(super) is_overtaken: bool,
 }
@@ -40,7 +40,7 @@ impl Buffer {
             author: String::new(),
             is_file: true,
             given: 0,
-            reading: Reading::default(),
+            reading: CheckedText::default(),
             is_overtaken: false,
         }
     }
@@ -63,7 +63,7 @@ impl Buffer {
     }
 
     /// Returns the text if it has to be checked and was not given away before.
-    pub(super) fn unread(&mut self) -> Option<Unread> {
+    pub(super) fn unchecked(&mut self) -> Option<UncheckedText> {
         if self.given == self.version {
             return None;
         }
@@ -72,7 +72,7 @@ impl Buffer {
             true => (self.file.bytes(), self.options.encoding),
             false => (self.text.clone().into_bytes(), Encoding::Utf8),
         };
-        Some(Unread {
+        Some(UncheckedText {
             version: self.version,
             name: self.name.clone(),
             bytes,
@@ -89,7 +89,7 @@ impl Buffer {
     }
 
     /// Keeps what was found in a text, unless a later one was checked already.
-    pub(super) fn keep(&mut self, reading: Reading) {
+    pub(super) fn keep(&mut self, reading: CheckedText) {
         if reading.version > self.reading.version {
             self.reading = reading;
         }
@@ -105,7 +105,7 @@ impl Buffer {
         self.reading.program.as_deref()
     }
 
-    pub(super) fn findings(&self) -> &[Finding] {
+    pub(super) fn findings(&self) -> &[PageDiagnostic] {
         &self.reading.findings
     }
 

@@ -8,7 +8,7 @@ use tipc::message::Lang;
 use tipc::source::{Position, Source, Span, Unit};
 
 /// The most offers of one answer; a program may have more names than anyone reads.
-const MOST_OFFERS: usize = 2000;
+const MAX_COMPLETIONS: usize = 2000;
 
 /// A line and a column from 1, the column in units of UTF-16.
 pub(super) type Place = [u32; 2];
@@ -16,11 +16,11 @@ pub(super) type Place = [u32; 2];
 /// An answer about the text, under the name of the question.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub(super) enum Known {
+pub(super) enum LanguageAnswer {
     /// Documentation of a word, if there is one.
     Hover(Option<Hover>),
     /// Completions.
-    Offers(Vec<Offer>),
+    Offers(Vec<CompletionItem>),
 }
 
 #[derive(Debug, Serialize)]
@@ -32,7 +32,7 @@ pub(super) struct Hover {
 }
 
 #[derive(Debug, Serialize)]
-pub(super) struct Offer {
+pub(super) struct CompletionItem {
     label: String,
     detail: String,
     /// In English and Japanese.
@@ -46,10 +46,10 @@ pub(super) struct Offer {
 }
 
 /// Returns the documentation of the word at a place.
-pub(super) fn hover(document: &Document, place: Place) -> Known {
+pub(super) fn hover(document: &Document, place: Place) -> LanguageAnswer {
     let at = offset(document.source(), place);
     let [english, japanese] = [Lang::English, Lang::Japanese].map(|lang| document.hover(at, lang));
-    Known::Hover(english.zip(japanese).map(|(english, japanese)| {
+    LanguageAnswer::Hover(english.zip(japanese).map(|(english, japanese)| {
         let [from, to] = ends(document.source(), english.span);
         Hover {
             from,
@@ -60,12 +60,12 @@ pub(super) fn hover(document: &Document, place: Place) -> Known {
 }
 
 /// Returns the completions at a place.
-pub(super) fn offers(document: &Document, place: Place) -> Known {
+pub(super) fn completions(document: &Document, place: Place) -> LanguageAnswer {
     let source = document.source();
-    let offers = document.complete(offset(source, place)).into_iter();
-    let shown = offers.take(MOST_OFFERS).map(|offer| {
+    let completions = document.complete(offset(source, place)).into_iter();
+    let shown = completions.take(MAX_COMPLETIONS).map(|offer| {
         let [from, to] = ends(source, offer.span);
-        Offer {
+        CompletionItem {
             label: offer.label,
             detail: offer.detail,
             description: [offer.description.english, offer.description.japanese],
@@ -75,7 +75,7 @@ pub(super) fn offers(document: &Document, place: Place) -> Known {
             text: offer.snippet.unwrap_or(offer.text),
         }
     });
-    Known::Offers(shown.collect())
+    LanguageAnswer::Offers(shown.collect())
 }
 
 fn offset(source: &Source, [line, column]: Place) -> usize {
@@ -90,11 +90,11 @@ fn ends(source: &Source, span: Span) -> [Place; 2] {
 }
 
 /// More are of no use to anyone.
-const MOST_FINDINGS: usize = 200;
+const MAX_DIAGNOSTICS: usize = 200;
 
 /// One finding. Places are lines and columns from 1, columns in units of UTF-16. Texts are in English and Japanese.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Finding {
+pub(super) struct PageDiagnostic {
     level: &'static str,
     code: &'static str,
     from: Place,
@@ -105,16 +105,18 @@ pub(super) struct Finding {
 }
 
 /// All of a program, but for the last of very many.
-pub(super) fn findings(loaded: &Loaded) -> Vec<Finding> {
-    let found = loaded.diagnostics.iter().take(MOST_FINDINGS);
-    found.map(|one| Finding::of(one, &loaded.source)).collect()
+pub(super) fn findings(loaded: &Loaded) -> Vec<PageDiagnostic> {
+    let found = loaded.diagnostics.iter().take(MAX_DIAGNOSTICS);
+    found
+        .map(|one| PageDiagnostic::of(one, &loaded.source))
+        .collect()
 }
 
-impl Finding {
+impl PageDiagnostic {
     fn of(diagnostic: &Diagnostic, source: &Source) -> Self {
         let [from, to] = ends(source, diagnostic.span);
         let both = |text: &dyn Fn(Lang) -> String| [Lang::English, Lang::Japanese].map(text);
-        Finding {
+        PageDiagnostic {
             level: diagnostic.level().name(),
             code: diagnostic.id(),
             from,

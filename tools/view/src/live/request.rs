@@ -1,6 +1,6 @@
 //! Requests of viewers.
 
-use super::language_service::{Known, Place};
+use super::language_service::{LanguageAnswer, Place};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use tip_sim::Event;
@@ -10,16 +10,16 @@ const RETURN_KEY: u8 = 0x0D;
 
 /// A request that was read.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct ClientRequest {
     pub(super) id: Option<u32>,
     pub(super) request: Result<Request, Refusal>,
 }
 
-impl Asked {
+impl ClientRequest {
     /// Reads a request, a JSON object. Nothing that is sent does harm: what is no request will be refused.
     pub fn read(text: &str) -> Self {
         let (id, request) = read(text);
-        Asked { id, request }
+        ClientRequest { id, request }
     }
 
     /// Returns true for an emergency stop, which nothing may keep waiting.
@@ -113,13 +113,13 @@ pub(super) struct Answer {
     id: Option<u32>,
     ok: bool,
     #[serde(flatten)]
-    known: Option<Known>,
+    known: Option<LanguageAnswer>,
     #[serde(flatten)]
     refusal: Option<Refusal>,
 }
 
 impl Answer {
-    pub(super) fn new(id: Option<u32>, result: Result<Option<Known>, Refusal>) -> Self {
+    pub(super) fn new(id: Option<u32>, result: Result<Option<LanguageAnswer>, Refusal>) -> Self {
         let ok = result.is_ok();
         let (known, refusal) = match result {
             Ok(known) => (known, None),

@@ -1,7 +1,7 @@
 //! A run with its past: it goes on, and it is taken back.
 
 use super::request::{Refusal, is_stop, refuse, refuse_since};
-use crate::NotRecorded;
+use crate::RecordError;
 use crate::recorder::{self, Recorder};
 use crate::recording::{Outcome, Recording, Script};
 use std::collections::VecDeque;
@@ -35,12 +35,12 @@ impl Runner {
         loaded: &Loaded,
         robot: &Robot,
         scripted: &Events,
-    ) -> Result<Self, NotRecorded> {
-        let program = loaded.program.as_ref().ok_or(NotRecorded::NoProgram)?;
+    ) -> Result<Self, RecordError> {
+        let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
         let run = Run::new(Interpreter::new(program.clone()), robot.clone())
-            .map_err(NotRecorded::Mismatch)?
+            .map_err(RecordError::Mismatch)?
             .with_events(scripted)
-            .map_err(NotRecorded::Refused)?;
+            .map_err(RecordError::Refused)?;
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = scripted.all().to_vec();
         let mut runner = Runner {

@@ -3,9 +3,9 @@
 use super::Host;
 use super::MOST_BYTES;
 use super::buffer::Buffer;
-use super::reader::{Reader, Reading, Unread};
-use super::request::{Answer, Asked, Refusal, Request, is_stop, refuse, refuse_since};
+use super::request::{Answer, ClientRequest, Refusal, Request, is_stop, refuse, refuse_since};
 use super::runner::Runner;
+use super::text_checker::{CheckedText, TextChecker, UncheckedText};
 use tip_sim::{Event, Events, Robot};
 use tipc::{Loaded, Options};
 
@@ -55,7 +55,7 @@ pub struct Session {
     events: Events,
     rest: Option<u64>,
     /// Checks the text, unless someone else does.
-    reader: Option<Reader>,
+    checker: Option<TextChecker>,
     pub(super) buffer: Buffer,
     /// The text of this version runs once it is checked.
     runs_next: Option<u64>,
@@ -87,9 +87,9 @@ impl Session {
             rest,
         } = setup;
         let mut buffer = Buffer::new(name.clone(), &bytes, options);
-        let mut reader = Reader::new(robot.clone());
-        if let Some(unread) = buffer.unread() {
-            buffer.keep(reader.read(unread));
+        let mut checker = TextChecker::new(robot.clone());
+        if let Some(unchecked) = buffer.unchecked() {
+            buffer.keep(checker.read(unchecked));
         }
         let refused = || Box::new(tip_lint::load(&name, &bytes, &options));
         let loaded = buffer.program().ok_or_else(refused)?;
@@ -99,7 +99,7 @@ impl Session {
             robot,
             events,
             rest,
-            reader: Some(reader),
+            checker: Some(checker),
             buffer,
             runs_next: None,
             runner,
@@ -152,20 +152,20 @@ impl Session {
     /// Does what a viewer asks for, a JSON object, and answers with another one. Nothing that is sent does harm: what is no
     /// request is refused.
     pub fn request(&mut self, text: &str, host: &mut dyn Host) -> String {
-        let asked = Asked::read(text);
+        let asked = ClientRequest::read(text);
         if let Some(answer) = self.ask(&asked, host) {
             return answer;
         }
         self.check();
         let answer = self.ask(&asked, host);
-        let known = || self.reader.as_ref()?.answer(&asked);
+        let known = || self.checker.as_ref()?.answer(&asked);
         answer
             .or_else(known)
             .unwrap_or_else(|| asked.refused_many())
     }
 
-    /// Does what a viewer asks for; no answer if the [`Reader`] has to give it, or to check the text first.
-    pub fn ask(&mut self, asked: &Asked, host: &mut dyn Host) -> Option<String> {
+    /// Does what a viewer asks for; no answer if the [`TextChecker`] has to give it, or to check the text first.
+    pub fn ask(&mut self, asked: &ClientRequest, host: &mut dyn Host) -> Option<String> {
         let result = match &asked.request {
             Ok(Request::Hover { .. } | Request::Complete { .. }) => return None,
             Ok(Request::Restart {}) if !self.buffer.is_checked() => return None,
@@ -176,20 +176,20 @@ impl Session {
     }
 
     /// Hands over the work of checking texts, which takes long for long ones: from now on the session checks none itself.
-    /// Whoever takes it over gives a [`Reader`] each [`Session::unread`] text, and the session what was found
+    /// Whoever takes it over gives a [`TextChecker`] each [`Session::unchecked`] text, and the session what was found
     /// ([`Session::checked`]).
     pub fn hand_over(&mut self) {
-        self.reader = None;
+        self.checker = None;
         self.buffer.forget_given();
     }
 
     /// Returns the text that is to be checked, once.
-    pub fn unread(&mut self) -> Option<Unread> {
-        self.buffer.unread()
+    pub fn unchecked(&mut self) -> Option<UncheckedText> {
+        self.buffer.unchecked()
     }
 
     /// Takes what was found in a text.
-    pub fn checked(&mut self, reading: Reading) {
+    pub fn checked(&mut self, reading: CheckedText) {
         self.buffer.keep(reading);
         if self.runs_next == Some(self.buffer.checked()) {
             self.runs_next = None;
@@ -200,13 +200,13 @@ impl Session {
 
     /// Checks the text, if it has changed and nobody else does.
     fn check(&mut self) {
-        let Some(mut reader) = self.reader.take() else {
+        let Some(mut checker) = self.checker.take() else {
             return;
         };
-        if let Some(unread) = self.buffer.unread() {
-            self.checked(reader.read(unread));
+        if let Some(unchecked) = self.buffer.unchecked() {
+            self.checked(checker.read(unchecked));
         }
-        self.reader = Some(reader);
+        self.checker = Some(checker);
     }
 
     fn fulfil(&mut self, request: &Request, host: &mut dyn Host) -> Result<(), Refusal> {

@@ -1,6 +1,6 @@
 //! The news for a viewer.
 
-use super::language_service::Finding;
+use super::language_service::PageDiagnostic;
 use super::session::Session;
 use crate::recording::Recording;
 use crate::updates::{self, Ended, Part, json};
@@ -41,7 +41,7 @@ struct Text<'a> {
 struct Found<'a> {
     r#type: &'static str,
     version: u64,
-    findings: &'a [Finding],
+    findings: &'a [PageDiagnostic],
     good: bool,
 }
 

@@ -9,7 +9,7 @@ use crate::kinematics::ROUNDING;
 impl<const J: usize> ControllerView<'_, J> {
     /// Takes in the readings, like [`sense`](super::Controller::sense), for a controller of any
     /// size.
-    pub(crate) fn take_in(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
+    pub(crate) fn sense_view(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
         let read = self.measure(sensors).and(self.check_sensors());
         for leg in &mut self.legs {
             leg.drive.follow(&leg.angles, leg.model);

@@ -33,30 +33,34 @@ const HEIGHT: usize = 1;
 const LEAST_LEVER: f64 = 20.0;
 
 /// Number of joints that push a fingertip down.
-const BOTH: usize = 2;
+const PUSHING_JOINTS: usize = 2;
 
 /// Distance that such a joint keeps from its limit, deg.
-const KEEPS_OFF: f64 = 1.0;
+const LIMIT_MARGIN: f64 = 1.0;
 
 /// It is stopped so many cycles before it would be there.
-const LOOKS_AHEAD: f64 = 2.0;
+const LOOKAHEAD_CYCLES: f64 = 2.0;
 
 impl<const J: usize> ControllerView<'_, J> {
     /// Starts a search, or goes on with it.
-    pub(super) fn feel(
+    pub(super) fn detect_touch(
         &mut self,
         command: &Command<'_>,
         start: fn(&mut Self, &Command<'_>, &Forces) -> Result<(), Fault>,
     ) -> Result<Poll, Fault> {
         let forces = self.robot.forces.ok_or(Fault::Domain)?;
-        if self.task != Task::Feel {
+        if self.task != Task::DetectTouch {
             start(self, command, forces)?;
-            self.task = Task::Feel;
+            self.task = Task::DetectTouch;
             self.press_floor(command, forces);
             return Ok(Poll::Pending);
         }
         self.press_floor(command, forces);
-        let pressing = if is_downward(command) { BOTH } else { 1 };
+        let pressing = if is_downward(command) {
+            PUSHING_JOINTS
+        } else {
+            1
+        };
         for leg in &mut self.legs {
             let mut torques = leg.torques.iter().take(pressing);
             let presses = torques.any(|torque| libm::fabs(*torque) >= forces.contact_torque);
@@ -72,14 +76,14 @@ impl<const J: usize> ControllerView<'_, J> {
         let mut searching = self.legs.iter().filter_map(|leg| leg.search);
         if searching.all(|still| still >= STILL_CYCLES) {
             self.task = Task::Idle;
-            self.stop_where_felt();
+            self.hold_where_stopped();
             return Ok(Poll::Done);
         }
         Ok(Poll::Pending)
     }
 
     /// Every finger that searched holds the angles that are measured.
-    fn stop_where_felt(&mut self) {
+    fn hold_where_stopped(&mut self) {
         for leg in &mut self.legs {
             if leg.search.is_some() {
                 leg.drive.drive = Drive::Joints(leg.stays().map(held));
@@ -115,7 +119,7 @@ impl<const J: usize> ControllerView<'_, J> {
         if !is_downward(command) {
             return;
         }
-        let look = LOOKS_AHEAD * self.params.period / 1000.0;
+        let look = LOOKAHEAD_CYCLES * self.params.period / 1000.0;
         for leg in self.legs.iter_mut().filter(|leg| leg.search.is_some()) {
             leg.press_down(forces, look);
         }
@@ -171,15 +175,15 @@ impl<const J: usize> LegState<'_, J> {
         let levers = self.levers();
         let longest = levers
             .iter()
-            .take(BOTH)
+            .take(PUSHING_JOINTS)
             .fold(LEAST_LEVER, |most, lever| most.max(libm::fabs(*lever)));
         let states = levers.iter().zip(self.angles.iter().zip(&self.rates));
         let joints = tracks.iter_mut().zip(&self.model.joints).zip(states);
-        for ((track, joint), (lever, (angle, rate))) in joints.take(BOTH) {
+        for ((track, joint), (lever, (angle, rate))) in joints.take(PUSHING_JOINTS) {
             let torque = -forces.search_torque * lever / longest;
             let ahead = angle + look * rate;
-            let near = (torque > 0.0 && angle.max(ahead) > joint.limits.max - KEEPS_OFF)
-                || (torque < 0.0 && angle.min(ahead) < joint.limits.min + KEEPS_OFF);
+            let near = (torque > 0.0 && angle.max(ahead) > joint.limits.max - LIMIT_MARGIN)
+                || (torque < 0.0 && angle.min(ahead) < joint.limits.min + LIMIT_MARGIN);
             *track = match track.goal() {
                 _ if !near => track.towards(Goal::Effort([torque])),
                 Goal::Effort(_) => held(joint.limits.nearest(*angle)),

@@ -21,7 +21,7 @@ pub(super) type Line = ([f64; 3], [f64; 3]);
 
 /// Postures between two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::controller) struct Guide<const J: usize> {
+pub(in crate::controller) struct PosturePath<const J: usize> {
     from: [f64; J],
     to: [f64; J],
     /// From where the point was to its target: mm.
@@ -34,10 +34,10 @@ pub(in crate::controller) struct Guide<const J: usize> {
     bow: Option<[f64; J]>,
 }
 
-impl<const J: usize> Guide<J> {
+impl<const J: usize> PosturePath<J> {
     /// Postures for a point on `line`, in step with it.
     pub(super) fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
-        Guide {
+        PosturePath {
             from,
             to,
             length: distance(line.0, line.1),
@@ -53,7 +53,7 @@ impl<const J: usize> Guide<J> {
             target: [0.0],
             hs: false,
         });
-        Guide {
+        PosturePath {
             ease: Some(ease),
             ..self
         }
@@ -61,12 +61,12 @@ impl<const J: usize> Guide<J> {
 
     /// Adds a motion to a posture afterwards, with the point at its target.
     pub(super) fn and_home(self, home: Option<[f64; J]>) -> Self {
-        Guide { home, ..self }
+        PosturePath { home, ..self }
     }
 
     /// Bows the path towards a posture within the limits.
     pub(super) fn bowed(self, bow: Option<[f64; J]>) -> Self {
-        Guide { bow, ..self }
+        PosturePath { bow, ..self }
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
@@ -77,7 +77,7 @@ impl<const J: usize> Guide<J> {
         if line.0 == line.1
             && let Some(home) = self.home
         {
-            *self = Guide::between(self.to, home, line).eased();
+            *self = PosturePath::between(self.to, home, line).eased();
         }
     }
 

@@ -5,13 +5,13 @@
 //! reach is looked at where it is known to start: on the first pass, up to the first question.
 //!
 //! ```
-//! use tip_sim::{Robot, reach};
+//! use tip_sim::{Robot, reachability};
 //! use tipc::code::Code;
 //!
 //! let robot = Robot::named("titan8").expect("it has a name");
 //! let program = b"3.1\nToo far\nPTP F1 -2000 200 -200\nEND\n";
 //! let mut loaded = tip_lint::load("far.prg", program, &robot.options());
-//! reach::warn(&mut loaded, &robot);
+//! reachability::warn(&mut loaded, &robot);
 //! assert_eq!(loaded.diagnostics[0].code, Code::OutOfReach);
 //! ```
 

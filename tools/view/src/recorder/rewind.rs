@@ -1,6 +1,6 @@
 //! A recorder that is taken back, and one that forgets.
 
-use super::{Recorder, Slips};
+use super::{Recorder, SlipDetector};
 use crate::recording::{At, Recording, Tick};
 use std::collections::HashSet;
 use std::hash::Hash;
@@ -9,7 +9,7 @@ use std::hash::Hash;
 #[derive(Clone, Debug)]
 pub(crate) struct Checkpoint {
     cycle: u64,
-    slips: Slips,
+    slips: SlipDetector,
     falls: u32,
 }
 

@@ -29,7 +29,7 @@ pub struct Wait {
 /// Watches a run for waits. A robot whose commanded angles change moves; a program that comes to a step for the first time
 /// since then, that changes variables or switches lamps, does something.
 #[derive(Clone, Debug, Default)]
-pub struct Waits {
+pub struct WaitDetector {
     /// The cycle after which each step was the next one, the last time.
     visited: Vec<u64>,
     /// The step that is next, and since when.
@@ -49,7 +49,7 @@ pub struct Waits {
     values: Vec<Option<u64>>,
 }
 
-impl Waits {
+impl WaitDetector {
     /// Looks at a run after each of its cycles.
     pub fn after(&mut self, run: &Run) {
         let (cycle, now, step) = (run.cycles(), run.time(), run.program().at());

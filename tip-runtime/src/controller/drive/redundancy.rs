@@ -6,7 +6,7 @@
 //! limit, another one is tried. If that takes more than one cycle, the leg waits, or brakes first.
 
 use super::bend::Bend;
-use super::guide::{Guide, Line};
+use super::posture_path::{Line, PosturePath};
 use super::reach::has_few_joints;
 use super::search::{Outcome, Search};
 use super::trial::PointOfLeg;
@@ -16,7 +16,7 @@ use crate::model::{Inverse, Leg};
 
 /// The rule that redundant joints follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::controller) enum Lead<const J: usize> {
+pub(in crate::controller) enum Redundancy<const J: usize> {
     /// Nobody: there are none, or no postures lead to the target.
     None,
     /// Every joint for itself, as it brakes from these rates before the point sets off: deg/s.
@@ -26,10 +26,10 @@ pub(in crate::controller) enum Lead<const J: usize> {
     /// The leg bends, and follows its line then.
     Bends(Bend<J>),
     /// Postures that lead to the target.
-    Found(Guide<J>),
+    Found(PosturePath<J>),
 }
 
-impl<const J: usize> Lead<J> {
+impl<const J: usize> Redundancy<J> {
     /// On the path of a point along `line`, for a leg at the angles `from`.
     pub(in crate::controller) fn to_place(
         inverse: Inverse,
@@ -41,9 +41,9 @@ impl<const J: usize> Lead<J> {
         if has_choice::<J>(inverse, point) {
             let axes = inverse.axes();
             let point = PointOfLeg { leg, point, axes };
-            Lead::Sought(Search::new(&point, *from, line, None))
+            Redundancy::Sought(Search::new(&point, *from, line, None))
         } else {
-            Lead::None
+            Redundancy::None
         }
     }
 
@@ -57,9 +57,9 @@ impl<const J: usize> Lead<J> {
         if has_choice::<J>(inverse, LegPoint::Tip) {
             let (point, axes) = (LegPoint::Tip, inverse.axes());
             let point = PointOfLeg { leg, point, axes };
-            Lead::Sought(Search::new(&point, *from, line, Some(leg.initial)))
+            Redundancy::Sought(Search::new(&point, *from, line, Some(leg.initial)))
         } else {
-            Lead::None
+            Redundancy::None
         }
     }
 
@@ -72,12 +72,12 @@ impl<const J: usize> Lead<J> {
         track: &Track<3>,
         limits: Limits,
     ) {
-        if let Lead::Bends(bend) = self
+        if let Redundancy::Bends(bend) = self
             && let Some(guide) = bend.done(from)
         {
-            *self = Lead::Found(guide);
+            *self = Redundancy::Found(guide);
         }
-        let Lead::Sought(search) = self else {
+        let Redundancy::Sought(search) = self else {
             return;
         };
         let reaches =
@@ -87,45 +87,45 @@ impl<const J: usize> Lead<J> {
         }
         match search.advance(point, from, track.position()) {
             None => {}
-            Some(Outcome::Nothing) => *self = Lead::None,
-            Some(Outcome::Found(guide)) => *self = Lead::Found(guide),
-            Some(Outcome::Bends(bend)) => *self = Lead::Bends(bend),
+            Some(Outcome::Nothing) => *self = Redundancy::None,
+            Some(Outcome::Found(guide)) => *self = Redundancy::Found(guide),
+            Some(Outcome::Bends(bend)) => *self = Redundancy::Bends(bend),
         }
     }
 
     /// Returns true if the point has to wait.
     pub(super) fn waits(&self) -> bool {
-        matches!(self, Lead::Sought(_) | Lead::Bends(_))
+        matches!(self, Redundancy::Sought(_) | Redundancy::Bends(_))
     }
 
     pub(super) fn is_none(&self) -> bool {
-        matches!(self, Lead::None)
+        matches!(self, Redundancy::None)
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
     pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
         match self {
-            Lead::None | Lead::Brakes(_) | Lead::Sought(_) => {}
-            Lead::Bends(bend) => bend.advance(dt, held),
-            Lead::Found(guide) => guide.advance(line, dt, held),
+            Redundancy::None | Redundancy::Brakes(_) | Redundancy::Sought(_) => {}
+            Redundancy::Bends(bend) => bend.advance(dt, held),
+            Redundancy::Found(guide) => guide.advance(line, dt, held),
         }
     }
 
     pub(super) fn is_at_rest(&self) -> bool {
         match self {
-            Lead::None | Lead::Sought(_) => true,
-            Lead::Brakes(_) | Lead::Bends(_) => false,
-            Lead::Found(guide) => guide.is_at_rest(),
+            Redundancy::None | Redundancy::Sought(_) => true,
+            Redundancy::Brakes(_) | Redundancy::Bends(_) => false,
+            Redundancy::Found(guide) => guide.is_at_rest(),
         }
     }
 
     /// The posture that the joints at `angles` turn towards, for a point on `line`.
     pub(super) fn posture(&self, angles: &[f64; J], line: Line) -> Option<[f64; J]> {
         match self {
-            Lead::None | Lead::Brakes(_) => None,
-            Lead::Sought(_) => Some(*angles),
-            Lead::Bends(bend) => Some(bend.posture(angles)),
-            Lead::Found(guide) => Some(guide.posture(line.0, line.1)),
+            Redundancy::None | Redundancy::Brakes(_) => None,
+            Redundancy::Sought(_) => Some(*angles),
+            Redundancy::Bends(bend) => Some(bend.posture(angles)),
+            Redundancy::Found(guide) => Some(guide.posture(line.0, line.1)),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::motion::{Fall, Grasp, Limbs};
 use crate::run::Run;
-use tip_runtime::controller::Aim;
+use tip_runtime::controller::Setpoint;
 use tip_runtime::plant::{Motion, Pose, Travel};
 
 impl Run {
@@ -35,8 +35,8 @@ impl Run {
     }
 
     /// Returns the aims of every leg or finger, foot by foot or joint by joint.
-    pub fn aims(&self) -> Vec<Aim> {
-        self.machine.aims()
+    pub fn setpoints(&self) -> Vec<Setpoint> {
+        self.machine.setpoints()
     }
 
     /// Returns the robot's grasp; none if it is not a hand.

@@ -11,11 +11,11 @@ use tip_runtime::fault::Fault;
 use tipc::program::{Action, Condition, Operand, Program, ScalarExpression, VariableKind};
 
 /// The names that only a debugger knows: the cycle that comes next, and when it begins, in ms.
-pub(super) const OWN: &[&str] = &["CYCLE", "TIME"];
+pub(super) const OWN_NAMES: &[&str] = &["CYCLE", "TIME"];
 
 /// A condition of a breakpoint.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub struct BreakCondition {
     text: String,
     condition: Condition,
 }
@@ -40,31 +40,31 @@ impl fmt::Display for Value {
 
 /// A number or a condition that is asked for.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Question {
+pub(super) enum Expression {
     Number(ScalarExpression),
     Truth(Condition),
 }
 
-impl Question {
+impl Expression {
     pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, Refused> {
         match (asker.number(text), asker.condition(text)) {
-            (Ok(value), _) => Ok(Question::Number(value)),
-            (Err(_), Ok(condition)) => Ok(Question::Truth(condition)),
+            (Ok(value), _) => Ok(Expression::Number(value)),
+            (Err(_), Ok(condition)) => Ok(Expression::Truth(condition)),
             (Err(error), Err(_)) => Err(error.into()),
         }
     }
 
-    pub(super) fn answer(self, now: &Now<'_>) -> Result<Value, Fault> {
+    pub(super) fn evaluate(self, now: &Now<'_>) -> Result<Value, Fault> {
         Ok(match self {
-            Question::Number(value) => Value::Number(now.number(value)?),
-            Question::Truth(condition) => Value::Truth(now.holds(condition)?),
+            Expression::Number(value) => Value::Number(now.number(value)?),
+            Expression::Truth(condition) => Value::Truth(now.holds(condition)?),
         })
     }
 }
 
-impl Asked {
+impl BreakCondition {
     pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, Refused> {
-        Ok(Asked {
+        Ok(BreakCondition {
             text: text.to_owned(),
             condition: asker.condition(text)?,
         })
@@ -158,8 +158,8 @@ impl Debugger {
     /// # Errors
     /// It is neither, or it cannot be calculated.
     pub fn evaluate(&self, text: &str) -> Result<Value, Refused> {
-        let question = Question::new(text, &self.asker)?;
-        Ok(question.answer(&self.here())?)
+        let expression = Expression::new(text, &self.asker)?;
+        Ok(expression.evaluate(&self.here())?)
     }
 
     /// The value of a variable or of a member such as `P.X`; none while unassigned.
@@ -183,17 +183,17 @@ impl Debugger {
 
 /// A text with expressions in braces: `stride {N} at {P}`.
 #[derive(Debug)]
-pub(super) struct Words(Vec<Part>);
+pub(super) struct LogText(Vec<Part>);
 
 #[derive(Debug)]
 enum Part {
     Text(String),
-    One(Question),
+    One(Expression),
     /// The members of a POS or JOINT.
-    Members(Vec<Question>),
+    Members(Vec<Expression>),
 }
 
-impl Words {
+impl LogText {
     /// Braces that hold nothing, or are not closed, are text.
     pub(super) fn new(text: &str, program: &Program, asker: &Asker) -> Result<Self, Refused> {
         let mut parts = Vec::new();
@@ -210,7 +210,7 @@ impl Words {
             rest = next;
         }
         parts.push(Part::Text(rest.to_owned()));
-        Ok(Words(parts))
+        Ok(LogText(parts))
     }
 
     /// Returns its text at a position.
@@ -225,27 +225,27 @@ impl Part {
         let mut variables = program.variables().iter();
         let structure = variables.find(|it| is_it(&it.name) && it.size() > 1);
         let Some(structure) = structure else {
-            return Question::new(text, asker).map(Part::One);
+            return Expression::new(text, asker).map(Part::One);
         };
         let members = structure.scalar_names();
-        let members = members.map(|name| Question::new(&name, asker));
+        let members = members.map(|name| Expression::new(&name, asker));
         members.collect::<Result<_, _>>().map(Part::Members)
     }
 
     fn at(&self, now: &Now<'_>) -> String {
         match self {
             Part::Text(text) => text.clone(),
-            Part::One(question) => said(*question, now),
+            Part::One(expression) => said(*expression, now),
             Part::Members(members) => {
-                let members = members.iter().map(|question| said(*question, now));
+                let members = members.iter().map(|expression| said(*expression, now));
                 format!("({})", members.collect::<Vec<_>>().join(", "))
             }
         }
     }
 }
 
-fn said(question: Question, now: &Now<'_>) -> String {
-    match question.answer(now) {
+fn said(expression: Expression, now: &Now<'_>) -> String {
+    match expression.evaluate(now) {
         Ok(value) => value.to_string(),
         Err(Fault::Unassigned(_)) => "unassigned".to_owned(),
         Err(fault) => fault.to_string(),

@@ -6,8 +6,9 @@ use tipc::{Loaded, render};
 
 /// One line for each finding.
 pub(crate) fn write(loaded: &Loaded, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let findings = loaded.diagnostics.iter();
-    let lines = findings.map(|finding| render::short(&loaded.source, finding, Lang::English));
+    let diagnostics = loaded.diagnostics.iter();
+    let lines =
+        diagnostics.map(|diagnostic| render::short(&loaded.source, diagnostic, Lang::English));
     let lines: Vec<String> = lines.map(|line| line.trim_end().to_owned()).collect();
     f.write_str(&lines.join("\n"))
 }
