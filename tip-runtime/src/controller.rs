@@ -118,7 +118,7 @@ pub struct Core<'m, S: ?Sized> {
 }
 
 impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
-    /// A robot in its initial posture with nothing controlled and standard parameters.
+    /// Creates a robot in its initial posture with nothing controlled and standard parameters.
     #[must_use]
     pub fn new(model: &'m Model<L, J>) -> Self {
         let robot = ModelFacts::of(model);
@@ -128,7 +128,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
         controller
     }
 
-    /// The robot that is controlled.
+    /// Returns the robot that is controlled.
     #[must_use]
     pub const fn model(&self) -> &'m Model<L, J> {
         self.model
@@ -211,7 +211,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         }
     }
 
-    /// The sampling time: ms.
+    /// Returns the sampling time, ms.
     #[must_use]
     pub const fn period(&self) -> f64 {
         self.params.period
@@ -222,7 +222,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         &self.robot
     }
 
-    /// A joint's model; leg and joint count from 0.
+    /// Returns a joint's model; leg and joint count from 0.
     pub(crate) fn joint(&self, leg: usize, joint: usize) -> Option<&'m Joint> {
         self.legs.get(leg)?.model.joints.get(joint)
     }
@@ -323,7 +323,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
     }
 }
 
-/// Commands of torque, force and compliance.
+/// Returns true for commands of torque, force and compliance.
 const fn is_of_force(op: Op) -> bool {
     matches!(
         op,

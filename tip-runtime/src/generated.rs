@@ -26,10 +26,10 @@ pub struct Step<P: 'static> {
 
 /// A compiled program, as the rows of its table see it.
 pub trait State: 'static {
-    /// The step that runs next.
+    /// Returns the step that runs next.
     fn at_mut(&mut self) -> &mut u32;
 
-    /// On to a step, "taken"; never a fault.
+    /// Goes on to a step, "taken"; never a fault.
     fn go(&mut self, step: u32) -> Result<Flow, Fault>;
 }
 
@@ -51,7 +51,7 @@ impl<P: State> Step<P> {
         }
     }
 
-    /// Only goes on.
+    /// Creates a row that only goes on.
     pub const fn go(next: u32) -> Self {
         Step {
             run: go,

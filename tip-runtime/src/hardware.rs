@@ -129,12 +129,12 @@ pub enum JointCommand {
 }
 
 impl JointCommand {
-    /// To stay at an angle: deg.
+    /// Returns the command to stay at an angle, deg.
     pub const fn at(angle: f64) -> Self {
         JointCommand::Angle { angle, rate: 0.0 }
     }
 
-    /// The angle (deg) or torque that is sent.
+    /// Returns the angle (deg) or torque that is sent.
     pub const fn value(self) -> f64 {
         match self {
             JointCommand::Angle { angle, .. } => angle,

@@ -87,7 +87,7 @@ pub struct Range {
 }
 
 impl Range {
-    /// From `min` to `max`.
+    /// Creates the interval from `min` to `max`.
     pub const fn new(min: f64, max: f64) -> Self {
         Range { min, max }
     }
@@ -97,7 +97,7 @@ impl Range {
         value >= self.min && value <= self.max
     }
 
-    /// The interval with both ends moved outwards by `margin`.
+    /// Returns the interval with both ends moved outwards by `margin`.
     #[must_use]
     pub const fn widened(&self, margin: f64) -> Self {
         Range::new(self.min - margin, self.max + margin)
@@ -219,12 +219,13 @@ impl Inverse {
         matches!(self, Inverse::YawPitchPitch | Inverse::RollPitchPitch)
     }
 
-    /// Which axes of a position, velocity or force count.
+    /// Returns the axes of a position, velocity or force that count.
     pub const fn axes(self) -> Axes {
         [true, true, !matches!(self, Inverse::Planar)]
     }
 
-    /// A position, velocity or force as the robot knows it: without z, if that does not count.
+    /// Returns a position, velocity or force as the robot has it: without z, if that does not
+    /// count.
     #[must_use]
     pub const fn flat(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [_, _, space] = self.axes();

@@ -121,33 +121,34 @@ impl<const L: usize, const J: usize> Model<L, J> {
 
 /// A motion program: generated code or the reference interpreter.
 pub trait Program {
-    /// The robot the program was checked for.
+    /// Returns the signature of the robot that the program was checked for.
     fn signature(&self) -> Signature;
-    /// The program's name: its file, or the type that holds it.
+    /// Returns the program's name: its file, or the type that holds it.
     fn name(&self) -> &str;
-    /// Line 2 of the source.
+    /// Returns line 2 of the source.
     fn title(&self) -> &str;
-    /// The step that the next call of [`step`](Self::step) runs.
+    /// Returns the step that the next call of [`step`](Self::step) runs.
     fn at(&self) -> u32;
     /// Runs one step. A fault leaves variables, position and call stack as they were.
     ///
     /// # Errors
     /// The fault that the step found; the machine answers it with an emergency stop.
     fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault>;
-    /// Name and value of scalar `i` in declaration order (`VAR_KEY` first, members one by one);
-    /// `None` past the last, an inner `None` while unassigned.
+    /// Returns name and value of scalar `i` in declaration order (`VAR_KEY` first, members one by
+    /// one); `None` past the last, an inner `None` while unassigned.
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)>;
     /// Assigns a finite value to scalar `i`; does nothing past the last. [`set`](Self::set) does it by name.
     fn set_scalar(&mut self, i: usize, value: f64);
-    /// The source line (from 1) of a step; 0 if there is no such step.
+    /// Returns the source line (from 1) of a step; 0 if there is no such step.
     fn line(&self, step: u32) -> u32;
-    /// Back to the state of a new program.
+    /// Resets to the state of a new program.
     fn reset(&mut self);
 
-    /// The value of a variable, or of a struct's member such as `P.X`; `None` while unassigned.
+    /// Returns the value of a variable, or of a struct's member such as `P.X`; `None` while
+    /// unassigned.
     ///
     /// # Errors
-    /// `Unknown` for a name that the program does not declare, `Constant` for `CHAR_A` and its like.
+    /// `Unknown` for a name that the program does not declare, `Constant` for constants such as `CHAR_A`.
     fn get(&self, name: &str) -> Result<Option<f64>, VariableError> {
         variables::get(self, name)
     }
@@ -220,7 +221,7 @@ pub trait Robot {
     /// # Errors
     /// `Sensor` if the input reads nonsense, `Domain` for one that the robot lacks.
     fn analog(&self, port: Port) -> Result<f64, Fault>;
-    /// The state of an event flag.
+    /// Returns the state of an event flag.
     fn flag(&self, flag: Flag) -> bool;
     /// Sets one of `SPECIAL_FLAG0…9`; other numbers are ignored.
     fn set_special_flag(&mut self, n: u8, on: bool);
@@ -239,12 +240,13 @@ pub trait Robot {
     /// # Errors
     /// `Domain` for another target, a robot without torques, or numbers without sense.
     fn pull(&mut self, point: Target, to: Point, stiffness: [f64; 3]) -> Result<(), Fault>;
-    /// The torque of each joint of a leg: what it is commanded, vibration aside, or else what it senses.
+    /// Returns the torque of each joint of a leg: what it is commanded, vibration aside, or else
+    /// what it senses.
     ///
     /// # Errors
     /// `Domain` for a leg that the robot lacks, or a robot without torques.
     fn torques(&self, leg: u8) -> Result<[f64; MAX], Fault>;
-    /// The joint angles (deg), near the angles `from`, that put a foot at `position` (mm).
+    /// Returns the joint angles (deg), near the angles `from`, that put a foot at `position` (mm).
     ///
     /// # Errors
     /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.
@@ -255,7 +257,7 @@ pub trait Robot {
     /// # Errors
     /// `Domain` for another graph, or a robot without torques.
     fn show_graph(&mut self, graph: u8, on: bool) -> Result<(), Fault>;
-    /// The sampling time in ms.
+    /// Returns the sampling time in ms.
     fn period(&self) -> f64;
 }
 
@@ -293,7 +295,7 @@ impl CallStack {
     /// Maximum depth of nested calls.
     pub const DEPTH: usize = 10;
 
-    /// No call is open.
+    /// Creates a stack without an open call.
     pub const fn new() -> Self {
         CallStack {
             steps: [0; Self::DEPTH],

@@ -33,24 +33,26 @@ impl Tolerance {
 }
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// `INPOS_…`: arrived within JUST; true where nothing is under position or angle control.
+    /// Returns the flag `INPOS_…`: arrived within JUST; true where nothing is under position or
+    /// angle control.
     #[must_use]
     pub fn inpos(&self, target: Target) -> bool {
         self.arrived(target, Tolerance::Just).unwrap_or(true)
     }
 
-    /// `NEAR_…`: arrived within NEAR; false where nothing is under position or angle control.
+    /// Returns the flag `NEAR_…`: arrived within NEAR; false where nothing is under position or
+    /// angle control.
     #[must_use]
     pub fn near(&self, target: Target) -> bool {
         self.arrived(target, Tolerance::Near).unwrap_or(false)
     }
 
-    /// WAIT_INPOS.
+    /// Runs WAIT_INPOS.
     pub(super) fn wait_inpos(&self, target: Target) -> Poll {
         done_if(self.inpos(target))
     }
 
-    /// WAIT_NEAR.
+    /// Runs WAIT_NEAR.
     pub(super) fn wait_near(&self, target: Target) -> Result<Poll, Fault> {
         match (self.arrived(target, Tolerance::Near), target) {
             (Some(near), _) => Ok(done_if(near)),
@@ -59,7 +61,8 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// `None` where nothing is under position or angle control.
+    /// Returns true if the target has arrived; `None` where nothing is under position or angle
+    /// control.
     fn arrived(&self, target: Target, tolerance: Tolerance) -> Option<bool> {
         let inverse = self.robot.inverse;
         match target {
@@ -82,7 +85,8 @@ impl<const J: usize> ControllerView<'_, J> {
 }
 
 impl<const J: usize> LegState<'_, J> {
-    /// Joints under angle control, and a third joint under position control, decide; otherwise the foot.
+    /// Returns true if the leg has arrived. Joints under angle control, and a third joint under
+    /// position control, decide; otherwise the foot.
     fn arrived(&self, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
         // A point that decides about any joint decides about the first.
         let point = self.drive.point_of_joint(0);
@@ -93,7 +97,7 @@ impl<const J: usize> LegState<'_, J> {
         all(point.into_iter().chain(joints))
     }
 
-    /// A joint that serves a point has arrived when the point has.
+    /// Returns true if a joint has arrived. One that serves a point has arrived when the point has.
     fn joint_arrived(&self, m: u8, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
         let at = targets::index(m);
         let point = match self.drive.point_of_joint(at) {

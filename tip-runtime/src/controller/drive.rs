@@ -63,7 +63,7 @@ struct Solved<const J: usize> {
 }
 
 impl<const J: usize> LegDrive<J> {
-    /// Nothing controlled: the servos hold `angles`.
+    /// Creates a drive that controls nothing: the servos hold `angles`.
     pub(super) fn free(angles: [f64; J]) -> Self {
         LegDrive {
             angles,
@@ -92,8 +92,8 @@ impl<const J: usize> LegDrive<J> {
         outputs
     }
 
-    /// Joints that were commanded a torque are where it led them, or are to come back to the working
-    /// limit that they overshot.
+    /// Takes over measured angles: joints that were commanded a torque are where it led them, or
+    /// are to come back to the working limit that they overshot.
     pub(super) fn follow(&mut self, measured: &[f64; J], leg: &Leg<J>) {
         let states = self.torques.iter().zip(leg.within_limits(measured));
         for (angle, (torque, measured)) in self.angles.iter_mut().zip(states) {
@@ -130,7 +130,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The set point that decides about joint `m`'s position, counted from 0, if one does.
+    /// Returns the set point that decides about joint `m`'s position, counted from 0, if one does.
     pub(super) fn point_of_joint(&self, m: usize) -> Option<(LegPoint, &Track<3>)> {
         match &self.drive {
             Drive::Joints(_) => None,
@@ -140,7 +140,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The set point of a point of the leg, if that is what decides.
+    /// Returns the set point of a point of the leg, if that is what decides.
     pub(super) fn own_point(&self, point: LegPoint) -> Option<&Track<3>> {
         match (&self.drive, point) {
             (Drive::Foot(foot), LegPoint::Tip) => Some(foot),
@@ -149,7 +149,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The set points of the joints that go for themselves: the first one's number, from 0.
+    /// Returns the set points of the joints that go for themselves: the first one's number, from 0.
     pub(super) fn own_joints(&self) -> (usize, &[Track<1>]) {
         match &self.drive {
             Drive::Joints(joints) => (0, joints),
@@ -158,8 +158,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// A point's set point, in the motion that the leg is commanded now. Where torques decide, the
-    /// leg starts from where it is.
+    /// Returns a point's set point, in the motion that the leg is commanded now. Where torques
+    /// decide, the leg starts from where it is.
     pub(super) fn point(&self, point: LegPoint, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
         if let Some(own) = self.own_point(point)
             && !own.goal().is_soft()
@@ -175,7 +175,7 @@ impl<const J: usize> LegDrive<J> {
         )
     }
 
-    /// Like [`point`](Self::point), but a spring that pulls at the point already stays strained,
+    /// Returns the same as [`point`](Self::point), but a spring that pulls at the point already stays strained,
     /// unless its stiffness is to change.
     pub(super) fn strained_point(
         &self,
@@ -211,8 +211,8 @@ impl<const J: usize> LegDrive<J> {
         };
     }
 
-    /// The joints' set points, in the motion that the leg is commanded now. Joints that served
-    /// a point are to stay at the angles `stays`.
+    /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
+    /// served a point are to stay at the angles `stays`.
     pub(super) fn joints(&self, leg: &Leg<J>, stays: &[f64; J], inverse: Inverse) -> [Track<1>; J] {
         let (served, own) = match &self.drive {
             Drive::Joints(joints) => return *joints,
@@ -234,7 +234,7 @@ impl<const J: usize> LegDrive<J> {
         joints
     }
 
-    /// The rates at which the joints are commanded to turn: deg/s. Torques command none.
+    /// Returns the rates at which the joints are commanded to turn, deg/s. Torques command none.
     fn rates(&self, leg: &Leg<J>, inverse: Inverse) -> [f64; J] {
         let mut rates = match &self.drive {
             Drive::Joints(_) => [0.0; J],

@@ -29,7 +29,7 @@ pub struct LegState<'m, const J: usize> {
 }
 
 impl<'m, const J: usize> LegState<'m, J> {
-    /// A leg in its initial posture, not controlled, with standard parameters.
+    /// Creates a leg in its initial posture, not controlled, with standard parameters.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn new(model: &'m Leg<J>, robot: &ModelFacts<'_>) -> Self {
@@ -46,10 +46,10 @@ impl<'m, const J: usize> LegState<'m, J> {
         }
     }
 
-    /// Leg `number` moves on by one sampling time.
+    /// Moves leg `number` on by one sampling time.
     ///
     /// # Errors
-    /// As those of its drive.
+    /// The errors of its drive.
     pub(super) fn advance(&mut self, number: u8, cycle: &CycleParams) -> Result<(), Fault> {
         let leg = MovingLeg {
             number,
@@ -60,7 +60,7 @@ impl<'m, const J: usize> LegState<'m, J> {
         self.drive.advance(&leg, cycle)
     }
 
-    /// The leg where it is measured.
+    /// Returns the leg where it is measured.
     pub(super) fn chain(&self) -> Chain<J> {
         Chain::new(self.model, &self.angles)
     }
@@ -71,7 +71,7 @@ impl<'m, const J: usize> LegState<'m, J> {
         Ok(inverse.flat(place))
     }
 
-    /// A point's target, or where the point is if it has none: mm.
+    /// Returns a point's target, or where the point is if it has none, mm.
     pub(super) fn target(&self, point: LegPoint, inverse: Inverse) -> Result<Point, Fault> {
         let own = self.drive.own_point(point);
         match own.and_then(|track| track.goal().target()) {
@@ -80,14 +80,14 @@ impl<'m, const J: usize> LegState<'m, J> {
         }
     }
 
-    /// The angles at which its joints stay where they are: those measured, but within the working
-    /// limits.
+    /// Returns the angles at which its joints stay where they are: those measured, but within the
+    /// working limits.
     pub(super) fn stays(&self) -> [f64; J] {
         self.model.within_limits(&self.angles)
     }
 
-    /// The joints' set points, in the motion that the leg is commanded now. Joints that served
-    /// a point are to stay where they are measured.
+    /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
+    /// served a point are to stay where they are measured.
     pub(super) fn joints(&self, inverse: Inverse) -> [Track<1>; J] {
         self.drive.joints(self.model, &self.stays(), inverse)
     }

@@ -107,7 +107,7 @@ impl JointParams {
         }
     }
 
-    /// The most torque that `joint` is commanded: no more than its motor gives.
+    /// Returns the most torque that `joint` is commanded: no more than its motor gives.
     pub(super) const fn most_torque(&self, joint: &Joint, torque_unit: f64) -> f64 {
         self.torque_max.min(joint.torque * torque_unit)
     }
@@ -245,7 +245,7 @@ impl<'a> Checked<'a> {
         }
     }
 
-    /// The value for the `i`th joint of a leg; a single operand serves all.
+    /// Returns the value for the `i`th joint of a leg; a single operand serves all.
     fn value(&self, i: usize, standard: f64) -> Result<f64, Fault> {
         let operand = match self.command.values {
             [one] => Some(one),

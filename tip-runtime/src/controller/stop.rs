@@ -23,14 +23,14 @@ impl Hold {
 }
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// ALL_STOP: every motion brakes under the limits in force; modes and targets stay.
+    /// Runs ALL_STOP: every motion brakes under the limits in force; modes and targets stay.
     pub fn hold(&mut self) {
         if self.hold == Hold::Off {
             self.hold = Hold::On;
         }
     }
 
-    /// Like [`hold`](Self::hold); returns true if this call is what holds the robot.
+    /// Holds like [`hold`](Self::hold); returns true if this call is what holds the robot.
     pub(crate) fn take_hold(&mut self) -> bool {
         let holds = !self.is_held();
         if holds {
@@ -39,7 +39,7 @@ impl<const J: usize> ControllerView<'_, J> {
         holds
     }
 
-    /// ALL_STOP_RELEASE: every motion goes on towards its target.
+    /// Runs ALL_STOP_RELEASE: every motion goes on towards its target.
     pub fn release(&mut self) {
         if self.hold == Hold::On {
             self.hold = Hold::Off;
@@ -52,8 +52,8 @@ impl<const J: usize> ControllerView<'_, J> {
         self.hold == Hold::On
     }
 
-    /// END and EXIT: every motion brakes under the limits in force; then parameters are standard
-    /// and nothing is controlled.
+    /// Ends the program (END and EXIT): every motion brakes under the limits in force; then
+    /// parameters are standard and nothing is controlled.
     pub fn finish(&mut self) {
         self.task = Task::Idle;
         self.still();
@@ -61,9 +61,10 @@ impl<const J: usize> ControllerView<'_, J> {
         self.end_if_finished();
     }
 
-    /// Emergency stop: every joint, and the slider, is to stay where it is measured; nothing is
-    /// controlled. What is measured outside of the outer limits, or the travel, is to stay at their
-    /// border; a slider that reads nonsense where it was commanded to be.
+    /// Stops in an emergency: every joint, and the slider, is to stay where it is measured; nothing
+    /// is controlled. Joints measured outside of the outer limits, or a slider outside of its
+    /// travel, are to stay at the border; a slider that reads nonsense stays where it was commanded
+    /// to be.
     pub fn emergency(&mut self) {
         for leg in &mut self.legs {
             let mut angles = leg.angles;

@@ -3,7 +3,7 @@
 use crate::command::Target;
 use crate::fault::Fault;
 
-/// The place of leg or joint `n`, counted from 0.
+/// Returns the place of leg or joint `n`, counted from 0.
 pub(super) fn index(n: u8) -> usize {
     usize::from(n).wrapping_sub(1)
 }
@@ -30,7 +30,7 @@ pub(super) fn feet<T>(legs: &mut [T], target: Target) -> Result<&mut [T], Fault>
     }
 }
 
-/// The number, from 1, of the leg or joint at `index`.
+/// Returns the number, from 1, of the leg or joint at `index`.
 pub(super) fn number(index: usize) -> u8 {
     u8::try_from(index).map_or(u8::MAX, |index| index.saturating_add(1))
 }

@@ -57,7 +57,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 }
 
-/// The leg that a target names, and the joint of it (from 0) if it names one alone.
+/// Returns the leg that a target names, and the joint of it (from 0) if it names one alone.
 fn leg_and_joint(target: Target) -> Result<(u8, Option<usize>), Fault> {
     match target {
         Target::Foot(n) => Ok((n, None)),

@@ -82,7 +82,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(Poll::Pending)
     }
 
-    /// Every finger that searched holds the angles that are measured.
+    /// Lets every finger that searched hold the angles that are measured.
     fn hold_where_stopped(&mut self) {
         for leg in &mut self.legs {
             if leg.search.is_some() {
@@ -91,8 +91,8 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// DETECT_FLOOR: joint 1 closes by torque (type 1), or joints 1 and 2 press down (type 2); the others
-    /// hold their angles.
+    /// Starts DETECT_FLOOR: joint 1 closes by torque (type 1), or joints 1 and 2 press down (type
+    /// 2); the others hold their angles.
     pub(super) fn floor_search(
         &mut self,
         command: &Command<'_>,
@@ -114,7 +114,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// DETECT_FLOOR 2: the torques of this cycle.
+    /// Sets the torques of this cycle for DETECT_FLOOR 2.
     fn press_floor(&mut self, command: &Command<'_>, forces: &Forces) {
         if !is_downward(command) {
             return;
@@ -125,8 +125,9 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// DETECT_OBJECT: fingertips (type 1) or third joints (type 2) close along x by force, which the
-    /// fingers of one side share; in type 3 a spring draws the fingertips, and keeps their height.
+    /// Starts DETECT_OBJECT: fingertips (type 1) or third joints (type 2) close along x by force,
+    /// which the fingers of one side share; in type 3 a spring draws the fingertips, and keeps
+    /// their height.
     pub(super) fn object_search(
         &mut self,
         command: &Command<'_>,
@@ -155,7 +156,7 @@ impl<const J: usize> ControllerView<'_, J> {
         self.mark_searching(Target::All)
     }
 
-    /// A spring that draws a fingertip to the middle of the palm, at the height that it has.
+    /// Draws a fingertip by a spring to the middle of the palm, at the height that it has.
     fn draw_inward(&mut self, n: u8) -> Result<(), Fault> {
         let from = self.measured_point(n, LegPoint::Tip)?;
         let target = [0.0, from[1], from[2]];
@@ -165,9 +166,9 @@ impl<const J: usize> ControllerView<'_, J> {
 }
 
 impl<const J: usize> LegState<'_, J> {
-    /// Joints 1 and 2 push the fingertip straight down. The one with the longer lever has the search
-    /// torque. A joint that comes near its limit within `look` seconds stays there while it is pushed
-    /// farther.
+    /// Pushes the fingertip straight down by joints 1 and 2. The one with the longer lever has the
+    /// search torque. A joint that comes near its limit within `look` seconds stays there while it
+    /// is pushed farther.
     fn press_down(&mut self, forces: &Forces, look: f64) {
         let Drive::Joints(mut tracks) = self.drive.drive else {
             return;
@@ -209,7 +210,7 @@ fn is_left(base: [f64; 3]) -> bool {
     base[0].is_sign_negative()
 }
 
-/// Angle control at rest.
+/// Returns angle control at rest.
 fn held(angle: f64) -> Track<1> {
     Track::resting([angle]).towards(Goal::Point {
         target: [angle],
@@ -217,7 +218,8 @@ fn held(angle: f64) -> Track<1> {
     })
 }
 
-/// The type that a search is given, truncated; 0, which is none, for what is below 1 or no number.
+/// Returns the type that a search is given, truncated; 0, which is none, for what is below 1 or no
+/// number.
 fn kind(command: &Command<'_>) -> Result<u8, Fault> {
     match command.values {
         [value] => Ok(value.number() as u8),

@@ -53,7 +53,7 @@ pub(crate) enum Goal<const N: usize> {
 }
 
 impl<const N: usize> Goal<N> {
-    /// The point that it heads for.
+    /// Returns the point that it heads for.
     pub(crate) const fn target(&self) -> Option<[f64; N]> {
         match self {
             Goal::Point { target, .. } | Goal::Spring { target, .. } => Some(*target),
@@ -85,7 +85,7 @@ pub(crate) struct Track<const N: usize> {
 }
 
 impl<const N: usize> Track<N> {
-    /// A set point in motion, without a goal.
+    /// Returns a set point in motion, without a goal.
     pub(crate) const fn moving(position: [f64; N], velocity: [f64; N]) -> Self {
         Track {
             position,
@@ -95,7 +95,7 @@ impl<const N: usize> Track<N> {
         }
     }
 
-    /// A set point at rest.
+    /// Returns a set point at rest.
     pub(crate) const fn resting(position: [f64; N]) -> Self {
         Self::moving(position, [0.0; N])
     }

@@ -50,7 +50,7 @@ impl JointVibration {
         })
     }
 
-    /// A command with the vibration of its joint.
+    /// Returns a command with the vibration of its joint.
     pub(super) fn vibrated(
         &self,
         command: JointCommand,
@@ -74,7 +74,7 @@ impl JointVibration {
     }
 }
 
-/// A wave of amplitude 1 at a phase of 0…1.
+/// Returns a wave of amplitude 1 at a phase of 0…1.
 fn wave(waveform: Waveform, phase: f64) -> f64 {
     match waveform {
         Waveform::Sine => libm::sin(TAU * phase),
@@ -130,7 +130,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// Every vibration ends.
+    /// Ends every vibration.
     pub(super) fn still(&mut self) {
         for leg in &mut self.legs {
             leg.vibrations = [JointVibration::STILL; J];
@@ -145,13 +145,13 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 }
 
-/// An angle with a departure that does not leave the joint's working limits.
+/// Returns an angle with a departure that does not leave the joint's working limits.
 fn vibrated_angle(angle: f64, departure: f64, joint: &Joint) -> f64 {
     let (low, high) = (joint.limits.min.min(angle), joint.limits.max.max(angle));
     (angle + departure).max(low).min(high)
 }
 
-/// A torque that does not push a joint on which is at its working limit.
+/// Limits a torque so that it does not push a joint on that is at its working limit.
 fn inward(torque: f64, measured: f64, joint: &Joint) -> f64 {
     if measured >= joint.limits.max {
         torque.min(0.0)

@@ -13,7 +13,7 @@ impl<T: Copy> Inputs<T> {
         Inputs([value; Port::INPUTS])
     }
 
-    /// The value of an input; `None` for a joint, a channel, or a number that no robot has.
+    /// Returns the value of an input; `None` for a joint, a channel, or a number that no robot has.
     pub fn get(&self, port: Port) -> Option<T> {
         self.0.get(port.place()?).copied()
     }
@@ -28,7 +28,7 @@ impl<T: Copy> Inputs<T> {
         self.get_mut(port).map(|place| *place = value).is_some()
     }
 
-    /// The values of a kind, in the order of its numbers; `port` says which kind.
+    /// Returns the values of a kind, in the order of its numbers; `port` selects the kind.
     pub fn of(&self, port: Port) -> &[T] {
         self.0.get(port.places()).unwrap_or_default()
     }

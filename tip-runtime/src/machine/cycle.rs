@@ -38,7 +38,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         self.state.status
     }
 
-    /// Phase 1: every sensor, the keyboard, and what the controller makes of it.
+    /// Runs phase 1: reads every sensor and the keyboard, and lets the controller take them in.
     fn sample(&mut self) -> Result<(), Fault> {
         if let Some(fault) = self.state.pending.take() {
             return Err(fault);
@@ -95,7 +95,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         Ok(())
     }
 
-    /// Phase 2.
+    /// Runs phase 2, the step.
     fn step(&mut self, mut sink: Option<&mut dyn Sink>) -> Result<Flow, Fault> {
         if let Some(sink) = &mut sink {
             sink.begin(self.program);
@@ -140,7 +140,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         }
     }
 
-    /// Phase 3: trajectories, servo and plant advance by one sampling time.
+    /// Runs phase 3: trajectories, servo and plant advance by one sampling time.
     fn drive(&mut self) {
         let period = self.controller.period();
         self.controller.advance();
@@ -175,7 +175,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         });
     }
 
-    /// Emergency stop: the robot freezes where it is.
+    /// Stops in an emergency: the robot freezes where it is.
     fn stop(&mut self, fault: Fault) {
         let emergency = Emergency {
             fault,

@@ -68,7 +68,7 @@ impl Graphs {
     }
 }
 
-/// Full height is twice the torque of a search.
+/// Fills bars with torques; full height is twice the torque of a search.
 fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) -> &'a [f64] {
     let full = 2.0 * forces.search_torque;
     for (bar, torque) in bars.iter_mut().zip(torques) {
@@ -77,7 +77,8 @@ fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) 
     bars.get(..torques.len()).unwrap_or(bars)
 }
 
-/// Full height is four times the force of a search; a force that is not available has no height.
+/// Fills bars with forces; full height is four times the force of a search, and a force that is not
+/// available has no height.
 fn force_bars<'a, const J: usize>(
     controller: &ControllerView<'_, J>,
     forces: &Forces,

@@ -23,7 +23,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// The program has not ended yet.
+    /// Returns true if the program has not ended yet.
     pub const fn is_running(self) -> bool {
         matches!(self, Status::Running)
     }

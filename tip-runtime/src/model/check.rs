@@ -291,8 +291,8 @@ fn is_ordered(range: Range) -> bool {
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// A yaw, a thigh and a knee that point straight outward at 0, with room for the knee to flex
-/// downwards.
+/// Returns true for a yaw, a thigh and a knee that point straight outward at 0, with room for the
+/// knee to flex downwards.
 fn is_yaw_pitch_pitch(joints: &[Joint]) -> bool {
     let [yaw, thigh, knee] = joints else {
         return false;
@@ -309,7 +309,8 @@ fn is_yaw_pitch_pitch(joints: &[Joint]) -> bool {
     is_along(yaw.axis, Z) && is_level && goes_on(thigh) && goes_on(knee) && flexed > 0.0
 }
 
-/// Three joints, the last two of which turn their links in a plane through the first one's axis, or beside it.
+/// Returns true for three joints, the last two of which turn their links in a plane through the
+/// first one's axis, or beside it.
 fn is_roll_pitch_pitch(joints: &[Joint]) -> bool {
     let [roll, thigh, knee] = joints else {
         return false;

@@ -77,7 +77,7 @@ pub const MODEL: Model<3, 3> = Model {
     }),
 };
 
-/// A finger on the `side` (−1 left, +1 right) of the palm.
+/// Returns a finger on the `side` (−1 left, +1 right) of the palm.
 const fn finger(side: f64, z: f64) -> Leg<3> {
     Leg {
         base: [side * 60.0, 0.0, z],

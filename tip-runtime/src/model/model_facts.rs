@@ -44,7 +44,7 @@ impl<const J: usize> Leg<J> {
     pub(crate) const BLANK: &'static Self =
         &Leg::at([0.0; 3], [Joint::revolute([0.0, 0.0, 1.0], [0.0; 3]); J]);
 
-    /// The nearest angles to these within the working limits: deg.
+    /// Returns the nearest angles to these within the working limits, deg.
     pub(crate) fn within_limits(&self, angles: &[f64; J]) -> [f64; J] {
         let mut within = *angles;
         for (angle, joint) in within.iter_mut().zip(&self.joints) {
@@ -55,7 +55,7 @@ impl<const J: usize> Leg<J> {
 }
 
 impl Range {
-    /// The place in the interval that is nearest to `value`.
+    /// Returns the place in the interval that is nearest to `value`.
     pub(crate) const fn nearest(&self, value: f64) -> f64 {
         value.max(self.min).min(self.max)
     }

@@ -16,7 +16,7 @@ pub struct Spread {
 const SLIGHT: f64 = 1e-9;
 
 impl Spread {
-    /// Evenly along a rod from the joint to the end of `link` (mm).
+    /// Spreads a mass evenly along a rod from the joint to the end of `link` (mm).
     #[must_use]
     pub const fn rod(link: [f64; 3], mass: f64) -> Self {
         let [x, y, z] = link;
@@ -34,7 +34,8 @@ impl Spread {
         }
     }
 
-    /// Evenly in a box with these extents (mm), its centre taken to be in the origin.
+    /// Spreads a mass evenly in a box with these extents (mm), its centre taken to be in the
+    /// origin.
     #[must_use]
     pub const fn block([x, y, z]: [Range; 3], mass: f64) -> Self {
         let (x, y, z) = (x.max - x.min, y.max - y.min, z.max - z.min);

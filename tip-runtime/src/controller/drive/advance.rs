@@ -196,8 +196,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The angles that put a point where its set point is. A closed form solves a foot that stays where it is
-    /// only once.
+    /// Returns the angles that put a point where its set point is. A closed form solves a foot that
+    /// stays where it is only once.
     fn solve(
         &mut self,
         point: LegPoint,

@@ -44,7 +44,7 @@ pub(in crate::controller) struct Bend<const J: usize> {
 }
 
 impl<const J: usize> Bend<J> {
-    /// To the posture `to`, and from there along `line` to the posture `end`.
+    /// Creates a bend to the posture `to`, and from there along `line` to the posture `end`.
     pub(super) fn new(point: &PointOfLeg<'_, J>, to: [f64; J], end: [f64; J], line: Line) -> Self {
         Bend {
             aim: middle(point.leg),
@@ -63,13 +63,13 @@ impl<const J: usize> Bend<J> {
         self.left -= dt;
     }
 
-    /// The postures to follow once the leg at `angles` is bent.
+    /// Returns the postures to follow once the leg at `angles` is bent.
     pub(super) fn done(&self, angles: &[f64; J]) -> Option<PosturePath<J>> {
         let is_near = farthest(angles, &self.to) <= TAKEN;
         (is_near || self.left <= 0.0).then(|| PosturePath::between(*angles, self.end, self.line))
     }
 
-    /// The posture that the joints at `angles` turn towards.
+    /// Returns the posture that the joints at `angles` turn towards.
     pub(super) fn posture(&self, angles: &[f64; J]) -> [f64; J] {
         towards(angles, &self.aim, self.step)
     }
@@ -124,13 +124,13 @@ impl<const J: usize> Bending<J> {
     }
 }
 
-/// The middle of the limits.
+/// Returns the middle of the limits.
 pub(super) fn middle<const J: usize>(leg: &Leg<J>) -> [f64; J] {
     kinematics::starts(leg).nth(1).unwrap_or([0.0; J])
 }
 
-/// The posture that joints lean to in order to turn by about `step` towards `aim`; the first joint only
-/// turns the leg.
+/// Returns the posture that joints lean to in order to turn by about `step` towards `aim`; the
+/// first joint only turns the leg.
 fn towards<const J: usize>(angles: &[f64; J], aim: &[f64; J], step: f64) -> [f64; J] {
     let mut posture = *angles;
     let share = 2.0 * step / farthest(angles, aim).max(step);
@@ -140,7 +140,7 @@ fn towards<const J: usize>(angles: &[f64; J], aim: &[f64; J], step: f64) -> [f64
     posture
 }
 
-/// The most that a joint turns from one posture to another: deg.
+/// Returns the most that a joint turns from one posture to another, deg.
 fn farthest<const J: usize>(from: &[f64; J], to: &[f64; J]) -> f64 {
     let turns = from.iter().zip(to).map(|(from, to)| libm::fabs(to - from));
     turns.fold(0.0, f64::max)

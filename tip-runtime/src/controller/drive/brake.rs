@@ -20,8 +20,8 @@ const PLACES: u8 = 8;
 const THERE: f64 = 1e-6;
 
 impl<const J: usize> LegDrive<J> {
-    /// The rates (deg/s) at which the joints turn, if they have to come to rest before `point` can set off as `track`
-    /// does.
+    /// Returns the rates (deg/s) at which the joints turn, if they have to come to rest before
+    /// `point` can set off as `track` does.
     pub(in crate::controller) fn brakes_first(
         &self,
         point: LegPoint,
@@ -53,7 +53,7 @@ impl<const J: usize> LegDrive<J> {
         (!goes).then(|| self.rates(leg, inverse))
     }
 
-    /// The angles at which joints come to rest that brake from these rates.
+    /// Returns the angles at which joints come to rest that brake from these rates.
     pub(in crate::controller) fn rest_angles(
         &self,
         rates: &[f64; J],

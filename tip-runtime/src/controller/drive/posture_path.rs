@@ -85,7 +85,7 @@ impl<const J: usize> PosturePath<J> {
         self.ease.as_ref().is_none_or(Track::is_at_rest)
     }
 
-    /// The posture for a point that is at `place` and goes to `target`.
+    /// Returns the posture for a point that is at `place` and goes to `target`.
     pub(super) fn posture(&self, place: [f64; 3], target: [f64; 3]) -> [f64; J] {
         let line = if self.length > 0.0 {
             (distance(place, target) / self.length).min(1.0)
@@ -96,7 +96,7 @@ impl<const J: usize> PosturePath<J> {
         self.with_left(line.max(time))
     }
 
-    /// The posture with a share `left` of the way to go.
+    /// Returns the posture with a share `left` of the way to go.
     pub(super) fn with_left(&self, left: f64) -> [f64; J] {
         let mut posture = self.to;
         for (angle, from) in posture.iter_mut().zip(self.from) {

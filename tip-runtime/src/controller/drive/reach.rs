@@ -15,7 +15,8 @@ pub(in crate::controller) fn name(point: LegPoint, n: u8) -> Target {
     }
 }
 
-/// The joint angles that put a point of leg `n` at `position`, as near to the angles `from` as they are.
+/// Returns the joint angles that put a point of leg `n` at `position`, as near to the angles `from`
+/// as they are.
 ///
 /// # Errors
 /// `OutOfReach` if the links do not reach it, `JointLimit` if a joint cannot turn so far.
@@ -34,7 +35,7 @@ pub(in crate::controller) fn reach<const J: usize>(
     Ok(within_rounding(inverse, leg, angles))
 }
 
-/// Angles of a closed form, which may be beyond a limit by rounding.
+/// Returns angles of a closed form, which may be beyond a limit by rounding, within the limits.
 fn within_rounding<const J: usize>(inverse: Inverse, leg: &Leg<J>, angles: [f64; J]) -> [f64; J] {
     if inverse.is_closed() {
         leg.within_limits(&angles)
@@ -61,10 +62,10 @@ fn refused<const J: usize>(
     }
 }
 
-/// The joint angles that put a point of leg `n` where its set point is. A point with too few joints
-/// before it for every direction goes along the line or surface that it has: as near to a set point on
-/// its path as it comes, and all the way to the target. Joints to spare turn towards `posture`. A closed form
-/// leaves out no postures between two cycles.
+/// Returns the joint angles that put a point of leg `n` where its set point is. A point with too
+/// few joints before it for every direction goes along the line or surface that it has: as near to
+/// a set point on its path as it comes, and all the way to the target. Joints to spare turn towards
+/// `posture`. A closed form leaves out no postures between two cycles.
 ///
 /// # Errors
 /// As [`reach`].
@@ -94,8 +95,8 @@ pub(super) fn follow<const J: usize>(
     reach(inverse, leg, (point, n), from, at)
 }
 
-/// The place nearest to `position` (mm) that a point with too few joints can come to; `position`
-/// itself for any other point.
+/// Returns the place nearest to `position` (mm) that a point with too few joints can come to;
+/// `position` itself for any other point.
 pub(in crate::controller) fn nearest_place<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,

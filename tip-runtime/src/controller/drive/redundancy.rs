@@ -30,7 +30,7 @@ pub(in crate::controller) enum Redundancy<const J: usize> {
 }
 
 impl<const J: usize> Redundancy<J> {
-    /// On the path of a point along `line`, for a leg at the angles `from`.
+    /// Starts a motion on the path of a point along `line`, for a leg at the angles `from`.
     pub(in crate::controller) fn to_place(
         inverse: Inverse,
         leg: &Leg<J>,
@@ -47,7 +47,8 @@ impl<const J: usize> Redundancy<J> {
         }
     }
 
-    /// On the path of the foot along `line` to its initial posture, for a leg at the angles `from`.
+    /// Starts a motion on the path of the foot along `line` to its initial posture, for a leg at
+    /// the angles `from`.
     pub(in crate::controller) fn to_initial(
         inverse: Inverse,
         leg: &Leg<J>,
@@ -119,7 +120,7 @@ impl<const J: usize> Redundancy<J> {
         }
     }
 
-    /// The posture that the joints at `angles` turn towards, for a point on `line`.
+    /// Returns the posture that the joints at `angles` turn towards, for a point on `line`.
     pub(super) fn posture(&self, angles: &[f64; J], line: Line) -> Option<[f64; J]> {
         match self {
             Redundancy::None | Redundancy::Brakes(_) => None,

@@ -83,7 +83,8 @@ pub(super) enum Outcome<const J: usize> {
 }
 
 impl<const J: usize> Search<J> {
-    /// For a leg at the angles `from`, whose joints return to the angles `home`, if there are any.
+    /// Creates a search for a leg at the angles `from`, whose joints return to the angles `home`,
+    /// if there are any.
     pub(super) fn new(
         point: &PointOfLeg<'_, J>,
         from: [f64; J],

@@ -86,7 +86,7 @@ impl<const J: usize> Trial<J> {
     }
 }
 
-/// The place with a share `gone` of a line left behind.
+/// Returns the place with a share `gone` of a line left behind.
 fn on_line((place, target): Line, gone: f64) -> [f64; 3] {
     let mut at = target;
     for (at, place) in at.iter_mut().zip(place) {

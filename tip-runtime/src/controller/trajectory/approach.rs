@@ -82,8 +82,8 @@ impl Plan {
         }
     }
 
-    /// Gap and speed `t` seconds from now. The last two phases count back from the arrival, so
-    /// that rounding does not add up.
+    /// Returns gap and speed `t` seconds from now. The last two phases count back from the arrival,
+    /// so that rounding does not add up.
     fn after(&self, t: f64) -> (f64, f64) {
         if t < self.pushing {
             let way = self.speed * t + 0.5 * self.push * t * t;

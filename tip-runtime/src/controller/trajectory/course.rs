@@ -104,7 +104,7 @@ impl<const N: usize> Course<N> {
     }
 }
 
-/// The other leg of a right triangle.
+/// Returns the other leg of a right triangle.
 fn leg_of_triangle(hypotenuse: f64, leg: f64) -> f64 {
     libm::sqrt(((hypotenuse - leg) * (hypotenuse + leg)).max(0.0))
 }
