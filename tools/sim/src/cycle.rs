@@ -41,7 +41,7 @@ pub struct Cycle {
 pub struct IssuedCommand {
     /// Which command.
     pub op: Op,
-    /// HS: hand over to the next command at once.
+    /// HS: hand over to the next command immediately.
     pub hs: bool,
     /// The foot, joint or device that it is for.
     pub target: Target,
@@ -78,7 +78,7 @@ pub(crate) struct Collector {
 }
 
 impl Collector {
-    /// The cycle that a robot is in now; `number` and `time` are those of its beginning.
+    /// Finishes the cycle that a robot is in now; `number` and `time` are those of its beginning.
     pub(crate) fn finish(
         self,
         machine: &dyn DynMachine,

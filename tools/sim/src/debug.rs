@@ -125,7 +125,7 @@ impl Debugger {
         self.stops_at_fall = on;
     }
 
-    /// The position: the cycle that comes next.
+    /// Returns the position: the cycle that comes next.
     pub fn now(&self) -> u64 {
         self.timeline.now()
     }
@@ -140,17 +140,17 @@ impl Debugger {
         &self.stop
     }
 
-    /// The program.
+    /// Returns the program.
     pub fn program(&self) -> &Arc<Program> {
         &self.program
     }
 
-    /// The run where the debugger stands.
+    /// Returns the run where the debugger stands.
     pub fn run(&self) -> &Run {
         self.timeline.run()
     }
 
-    /// The interpreter; every run of a debugger has one.
+    /// Returns the interpreter; every run of a debugger has one.
     fn interpreter(run: &Run) -> Option<&Interpreter> {
         run.engine()
     }
@@ -254,7 +254,7 @@ impl History {
         self.steps.len() as u64
     }
 
-    /// A step is about to run for the first time.
+    /// Adds a step that is about to run for the first time.
     fn push(&mut self, step: u32, depth: u8) {
         self.steps.push(step);
         self.depths.push(depth);
@@ -275,7 +275,7 @@ impl History {
         self.frontier = Frontier::Open;
     }
 
-    /// The step at a position.
+    /// Returns the step at a position.
     fn step(&self, at: u64) -> u32 {
         self.steps.get(place(at)).copied().unwrap_or(self.next)
     }

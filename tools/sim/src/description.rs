@@ -8,7 +8,8 @@ use tipc::description::{self, Description, WithModel};
 use tipc::{Loaded, published};
 
 impl Robot {
-    /// A walking robot from the text of its description (`docs/robots.md`). It stays in memory for good.
+    /// Returns a walking robot from the text of its description (`docs/robots.md`). It stays in
+    /// memory for good.
     ///
     /// # Errors
     /// Everything that is wrong with the text.
@@ -19,13 +20,13 @@ impl Robot {
             .map_err(DescriptionError)
     }
 
-    /// One of the robots that are published.
+    /// Returns one of the robots that are published.
     pub(crate) fn published(name: &str) -> Option<Self> {
         let description = published::find(name)?.read().ok()?;
         Some(Self::described(&description))
     }
 
-    /// A walking robot from a description that was read. It stays in memory for good.
+    /// Returns a walking robot from a description that was read. It stays in memory for good.
     pub fn described(description: &Description) -> Self {
         let robot = description.with_model(BuildRobot);
         robot.with_shapes(description.shapes())
@@ -48,7 +49,7 @@ impl WithModel for BuildRobot {
 pub struct DescriptionError(Box<Loaded>);
 
 impl DescriptionError {
-    /// The faults, each at its place in the text.
+    /// Returns the faults, each at its place in the text.
     pub fn loaded(&self) -> &Loaded {
         &self.0
     }

@@ -4,7 +4,7 @@ use std::fmt;
 use tipc::message::Lang;
 use tipc::{Loaded, render};
 
-/// One line for each finding.
+/// Writes one line for each diagnostic.
 pub(crate) fn write(loaded: &Loaded, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let diagnostics = loaded.diagnostics.iter();
     let lines =

@@ -84,7 +84,7 @@ impl Events {
         Events(events)
     }
 
-    /// All of them, in order.
+    /// Returns all events, in order.
     pub fn all(&self) -> &[Timed] {
         &self.0
     }
@@ -94,7 +94,7 @@ impl Events {
         self.0.is_empty()
     }
 
-    /// The inputs that they change.
+    /// Returns the inputs that they change.
     pub fn ports(&self) -> impl Iterator<Item = Port> {
         self.0.iter().filter_map(|timed| match timed.event {
             Event::Sensor(port, _) => Some(port),
@@ -107,7 +107,7 @@ impl Events {
         self.0.truncate(count);
     }
 
-    /// Number of events before a cycle.
+    /// Returns the number of events before a cycle.
     pub(crate) fn before(&self, cycle: u64) -> usize {
         self.0.partition_point(|event| event.cycle < cycle)
     }

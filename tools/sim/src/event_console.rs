@@ -22,7 +22,7 @@ pub(crate) trait Listener: Console + Any + Send {}
 impl<C: Console + Send + 'static> Listener for C {}
 
 impl EventConsole {
-    /// A key is pressed.
+    /// Presses a key.
     pub(crate) fn press(&mut self, byte: u8) {
         self.due.push_back(byte);
     }

@@ -67,7 +67,7 @@ pub struct TimeLimits {
 }
 
 impl Default for TimeLimits {
-    /// 30 s and 5 s.
+    /// Returns 30 s and 5 s.
     fn default() -> Self {
         TimeLimits {
             first: Duration::from_secs(30),
@@ -77,7 +77,8 @@ impl Default for TimeLimits {
 }
 
 impl ExternalPlant {
-    /// A program with its arguments; no shell is between. What it writes to its standard error is dropped.
+    /// Creates a program with its arguments; no shell is between. What it writes to its standard
+    /// error is dropped.
     pub fn new(
         program: impl AsRef<OsStr>,
         arguments: impl IntoIterator<Item = impl AsRef<OsStr>>,
@@ -216,7 +217,7 @@ impl ExternalHardware {
         })
     }
 
-    /// Waits for what is awaited, but not longer than this; whether nothing is awaited any more.
+    /// Waits for the awaited answer, but not longer than this; returns true if none is awaited any more.
     fn wait(&mut self, longest: Duration) -> bool {
         let (Some(head), None) = (self.awaits, &self.error) else {
             return true;

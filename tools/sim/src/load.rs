@@ -23,7 +23,7 @@ pub fn load(name: &str, text: &str, robot: &Robot) -> Result<Interpreter, LoadEr
 pub struct LoadError(Box<Loaded>);
 
 impl LoadError {
-    /// The findings, each at its place in the text.
+    /// Returns the diagnostics, each at its place in the text.
     pub fn loaded(&self) -> &Loaded {
         &self.0
     }

@@ -1,6 +1,6 @@
 //! Compiled code against the reference interpreter, cycle by cycle, each on a simulated robot of its own.
 //!
-//! `tip verify` does this for programs on the robots that it knows. With commands or a robot of your own it takes a
+//! `tip verify` does this for programs on the robots that have a name. With commands or a robot of your own it takes a
 //! few lines, in a test of your own; the front page of this crate has an example.
 //!
 //! Here the compiled code is of another text, and differs in the cycle of the step that does:
@@ -58,7 +58,7 @@ pub enum Evidence {
 
 /// Goes along with the interpreter while both engines do the same.
 pub trait Scout {
-    /// A step ran, and led on unless it was the last.
+    /// Called after each step, which led on unless it was the last.
     fn went(&mut self, cycle: u64, from: Place, to: Option<Place>) {
         let _ = (cycle, from, to);
     }
@@ -68,7 +68,7 @@ pub trait Scout {
         None
     }
 
-    /// Both engines are over one more cycle; the last one may have ended them.
+    /// Called after each cycle of both engines; the last one may have ended them.
     fn after(&mut self, interpreted: &Run) {
         let _ = interpreted;
     }
@@ -143,7 +143,7 @@ impl Lockstep {
         })
     }
 
-    /// The program.
+    /// Returns the program.
     pub fn program(&self) -> &Arc<program::Program> {
         &self.program
     }

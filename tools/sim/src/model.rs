@@ -60,7 +60,7 @@ impl<const J: usize> From<&Leg<J>> for Limb {
 }
 
 impl Limb {
-    /// The frame of each link at these angles (deg), from base to foot.
+    /// Returns the frame of each link at these angles (deg), from base to foot.
     pub fn frames(&self, angles: &[f64]) -> Vec<Frame> {
         frames(self.base, &self.joints, angles).collect()
     }

@@ -10,7 +10,7 @@ pub enum Plant {
     /// no inertia.
     #[default]
     Simulated,
-    /// Everything has mass, whatever the scene says.
+    /// Everything has mass, whatever the scene asks for.
     Dynamic,
     /// Joints that are at once where they are commanded to be: cheap, for comparing engines.
     Echo,

@@ -12,7 +12,7 @@ const BLINK: Duration = Duration::from_millis(5);
 /// The processes that were started here and have not been ended.
 static RUNNING: Mutex<Vec<u32>> = Mutex::new(Vec::new());
 
-/// Ends all processes that were started here at once, and those that they started: for a command that is about to exit
+/// Ends immediately all processes that were started here, and those that they started: for a command that is about to exit
 /// without dropping what it has.
 pub fn end_processes() {
     for id in running().drain(..) {

@@ -64,7 +64,7 @@ fn stops_at_limits(program: &Program) -> bool {
     !program.steps().iter().any(clips)
 }
 
-/// The numbers of a command's target, if all are constants and absolute.
+/// Returns the numbers of a command's target, if all are constants and absolute.
 fn constants(arguments: &[Argument]) -> Option<Vec<f64>> {
     let constant = |argument: &Argument| match (argument.operand, argument.mark) {
         (Operand::Constant(number), Mark::None) => Some(number),
@@ -173,7 +173,7 @@ fn warning(
 /// In how many pieces a straight path is looked at.
 const PIECES: u32 = 100;
 
-/// The first place of a straight path that is clearly out of reach.
+/// Returns the first place of a straight path that is clearly out of reach.
 fn on_the_path(
     statement: &Statement,
     robot: &Robot,
@@ -203,7 +203,8 @@ fn is_clear(miss: Miss) -> bool {
     }
 }
 
-/// The number of the joint that misses its limit, if there is one for each joint; else all numbers.
+/// Returns the number of the joint that misses its limit, if there is one for each joint; else all
+/// numbers.
 fn place(statement: &Statement, miss: Miss) -> Span {
     let StatementKind::Command { arguments, .. } = &statement.kind else {
         return statement.span;
@@ -228,7 +229,7 @@ fn place(statement: &Statement, miss: Miss) -> Span {
     }
 }
 
-/// Rounded to a tenth, as people read it.
+/// Rounds to a tenth, as people read it.
 fn tenths(number: f64) -> f64 {
     (number * 10.0).round() / 10.0
 }

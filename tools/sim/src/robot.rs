@@ -26,7 +26,7 @@ pub struct Robot {
     plant: Plant,
     scene: Scene,
     special: Box<dyn NativeCommands>,
-    /// The SPECIAL commands that are the robot's own; `None` if someone else's code answers.
+    /// The SPECIAL commands that are the robot's own; `None` if user code answers.
     answers: Option<&'static [u8]>,
     shapes: Arc<Shapes>,
 }
@@ -49,8 +49,8 @@ pub(crate) struct InitialState {
 }
 
 impl Robot {
-    /// A robot that has a name: `titan8`, `hand` or `generic`, which the language knows, or one of those that are
-    /// [`published`](tipc::published). The hand has its SPECIAL commands.
+    /// Returns a robot that has a name: `titan8`, `hand` or `generic`, which the language knows, or
+    /// one of those that are [`published`](tipc::published). The hand has its SPECIAL commands.
     ///
     /// # Errors
     /// There is no robot of that name.
@@ -74,12 +74,12 @@ impl Robot {
         }
     }
 
-    /// A walking robot of a model, such as `include_robot!` makes.
+    /// Creates a walking robot of a model, such as `include_robot!` makes.
     pub fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
         Self::new(model, Facts::of(model), Hardware::Walker)
     }
 
-    /// A robot of a model with a plant of its own.
+    /// Creates a robot of a model with a plant of its own.
     pub fn on<const L: usize, const J: usize>(
         model: &'static Model<L, J>,
         plant: impl plant::Plant<L, J> + Clone + Send + 'static,
@@ -136,7 +136,7 @@ impl Robot {
         self
     }
 
-    /// The SPECIAL commands that are its own; `None` if its owner's code answers.
+    /// Returns the SPECIAL commands that are its own; `None` if its owner's code answers.
     pub(crate) fn answers(&self) -> Option<&'static [u8]> {
         self.answers
     }

@@ -46,8 +46,8 @@ impl From<Option<u64>> for Limit {
 
 /// Accompanies a run while it lasts.
 pub trait Observer {
-    /// Asked before each cycle, and now and then while a robot outside of this process is waited for; `false` interrupts
-    /// the run.
+    /// Called before each cycle, and now and then while a robot outside of this process is awaited;
+    /// `false` interrupts the run.
     fn goes_on(&mut self) -> bool {
         true
     }
@@ -58,7 +58,7 @@ pub trait Observer {
         None
     }
 
-    /// A cycle is over; the program may have ended in it.
+    /// Called after each cycle; the program may have ended in it.
     fn after(&mut self, run: &mut Run) {
         let _ = run;
     }
@@ -165,7 +165,7 @@ impl Run {
         Ok(())
     }
 
-    /// Nothing that was to happen from now on will; what has happened stays.
+    /// Forgets all events that were to happen from now on; past ones stay.
     pub fn forget_events(&mut self) {
         self.events.truncate(self.happened);
     }
@@ -187,12 +187,12 @@ impl Run {
         self
     }
 
-    /// The console, if it is one of type `C`.
+    /// Returns the console, if it is one of type `C`.
     pub fn console<C: Console + 'static>(&self) -> Option<&C> {
         self.machine.console().listener()?.downcast_ref()
     }
 
-    /// The console, if it is one of type `C`.
+    /// Returns the console, if it is one of type `C`.
     pub fn console_mut<C: Console + 'static>(&mut self) -> Option<&mut C> {
         self.machine.console_mut().listener_mut()?.downcast_mut()
     }
@@ -204,7 +204,7 @@ impl Run {
         self
     }
 
-    /// The trace so far, with its last record if the run has ended; empty if none is kept.
+    /// Returns the trace so far, with its last record if the run has ended; empty if none is kept.
     pub fn trace(&self) -> String {
         let trace = self.trace.as_ref();
         trace.map_or(String::new(), |trace| {
@@ -321,27 +321,27 @@ impl Run {
         self.machine.emergency().copied()
     }
 
-    /// Cycles whose step ran without a fault.
+    /// Returns the number of cycles whose step ran without a fault.
     pub fn cycles(&self) -> u64 {
         self.machine.cycles()
     }
 
-    /// Time on the robot: ms.
+    /// Returns the time on the robot, ms.
     pub fn time(&self) -> f64 {
         self.machine.time()
     }
 
-    /// The sampling time: ms.
+    /// Returns the sampling time, ms.
     pub fn period(&self) -> f64 {
         self.machine.period()
     }
 
-    /// The program as the run has left it.
+    /// Returns the program as the run has left it.
     pub fn program(&self) -> &dyn Program {
         self.machine.program()
     }
 
-    /// The program, if it is one of type `P`, such as [`Interpreter`](crate::Interpreter).
+    /// Returns the program, if it is one of type `P`, such as [`Interpreter`](crate::Interpreter).
     pub fn engine<P: Program + 'static>(&self) -> Option<&P> {
         self.machine.program().get()
     }
@@ -363,7 +363,7 @@ impl Run {
         self.machine.commands()
     }
 
-    /// Joint angles as measured in the last cycle, leg by leg: deg.
+    /// Returns the joint angles measured in the last cycle, leg by leg, deg.
     pub fn angles(&self) -> &[f64] {
         self.machine.angles()
     }
@@ -374,7 +374,7 @@ impl Run {
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)
     }
 
-    /// A hash of what each joint was sent and measured in the last cycle.
+    /// Returns a hash of the commands to each joint and its readings in the last cycle.
     pub fn state_hash(&self) -> u64 {
         state_hash(self.commands(), self.angles())
     }

@@ -24,12 +24,13 @@ impl Run {
         self.machine.hardware().travel()
     }
 
-    /// When and where the robot first fell, if it did.
+    /// Returns time and place of the robot's first fall, if it fell.
     pub fn first_fall(&self) -> Option<Fall> {
         self.fall
     }
 
-    /// The legs or fingers as they are after the last cycle; none if nothing but joints is simulated.
+    /// Returns the legs or fingers as they are after the last cycle; none if nothing but joints is
+    /// simulated.
     pub fn limbs(&self) -> Option<Limbs> {
         self.machine.hardware().limbs()
     }

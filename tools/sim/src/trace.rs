@@ -8,7 +8,7 @@ use tip_runtime::record::{Cycle, Ending, JsonLines, Sink};
 /// Records of the cycles so far, which only grow.
 #[derive(Clone, Debug)]
 pub(crate) struct Trace {
-    /// Writes the record of one cycle; knows the variables after the one before.
+    /// Writes the record of one cycle; keeps the variables after the one before.
     writer: JsonLines<String>,
     records: String,
 }
@@ -32,13 +32,13 @@ impl Trace {
         &mut self.writer
     }
 
-    /// A cycle is over.
+    /// Keeps the record of the cycle that is over.
     pub(crate) fn keep(&mut self) {
         self.records.push_str(self.writer.get_ref());
         self.writer.get_mut().clear();
     }
 
-    /// All records so far, and the last one if the run has ended.
+    /// Returns all records so far, and the last one if the run has ended.
     pub(crate) fn text(&self, ending: Option<Ending>, cycles: u64) -> String {
         let mut text = self.records.clone();
         if let Some(ending) = ending {
@@ -60,7 +60,7 @@ impl Trace {
     }
 }
 
-/// The record after those of the cycles.
+/// Returns the record after those of the cycles.
 pub(crate) fn last_record(ending: Ending, cycles: u64) -> String {
     let mut writer = JsonLines::new(String::new(), false);
     writer.end(ending, cycles);
@@ -70,7 +70,7 @@ pub(crate) fn last_record(ending: Ending, cycles: u64) -> String {
 /// Tells two sinks the same.
 struct Tee<'a>(&'a mut dyn Sink, &'a mut dyn Sink);
 
-/// The sinks that there are, as one.
+/// Returns the sinks that there are, as one.
 pub(crate) fn tee<T>(
     first: Option<&mut dyn Sink>,
     second: Option<&mut dyn Sink>,

@@ -116,7 +116,7 @@ impl Breakpoints {
         }
     }
 
-    /// The first one that stops a run at a position where a step begins.
+    /// Returns the first one that stops a run at a position where a step begins.
     pub(super) fn stops(&self, step: u32, now: &Now<'_>) -> Option<u32> {
         let mut here = self.at(step).filter(|one| one.log_text.is_none());
         here.find(|one| one.is_due(now)).map(|one| one.id)
@@ -150,7 +150,7 @@ impl Breakpoints {
         known
     }
 
-    /// Counts the passes of a position where nobody counted yet; `step` begins there, if one does.
+    /// Counts the passes of a position that has not been counted; `step` begins there, if one does.
     pub(super) fn count(&mut self, step: Option<u32>, now: &Now<'_>) {
         for one in &mut self.all {
             if one.hits.is_some() && one.known == now.at {
@@ -161,7 +161,7 @@ impl Breakpoints {
         }
     }
 
-    /// Counts what needs no run up to a position; says from where on the rest is unknown, if anything is.
+    /// Counts passes up to a position as far as that needs no run; returns the first position that needs one, if any.
     pub(super) fn count_known(&mut self, history: &History, until: u64) -> Option<u64> {
         for one in &mut self.all {
             if one.hits.is_some() && one.asked.is_none() {
@@ -253,7 +253,7 @@ impl Debugger {
         Ok(Placed { id, line, column })
     }
 
-    /// Takes a breakpoint away; says whether there was one.
+    /// Removes a breakpoint; returns true if there was one.
     pub fn remove_breakpoint(&mut self, id: u32) -> bool {
         let before = self.breakpoints.all.len();
         self.breakpoints.all.retain(|one| one.id != id);
@@ -261,7 +261,7 @@ impl Debugger {
         self.breakpoints.all.len() < before
     }
 
-    /// The lines of a step where breakpoints are, with their numbers.
+    /// Returns the lines of a step where breakpoints are, with their numbers.
     pub fn breakpoint_lines(&self) -> impl Iterator<Item = (u32, u32)> {
         let all = self.breakpoints.all.iter();
         all.flat_map(|one| {
@@ -272,7 +272,7 @@ impl Debugger {
     }
 }
 
-/// The first step that does not begin before a place.
+/// Returns the first step that does not begin before a place.
 fn first_from(program: &Program, line: u32, column: u32) -> Option<u32> {
     let steps = (0..).zip(program.steps());
     let behind = steps.filter(|(_, step)| (step.line, step.column) >= (line, column));
@@ -305,7 +305,7 @@ impl Debugger {
         std::mem::take(&mut self.logged)
     }
 
-    /// Says what is to be said where a step begins.
+    /// Logs the texts of log points where a step begins.
     pub(super) fn log_here(&mut self) {
         let step = self.run().program().at();
         let begins = self.now() == 0 || self.history.step(self.now() - 1) != step;
@@ -375,7 +375,7 @@ impl Watches {
         })
     }
 
-    /// One watch, or all.
+    /// Iterates over one watch, or all.
     fn those(&self, only: Option<u32>) -> impl Iterator<Item = &Watch> {
         let is_meant = move |watch: &&Watch| only.is_none_or(|id| watch.id == id);
         self.0.iter().filter(is_meant)
@@ -404,7 +404,7 @@ impl Debugger {
         Ok(id)
     }
 
-    /// Takes a watch away; says whether there was one.
+    /// Removes a watch; returns true if there was one.
     pub fn unwatch(&mut self, id: u32) -> bool {
         let before = self.watches.0.len();
         self.watches.0.retain(|watch| watch.id != id);
@@ -417,7 +417,7 @@ impl Debugger {
     }
 }
 
-/// The places of a variable, or of a member, among all scalars.
+/// Returns the places of a variable, or of a member, among all scalars.
 fn scalars(program: &Program, name: &str) -> Option<Range<usize>> {
     let mut variables = program.variables().iter();
     let whole = |variable: &Variable| variable.first..variable.first + variable.size();

@@ -10,7 +10,7 @@ use tip_runtime::controller::Mode;
 use tip_runtime::fault::Fault;
 use tipc::program::{Action, Condition, Operand, Program, ScalarExpression, VariableKind};
 
-/// The names that only a debugger knows: the cycle that comes next, and when it begins, in ms.
+/// Names that the debugger adds: the next cycle, and its time, ms.
 pub(super) const OWN_NAMES: &[&str] = &["CYCLE", "TIME"];
 
 /// A condition of a breakpoint.
@@ -136,7 +136,7 @@ impl Now<'_> {
         self.interpreter()?.scalar_expression(value)
     }
 
-    /// An operand without the debugger's own names.
+    /// Replaces the debugger's own names by their values in an operand.
     fn known(&self, operand: Operand) -> Operand {
         let Operand::Scalar { scalar, negative } = operand else {
             return operand;
@@ -162,7 +162,7 @@ impl Debugger {
         Ok(expression.evaluate(&self.here())?)
     }
 
-    /// The value of a variable or of a member such as `P.X`; none while unassigned.
+    /// Returns the value of a variable or of a member such as `P.X`; none while unassigned.
     ///
     /// # Errors
     /// The program has no such variable.
@@ -288,7 +288,7 @@ pub fn control(mode: Mode) -> Debugging {
 }
 
 impl Debugger {
-    /// The step that comes next.
+    /// Returns the step that comes next.
     pub fn step(&self) -> u32 {
         self.run().program().at()
     }
@@ -298,7 +298,7 @@ impl Debugger {
         self.run().program().line(self.step())
     }
 
-    /// All variables, `VAR_KEY` first.
+    /// Returns all variables, `VAR_KEY` first.
     pub fn variables(&self) -> Vec<Variable> {
         let engine = self.run().program();
         let scalar = |place| {
@@ -317,7 +317,7 @@ impl Debugger {
         shown.collect()
     }
 
-    /// The open calls, the innermost first, the program itself last.
+    /// Returns the open calls, the innermost first, the program itself last.
     pub fn frames(&self) -> Vec<Frame> {
         let returns = Self::interpreter(self.run()).map_or(&[][..], |engine| engine.calls());
         let calls: Vec<u32> = returns.iter().map(|step| step.saturating_sub(1)).collect();
@@ -359,7 +359,7 @@ impl Debugger {
         self.said.get(..until).unwrap_or_default()
     }
 
-    /// The messages that the program said for the first time since this was asked last.
+    /// Takes the messages that the program said for the first time since the last call.
     pub fn news(&mut self) -> Vec<(u64, String)> {
         let news = self.said.get(self.taken..).unwrap_or_default().to_vec();
         self.taken = self.said.len();

@@ -123,7 +123,7 @@ impl Debugger {
         }
     }
 
-    /// A whole movement.
+    /// Runs a whole movement.
     pub fn go(&mut self, movement: Move) -> Stop {
         self.start(movement);
         loop {
@@ -237,7 +237,7 @@ impl Debugger {
         }
     }
 
-    /// One cycle. What happens before the next one has happened then.
+    /// Runs one cycle. What happens before the next one has happened then.
     fn advance(&mut self) {
         if self.now() < self.history.len() {
             self.timeline.advance(None);
@@ -256,7 +256,7 @@ impl Debugger {
         self.breakpoints.count(begins.then_some(step), &now);
     }
 
-    /// A cycle that nobody has seen.
+    /// Runs a cycle for the first time.
     fn explore(&mut self) {
         let before = self.run().program().at();
         self.history.push(before, Self::depth(self.run()));
@@ -296,7 +296,7 @@ impl Debugger {
     }
 }
 
-/// Keeps what the program says.
+/// Keeps the messages of the program.
 struct MessageListener<'a> {
     at: u64,
     said: &'a mut Vec<(u64, String)>,
@@ -456,7 +456,7 @@ impl Debugger {
         assigned.or_else(|| self.watches.set(at, watch, &self.run().events))
     }
 
-    /// Runs a stretch again up to its last condition; says whether it came there.
+    /// Runs a segment again up to its last condition; returns true if it came there.
     fn ask(&self, segment: &mut ReplaySegment, scout: &mut Run, left: &mut u64) -> bool {
         while let Some(to) = segment.asks.as_slice().first().copied() {
             while segment.at < to {
@@ -484,7 +484,7 @@ impl Debugger {
 }
 
 impl ReplaySegment {
-    /// The later one of two stops counts; one that is certain is before all that are asked for.
+    /// Keeps the later one of two stops; one that is certain is before all that are asked for.
     fn found(&mut self, stop: Stop) {
         if self.best.as_ref().is_none_or(|best| best.at < stop.at) {
             self.best = Some(stop);
@@ -492,7 +492,7 @@ impl ReplaySegment {
     }
 }
 
-/// A run that goes again over cycles in which nobody counted.
+/// A run that replays cycles whose passes have not been counted.
 #[derive(Debug)]
 pub(super) struct HitCounting {
     scout: Run,
@@ -502,7 +502,7 @@ pub(super) struct HitCounting {
 }
 
 impl HitCounting {
-    /// From a position up to where the debugger stands.
+    /// Starts counting from a position up to where the debugger stands.
     pub(super) fn new(from: u64, debugger: &Debugger) -> Option<Self> {
         let (at, mark) = debugger.timeline.before(from)?;
         let mut scout = debugger.run().clone();
@@ -525,7 +525,7 @@ impl HitCounting {
 }
 
 impl Debugger {
-    /// Goes on counting; says whether all is counted.
+    /// Goes on counting; returns true when all is counted.
     pub(super) fn count_hits(&mut self, counting: &mut HitCounting, left: &mut u64) -> bool {
         loop {
             let begins = self.history.enters(counting.at);

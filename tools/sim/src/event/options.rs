@@ -72,7 +72,7 @@ impl FromStr for Inputs {
     }
 }
 
-/// A word, or the text between single quotes; and what follows.
+/// Returns a word, or the text between single quotes; and what follows.
 fn value(text: &str) -> (&str, &str) {
     match text
         .strip_prefix('\'')
@@ -121,7 +121,7 @@ impl FromStr for SensorAt {
     }
 }
 
-/// An input that reads something from a cycle on, if it can read that.
+/// Returns an input that reads something from a cycle on, if it can read that.
 fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<Timed, EventError> {
     let wrong = |what: &str| {
         EventError(format!(

@@ -107,7 +107,8 @@ impl Link {
         });
     }
 
-    /// The answer to what it was asked last, waiting for it, but not longer than this; it is too late after `within`.
+    /// Waits for the answer to the last request, but not longer than this; it is too late after
+    /// `within`.
     pub(super) fn answer(&mut self, longest: Duration, within: Duration) -> Received {
         let left = within.saturating_sub(self.asked.elapsed());
         match self.answers.recv_timeout(left.min(longest)) {
@@ -128,7 +129,7 @@ impl Link {
         }
     }
 
-    /// It is not given time to end by itself.
+    /// Ends the process without giving it time to end by itself.
     pub(super) fn give_up(&mut self) {
         self.is_given_up = true;
     }
@@ -169,7 +170,7 @@ fn talk(
     }
 }
 
-/// The next line.
+/// Reads the next line.
 fn hear(output: &mut impl BufRead) -> Received {
     let mut bytes = Vec::new();
     let read = output
@@ -186,7 +187,7 @@ fn hear(output: &mut impl BufRead) -> Received {
     }
 }
 
-/// Passes on what it says, line by line.
+/// Passes on its output, line by line.
 fn listen(errors: ChildStderr, listener: &(dyn Fn(&str) + Send + Sync)) {
     let mut errors = BufReader::new(errors);
     loop {

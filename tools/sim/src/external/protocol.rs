@@ -276,7 +276,7 @@ impl Layout {
         }
     }
 
-    /// The inputs that read what events set.
+    /// Returns the inputs that read what events set.
     pub(super) fn inputs(&self) -> impl Iterator<Item = Port> {
         let soles = u8::try_from(self.soles).unwrap_or(u8::MAX);
         let knobs = Port::Knob(1).named();
@@ -285,7 +285,7 @@ impl Layout {
             .chain([Port::Antenna])
     }
 
-    /// The first line.
+    /// Returns the first line.
     pub(super) fn hello(&self) -> String {
         let Layout {
             robot,
@@ -307,7 +307,7 @@ impl Layout {
         )
     }
 
-    /// The line of a control cycle.
+    /// Returns the line of a control cycle.
     pub(super) fn cycle(&self, number: u64, commands: &Commands<'_>) -> String {
         let unit = self.per_newton_metre;
         let (joints, period) = (commands.joints, commands.period);
@@ -331,7 +331,7 @@ impl Layout {
     }
 }
 
-/// The line of an emergency.
+/// Returns the line of an emergency.
 pub(super) fn stop(number: u64) -> String {
     format!("stop {NUMBER}={number}\n")
 }
@@ -343,7 +343,7 @@ fn mode(command: JointCommand) -> &'static str {
     }
 }
 
-/// Numbers with commas between, each the shortest that gives the same bits again.
+/// Writes numbers with commas between, each the shortest that gives the same bits again.
 fn list(numbers: impl Iterator<Item = f64>) -> String {
     let mut text = String::new();
     for (index, number) in numbers.enumerate() {
@@ -438,7 +438,7 @@ pub enum PlantError {
 }
 
 impl PlantError {
-    /// The word of the emergency stop.
+    /// Returns the word of the emergency stop.
     pub fn word(&self) -> &'static str {
         match self {
             PlantError::NoAnswer { .. } => "plant: no answer",

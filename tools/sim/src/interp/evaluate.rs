@@ -25,7 +25,7 @@ impl Interpreter {
         }
     }
 
-    /// The members of a struct.
+    /// Returns the members of a struct.
     pub(super) fn read_struct(&self, variable: VariableId) -> Result<Vec<f64>, Fault> {
         (0..self.program.variables()[variable].size())
             .map(|member| self.read(Scalar { variable, member }))

@@ -42,7 +42,7 @@ impl Then {
 }
 
 impl Interpreter {
-    /// Everything that can fail, with no effect on the program's state.
+    /// Does everything that can fail, with no effect on the program's state.
     pub(super) fn outcome(&self, cx: &mut dyn Context) -> Result<Outcome, Fault> {
         let step = self.program.steps().get(self.at as usize);
         let next = self.at + 1;
@@ -184,7 +184,7 @@ impl Interpreter {
         })
     }
 
-    /// The effect of a step that did not fail.
+    /// Applies the effect of a step that did not fail.
     pub(super) fn apply(&mut self, outcome: Outcome) -> Flow {
         let places = self.scalars.iter_mut().skip(outcome.first);
         for (place, value) in places.zip(outcome.values) {

@@ -55,13 +55,13 @@ pub struct Session {
 }
 
 impl Session {
-    /// A session without runs.
+    /// Creates a session without runs.
     pub fn new(lockstep: Lockstep) -> Self {
         let reach = ReachedPoints::new(lockstep.program());
         Session { lockstep, reach }
     }
 
-    /// One run.
+    /// Runs once.
     pub fn answer(&mut self, inputs: &Inputs) -> Answer {
         let compared = self.lockstep.run(inputs, &mut self.reach);
         let (new, chances) = self.reach.take_news();
@@ -197,7 +197,7 @@ pub struct ReachedPoints {
 }
 
 impl ReachedPoints {
-    /// None yet.
+    /// Creates an empty set.
     pub fn new(program: &Program) -> Self {
         let spots = Spots::of(program);
         let seen = vec![false; spots.all().len()];
@@ -209,7 +209,7 @@ impl ReachedPoints {
         }
     }
 
-    /// The spots of the program.
+    /// Returns the spots of the program.
     pub fn spots(&self) -> &Spots {
         &self.spots
     }
@@ -219,7 +219,7 @@ impl ReachedPoints {
         self.seen.get(spot).copied().unwrap_or_default()
     }
 
-    /// Some run reached this spot; whether it is the first.
+    /// Adds a spot; returns true if no run reached it before.
     pub fn add(&mut self, spot: usize) -> bool {
         let seen = self.seen.get_mut(spot);
         seen.is_some_and(|seen| !std::mem::replace(seen, true))

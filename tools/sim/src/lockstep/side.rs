@@ -37,7 +37,7 @@ impl CycleRecord {
 }
 
 impl Side {
-    /// A run before its first cycle.
+    /// Creates a run before its first cycle.
     pub(super) fn new(run: Run, evidence: Evidence) -> Self {
         let (run, record) = match evidence {
             Evidence::Records => {
@@ -92,7 +92,7 @@ impl Side {
         self.run.console()
     }
 
-    /// A hash of everything so far; 0 if there is none.
+    /// Returns a hash of everything so far; 0 if there is none.
     pub(super) fn hash(&self) -> u64 {
         match &self.record {
             CycleRecord::Record(_) => 0,
@@ -120,7 +120,7 @@ impl Side {
         &self.run
     }
 
-    /// Control cycles whose step ran without a fault.
+    /// Returns the number of control cycles whose step ran without a fault.
     pub(super) fn cycles(&self) -> u64 {
         self.run.cycles()
     }
@@ -137,7 +137,7 @@ impl Side {
     }
 }
 
-/// The first records that differ; the last cycle has two.
+/// Returns the first records that differ; the last cycle has two.
 pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> [String; 2] {
     let lines = |side: &Side| -> Vec<String> {
         let CycleRecord::Record(record) = &side.record else {

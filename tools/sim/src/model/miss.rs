@@ -72,7 +72,7 @@ impl<const J: usize> MovableParts<'_, J> {
     }
 }
 
-/// The first joint, from `first` on, that cannot turn so far.
+/// Returns the first joint, from `first` on, that cannot turn so far.
 fn angles<const J: usize>(leg: &Leg<J>, n: u8, first: usize, values: &[f64]) -> Option<Miss> {
     let joints = leg.joints.iter().enumerate().skip(first);
     joints

@@ -22,7 +22,8 @@ pub(super) struct Starts {
 }
 
 impl Starts {
-    /// A robot in its initial posture. Of legs without a closed form nothing is known: they choose postures on their way.
+    /// Creates a robot in its initial posture. Of legs without a closed form nothing is known: they
+    /// choose postures on their way.
     pub(super) fn of(robot: &Robot) -> Self {
         let anatomy = robot.anatomy();
         if !anatomy.inverse.is_closed() {
@@ -89,7 +90,7 @@ impl Starts {
 }
 
 impl Foot {
-    /// It has come to where it was going.
+    /// Moves its place of rest to its target.
     fn arrive(&mut self) {
         self.rests = self.rests.or(self.goes.take());
     }

@@ -46,7 +46,7 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// No runs yet.
+    /// Creates a coverage without runs.
     pub fn new(program: &Program) -> Self {
         Coverage {
             reach: ReachedPoints::new(program),
@@ -62,7 +62,7 @@ impl Coverage {
         self.finished + self.limited + self.stopped
     }
 
-    /// One run more.
+    /// Runs once and adds the result.
     ///
     /// # Errors
     /// The robot lacks an input, or the engines fail.

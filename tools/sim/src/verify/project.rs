@@ -29,7 +29,7 @@ pub struct Project {
 }
 
 impl Project {
-    /// The project around the current folder, or that of a manifest.
+    /// Returns the project around the current folder, or that of a manifest.
     ///
     /// # Errors
     /// There is none, it does not depend on tip-runtime, or on that of another version.
@@ -120,7 +120,7 @@ impl Project {
     }
 }
 
-/// Cargo names itself to the processes that it starts.
+/// Returns the cargo to run; cargo names itself to the processes that it starts.
 fn cargo() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
@@ -135,7 +135,7 @@ fn no_cargo(error: io::Error) -> NotBuilt {
     })
 }
 
-/// Everything that cargo knows of the project.
+/// Returns the project's metadata from cargo.
 fn metadata(folder: &Path) -> Result<Value, NotBuilt> {
     let mut command = Command::new(cargo());
     command
@@ -152,7 +152,7 @@ fn metadata(folder: &Path) -> Result<Value, NotBuilt> {
         .map_err(|error| NotBuilt::Failed(format!("cargo metadata: {error}")))
 }
 
-/// Both engines must be of one version, which is that of this tool.
+/// Checks that both engines are of one version, which is that of this tool.
 fn same_version(package: &Value) -> Result<(), NotBuilt> {
     let text = |key: &str| package[key].as_str().unwrap_or_default();
     let (name, version) = (text("name"), text("version"));
@@ -187,7 +187,8 @@ fn source(package: &Value) -> String {
     }
 }
 
-/// The tip-sim that belongs to a runtime whose project has none: from the same registry, repository or checkout.
+/// Returns the tip-sim that belongs to a runtime whose project has none: from the same registry,
+/// repository or checkout.
 fn beside(runtime: &Value, source: &str) -> Result<String, NotBuilt> {
     if !source.starts_with("path") {
         return Ok(source.to_owned());
@@ -207,7 +208,7 @@ fn folder_of(package: &Value) -> PathBuf {
     manifest.parent().unwrap_or(manifest).to_owned()
 }
 
-/// A string of JSON is one of TOML too, but for one character.
+/// Quotes a string for TOML; a string of JSON is one of TOML too, but for one character.
 fn quoted(text: &str) -> String {
     Value::from(text).to_string().replace('\x7F', "\\u007F")
 }
