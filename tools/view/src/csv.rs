@@ -197,14 +197,15 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The part of a list that is in cycles from one until before another.
+/// Returns the part of a list that is in cycles from one until before another.
 fn within<T>(list: &[T], from: u64, until: u64, cycle: impl Fn(&T) -> u64) -> &[T] {
     let begin = list.partition_point(|at| cycle(at) < from);
     let end = list.partition_point(|at| cycle(at) < until);
     list.get(begin..end).unwrap_or_default()
 }
 
-/// A text that spreadsheets show: an apostrophe comes before one that they would take for a formula. A number stays one.
+/// Returns a text that spreadsheets show: an apostrophe comes before one that they would take for a
+/// formula. A number stays one.
 fn shown(text: &str) -> String {
     let begins = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
     let is_number = text.parse().is_ok_and(f64::is_finite);
@@ -214,7 +215,7 @@ fn shown(text: &str) -> String {
     }
 }
 
-/// A number that reads back to the same bits; −0 is 0. What is no number is an empty field.
+/// Returns a number that reads back to the same bits; −0 is 0. What is no number is an empty field.
 fn number(value: f64) -> String {
     // What is far from 1 has an exponent, in place of a row of zeros.
     match value.abs() {

@@ -1,8 +1,8 @@
 //! A run that goes on while people look at it and act on it: requests in, updates out.
 //!
-//! A [`Session`] knows no clock, no file and no network. Whoever holds it says how much time has passed
-//! ([`Session::advance`]), hands over what viewers ask for ([`Session::request`]) and takes what each of them does not know
-//! yet ([`Session::update`]). Requests and updates are JSON objects; `page/src/session.js` lists them. A viewer that looks
+//! A [`Session`] uses no clock, no file and no network. Its host tells it how much time has passed
+//! ([`Session::advance`]), hands over requests of viewers ([`Session::request`]) and takes the update for each of them
+//! ([`Session::update`]). Requests and updates are JSON objects; `page/src/session.js` lists them. A viewer that looks
 //! seldom gets fewer and larger updates; nothing waits for it.
 //!
 //! ```
@@ -37,8 +37,8 @@ pub use update::Viewer;
 /// The most bytes that a request may have; the text of a program takes most of it.
 pub const MOST_BYTES: usize = 2 << 20;
 
-/// The page that shows a session at the other end of a WebSocket: `/live` of the server that it comes from, with the same
-/// query.
+/// Returns the page that shows a session at the other end of a WebSocket: `/live` of the server
+/// that it comes from, with the same query.
 pub fn page() -> String {
     crate::page::live()
 }

@@ -173,7 +173,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         Ok(())
     }
 
-    /// `sensor_msgs/msg/JointState`: rad, rad/s and N·m; of a slider m, m/s and 0.
+    /// Returns a `sensor_msgs/msg/JointState`: rad, rad/s and N·m; of a slider m, m/s and 0.
     fn joints(&mut self, time: u64, frame: &Frame) -> Vec<u8> {
         let robot = &self.recording.robot;
         let (mut names, mut positions, mut efforts) = (Vec::new(), Vec::new(), Vec::new());
@@ -275,7 +275,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         }
     }
 
-    /// `foxglove.Log`
+    /// Writes a `foxglove.Log`.
     fn say(&mut self, cycle: u64, level: i32, text: &str) -> McapResult<()> {
         let (script, time) = (
             &self.recording.script,
@@ -327,7 +327,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.writer.write_to_known_channel(&header, &bytes)
     }
 
-    /// The channel of a topic.
+    /// Opens the channel of a topic.
     fn open(&mut self, topic: &Topic) -> McapResult<u16> {
         let (schema_encoding, encoding) = match topic.encoding {
             Encoding::Ros(_) => ("ros2msg", "cdr"),
@@ -347,7 +347,8 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             .add_channel(schema, topic.name, encoding, &BTreeMap::new())
     }
 
-    /// The definition of a message, or the files of messages that it needs, each after those that it needs itself.
+    /// Returns the definition of a message, or the files of messages that it needs, each after
+    /// those that it needs itself.
     fn description(&self, encoding: Encoding) -> Vec<u8> {
         let file = match encoding {
             Encoding::Ros(definition) => return definition.as_bytes().to_vec(),
@@ -362,12 +363,13 @@ impl<'a, W: Write + Seek> Log<'a, W> {
     }
 }
 
-/// ms as ns.
+/// Converts ms to ns.
 fn nanoseconds(milliseconds: f64) -> u64 {
     (milliseconds * 1e6).round() as u64
 }
 
-/// All of them, in order of their cycles; what a cycle assigns and switches stands before its step.
+/// Returns all of them, in order of their cycles; what a cycle assigns and switches stands before
+/// its step.
 fn happenings(recording: &Recording) -> Vec<(u64, Happening<'_>)> {
     let mut all = Vec::new();
     for at in &recording.sets {

@@ -258,7 +258,7 @@ impl<'a> Plot<'a> {
         }))
     }
 
-    /// In the world, if the robot walks: mm.
+    /// Returns the place of a foot, in the world if the robot walks, mm.
     fn foot(&self, frame: &Frame, leg: usize) -> Option<Point> {
         let limb = self.recording.robot.legs.get(leg)?;
         let foot = limb.foot(frame.angles.get(leg)?);

@@ -187,7 +187,7 @@ pub(crate) struct Recorder {
 }
 
 impl Recorder {
-    /// Nothing yet.
+    /// Creates a recorder with nothing recorded.
     pub(crate) fn new(robot: &Robot, script: Script) -> Self {
         Recorder {
             recording: Recording {
@@ -218,7 +218,7 @@ impl Recorder {
         }
     }
 
-    /// A cycle of a run, which is in the state after it.
+    /// Records a cycle of a run, which is in the state after it.
     pub(crate) fn take(&mut self, happened: Cycle, run: &Run) {
         let cycle = happened.number;
         // The clock stands still in the cycle of a fault; who looks at it sees a cycle like others.
@@ -269,7 +269,7 @@ impl Recorder {
         self.keep(frame);
     }
 
-    /// A cycle that began at `time` took `period` ms, as those after it do unless they say otherwise.
+    /// Notes that a cycle which began at `time` took `period` ms, as later ones do unless they change it.
     pub(crate) fn keep_time(&mut self, cycle: u64, time: f64, period: f64) {
         let is_same = |last: &Tick| (last.period - period).abs() < ROUNDING;
         if !self.recording.clock.last().is_some_and(is_same) {
@@ -346,7 +346,7 @@ impl Recorder {
         };
     }
 
-    /// Nothing more happens.
+    /// Ends the recording.
     pub(crate) fn finish(mut self, outcome: Outcome) -> Recording {
         self.recording.frames.extend(self.pending.take());
         self.recording.outcome = outcome;
@@ -362,7 +362,7 @@ fn note_change<T: Clone + PartialEq>(list: &mut Vec<At<Vec<T>>>, cycle: u64, now
     }
 }
 
-/// The flags that are up, for a robot with so many legs.
+/// Returns the flags that are up, for a robot with so many legs.
 fn raised(run: &Run, legs: usize) -> Vec<Flag> {
     let of = |target| [Flag::Inpos(target), Flag::Near(target)];
     let feet = (1..).take(legs).map(Target::Foot);
@@ -372,7 +372,7 @@ fn raised(run: &Run, legs: usize) -> Vec<Flag> {
     flags.filter(|flag| run.flag(*flag)).collect()
 }
 
-/// The joints that are driven by torque; the angles show how many each leg has.
+/// Returns the joints that are driven by torque; the angles show how many each leg has.
 fn torque_joints(run: &Run, angles: &[Vec<f64>]) -> Vec<Target> {
     let legs = (1..).zip(angles);
     let joints =

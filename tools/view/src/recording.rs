@@ -205,7 +205,7 @@ pub enum Pace {
 }
 
 impl Recording {
-    /// When a cycle began: ms.
+    /// Returns the time at which a cycle began, ms.
     pub fn time(&self, cycle: u64) -> f64 {
         let after = self.clock.partition_point(|tick| tick.cycle <= cycle);
         let tick = after.checked_sub(1).and_then(|at| self.clock.get(at));
@@ -214,14 +214,14 @@ impl Recording {
         })
     }
 
-    /// The step that ran in a cycle, if one did.
+    /// Returns the step that ran in a cycle, if one did.
     pub fn step(&self, cycle: u64) -> Option<u32> {
         let after = self.steps.partition_point(|step| step.cycle <= cycle);
         let step = after.checked_sub(1).and_then(|at| self.steps.get(at))?;
         (cycle < self.cycles).then_some(step.what)
     }
 
-    /// The source line that ran in a cycle, from 1, if a step did.
+    /// Returns the source line that ran in a cycle, from 1, if a step did.
     pub fn line(&self, cycle: u64) -> Option<u32> {
         self.script.lines.get(self.step(cycle)? as usize).copied()
     }

@@ -38,8 +38,8 @@ impl Skeleton {
         }
     }
 
-    /// The joints of a leg, counted from 0, and then its foot, at these angles (deg), in the robot's frame: mm. A leg that
-    /// does not exist has no points.
+    /// Returns the joints of a leg, counted from 0, and then its foot, at these angles (deg), in
+    /// the robot's frame, mm. A leg that does not exist has no points.
     pub fn points(&self, leg: usize, angles: &[f64]) -> Vec<Point> {
         let Some(limb) = self.legs.get(leg) else {
             return Vec::new();
@@ -49,7 +49,8 @@ impl Skeleton {
     }
 }
 
-/// The robot's frame in the world: turned by yaw about z first, then by pitch about x, then by roll about y.
+/// Returns the robot's frame in the world: turned by yaw about z first, then by pitch about x, then
+/// by roll about y.
 pub fn robot_frame(pose: &Pose) -> Frame {
     let sin_cos = |angle: f64| libm::sincos(angle.to_radians());
     let ((sr, cr), (sp, cp), (sy, cy)) =

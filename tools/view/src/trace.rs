@@ -18,7 +18,7 @@ use tipc::language::Keyword;
 pub enum TraceError {
     /// This line, counted from 1, is not a record.
     Line(usize, String),
-    /// No record says how the robot moved.
+    /// No record has the motion of the robot.
     NoMotion,
     /// A record names a step that the program does not have.
     Step(u32),
@@ -146,7 +146,7 @@ impl Recorder {
     }
 }
 
-/// The sampling time (ms) that a command sets.
+/// Returns the sampling time (ms) that a command sets.
 fn new_period(command: &IssuedCommand) -> Option<f64> {
     let value = command.values.first()?.number();
     match command.op {
@@ -156,7 +156,7 @@ fn new_period(command: &IssuedCommand) -> Option<f64> {
     }
 }
 
-/// `[NAME, TARGET, value, …]`, with HS before the target if it was there.
+/// Reads `[NAME, TARGET, value, …]`, with HS before the target if it was there.
 fn asked(cmd: &[Json]) -> Option<IssuedCommand> {
     let (name, mut rest) = cmd.split_first()?;
     let hs = rest.first().and_then(Json::as_str) == Some(FAST);

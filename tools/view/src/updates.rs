@@ -1,5 +1,5 @@
 //! A recording as updates: what a page is told of a run, in JSON. `page/src/session.js` lists them. A page that replays a run
-//! holds all of them at once; a page of a run that goes on gets them little by little.
+//! holds all of them; a page of a run that goes on gets them one by one.
 
 use crate::recording::{self, At, Frame, Outcome, Recording};
 use crate::skeleton::Skeleton;
@@ -182,12 +182,12 @@ impl Part<'_> {
     }
 }
 
-/// No value of it can fail to be written.
+/// Returns the update as JSON; no value of it can fail to be written.
 pub(crate) fn json(update: &impl Serialize) -> String {
     serde_json::to_string(update).unwrap_or_default()
 }
 
-/// Cycles of frames, and the motion in them.
+/// Returns the cycles of frames, and the motion in them.
 fn columns(channels: &[Channel], frames: &[Frame]) -> Vec<Vec<i64>> {
     let cycles = frames.iter().map(|frame| frame.cycle as i64);
     let motion = channels.iter().map(|channel| {
@@ -206,14 +206,14 @@ fn cycles<T>(list: &[At<T>]) -> Vec<i64> {
     differences(list.iter().map(|at| at.cycle as i64))
 }
 
-/// The first number, and how much each is more than the one before.
+/// Returns the first number, and how much each is more than the one before.
 fn differences(numbers: impl Iterator<Item = i64>) -> Vec<i64> {
     let mut last = 0;
     let differences = numbers.map(|number| number - std::mem::replace(&mut last, number));
     differences.collect()
 }
 
-/// Which feet or fingertips touch something, the first one in the lowest bit.
+/// Returns the feet or fingertips that touch something, the first one in the lowest bit.
 fn mask(touch: &[bool]) -> u64 {
     let feet = touch.iter().rev();
     feet.fold(0, |mask, touches| mask << 1 | u64::from(*touches))
@@ -299,13 +299,13 @@ fn each<'a, T, U>(list: &'a [At<T>], of: impl Fn(u64, &'a T) -> U) -> Vec<U> {
     list.iter().map(|at| of(at.cycle, &at.what)).collect()
 }
 
-/// Flags, with blanks between.
+/// Returns flags with blanks between.
 fn words(flags: &[Flag]) -> String {
     let words: Vec<_> = flags.iter().map(ToString::to_string).collect();
     words.join(" ")
 }
 
-/// Each target with what its mode is called.
+/// Returns each target with the name of its mode.
 fn named(modes: &[(Target, Mode)]) -> Vec<(String, &'static str)> {
     let modes = modes
         .iter()
@@ -439,7 +439,7 @@ struct Channel {
 /// Reads the value from a frame, if it is there.
 type Value = Box<dyn Fn(&Frame) -> Option<f64>>;
 
-/// The channels of a recording; the first frame has them all.
+/// Returns the channels of a recording; the first frame has them all.
 fn channels(recording: &Recording) -> Vec<Channel> {
     let Some(first) = recording.frames.first() else {
         return Vec::new();

@@ -23,7 +23,7 @@ pub(super) struct Buffer {
     /// The last version that was given away to be checked.
     given: u64,
     reading: CheckedText,
-    /// The file was changed by someone else, and the text is not what was in it before.
+    /// True if the file was changed elsewhere, and the text is not what was in it before.
     pub(super) is_overtaken: bool,
 }
 
@@ -45,7 +45,7 @@ impl Buffer {
         }
     }
 
-    /// Another text, by a viewer.
+    /// Replaces the text, on behalf of a viewer.
     pub(super) fn edit(&mut self, text: &str, author: String) {
         self.text = plain(text);
         self.author = author;
@@ -83,7 +83,7 @@ impl Buffer {
         })
     }
 
-    /// The text is given away again: to someone who has seen none.
+    /// Lets the text be given away again, to a viewer who has seen none.
     pub(super) fn forget_given(&mut self) {
         self.given = 0;
     }
@@ -124,7 +124,7 @@ impl Buffer {
         self.file.bytes() == bytes
     }
 
-    /// The text in the bytes of the file.
+    /// Returns the text in the bytes of the file.
     ///
     /// # Errors
     /// A character that its encoding lacks.
@@ -132,7 +132,7 @@ impl Buffer {
         self.file.respelled(&self.text)
     }
 
-    /// The file has these bytes now.
+    /// Notes that the file has these bytes now.
     pub(super) fn saved(&mut self, bytes: &[u8]) {
         // Without its Japanese it would be guessed to be something else.
         let encoding = match self.file.charset() {
@@ -144,7 +144,7 @@ impl Buffer {
     }
 }
 
-/// With LF between lines, as editors have it.
+/// Converts line ends to LF, as editors have them.
 fn plain(text: &str) -> String {
     text.replace("\r\n", "\n").replace('\r', "\n")
 }

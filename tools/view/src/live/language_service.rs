@@ -1,4 +1,4 @@
-//! The language in the page's editor: what is found in a text, and answers to questions about it.
+//! Language features of the page's editor: diagnostics, hovers and completions.
 
 use serde::Serialize;
 use tip_ide::Document;
@@ -7,7 +7,7 @@ use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::source::{Position, Source, Span, Unit};
 
-/// The most offers of one answer; a program may have more names than anyone reads.
+/// Maximum number of completions in one answer.
 const MAX_COMPLETIONS: usize = 2000;
 
 /// A line and a column from 1, the column in units of UTF-16.
@@ -89,10 +89,10 @@ fn ends(source: &Source, span: Span) -> [Place; 2] {
     })
 }
 
-/// More are of no use to anyone.
+/// Maximum number of diagnostics.
 const MAX_DIAGNOSTICS: usize = 200;
 
-/// One finding. Places are lines and columns from 1, columns in units of UTF-16. Texts are in English and Japanese.
+/// One diagnostic. Places are lines and columns from 1, columns in units of UTF-16. Texts are in English and Japanese.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct PageDiagnostic {
     level: &'static str,
@@ -104,7 +104,7 @@ pub(super) struct PageDiagnostic {
     classical: String,
 }
 
-/// All of a program, but for the last of very many.
+/// Returns all diagnostics of a program, but for the last of very many.
 pub(super) fn findings(loaded: &Loaded) -> Vec<PageDiagnostic> {
     let found = loaded.diagnostics.iter().take(MAX_DIAGNOSTICS);
     found

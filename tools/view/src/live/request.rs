@@ -40,7 +40,7 @@ impl ClientRequest {
         )
     }
 
-    /// Answers without doing it: too much is asked at once.
+    /// Answers without doing it: there are too many requests.
     pub fn refused_many(&self) -> String {
         Answer::new(self.id, refuse("many")).text()
     }
@@ -51,7 +51,7 @@ impl ClientRequest {
     }
 }
 
-/// Returns true if an event stops the robot at once.
+/// Returns true if an event is an emergency stop.
 pub(super) fn is_stop(event: &Event) -> bool {
     *event == Event::Key(RETURN_KEY)
 }
@@ -94,12 +94,12 @@ pub(super) struct Refusal {
     pub(super) detail: String,
 }
 
-/// Refuses, with nothing more to say.
+/// Refuses without details.
 pub(super) fn refuse<T>(error: &'static str) -> Result<T, Refusal> {
     refuse_since(error, "")
 }
 
-/// Refuses, and says what it is about.
+/// Refuses, with the subject.
 pub(super) fn refuse_since<T>(error: &'static str, detail: impl ToString) -> Result<T, Refusal> {
     let detail = detail.to_string();
     Err(Refusal { error, detail })

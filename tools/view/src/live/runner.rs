@@ -30,7 +30,7 @@ pub(super) struct Runner {
 }
 
 impl Runner {
-    /// A program before its second cycle: after the first there is something to see.
+    /// Creates a program before its second cycle: after the first there is something to see.
     pub(super) fn begin(
         loaded: &Loaded,
         robot: &Robot,
@@ -135,7 +135,8 @@ impl Runner {
         }
     }
 
-    /// The first cycle that all later cuts left, for someone who knows of so many cuts; none if that is too long ago.
+    /// Returns the first cycle that all later cuts left, for someone who knows of so many cuts;
+    /// none if that is too long ago.
     pub(super) fn cut_since(&self, known: u64) -> Option<u64> {
         let missed = usize::try_from(self.cut_count.saturating_sub(known)).ok()?;
         let from = self.cuts.len().checked_sub(missed)?;
@@ -157,7 +158,7 @@ impl Runner {
         self.recorder.recording.forget(first);
     }
 
-    /// The first cycle that is still known.
+    /// Returns the first cycle that is still known.
     pub(super) fn first(&self) -> u64 {
         self.timeline.first()
     }

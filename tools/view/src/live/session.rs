@@ -36,7 +36,7 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// A program on a robot to which nothing happens.
+    /// Creates a program on a robot to which nothing happens.
     pub fn new(name: &str, bytes: &[u8], robot: Robot) -> Self {
         Setup {
             name: name.to_owned(),
@@ -54,7 +54,7 @@ pub struct Session {
     robot: Robot,
     events: Events,
     rest: Option<u64>,
-    /// Checks the text, unless someone else does.
+    /// The checker of the text, unless the host checks it.
     checker: Option<TextChecker>,
     pub(super) buffer: Buffer,
     /// The text of this version runs once it is checked.
@@ -73,7 +73,7 @@ pub struct Session {
 }
 
 impl Session {
-    /// A program before its second cycle, at rest.
+    /// Creates a program before its second cycle, at rest.
     ///
     /// # Errors
     /// What was found in a text that is not a program for this robot, or nothing if the events cannot happen to it.
@@ -112,13 +112,13 @@ impl Session {
         })
     }
 
-    /// The run goes on from now on, unless it is over.
+    /// Lets the run go on from now on, unless it is over.
     pub fn play(&mut self) {
         self.is_playing = !self.runner.is_over();
     }
 
-    /// So much time has passed for the viewers (ms): the run goes on accordingly, as long as `goes_on` agrees, and a text
-    /// that was edited is checked.
+    /// Advances by the time that has passed for the viewers, ms, as long as `goes_on` agrees, and
+    /// checks a text that was edited.
     pub fn advance(&mut self, elapsed: f64, mut goes_on: impl FnMut() -> bool) {
         self.check();
         if !self.is_playing {
@@ -198,7 +198,7 @@ impl Session {
         }
     }
 
-    /// Checks the text, if it has changed and nobody else does.
+    /// Checks the text, if it has changed and the host does not check it.
     fn check(&mut self) {
         let Some(mut checker) = self.checker.take() else {
             return;
@@ -321,7 +321,7 @@ impl Session {
         Ok(())
     }
 
-    /// The file has changed. Its text takes the place of one that nobody has edited, and runs if it is a program; an edited
+    /// Takes over a changed file. Its text takes the place of one that nobody has edited, and runs if it is a program; an edited
     /// text stays, and viewers learn of it.
     pub fn file_changed(&mut self, bytes: &[u8]) {
         if self.buffer.is_file(bytes) {
@@ -345,7 +345,7 @@ impl Session {
         self.runner.taken()
     }
 
-    /// A hash of what each joint was sent and measured in the last cycle.
+    /// Returns a hash of the commands to each joint and its readings in the last cycle.
     pub fn state_hash(&self) -> u64 {
         self.runner.run().state_hash()
     }

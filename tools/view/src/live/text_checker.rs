@@ -1,4 +1,4 @@
-//! Checks the text of the editor and answers questions about it: what takes long in a long text, apart from the run.
+//! Checks of the editor's text and answers about it, which may take long and so are kept out of the run.
 
 use super::language_service::{self, LanguageAnswer, PageDiagnostic, findings};
 use super::request::{Answer, ClientRequest, Request};
@@ -6,7 +6,7 @@ use tip_ide::Document;
 use tip_sim::Robot;
 use tipc::{Loaded, Options};
 
-/// A text that nobody has checked yet.
+/// A text that is still to be checked.
 #[derive(Debug)]
 pub struct UncheckedText {
     pub(super) version: u64,
@@ -24,7 +24,7 @@ pub struct CheckedText {
     pub(super) program: Option<Box<Loaded>>,
 }
 
-/// Checks texts, and knows the last one.
+/// A checker of texts, which keeps the last one.
 #[derive(Debug)]
 pub struct TextChecker {
     robot: Robot,
@@ -32,7 +32,7 @@ pub struct TextChecker {
 }
 
 impl TextChecker {
-    /// One for programs of a robot.
+    /// Creates a checker for programs of a robot.
     pub fn new(robot: Robot) -> Self {
         TextChecker {
             robot,

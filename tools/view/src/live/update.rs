@@ -60,7 +60,7 @@ struct Status<'a> {
 }
 
 impl Session {
-    /// Returns the next update for a viewer; none if it knows all.
+    /// Returns the next update for a viewer; none if it has everything.
     pub fn update(&self, viewer: &mut Viewer) -> Option<String> {
         next(self, viewer)
     }
@@ -113,7 +113,7 @@ fn begin(session: &Session, viewer: &mut Viewer) -> String {
     updates::begin(recording, session.runs, &inputs(session))
 }
 
-/// The inputs that a page has sliders for.
+/// Returns the inputs that a page has sliders for.
 fn inputs(session: &Session) -> Vec<String> {
     let ports = (1..=3).map(Port::Knob).chain([Port::Antenna]);
     let ports = ports.chain((1..=9).map(Port::Paw));
@@ -139,7 +139,7 @@ fn more(session: &Session, viewer: &mut Viewer, cut: u64) -> String {
     updates::more(recording, &part)
 }
 
-/// Up to which cycle one update may go.
+/// Returns the cycle up to which one update may go.
 fn until(recording: &Recording, from: u64, taken: u64) -> u64 {
     let after = |place: usize, most: usize, cycle: &dyn Fn(usize) -> Option<u64>| {
         cycle(place + most).map_or(taken, |cycle| cycle.max(from + 1))

@@ -57,7 +57,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// `foxglove.SceneUpdate` for the end of a cycle: ns.
+    /// Returns the `foxglove.SceneUpdate` for the end of a cycle, ns.
     pub(super) fn update(&mut self, time: u64, frame: &Frame) -> SceneUpdate {
         let feet = self.feet(frame);
         let mut entities = vec![self.forces(time, frame, &feet)];
@@ -93,7 +93,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// The feet there: mm.
+    /// Returns the feet there, mm.
     fn feet(&self, frame: &Frame) -> Vec<Point> {
         let body = frame.pose.as_ref().map(robot_frame);
         let legs = self.robot.legs.iter().zip(&frame.angles);
@@ -201,7 +201,8 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// The blocks of a scene as `CubePrimitive`s, down to the lowest place of the floor under each.
+/// Returns the blocks of a scene as `CubePrimitive`s, down to the lowest place of the floor under
+/// each.
 fn blocks(scene: &Scene) -> Vec<CubePrimitive> {
     let blocks = scene.blocks.iter().flatten();
     let cubes = blocks.map(|block| {
@@ -219,7 +220,7 @@ fn blocks(scene: &Scene) -> Vec<CubePrimitive> {
     cubes.collect()
 }
 
-/// The lowest height of the floor under a block.
+/// Returns the lowest height of the floor under a block.
 fn foot(floor: &Floor, block: &Block) -> f64 {
     let Floor { height, slope } = *floor;
     let corners = block.x.into_iter().flat_map(|x| block.y.map(|y| [x, y]));
@@ -227,7 +228,7 @@ fn foot(floor: &Floor, block: &Block) -> f64 {
     heights.fold(f64::INFINITY, f64::min)
 }
 
-/// `ArrowPrimitive`: it points along x of its pose.
+/// Returns an `ArrowPrimitive`, which points along x of its pose.
 fn arrow(at: Point, force: [f64; 3], scale: f64) -> Option<ArrowPrimitive> {
     let force = Vector3::from(direction(force));
     let length = scale * force.norm();

@@ -94,7 +94,7 @@ fn attitude(pose: &Pose) -> [f64; 4] {
     [x, y, z, turned.w]
 }
 
-/// `foxglove.FrameTransforms`
+/// Returns `foxglove.FrameTransforms`.
 pub(super) fn message(time: u64, transforms: Vec<Transform>) -> FrameTransforms {
     let all = transforms.into_iter().map(|transform| FrameTransform {
         timestamp: Timestamp::of(time),

@@ -93,7 +93,7 @@ pub(super) fn padded(values: impl Iterator<Item = f64> + Clone) -> Span {
     }
 }
 
-/// Not empty, so that it can be an axis.
+/// Widens an empty range, so that it can be an axis.
 fn open((from, to): Span) -> std::ops::Range<f64> {
     from..if to > from { to } else { from + 1.0 }
 }
@@ -109,7 +109,7 @@ fn chart<'a, 'b>(area: &'b Area<'a>, title: &str) -> ChartBuilder<'b, 'b, SVGBac
     builder
 }
 
-/// A line for each leg.
+/// Draws a line for each leg.
 pub(super) fn lines(
     area: &Area<'_>,
     title: &str,
@@ -143,7 +143,7 @@ pub(super) fn lines(
     Ok(())
 }
 
-/// A number of an axis without the dust of its steps.
+/// Returns a number of an axis without the dust of its steps.
 fn rounded(value: f64) -> String {
     let value = (value * 1e6).round() / 1e6 + 0.0;
     value.to_string()
@@ -191,7 +191,7 @@ fn true_to_scale(area: &Area<'_>, x: Span, y: Span) -> (Span, Span) {
     (wide(x, width), wide(y, height))
 }
 
-/// A row of bars for each leg, the first one on top, and a line at each mark.
+/// Draws a row of bars for each leg, the first one on top, and a line at each mark.
 pub(super) fn bars(
     area: &Area<'_>,
     title: &str,
@@ -266,7 +266,7 @@ fn light([light, _]: Pair) -> RGBColor {
     RGBColor(red, green, blue)
 }
 
-/// Behind everything.
+/// Returns the color of the background.
 pub(super) fn ground() -> RGBColor {
     light(GROUND)
 }
@@ -291,7 +291,8 @@ pub(super) fn leg(number: usize) -> RGBColor {
     LEGS.get(number).copied().map_or(ink(), light)
 }
 
-/// The drawing with a name for those who hear it, and other colours where the reader's ground is dark.
+/// Returns the drawing with a name for those who hear it, and other colours where the reader's
+/// ground is dark.
 pub(super) fn themed(svg: &str, name: &str) -> String {
     let rule = |[light, dark]: Pair| {
         format!(

@@ -23,7 +23,7 @@ impl Recorder {
         }
     }
 
-    /// Back to where a mark was made.
+    /// Returns to a checkpoint.
     pub(crate) fn take_back(&mut self, checkpoint: &Checkpoint) {
         self.slips = checkpoint.slips.clone();
         self.falls = checkpoint.falls;
