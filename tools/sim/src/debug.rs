@@ -39,7 +39,7 @@ mod stop;
 pub use breakpoints::{Placed, When};
 pub use expressions::{BreakCondition, Frame, Value, Variable, control};
 pub use moves::Work;
-pub use stop::{By, Hits, HitsError, Move, Progress, Reason, Refused, Stop};
+pub use stop::{By, DebugError, Hits, HitsError, Move, Progress, Reason, Stop};
 
 use crate::event::{Event, Events};
 use crate::interp::Interpreter;
@@ -185,19 +185,19 @@ impl Debugger {
     ///
     /// # Errors
     /// The program is over, the robot or the program lacks what it changes, or cycles would be discarded.
-    pub fn happens(&mut self, event: Event, discard: Discard) -> Result<(), Refused> {
+    pub fn happens(&mut self, event: Event, discard: Discard) -> Result<(), DebugError> {
         let now = self.now();
         if self.end_at(now).is_some() {
-            return Err(Refused::Ended);
+            return Err(DebugError::Ended);
         }
         let later = self.history.len() - now;
         if later > 0 && discard == Discard::Nothing {
-            return Err(Refused::WouldDiscard(later));
+            return Err(DebugError::WouldDiscard(later));
         }
-        self.run().accepts(&event).map_err(Refused::Event)?;
+        self.run().accepts(&event).map_err(DebugError::Event)?;
         self.pending = None;
         self.forget_later();
-        self.timeline.add(event).map_err(Refused::Event)?;
+        self.timeline.add(event).map_err(DebugError::Event)?;
         self.timeline.happen();
         self.stop = Stop {
             reason: Reason::Change,

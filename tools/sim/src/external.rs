@@ -202,7 +202,7 @@ impl ExternalHardware {
                 program: plant.program.to_string_lossy().into_owned(),
                 reason: reason.to_string(),
             })?;
-        link.ask(hello);
+        link.request(hello);
         Ok(ExternalHardware {
             layout,
             link: Some(link),
@@ -237,7 +237,7 @@ impl ExternalHardware {
         self.awaits = None;
         if let Err(error) = taken {
             if let Some(link) = &mut self.link {
-                link.give_up();
+                link.skip_grace();
             }
             self.error = Some(error);
         }
@@ -316,7 +316,7 @@ impl DynHardware for ExternalHardware {
         self.fault()?;
         let line = self.layout.cycle(self.number, commands);
         if let Some(link) = &mut self.link {
-            link.ask(line);
+            link.request(line);
         }
         self.awaits = Some(Head::Cycle(self.number));
         self.number += 1;
@@ -325,7 +325,7 @@ impl DynHardware for ExternalHardware {
 
     fn stop(&mut self, _why: &Fault) {
         if let (Some(link), None, false) = (&mut self.link, &self.error, self.is_stopped) {
-            link.tell(protocol::stop(self.number));
+            link.notify(protocol::stop(self.number));
         }
         self.is_stopped = true;
     }

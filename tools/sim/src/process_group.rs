@@ -7,7 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// Time between two checks that a process has ended.
-const BLINK: Duration = Duration::from_millis(5);
+const POLL_INTERVAL: Duration = Duration::from_millis(5);
 
 /// The processes that were started here and have not been ended.
 static RUNNING: Mutex<Vec<u32>> = Mutex::new(Vec::new());
@@ -80,7 +80,7 @@ fn wait<T>(longest: Duration, mut look: impl FnMut() -> Option<T>) -> Option<T> 
     let begin = Instant::now();
     loop {
         match look() {
-            None if begin.elapsed() < longest => thread::sleep(BLINK),
+            None if begin.elapsed() < longest => thread::sleep(POLL_INTERVAL),
             seen => return seen,
         }
     }

@@ -22,7 +22,7 @@ use tip_runtime::record::{Ending, Sink, state_hash};
 const ESCAPE: u8 = 0x1B;
 
 /// Time between two calls of an observer while a robot outside of this process is awaited.
-const NAP: Duration = Duration::from_millis(50);
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
 /// Maximum length of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -238,7 +238,7 @@ impl Run {
 
     /// Waits for a robot outside of this process; `false` if the observer does not.
     fn is_awaited(&mut self, observer: &mut (impl Observer + ?Sized)) -> bool {
-        while !self.machine.hardware_mut().is_ready(NAP) {
+        while !self.machine.hardware_mut().is_ready(POLL_INTERVAL) {
             if !observer.goes_on() {
                 return false;
             }

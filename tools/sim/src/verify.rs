@@ -102,7 +102,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 const PATIENCE_PER_CYCLE: Duration = Duration::from_millis(1);
 
 /// Time between two checks that the answer is still wanted.
-const NAP: Duration = Duration::from_millis(100);
+const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// Both engines, in a process of their own.
 #[derive(Debug)]
@@ -154,7 +154,7 @@ impl Engines {
         let begin = Instant::now();
         loop {
             let left = patience.saturating_sub(begin.elapsed());
-            match self.answers.recv_timeout(left.min(NAP)) {
+            match self.answers.recv_timeout(left.min(POLL_INTERVAL)) {
                 Err(RecvTimeoutError::Timeout) if !left.is_zero() && !(self.given_up)() => {}
                 answer => return answer,
             }

@@ -99,7 +99,7 @@ const MARGIN: Topic = topic("/tip/margin", "tip.Margin", Encoding::Own);
 const LOADS: Topic = topic("/tip/loads", "tip.Loads", Encoding::Own);
 
 /// Something in a cycle that is no motion.
-enum Happening<'a> {
+enum LogEntry<'a> {
     Step,
     Lamp(u8, bool),
     Assigned(usize, f64),
@@ -132,18 +132,18 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.put(&DESCRIPTION, 0, text)?;
         let fixed = transforms::fixed(&self.recording.robot);
         self.send(&FIXED, 0, &transforms::message(0, fixed))?;
-        let mut happenings = happenings(self.recording).into_iter().peekable();
+        let mut log_entries = log_entries(self.recording).into_iter().peekable();
         for frame in &self.recording.frames {
             // What happens in a cycle stands before what the robot did until its end.
-            while let Some((cycle, happening)) =
-                happenings.next_if(|(cycle, _)| *cycle <= frame.cycle)
+            while let Some((cycle, log_entry)) =
+                log_entries.next_if(|(cycle, _)| *cycle <= frame.cycle)
             {
-                self.happening(cycle, &happening)?;
+                self.write_entry(cycle, &log_entry)?;
             }
             self.frame(frame)?;
         }
-        for (cycle, happening) in happenings {
-            self.happening(cycle, &happening)?;
+        for (cycle, log_entry) in log_entries {
+            self.write_entry(cycle, &log_entry)?;
         }
         self.ending()?;
         self.writer.finish().map(drop)
@@ -244,34 +244,34 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         }
     }
 
-    fn happening(&mut self, cycle: u64, happening: &Happening<'_>) -> McapResult<()> {
+    fn write_entry(&mut self, cycle: u64, log_entry: &LogEntry<'_>) -> McapResult<()> {
         let time = nanoseconds(self.recording.time(cycle));
-        match happening {
-            Happening::Step => self.send(&STATE, time, &self.state(time, cycle, None)),
-            Happening::Lamp(lamp, on) => {
+        match log_entry {
+            LogEntry::Step => self.send(&STATE, time, &self.state(time, cycle, None)),
+            LogEntry::Lamp(lamp, on) => {
                 match on {
                     true => self.lamps.insert(*lamp),
                     false => self.lamps.remove(lamp),
                 };
                 Ok(())
             }
-            Happening::Assigned(scalar, value) => {
+            LogEntry::Assigned(scalar, value) => {
                 self.variables.set(*scalar, *value);
                 Ok(())
             }
-            Happening::Variables => {
+            LogEntry::Variables => {
                 let variables = self.variables.message(time);
                 self.put(&VARIABLES, time, variables)
             }
-            Happening::Say(text) => self.say(cycle, INFO, text),
-            Happening::Fall(margin) if *margin < 0.0 => {
+            LogEntry::Say(text) => self.say(cycle, INFO, text),
+            LogEntry::Fall(margin) if *margin < 0.0 => {
                 let text = format!(
                     "the robot falls: its centre of mass is {:.1} mm outside",
                     -margin
                 );
                 self.say(cycle, ERROR, &text)
             }
-            Happening::Fall(_) => self.say(cycle, ERROR, "the robot falls"),
+            LogEntry::Fall(_) => self.say(cycle, ERROR, "the robot falls"),
         }
     }
 
@@ -370,33 +370,29 @@ fn nanoseconds(milliseconds: f64) -> u64 {
 
 /// Returns all of them, in order of their cycles; what a cycle assigns and switches stands before
 /// its step.
-fn happenings(recording: &Recording) -> Vec<(u64, Happening<'_>)> {
+fn log_entries(recording: &Recording) -> Vec<(u64, LogEntry<'_>)> {
     let mut all = Vec::new();
     for at in &recording.sets {
-        all.push((at.cycle, Happening::Assigned(at.what.scalar, at.what.value)));
+        all.push((at.cycle, LogEntry::Assigned(at.what.scalar, at.what.value)));
     }
     let mut cycles: Vec<u64> = recording.sets.iter().map(|at| at.cycle).collect();
     cycles.dedup();
-    all.extend(
-        cycles
-            .into_iter()
-            .map(|cycle| (cycle, Happening::Variables)),
-    );
+    all.extend(cycles.into_iter().map(|cycle| (cycle, LogEntry::Variables)));
     for at in &recording.lamps {
-        all.push((at.cycle, Happening::Lamp(at.what.0, at.what.1)));
+        all.push((at.cycle, LogEntry::Lamp(at.what.0, at.what.1)));
     }
-    all.extend(recording.steps.iter().map(|at| (at.cycle, Happening::Step)));
+    all.extend(recording.steps.iter().map(|at| (at.cycle, LogEntry::Step)));
     all.extend(
         recording
             .messages
             .iter()
-            .map(|at| (at.cycle, Happening::Say(&at.what))),
+            .map(|at| (at.cycle, LogEntry::Say(&at.what))),
     );
     all.extend(
         recording
             .falls
             .iter()
-            .map(|at| (at.cycle, Happening::Fall(at.what))),
+            .map(|at| (at.cycle, LogEntry::Fall(at.what))),
     );
     // Stable: within a cycle the order above stays.
     all.sort_by_key(|(cycle, _)| *cycle);

@@ -9,7 +9,7 @@ use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_runtime::controller::Setpoint;
 use tip_sim::Event;
-use tip_sim::debug::{self, Debugger, Discard, Move, Refused, Value as Evaluated, control};
+use tip_sim::debug::{self, DebugError, Debugger, Discard, Move, Value as Evaluated, control};
 use tip_sim::message::Debugging;
 use tipc::message::{Lang, Message};
 use tipc::program::VariableKind;
@@ -163,7 +163,7 @@ impl<L: Launcher> Session<L> {
                 }
                 Ok(())
             }
-            Err(refused @ Refused::WouldDiscard(_)) => {
+            Err(refused @ DebugError::WouldDiscard(_)) => {
                 self.unconfirmed = Some(this);
                 let refused = refused.text(lang).into();
                 let again = DebugAdapter::AgainConfirms { refused };

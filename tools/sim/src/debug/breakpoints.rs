@@ -3,7 +3,7 @@
 
 use super::expressions::{BreakCondition, LogText, Now};
 use super::stop::{By, Hits, Reason};
-use super::{Debugger, History, MESSAGES, Refused};
+use super::{DebugError, Debugger, History, MESSAGES};
 use crate::event::{Event, Events};
 use std::ops::Range;
 use tip_runtime::program::VariableError;
@@ -123,21 +123,21 @@ impl Breakpoints {
     }
 
     /// Returns the texts of the log points there.
-    pub(super) fn said(&self, step: u32, now: &Now<'_>) -> Vec<String> {
+    pub(super) fn log_texts(&self, step: u32, now: &Now<'_>) -> Vec<String> {
         let here = self.at(step).filter(|one| one.is_due(now));
         let words = here.filter_map(|one| one.log_text.as_ref());
         words.map(|words| words.at(now)).collect()
     }
 
     /// Lets one say something in place of stopping.
-    pub(super) fn say(&mut self, id: u32, words: LogText) {
+    pub(super) fn set_log_text(&mut self, id: u32, words: LogText) {
         if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
             one.log_text = Some(words);
         }
     }
 
     /// Returns the answer of [`stops`](Self::stops), as far as it is known without the run.
-    pub(super) fn known(&self, step: u32, at: u64) -> HitPrediction {
+    pub(super) fn predict(&self, step: u32, at: u64) -> HitPrediction {
         let mut known = HitPrediction::No;
         for one in self.at(step).filter(|one| one.log_text.is_none()) {
             match (one.hits, &one.asked) {
@@ -190,7 +190,7 @@ impl Debugger {
     ///
     /// # Errors
     /// There is no such line, or what it asks is wrong.
-    pub fn break_at_line(&mut self, line: u32, when: &When<'_>) -> Result<Placed, Refused> {
+    pub fn break_at_line(&mut self, line: u32, when: &When<'_>) -> Result<Placed, DebugError> {
         self.break_at(line, 1, when)
     }
 
@@ -198,16 +198,21 @@ impl Debugger {
     ///
     /// # Errors
     /// As [`break_at_line`](Self::break_at_line).
-    pub fn break_at(&mut self, line: u32, column: u32, when: &When<'_>) -> Result<Placed, Refused> {
+    pub fn break_at(
+        &mut self,
+        line: u32,
+        column: u32,
+        when: &When<'_>,
+    ) -> Result<Placed, DebugError> {
         let step = first_from(&self.program, line, column);
-        self.place(vec![step.ok_or(Refused::NoStep(line))?], when)
+        self.place(vec![step.ok_or(DebugError::NoStep(line))?], when)
     }
 
     /// Places a breakpoint where a routine or label is, or at every step that begins with this word, such as `PTP`.
     ///
     /// # Errors
     /// Nothing has this name, or what it asks is wrong.
-    pub fn break_at_name(&mut self, name: &str, when: &When<'_>) -> Result<Placed, Refused> {
+    pub fn break_at_name(&mut self, name: &str, when: &When<'_>) -> Result<Placed, DebugError> {
         let word = name.trim().trim_end_matches(':').trim_end();
         let is_it = |other: &str| other.eq_ignore_ascii_case(word);
         let labels = self.program.labels().iter();
@@ -224,12 +229,12 @@ impl Debugger {
             steps.extend(begins.map(|(number, _)| number));
         }
         if steps.is_empty() || word.is_empty() {
-            return Err(Refused::NoName(word.to_owned()));
+            return Err(DebugError::NoName(word.to_owned()));
         }
         self.place(steps, when)
     }
 
-    fn place(&mut self, steps: Vec<u32>, when: &When<'_>) -> Result<Placed, Refused> {
+    fn place(&mut self, steps: Vec<u32>, when: &When<'_>) -> Result<Placed, DebugError> {
         let asked = when
             .condition
             .map(|text| BreakCondition::new(text, &self.asker));
@@ -292,10 +297,10 @@ impl Debugger {
         column: u32,
         when: &When<'_>,
         text: &str,
-    ) -> Result<Placed, Refused> {
+    ) -> Result<Placed, DebugError> {
         let words = LogText::new(text, &self.program, &self.asker)?;
         let placed = self.break_at(line, column, when)?;
-        self.breakpoints.say(placed.id, words);
+        self.breakpoints.set_log_text(placed.id, words);
         Ok(placed)
     }
 
@@ -312,7 +317,7 @@ impl Debugger {
         if !begins || self.end_at(self.now()).is_some() {
             return;
         }
-        let said = self.breakpoints.said(step, &self.here());
+        let said = self.breakpoints.log_texts(step, &self.here());
         if self.logged.len() >= 2 * MESSAGES {
             self.logged.drain(..MESSAGES);
         }
@@ -346,7 +351,7 @@ impl Watches {
     ) -> Option<Reason> {
         let step = history.step(at);
         let assigns = |watch: &&Watch| watch.steps.get(step as usize).copied().unwrap_or(false);
-        let watch = self.those(only).find(assigns)?;
+        let watch = self.selected(only).find(assigns)?;
         let action = program.steps().get(step as usize).map(|step| &step.action);
         let waits = matches!(action, Some(Action::KeyIn { .. })) && history.step(at + 1) == step;
         let assigns = !waits && !history.fails(at);
@@ -366,7 +371,7 @@ impl Watches {
         let first = all.partition_point(|event| event.cycle < at);
         let here = all.iter().skip(first).take_while(|event| event.cycle == at);
         let watch = here.into_iter().find_map(|timed| match &timed.event {
-            Event::Set(name, _) => (self.those(only)).find(|watch| watch.names.contains(name)),
+            Event::Set(name, _) => (self.selected(only)).find(|watch| watch.names.contains(name)),
             _ => None,
         })?;
         Some(Reason::Watch {
@@ -376,7 +381,7 @@ impl Watches {
     }
 
     /// Iterates over one watch, or all.
-    fn those(&self, only: Option<u32>) -> impl Iterator<Item = &Watch> {
+    fn selected(&self, only: Option<u32>) -> impl Iterator<Item = &Watch> {
         let is_meant = move |watch: &&Watch| only.is_none_or(|id| watch.id == id);
         self.0.iter().filter(is_meant)
     }
@@ -387,10 +392,10 @@ impl Debugger {
     ///
     /// # Errors
     /// The program has no such variable.
-    pub fn watch(&mut self, name: &str) -> Result<u32, Refused> {
+    pub fn watch(&mut self, name: &str) -> Result<u32, DebugError> {
         let name = name.trim().to_ascii_uppercase();
         let scalars = scalars(&self.program, &name)
-            .ok_or(Refused::NoVariable(name, VariableError::Unknown))?;
+            .ok_or(DebugError::NoVariable(name, VariableError::Unknown))?;
         let names = self.program.scalar_names().skip(scalars.start);
         let names = names.take(scalars.len()).collect();
         let assigns = |action| {

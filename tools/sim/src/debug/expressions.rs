@@ -1,6 +1,6 @@
 //! Expressions in the program's own language, log points, and the values that a debugger shows.
 
-use super::{Debugger, Refused};
+use super::{DebugError, Debugger};
 use crate::interp::Interpreter;
 use crate::message::Debugging;
 use crate::run::Run;
@@ -46,7 +46,7 @@ pub(super) enum Expression {
 }
 
 impl Expression {
-    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, Refused> {
+    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, DebugError> {
         match (asker.number(text), asker.condition(text)) {
             (Ok(value), _) => Ok(Expression::Number(value)),
             (Err(_), Ok(condition)) => Ok(Expression::Truth(condition)),
@@ -63,7 +63,7 @@ impl Expression {
 }
 
 impl BreakCondition {
-    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, Refused> {
+    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, DebugError> {
         Ok(BreakCondition {
             text: text.to_owned(),
             condition: asker.condition(text)?,
@@ -100,9 +100,9 @@ impl Now<'_> {
                 relation,
                 right,
             } => Condition::Compare {
-                left: self.known(left),
+                left: self.resolve_own_names(left),
                 relation,
-                right: self.known(right),
+                right: self.resolve_own_names(right),
             },
             flag @ Condition::Flag { .. } => flag,
         };
@@ -113,23 +113,23 @@ impl Now<'_> {
     fn number(&self, value: ScalarExpression) -> Result<f64, Fault> {
         use ScalarExpression as E;
         let value = match value {
-            E::Operand(operand) => E::Operand(self.known(operand)),
+            E::Operand(operand) => E::Operand(self.resolve_own_names(operand)),
             E::Binary {
                 left,
                 operation,
                 right,
             } => E::Binary {
-                left: self.known(left),
+                left: self.resolve_own_names(left),
                 operation,
-                right: self.known(right),
+                right: self.resolve_own_names(right),
             },
             E::Function { function, operand } => E::Function {
                 function,
-                operand: self.known(operand),
+                operand: self.resolve_own_names(operand),
             },
             E::Atan2 { y, x } => E::Atan2 {
-                y: self.known(y),
-                x: self.known(x),
+                y: self.resolve_own_names(y),
+                x: self.resolve_own_names(x),
             },
             norm @ E::Norm(_) => norm,
         };
@@ -137,7 +137,7 @@ impl Now<'_> {
     }
 
     /// Replaces the debugger's own names by their values in an operand.
-    fn known(&self, operand: Operand) -> Operand {
+    fn resolve_own_names(&self, operand: Operand) -> Operand {
         let Operand::Scalar { scalar, negative } = operand else {
             return operand;
         };
@@ -157,7 +157,7 @@ impl Debugger {
     ///
     /// # Errors
     /// It is neither, or it cannot be calculated.
-    pub fn evaluate(&self, text: &str) -> Result<Value, Refused> {
+    pub fn evaluate(&self, text: &str) -> Result<Value, DebugError> {
         let expression = Expression::new(text, &self.asker)?;
         Ok(expression.evaluate(&self.here())?)
     }
@@ -166,10 +166,10 @@ impl Debugger {
     ///
     /// # Errors
     /// The program has no such variable.
-    pub fn value(&self, name: &str) -> Result<Option<f64>, Refused> {
+    pub fn value(&self, name: &str) -> Result<Option<f64>, DebugError> {
         let name = name.trim().to_ascii_uppercase();
         let value = self.run().program().get(&name);
-        value.map_err(|error| Refused::NoVariable(name, error))
+        value.map_err(|error| DebugError::NoVariable(name, error))
     }
 
     pub(super) fn here(&self) -> Now<'_> {
@@ -195,7 +195,7 @@ enum Part {
 
 impl LogText {
     /// Braces that hold nothing, or are not closed, are text.
-    pub(super) fn new(text: &str, program: &Program, asker: &Asker) -> Result<Self, Refused> {
+    pub(super) fn new(text: &str, program: &Program, asker: &Asker) -> Result<Self, DebugError> {
         let mut parts = Vec::new();
         let mut rest = text;
         while let Some((before, after)) = rest.split_once('{') {
@@ -220,7 +220,7 @@ impl LogText {
 }
 
 impl Part {
-    fn asked(text: &str, program: &Program, asker: &Asker) -> Result<Self, Refused> {
+    fn asked(text: &str, program: &Program, asker: &Asker) -> Result<Self, DebugError> {
         let is_it = |name: &str| name.eq_ignore_ascii_case(text);
         let mut variables = program.variables().iter();
         let structure = variables.find(|it| is_it(&it.name) && it.size() > 1);
@@ -360,9 +360,9 @@ impl Debugger {
     }
 
     /// Takes the messages that the program said for the first time since the last call.
-    pub fn news(&mut self) -> Vec<(u64, String)> {
-        let news = self.said.get(self.taken..).unwrap_or_default().to_vec();
+    pub fn take_messages(&mut self) -> Vec<(u64, String)> {
+        let messages = self.said.get(self.taken..).unwrap_or_default().to_vec();
         self.taken = self.said.len();
-        news
+        messages
     }
 }

@@ -48,7 +48,7 @@ impl Debugger {
         };
         let goal = Goal::of(movement, self.now());
         let is_back = movement.is_back();
-        if let Some(stop) = self.there_at_once(goal, is_back) {
+        if let Some(stop) = self.immediate_stop(goal, is_back) {
             self.arrive(stop);
             return;
         }
@@ -72,7 +72,7 @@ impl Debugger {
     }
 
     /// Returns the end of a movement that needs no work.
-    fn there_at_once(&self, goal: Goal, is_back: bool) -> Option<Stop> {
+    fn immediate_stop(&self, goal: Goal, is_back: bool) -> Option<Stop> {
         let at = self.now();
         match goal {
             Goal::At(to) if is_back || to <= self.history.len() => {
@@ -371,7 +371,7 @@ impl Debugger {
         loop {
             if let Some(segment) = &mut back.segment {
                 if let Some(scout) = &mut back.scout
-                    && !self.ask(segment, scout, left)
+                    && !self.run_segment(segment, scout, left)
                 {
                     return None;
                 }
@@ -428,7 +428,7 @@ impl Debugger {
         }
         let step = self.history.step(at);
         let known = match self.history.enters(at) {
-            true => self.breakpoints.known(step, at),
+            true => self.breakpoints.predict(step, at),
             false => HitPrediction::No,
         };
         if let HitPrediction::Stops(id) = known {
@@ -457,7 +457,7 @@ impl Debugger {
     }
 
     /// Runs a segment again up to its last condition; returns true if it came there.
-    fn ask(&self, segment: &mut ReplaySegment, scout: &mut Run, left: &mut u64) -> bool {
+    fn run_segment(&self, segment: &mut ReplaySegment, scout: &mut Run, left: &mut u64) -> bool {
         while let Some(to) = segment.asks.as_slice().first().copied() {
             while segment.at < to {
                 if *left == 0 {

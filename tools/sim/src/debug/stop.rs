@@ -285,7 +285,7 @@ impl FromStr for Hits {
 /// The reason why a request is refused.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Refused {
+pub enum DebugError {
     /// No step is on this line, and none after it.
     NoStep(u32),
     /// No routine, label or command has this name.
@@ -306,50 +306,50 @@ pub enum Refused {
     Event(refused::Refused),
 }
 
-impl Refused {
+impl DebugError {
     /// Returns the message in a language. A fault has its classical text in each.
     pub fn text(&self, lang: Lang) -> String {
         let message = match self {
-            Refused::Wrong(diagnostic) => return diagnostic.headline(lang),
-            Refused::Fault(fault) => return fault.to_string(),
-            Refused::Event(refused) => return refused.text(lang),
-            Refused::NoStep(line) => Debugging::NoStepFrom { line: *line },
-            Refused::NoName(name) => Debugging::NoSuchName {
+            DebugError::Wrong(diagnostic) => return diagnostic.headline(lang),
+            DebugError::Fault(fault) => return fault.to_string(),
+            DebugError::Event(refused) => return refused.text(lang),
+            DebugError::NoStep(line) => Debugging::NoStepFrom { line: *line },
+            DebugError::NoName(name) => Debugging::NoSuchName {
                 name: name.clone().into(),
             },
-            Refused::NoVariable(name, error) => return refused::of_variable(name, *error, lang),
-            Refused::Hits(error) => error.message(),
-            Refused::WouldDiscard(cycles) => Debugging::WouldDiscard {
+            DebugError::NoVariable(name, error) => return refused::of_variable(name, *error, lang),
+            DebugError::Hits(error) => error.message(),
+            DebugError::WouldDiscard(cycles) => Debugging::WouldDiscard {
                 cycles: usize::try_from(*cycles).unwrap_or(usize::MAX),
             },
-            Refused::Ended => Debugging::Ended,
+            DebugError::Ended => Debugging::Ended,
         };
         message.in_lang(lang).to_string()
     }
 }
 
-impl fmt::Display for Refused {
+impl fmt::Display for DebugError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text(Lang::English))
     }
 }
 
-impl std::error::Error for Refused {}
+impl std::error::Error for DebugError {}
 
-impl From<HitsError> for Refused {
+impl From<HitsError> for DebugError {
     fn from(error: HitsError) -> Self {
-        Refused::Hits(error)
+        DebugError::Hits(error)
     }
 }
 
-impl From<Box<Diagnostic>> for Refused {
+impl From<Box<Diagnostic>> for DebugError {
     fn from(error: Box<Diagnostic>) -> Self {
-        Refused::Wrong(error)
+        DebugError::Wrong(error)
     }
 }
 
-impl From<Fault> for Refused {
+impl From<Fault> for DebugError {
     fn from(error: Fault) -> Self {
-        Refused::Fault(error)
+        DebugError::Fault(error)
     }
 }

@@ -15,7 +15,7 @@ use tip_runtime::printable::Printable;
 /// killed.
 const GRACE: Duration = Duration::from_secs(2);
 /// Time that a process which has closed its output has to end.
-const MOMENT: Duration = Duration::from_millis(500);
+const CLOSE_TIMEOUT: Duration = Duration::from_millis(500);
 /// The longest line of standard error that is passed on in one piece: bytes.
 const SAID: u64 = 4096;
 
@@ -29,7 +29,7 @@ pub(super) struct Link {
     said: Receiver<()>,
     asked: Instant,
     /// Nothing more is to be expected of it.
-    is_given_up: bool,
+    skips_grace: bool,
 }
 
 /// A line to the process.
@@ -67,7 +67,7 @@ impl Link {
         let (heard, answers) = mpsc::channel();
         let (saying, said) = mpsc::channel();
         if let (Some(input), Some(output)) = (child.stdin.take(), child.stdout.take()) {
-            thread::spawn(move || talk(input, output, &to_write, &heard));
+            thread::spawn(move || exchange_lines(input, output, &to_write, &heard));
         }
         if let Some(errors) = child.stderr.take() {
             thread::spawn(move || {
@@ -81,18 +81,18 @@ impl Link {
             answers,
             said,
             asked: Instant::now(),
-            is_given_up: false,
+            skips_grace: false,
         })
     }
 
     /// Sends a line, and expects an answer from now on.
-    pub(super) fn ask(&mut self, text: String) {
+    pub(super) fn request(&mut self, text: String) {
         self.asked = Instant::now();
         self.send(text, true);
     }
 
     /// Sends a line that has no answer.
-    pub(super) fn tell(&mut self, text: String) {
+    pub(super) fn notify(&mut self, text: String) {
         self.send(text, false);
     }
 
@@ -123,36 +123,36 @@ impl Link {
 
     /// Returns the way in which it ended.
     fn ended(&mut self) -> Ended {
-        match self.process.wait(MOMENT) {
+        match self.process.wait(CLOSE_TIMEOUT) {
             None => Ended::Closed,
             Some(status) => status.code().map_or(Ended::Killed, Ended::Exit),
         }
     }
 
-    /// Ends the process without giving it time to end by itself.
-    pub(super) fn give_up(&mut self) {
-        self.is_given_up = true;
+    /// Leaves the process no time to end by itself.
+    pub(super) fn skip_grace(&mut self) {
+        self.skips_grace = true;
     }
 }
 
 impl Drop for Link {
     /// Says good-bye, closes its input and waits for its end and that of what it started, which comes in any case.
     fn drop(&mut self) {
-        self.tell(BYE.to_owned());
+        self.notify(BYE.to_owned());
         self.lines = None;
-        let grace = if self.is_given_up {
+        let grace = if self.skips_grace {
             Duration::ZERO
         } else {
             GRACE
         };
         self.process.end(grace);
         // What it said last. Others may hold its pipe open.
-        let _ = self.said.recv_timeout(MOMENT);
+        let _ = self.said.recv_timeout(CLOSE_TIMEOUT);
     }
 }
 
 /// Writes each line and reads its answer, as long as there are lines.
-fn talk(
+fn exchange_lines(
     mut input: ChildStdin,
     output: ChildStdout,
     lines: &Receiver<Line>,
@@ -164,14 +164,14 @@ fn talk(
         let _ = input
             .write_all(line.text.as_bytes())
             .and_then(|()| input.flush());
-        if line.is_answered && heard.send(hear(&mut output)).is_err() {
+        if line.is_answered && heard.send(read_line(&mut output)).is_err() {
             return;
         }
     }
 }
 
 /// Reads the next line.
-fn hear(output: &mut impl BufRead) -> Received {
+fn read_line(output: &mut impl BufRead) -> Received {
     let mut bytes = Vec::new();
     let read = output
         .by_ref()

@@ -196,7 +196,7 @@ impl HashedCycles {
         }
     }
 
-    fn tell(&mut self, what: fmt::Arguments<'_>) {
+    fn note(&mut self, what: fmt::Arguments<'_>) {
         if let Some(words) = &mut self.words {
             writeln!(words, "  {what}").expect("writing to a string");
         }
@@ -208,7 +208,7 @@ impl HashedCycles {
                 break;
             };
             self.hash.add(value.map_or(u64::MAX, f64::to_bits));
-            self.tell(format_args!("{name} is {value:?}"));
+            self.note(format_args!("{name} is {value:?}"));
         }
     }
 
@@ -224,7 +224,7 @@ impl HashedCycles {
             kinds = kinds * 2 + u64::from(matches!(command, JointCommand::Torque(_)));
             self.hash.add(command.value().to_bits());
             self.hash.add(angle.to_bits());
-            self.tell(format_args!(
+            self.note(format_args!(
                 "joint {n} is at {angle:?} and told {command:?}"
             ));
         }
@@ -238,7 +238,7 @@ impl Sink for HashedCycles {
             words.clear();
         }
         let at = program.at();
-        self.tell(format_args!("step {at}, line {}", program.line(at)));
+        self.note(format_args!("step {at}, line {}", program.line(at)));
     }
 
     fn command(&mut self, command: &Command<'_>) {
@@ -252,17 +252,17 @@ impl Sink for HashedCycles {
                 Value::Fixed(_) => 2,
             });
         }
-        self.tell(format_args!("{command:?}"));
+        self.note(format_args!("{command:?}"));
     }
 
     fn say(&mut self, text: &dyn Display) {
         write!(self.hash, "{text}").expect("a hash takes every text");
-        self.tell(format_args!("says {text}"));
+        self.note(format_args!("says {text}"));
     }
 
     fn lamp(&mut self, device: u8, on: bool) {
         self.hash.add(u64::from(device) * 2 + u64::from(on));
-        self.tell(format_args!("lamp {device} {on}"));
+        self.note(format_args!("lamp {device} {on}"));
     }
 
     fn cycle(&mut self, cycle: &Cycle<'_>) {
@@ -270,7 +270,7 @@ impl Sink for HashedCycles {
         self.hash.add(cycle.sample.cycle);
         self.hash.add(u64::from(cycle.step));
         self.hash.add(next);
-        self.tell(format_args!("next {:?}", cycle.next));
+        self.note(format_args!("next {:?}", cycle.next));
         self.variables(cycle.program);
         self.joints(cycle);
     }

@@ -58,7 +58,7 @@ impl Project {
                 same_version(sim)?;
                 source(sim)
             }
-            None => beside(runtime, &runtime_source)?,
+            None => matching_sim(runtime, &runtime_source)?,
         };
         let path = |key: &str| PathBuf::from(metadata[key].as_str().unwrap_or_default());
         Ok(Project {
@@ -189,7 +189,7 @@ fn source(package: &Value) -> String {
 
 /// Returns the tip-sim that belongs to a runtime whose project has none: from the same registry,
 /// repository or checkout.
-fn beside(runtime: &Value, source: &str) -> Result<String, NotBuilt> {
+fn matching_sim(runtime: &Value, source: &str) -> Result<String, NotBuilt> {
     if !source.starts_with("path") {
         return Ok(source.to_owned());
     }
