@@ -54,7 +54,7 @@ use crate::model::Point;
 /// The readings of one cycle. A reader fills in what it has; the rest keeps its zeros.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensors<const L: usize, const J: usize> {
-    /// Joint angles: deg.
+    /// Joint angles, deg.
     pub angles: [[f64; J]; L],
     /// Torque of each joint on its link, in the robot's torque unit; zeros where nothing senses it.
     pub torques: [[f64; J]; L],
@@ -119,8 +119,8 @@ pub enum JointCommand {
     Angle {
         /// deg.
         angle: f64,
-        /// At what rate the trajectory turned from the angle commanded before to this one, over one
-        /// sampling time: deg/s; 0 where it rests. A drive that can use it goes there evenly, in place
+        /// Rate of the trajectory from the angle commanded before to this one, over one sampling
+        /// time, deg/s; 0 where it rests. A drive that can use it goes there evenly, in place
         /// of jumping and waiting. Vibrations are in the angle, not in the rate.
         rate: f64,
     },
@@ -152,7 +152,7 @@ pub struct Outputs<const L: usize, const J: usize> {
     pub slider: Point,
     /// Lamps and relays: bit n % 32 of word n / 32 is device n.
     pub lamps: [u32; 8],
-    /// The sampling time for which the commands hold: ms.
+    /// The sampling time for which the commands hold, ms.
     pub period: f64,
 }
 
@@ -185,13 +185,13 @@ pub trait Hardware<const L: usize, const J: usize> {
     /// Samples every sensor, at the start of a cycle.
     ///
     /// # Errors
-    /// What failed; the machine answers with an emergency stop.
+    /// The fault; the machine answers with an emergency stop.
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault>;
 
     /// Sends every joint command and output, at the end of a cycle.
     ///
     /// # Errors
-    /// What failed; the machine answers with an emergency stop.
+    /// The fault; the machine answers with an emergency stop.
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault>;
 
     /// Stops the robot: called in every cycle of an emergency, in place of [`write`](Self::write).

@@ -114,42 +114,42 @@ pub type Point = [f64; 3];
 pub struct Joint {
     /// Unit vector of the axis in the frame of the link before; right-handed.
     pub axis: [f64; 3],
-    /// From this joint to the next one, or to the foot, at angle 0: mm.
+    /// Vector from this joint to the next one, or to the foot, at angle 0, mm.
     pub link: [f64; 3],
-    /// The working limits: deg.
+    /// The working limits, deg.
     pub limits: Range,
-    /// The limits of the potentiometer, beyond which nothing may move: deg.
+    /// The limits of the potentiometer, beyond which nothing may move, deg.
     pub outer: Range,
-    /// The link's mass: kg.
+    /// The link's mass, kg.
     pub mass: f64,
     /// Distribution of the mass; `None`: evenly along the link. The simulated hand takes all its
     /// links to be so.
     pub spread: Option<Spread>,
-    /// The most torque that its motor gives: N·m.
+    /// Maximum torque of its motor, N·m.
     pub torque: f64,
 }
 
 /// A leg or finger: a serial chain of joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leg<const J: usize> {
-    /// The first joint in the robot frame: mm.
+    /// Place of the first joint in the robot frame, mm.
     pub base: Point,
     /// The joints from base to foot.
     pub joints: [Joint; J],
-    /// The initial posture: deg.
+    /// The initial posture, deg.
     pub initial: [f64; J],
 }
 
 /// The body of a walking robot: a box around the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
-    /// Extent along x: mm.
+    /// Extent along x, mm.
     pub x: Range,
-    /// Extent along y: mm.
+    /// Extent along y, mm.
     pub y: Range,
-    /// Extent along z; the lower end is the belly: mm.
+    /// Extent along z; the lower end is the belly, mm.
     pub z: Range,
-    /// Mass without legs: kg.
+    /// Mass without legs, kg.
     pub mass: f64,
     /// Distribution of the mass; `None`: evenly in the box, its centre in the origin.
     pub spread: Option<Spread>,
@@ -158,23 +158,23 @@ pub struct Body {
 /// Standard values of the parameters that commands set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standards {
-    /// `V_MAX`: mm/s.
+    /// `V_MAX`, mm/s.
     pub v_max: f64,
-    /// `A_MAX`: mm/s².
+    /// `A_MAX`, mm/s².
     pub a_max: f64,
-    /// `OMEGA_MAX`: deg/s.
+    /// `OMEGA_MAX`, deg/s.
     pub omega_max: f64,
-    /// `OMEGA_DOT_MAX`: deg/s².
+    /// `OMEGA_DOT_MAX`, deg/s².
     pub omega_dot_max: f64,
-    /// `JUST_POSITION`: mm.
+    /// `JUST_POSITION`, mm.
     pub just_position: f64,
-    /// `JUST_ANGLE`: deg.
+    /// `JUST_ANGLE`, deg.
     pub just_angle: f64,
-    /// `NEAR_POSITION`: mm.
+    /// `NEAR_POSITION`, mm.
     pub near_position: f64,
-    /// `NEAR_ANGLE`: deg.
+    /// `NEAR_ANGLE`, deg.
     pub near_angle: f64,
-    /// Sampling time: ms.
+    /// Sampling time, ms.
     pub period: f64,
 }
 
@@ -192,7 +192,7 @@ pub enum Inverse {
     LeastSquares,
 }
 
-/// Which of x, y and z count.
+/// The axes x, y and z that count.
 pub type Axes = [bool; 3];
 
 impl Inverse {
@@ -273,11 +273,11 @@ pub struct Forces {
     pub torque_max: f64,
     /// `ANGLE_STIFFNESS` at its standard value: torque per degree.
     pub angle_stiffness: f64,
-    /// `POSITION_STIFFNESS` at its standard value, along each axis: N/mm.
+    /// `POSITION_STIFFNESS` at its standard value, along each axis, N/mm.
     pub position_stiffness: f64,
     /// The torque with which DETECT_FLOOR closes a joint.
     pub search_torque: f64,
-    /// The force with which DETECT_OBJECT closes the fingers of one side: N.
+    /// The force with which DETECT_OBJECT closes the fingers of one side, N.
     pub search_force: f64,
     /// The torque from which a joint that stands still presses on something.
     pub contact_torque: f64,
@@ -286,9 +286,9 @@ pub struct Forces {
 /// Response of a joint to one volt of [vibration](crate::vibration).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VibrationGain {
-    /// To the angle that is commanded: deg.
+    /// Addition to the angle that is commanded, deg.
     pub angle: f64,
-    /// To the torque that is commanded, in the robot's [`TorqueUnit`].
+    /// Addition to the torque that is commanded, in the robot's [`TorqueUnit`].
     pub torque: f64,
 }
 
@@ -324,9 +324,9 @@ pub struct Model<const L: usize, const J: usize> {
     pub body: Option<Body>,
     /// Its parameters at program start.
     pub standards: Standards,
-    /// The sampling times that it accepts: ms.
+    /// The sampling times that it accepts, ms.
     pub periods: Range,
-    /// The reading of a sole's pressure sensor from which its foot stands on something: V.
+    /// The reading of a sole's pressure sensor from which its foot stands on something, V.
     pub contact: f64,
     /// Lamps and relays: devices 0 up to, but not including, this number.
     pub lamps: u8,

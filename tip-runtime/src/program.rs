@@ -74,7 +74,7 @@ mod variables;
 
 pub use variables::VariableError;
 
-/// Which command ended the program.
+/// The command that ended the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// `END`.
@@ -86,9 +86,9 @@ pub enum End {
 /// Result of one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flow {
-    /// It ran to its end; [`Program::at`] names the step of the next cycle.
+    /// The step ran to its end; [`Program::at`] names the step of the next cycle.
     Next,
-    /// It waits: the next cycle runs it again.
+    /// The step waits: the next cycle runs it again.
     Wait,
     /// The program is over.
     Finished(End),
@@ -159,7 +159,8 @@ pub trait Program {
     /// after that step.
     ///
     /// # Errors
-    /// As [`get`](Self::get); `NotFinite` for an infinite value, or one that is not a number.
+    /// The errors of [`get`](Self::get); `NotFinite` for an infinite value, or one that is not a
+    /// number.
     fn set(&mut self, name: &str, value: f64) -> Result<(), VariableError> {
         variables::set(self, name, value)
     }
@@ -167,7 +168,7 @@ pub trait Program {
     /// Checks that [`set`](Self::set) would assign the variable, and changes nothing.
     ///
     /// # Errors
-    /// Those of [`set`](Self::set).
+    /// The errors of [`set`](Self::set).
     fn accepts(&self, name: &str, value: f64) -> Result<(), VariableError> {
         variables::settable(self, name, value).map(drop)
     }
@@ -267,7 +268,7 @@ pub trait Context: Robot {
     /// step that is a command ends in this call.
     ///
     /// # Errors
-    /// As [`command`](Robot::command); `at` stays what it is.
+    /// The errors of [`command`](Robot::command); `at` stays what it is.
     fn ask(&mut self, command: &Command<'_>, at: &mut u32, next: u32) -> Result<Flow, Fault> {
         match self.command(command)? {
             Poll::Done => {

@@ -40,14 +40,14 @@ pub(super) enum Drive<const J: usize> {
 /// A leg's joint commands and what makes them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LegDrive<const J: usize> {
-    /// The angles commanded, or where torques led: deg.
+    /// The angles commanded, or where torques led, deg.
     pub(super) angles: [f64; J],
-    /// At what rates the angles changed in the last sampling time: deg/s.
+    /// Rates at which the angles changed in the last sampling time, deg/s.
     turns: [f64; J],
     /// The torques commanded in place of angles.
     torques: [Option<f64>; J],
     pub(super) drive: Drive<J>,
-    /// The stiffness of the spring at a point, where it is not that of the parameter: N/mm.
+    /// The stiffness of the spring at a point, where it is not that of the parameter, N/mm.
     pub(super) own_stiffness: Option<[f64; 3]>,
     /// Motion of redundant joints on the path of a point.
     pub(super) redundancy: Redundancy<J>,

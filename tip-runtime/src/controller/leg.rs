@@ -16,15 +16,15 @@ pub struct LegState<'m, const J: usize> {
     pub(super) params: LegParams<J>,
     pub(super) drive: LegDrive<J>,
     pub(super) vibrations: [JointVibration; J],
-    /// Measured: deg.
+    /// Measured joint angles, deg.
     pub(super) angles: [f64; J],
-    /// Measured joint rates: deg/s.
+    /// Measured joint rates, deg/s.
     pub(super) rates: [f64; J],
     /// Measured, in the robot's torque unit.
     pub(super) torques: [f64; J],
     /// Voltage of the sole's pressure sensor, V.
     pub(super) paw: f64,
-    /// For how many cycles the leg has been still in a search; `None` if it does not search.
+    /// Number of cycles that the leg has been still in a search; `None` if it does not search.
     pub(super) search: Option<u16>,
 }
 

@@ -18,9 +18,9 @@ pub(super) struct FootParams {
     pub(super) near: f64,
     /// N/mm along each axis, for the foot and the third joint alike.
     pub(super) stiffness: [f64; 3],
-    /// The most that a spring at the foot pulls with: N.
+    /// Largest pull of a spring at the foot, N.
     pub(super) foot_limit: Option<[f64; 3]>,
-    /// The most that a spring at the third joint pulls with: N.
+    /// Largest pull of a spring at the third joint, N.
     pub(super) third_limit: Option<[f64; 3]>,
 }
 
@@ -142,7 +142,7 @@ impl<const J: usize> LegParams<J> {
 pub(super) struct Params {
     /// Limits of the slider.
     pub(super) slider: FootParams,
-    /// Sampling time: ms.
+    /// Sampling time, ms.
     pub(super) period: f64,
     /// EMG_ON: a joint at its working limit is an emergency.
     pub(super) emg: bool,
@@ -161,7 +161,7 @@ impl Params {
 type FootField = fn(&mut FootParams) -> &mut f64;
 type JointField = fn(&mut JointParams) -> &mut f64;
 
-/// Which parameter a command sets.
+/// The parameter that a command sets.
 enum Field {
     Foot(FootField),
     Joint(JointField),

@@ -9,22 +9,22 @@ use crate::controller::drive::{Drive, THIRD};
 /// Control mode of a foot or joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Not at all: it stays where it is.
+    /// No control: it stays where it is.
     Rest,
-    /// It heads for a position or angle.
+    /// Control of position or angle: it heads for a target.
     Position,
     /// A spring pulls it to a position or angle.
     Compliance,
-    /// It keeps a velocity or angular velocity.
+    /// Control of velocity or angular velocity, which it keeps.
     Velocity,
-    /// It pushes with a force or torque.
+    /// Control of force or torque.
     Effort,
 }
 
 /// Control mode and target of a foot, a joint or the slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setpoint {
-    /// Which one.
+    /// The foot, the joint or the slider.
     pub of: Target,
     /// The control mode.
     pub mode: Mode,

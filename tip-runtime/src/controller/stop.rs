@@ -8,7 +8,7 @@ use super::trajectory::Track;
 /// The hold of all motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hold {
-    /// They go on.
+    /// No hold: motions go on.
     Off,
     /// ALL_STOP: they brake and wait; modes and targets stay.
     On,

@@ -22,14 +22,14 @@ use crate::model::Forces;
 /// Number of cycles that a joint has to stand still before contact counts.
 const STILL_CYCLES: u16 = 10;
 
-/// A joint that turns no faster stands still: deg/s.
+/// Rate up to which a joint stands still, deg/s.
 const STILL: f64 = 2.0;
 
 /// Index of the height in a fingertip's place.
 const HEIGHT: usize = 1;
 
-/// A lever that is shorter gets less than the search torque, or a finger that is nearly straight would
-/// push without bound: mm.
+/// Shortest lever that gets all of the search torque, mm: a finger that is nearly straight would
+/// push without bound.
 const LEAST_LEVER: f64 = 20.0;
 
 /// Number of joints that push a fingertip down.
@@ -38,7 +38,7 @@ const PUSHING_JOINTS: usize = 2;
 /// Distance that such a joint keeps from its limit, deg.
 const LIMIT_MARGIN: f64 = 1.0;
 
-/// It is stopped so many cycles before it would be there.
+/// Number of cycles by which it is stopped before it would be there.
 const LOOKAHEAD_CYCLES: f64 = 2.0;
 
 impl<const J: usize> ControllerView<'_, J> {

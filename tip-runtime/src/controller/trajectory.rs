@@ -12,7 +12,7 @@ mod vector;
 use core::f64::consts::SQRT_2;
 use course::Course;
 
-/// A remaining time of no more than this is rounding: s.
+/// Remaining time up to which it is rounding, s.
 const INSTANT: f64 = 1e-9;
 
 /// Limits above this one are as good as none; its square is still finite.
@@ -30,25 +30,25 @@ pub(crate) struct Limits {
 /// The goal of a set point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Goal<const N: usize> {
-    /// To come to rest and stay.
+    /// Comes to rest and stays.
     Rest,
-    /// To come to rest at a point.
+    /// Comes to rest at a point.
     Point {
         /// The point.
         target: [f64; N],
         /// True if no acceleration limit holds during the move.
         hs: bool,
     },
-    /// To come to rest at a point, to which a spring pulls what is guided.
+    /// Comes to rest at a point, to which a spring pulls what is guided.
     Spring {
         /// The point.
         target: [f64; N],
         /// True if no acceleration limit holds during the move.
         hs: bool,
     },
-    /// To keep a velocity.
+    /// Keeps a velocity.
     Speed([f64; N]),
-    /// To push with a torque or force, wherever that leads; the set point is where it led.
+    /// Pushes with a torque or force, wherever that leads; the set point is where it led.
     Effort([f64; N]),
 }
 

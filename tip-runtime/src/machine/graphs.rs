@@ -19,7 +19,7 @@ enum Graph {
     Off,
     /// It is to be taken away.
     Leaving,
-    /// It is shown, and redrawn at this time: ms.
+    /// Time at which a shown graph is redrawn, ms.
     On(f64),
 }
 

@@ -40,9 +40,9 @@ pub(super) struct State {
     pub(super) paused: bool,
     pub(super) stop_requested: bool,
     pub(super) cycles: u64,
-    /// Since the start: ms.
+    /// Time since the start, ms.
     pub(super) time: f64,
-    /// When the sensors were sampled.
+    /// Time at which the sensors were sampled.
     pub(super) sampled_at: f64,
     pub(super) io: IoState,
 }

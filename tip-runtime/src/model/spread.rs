@@ -5,7 +5,7 @@ use super::{Point, Range};
 /// Centre of mass and inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// The centre of mass, of a link from its joint on, of a body in the robot frame: mm.
+    /// Centre of mass, mm: of a link from its joint on, of a body in the robot frame.
     pub centre: Point,
     /// The elements xx, yy, zz, xy, xz and yz of the tensor of inertia about that centre: kg·m². Its axes are those of the link's
     /// frame, which is parallel to the robot frame while all joints are at 0.

@@ -14,13 +14,13 @@ use crate::model::{Inverse, Joint, Leg, Range};
 /// Values that all legs share while they move on.
 #[derive(Clone, Copy)]
 pub(in crate::controller) struct CycleParams {
-    /// Which inverse kinematics the robot has.
+    /// Inverse kinematics of the robot.
     pub(in crate::controller) inverse: Inverse,
     /// Number of the robot's torque units in 1 N·m.
     pub(in crate::controller) torque_unit: f64,
-    /// The sampling time: s.
+    /// The sampling time, s.
     pub(in crate::controller) dt: f64,
-    /// Its reciprocal: 1/s; 0 of none.
+    /// Reciprocal of the sampling time, 1/s; 0 of none.
     pub(in crate::controller) per_second: f64,
     /// True if every motion brakes and waits.
     pub(in crate::controller) held: bool,
@@ -33,7 +33,7 @@ pub(in crate::controller) struct MovingLeg<'a, const J: usize> {
     pub(in crate::controller) number: u8,
     pub(in crate::controller) model: &'a Leg<J>,
     pub(in crate::controller) params: &'a LegParams<J>,
-    /// The angles measured: deg.
+    /// The angles measured, deg.
     pub(in crate::controller) measured: &'a [f64; J],
 }
 
@@ -41,7 +41,7 @@ impl<const J: usize> LegDrive<J> {
     /// Moves on by one sampling time. At the border of what the leg can do it stops there.
     ///
     /// # Errors
-    /// What stopped it: the path to a target is out of reach, or a joint is at its limit.
+    /// The fault that stopped it: the path to a target is out of reach, or a joint is at its limit.
     pub(in crate::controller) fn advance(
         &mut self,
         leg: &MovingLeg<'_, J>,

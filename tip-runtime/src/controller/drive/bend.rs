@@ -17,7 +17,7 @@ const STEP: f64 = 0.5;
 /// The most steps of the search.
 const STEPS: u8 = 60;
 
-/// A leg that would have to turn farther is not nearly straight: deg.
+/// Largest turn for which a leg is nearly straight, deg.
 const FARTHEST: f64 = 25.0;
 
 /// Joints that turn less than this share of a step have arrived.
@@ -26,7 +26,7 @@ const AT_REST: f64 = 0.05;
 /// Longest time that a leg bends, s.
 const LONGEST: f64 = 3.0;
 
-/// Joints so near to the posture have taken it: deg.
+/// Distance from the posture at which joints have taken it, deg.
 const TAKEN: f64 = 0.2;
 
 /// A leg that bends, and what it does then.
@@ -89,7 +89,7 @@ pub(super) enum BendResult<const J: usize> {
     SoFar(Bending<J>),
     /// The leg is bent.
     To([f64; J]),
-    /// It does not bend.
+    /// The leg does not bend.
     Fails,
 }
 

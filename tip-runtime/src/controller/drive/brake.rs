@@ -16,7 +16,7 @@ use crate::model::{Inverse, Leg};
 /// At how many places of its way to the line a foot is tried out.
 const PLACES: u8 = 8;
 
-/// A point so near to its target has nowhere to go: mm.
+/// Distance from its target at which a point has nowhere to go, mm.
 const THERE: f64 = 1e-6;
 
 impl<const J: usize> LegDrive<J> {

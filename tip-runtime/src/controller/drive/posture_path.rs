@@ -7,7 +7,7 @@ use crate::controller::trajectory::{Goal, Limits, Track};
 /// Shortest time of the return to the initial angles, s.
 const RETURN: f64 = 0.8;
 
-/// It speeds up in the first half of that time and slows down in the second.
+/// Limits of the pace, which speeds up in the first half of that time and slows down in the second.
 const PACE: Limits = Limits {
     speed: 2.0 / RETURN,
     acceleration: 4.0 / (RETURN * RETURN),
@@ -24,7 +24,7 @@ pub(super) type Line = ([f64; 3], [f64; 3]);
 pub(in crate::controller) struct PosturePath<const J: usize> {
     from: [f64; J],
     to: [f64; J],
-    /// From where the point was to its target: mm.
+    /// Distance of the point from its target at the start, mm.
     length: f64,
     /// Rest of the path to the posture, where time decides as well.
     ease: Option<Track<1>>,

@@ -68,7 +68,7 @@ fn refused<const J: usize>(
 /// `posture`. A closed form leaves out no postures between two cycles.
 ///
 /// # Errors
-/// As [`reach`].
+/// The errors of [`reach`].
 pub(super) fn follow<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,

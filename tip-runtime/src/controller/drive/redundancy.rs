@@ -19,7 +19,7 @@ use crate::model::{Inverse, Leg};
 pub(in crate::controller) enum Redundancy<const J: usize> {
     /// Nobody: there are none, or no postures lead to the target.
     None,
-    /// Every joint for itself, as it brakes from these rates before the point sets off: deg/s.
+    /// Every joint for itself, braking from these rates, deg/s, before the point sets off.
     Brakes([f64; J]),
     /// Postures that are yet to be found.
     Sought(Search<J>),

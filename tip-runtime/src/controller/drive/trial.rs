@@ -13,10 +13,10 @@ const SHORTEST: f64 = 1.0 / 16384.0;
 /// The most pieces that are tried.
 const PIECES: u16 = 400;
 
-/// A joint that turns farther within a piece has left out what is between: deg.
+/// Turn of a joint beyond which a piece has left out what is between, deg.
 const LEAP: f64 = 6.0;
 
-/// Which point is to be put somewhere, and along which axes.
+/// A point of a leg that is to be put somewhere, and the axes that count.
 #[derive(Clone, Copy)]
 pub(super) struct PointOfLeg<'a, const J: usize> {
     pub(super) leg: &'a Leg<J>,
@@ -41,7 +41,7 @@ pub(super) enum TrialResult<const J: usize> {
     SoFar(Trial<J>),
     /// The postures lead to the target.
     Leads(PosturePath<J>),
-    /// They do not.
+    /// The postures do not lead to the target.
     Fails,
 }
 
