@@ -13,7 +13,7 @@ use tip_runtime::record::{self, Sink, state_hash};
 pub struct Cycle {
     /// Its number, from 0.
     pub number: u64,
-    /// Time on the robot when it began: ms.
+    /// Time on the robot when it began, ms.
     pub time: f64,
     /// The step that ran; none in the cycle of an emergency stop, after the program's end, and in a pause.
     pub step: Option<u32>,
@@ -39,7 +39,7 @@ pub struct Cycle {
 /// A command as a step asked for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IssuedCommand {
-    /// Which command.
+    /// The command.
     pub op: Op,
     /// HS: hand over to the next command immediately.
     pub hs: bool,

@@ -26,15 +26,15 @@ pub(crate) trait DynMachine: Send {
     fn hardware_mut(&mut self) -> &mut SimHardware;
     fn emergency(&self) -> Option<&Emergency>;
     fn cycles(&self) -> u64;
-    /// Returns the time on the robot: ms.
+    /// Returns the time on the robot, ms.
     fn time(&self) -> f64;
-    /// Returns the sampling time: ms.
+    /// Returns the sampling time, ms.
     fn period(&self) -> f64;
     fn flag(&self, flag: Flag) -> bool;
     fn setpoints(&self) -> Vec<Setpoint>;
     /// Returns what each joint was sent, leg by leg.
     fn commands(&self) -> &[JointCommand];
-    /// Returns what each joint was measured at, leg by leg: deg.
+    /// Returns the measured angle of each joint, leg by leg, deg.
     fn angles(&self) -> &[f64];
     fn lamps(&self) -> &[u32; 8];
 }

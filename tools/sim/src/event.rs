@@ -22,7 +22,7 @@ use tip_runtime::plant::Noise;
 
 /// Something that happens to a robot or to its program from outside.
 ///
-/// As text, in `--events`, files, tests, and as a string in JSON:
+/// Text form of events, in `--events`, files, tests, and as a string in JSON:
 ///
 /// | event | text |
 /// |---|---|

@@ -366,7 +366,7 @@ impl DynHardware for ExternalHardware {
 struct Odometry {
     start: Pose,
     now: Pose,
-    /// Whole turns: deg.
+    /// Whole turns, deg.
     turned: f64,
 }
 

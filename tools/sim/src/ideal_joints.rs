@@ -33,7 +33,7 @@ struct Joint {
     limits: Range,
     /// deg.
     angle: f64,
-    /// In the robot's torque unit.
+    /// Torque, in the robot's torque unit.
     torque: f64,
 }
 

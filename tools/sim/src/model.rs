@@ -41,11 +41,11 @@ pub struct Anatomy {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Limb {
-    /// The first joint in the robot frame: mm.
+    /// Place of the first joint in the robot frame, mm.
     pub base: Point,
     /// The joints from base to foot.
     pub joints: Vec<Joint>,
-    /// The initial posture: deg.
+    /// The initial posture, deg.
     pub initial: Vec<f64>,
 }
 

@@ -11,8 +11,8 @@ pub struct Limbs {
     pub angles: Vec<Vec<f64>>,
     /// Load of each foot, or push of each fingertip, N. Empty if the robot is bolted down.
     pub loads: Vec<f64>,
-    /// With what force the ground pushes each foot, friction included, in the world: N. Empty where only loads are known; those of a
-    /// hand are in [`Grasp`].
+    /// Force of the ground on each foot, friction included, in the world, N. Empty where only loads are
+    /// known; those of a hand are in [`Grasp`].
     pub forces: Vec<[f64; 3]>,
     /// Torque of each motor, leg by leg, in the robot's torque unit, in N·m if it has none.
     pub torques: Vec<Vec<f64>>,
@@ -57,7 +57,7 @@ impl<const L: usize> From<plant::Grasp<L>> for Grasp {
 pub struct Fall {
     /// The control cycle, from 0.
     pub cycle: u64,
-    /// When that cycle began: ms.
+    /// Time at which that cycle began, ms.
     pub time: f64,
     /// The step that ran in it.
     pub step: u32,

@@ -170,7 +170,7 @@ fn warning(
     Some(Diagnostic::new(Code::OutOfReach, place, reason).help(help))
 }
 
-/// In how many pieces a straight path is looked at.
+/// Number of pieces in which a straight path is checked.
 const PIECES: u32 = 100;
 
 /// Returns the first place of a straight path that is clearly out of reach.

@@ -158,7 +158,7 @@ impl Run {
     /// Lets one more event happen; at once in the next cycle if its own is over.
     ///
     /// # Errors
-    /// Those of [`accepts`](Self::accepts).
+    /// The errors of [`accepts`](Self::accepts).
     pub fn add(&mut self, event: Timed) -> Result<(), Refused> {
         self.accepts(&event.event)?;
         self.events.insert(self.happened, event);

@@ -205,7 +205,7 @@ pub enum NotBuilt {
     Failed(String),
     /// A file cannot be written.
     CannotWrite {
-        /// Which one.
+        /// The file.
         path: PathBuf,
         /// The reason.
         reason: String,

@@ -7,7 +7,7 @@ use tip_runtime::command::{Flag, Op};
 use tip_runtime::hardware::JointCommand;
 use tipc::program::{Action, Condition, Operand, Program, Step};
 
-/// Joints that move slowly and variables are looked at so often: ms.
+/// Time between two checks of joints that move slowly, and of variables, ms.
 const OFTEN: f64 = 1000.0;
 /// A joint that is this much from where it was has moved: deg. Fingers that press on something tremble by some tenths, which moves
 /// nothing.
@@ -20,7 +20,7 @@ pub struct Wait {
     pub lines: [u32; 2],
     /// The condition that ends it; none for a loop without conditions.
     pub on: Option<Awaited>,
-    /// When it began: ms.
+    /// Time at which it began, ms.
     pub since: f64,
     /// Present length, ms.
     pub time: f64,
@@ -43,7 +43,7 @@ pub struct WaitDetector {
     done: u64,
     rests_since: f64,
     commands: Vec<JointCommand>,
-    /// When joints and variables were looked at last, and how they were.
+    /// Time of the last check of joints and variables.
     looked: f64,
     angles: Vec<f64>,
     values: Vec<Option<u64>>,
@@ -107,7 +107,7 @@ impl WaitDetector {
         moves
     }
 
-    /// Returns for how long nothing has moved and nothing was done: ms.
+    /// Returns the time for which nothing has moved and nothing was done, ms.
     pub fn rest(&self, run: &Run) -> f64 {
         run.time() - self.rests_since
     }

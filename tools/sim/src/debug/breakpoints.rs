@@ -15,7 +15,7 @@ use tipc::program::{Action, Program, Variable};
 pub struct When<'a> {
     /// A condition of the language, which may also name `CYCLE` and `TIME` (ms).
     pub condition: Option<&'a str>,
-    /// Which passes, among those where the condition holds; the text of [`Hits`].
+    /// The passes that count, among those where the condition holds; the text of [`Hits`].
     pub hits: Option<&'a str>,
 }
 
@@ -197,7 +197,7 @@ impl Debugger {
     /// Sets a breakpoint from a column (in characters, from 1) on, where a line has several steps.
     ///
     /// # Errors
-    /// As [`break_at_line`](Self::break_at_line).
+    /// The errors of [`break_at_line`](Self::break_at_line).
     pub fn break_at(
         &mut self,
         line: u32,
@@ -290,7 +290,7 @@ impl Debugger {
     /// braces hold an expression or condition of the program, or the name of a POS or JOINT; its value is printed in their place.
     ///
     /// # Errors
-    /// As [`break_at`](Self::break_at); or a text in braces is neither.
+    /// The errors of [`break_at`](Self::break_at); or a text in braces is neither.
     pub fn log_at(
         &mut self,
         line: u32,

@@ -329,7 +329,7 @@ struct ReplaySegment {
     from: u64,
     /// Position of the scout.
     at: u64,
-    /// In order, those that are not asked yet.
+    /// Positions that are still to be checked, in order.
     asks: std::vec::IntoIter<u64>,
     /// The last one that stops.
     best: Option<Stop>,

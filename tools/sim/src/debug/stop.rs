@@ -28,9 +28,9 @@ pub struct Stop {
 pub enum Reason {
     /// At the beginning of the run.
     Start,
-    /// It did the steps that it was asked for.
+    /// The steps that were asked for are done.
     Step,
-    /// It came to the line or cycle that it was sent to.
+    /// The line or cycle that it was sent to is reached.
     There,
     /// At the breakpoint of this number.
     Breakpoint(u32),
@@ -77,17 +77,17 @@ pub struct Progress {
 pub enum Move {
     /// One control cycle.
     Cycle,
-    /// To the next step, into routines.
+    /// Steps to the next step, into routines.
     Step,
-    /// To the next step, over what GOSUB and CALL do.
+    /// Steps to the next step, over what GOSUB and CALL do.
     Over,
     /// Out of a routine, to the step after its call.
     Out,
-    /// On until something stops it.
+    /// Goes on until something stops it.
     Continue,
-    /// On to a step of a line.
+    /// Goes on to a step of a line.
     Line(u32),
-    /// To a cycle, known or not.
+    /// Goes to a cycle, known or not.
     To(u64),
     /// Back one control cycle.
     CycleBack,
@@ -222,7 +222,8 @@ impl Goal {
     }
 }
 
-/// Which passes of a breakpoint stop a run, counted from its start. As text: `5` or `== 5`, `> 5`, `>= 5`, `% 5`.
+/// The passes of a breakpoint that stop a run, counted from its start. As text: `5` or `== 5`, `>
+/// 5`, `>= 5`, `% 5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hits {
     /// This one alone.

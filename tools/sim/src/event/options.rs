@@ -8,7 +8,7 @@ use std::str::FromStr;
 /// All that happens around a run, and how long it may take.
 ///
 /// Its text is that of the options of `tip run`, in one line: `--keys 3:a --sensor VR1=8@300 --halt 500 --cycles 900`.
-/// What has no short form follows `--events`, without blanks around its commas.
+/// Events without a short form follow `--events`, without blanks around its commas.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inputs {
     /// The events.

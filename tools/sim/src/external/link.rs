@@ -41,7 +41,7 @@ struct Line {
 /// An answer, or what came in its place.
 pub(super) enum Received {
     Line(String),
-    /// Not yet.
+    /// No answer yet.
     Nothing,
     TooLate,
     End(Ended),

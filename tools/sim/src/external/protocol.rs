@@ -242,7 +242,7 @@ pub(super) struct Layout {
     pub(super) joints: usize,
     /// ms.
     period: f64,
-    /// The initial posture, leg by leg: deg.
+    /// The initial posture, leg by leg, deg.
     initial: Vec<f64>,
     /// Number of the robot's torque units in 1 N·m.
     pub(super) per_newton_metre: f64,
@@ -354,7 +354,7 @@ fn list(numbers: impl Iterator<Item = f64>) -> String {
     text
 }
 
-/// Which line an answer is to.
+/// The line that an answer is to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Head {
     /// The first one.
@@ -376,9 +376,9 @@ impl fmt::Display for Head {
 /// The way in which a process ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
-    /// By itself, with this status.
+    /// The process exited with this status.
     Exit(i32),
-    /// By a signal.
+    /// A signal killed it.
     Killed,
     /// It goes on, but has closed its standard output.
     Closed,

@@ -20,9 +20,9 @@ pub(super) struct Outcome {
 
 /// The step that comes next.
 enum Then {
-    /// To another step, "taken".
+    /// Goes to another step, "taken".
     To(StepId),
-    /// To another step, "not taken".
+    /// Goes to another step, "not taken".
     Otherwise(StepId),
     /// Nowhere: it runs again.
     Wait,

@@ -24,7 +24,7 @@ pub enum Answer {
         /// Some cycles whose step had an edge that no run went along yet: where another input may change the path.
         chances: Vec<u64>,
     },
-    /// They did not.
+    /// The engines differ.
     Diverged(Divergence),
     /// The robot lacks something that was asked for.
     Refused(String),
@@ -186,7 +186,7 @@ pub fn serve(
 /// The most chances that are reported of a run.
 const CHANCES: usize = 64;
 
-/// Which spots of a program some run reached.
+/// The spots of a program that some run reached.
 #[derive(Clone, Debug)]
 pub struct ReachedPoints {
     spots: Spots,

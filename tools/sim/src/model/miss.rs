@@ -1,4 +1,4 @@
-//! By how much a robot misses a target.
+//! Distance by which a robot misses a target.
 
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::{Chain, LegPoint, first_beyond_limits, inverse, nearest, search};
@@ -13,18 +13,18 @@ pub(crate) enum Miss {
         /// deg; negative below the lower limit.
         by: f64,
         limits: Range,
-        /// Which number of the command turns it, if each turns one joint.
+        /// Number of the command that turns it, if each turns one joint.
         number: Option<usize>,
     },
-    /// The foot ends before it: mm.
+    /// Gap between the end of the foot's path and the target, mm.
     Ends { by: f64 },
     /// The slider does not go so far.
     Slides { axis: &'static str, travel: Range },
 }
 
-/// A gap that a search may leave although the target is within reach: mm.
+/// Gap that a search may leave although the target is within reach, mm.
 const LEFT_OVER: f64 = 1.0;
-/// Angles that differ by less come from rounding: deg.
+/// Difference of angles up to which it comes from rounding, deg.
 const ROUNDING: f64 = 1e-6;
 
 /// The points and joints that commands move, of a model with any number of legs.

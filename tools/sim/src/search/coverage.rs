@@ -21,12 +21,12 @@ pub enum RunResult {
     Agreed {
         /// Number of cycles that were compared.
         cycles: u64,
-        /// It reached something that no run before it did.
+        /// True if it reached something that no run before it did.
         is_new: bool,
         /// Cycles where another input may change the path.
         chances: Vec<u64>,
     },
-    /// They differ.
+    /// The engines differ.
     Diverged(Diverging),
 }
 

@@ -6,7 +6,7 @@ use tip_runtime::record::Ending;
 use tip_sim::{Interpreter, Limit, Robot, Run, reachability};
 use tipc::message::Message;
 
-/// What is said of the first finding about some statements: code, reason and help.
+/// Returns code, reason and help of the first diagnostic of some statements.
 fn said(robot: &str, statements: &str) -> Vec<String> {
     let robot = Robot::named(robot).expect("a robot");
     let text = format!("3.1\nreach\n{statements}\nEND\n");

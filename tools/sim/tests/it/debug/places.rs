@@ -1,4 +1,4 @@
-//! Where movements and breakpoints stop.
+//! The places where movements and breakpoints stop.
 
 use super::{Outcome, debugger, titan};
 use tip_runtime::fault::Fault;

@@ -1,4 +1,4 @@
-//! Where watches stop: who assigns a variable.
+//! Stops at watches: the step or event that assigns a variable.
 
 use super::{Outcome, debugger, titan};
 use tip_runtime::program::End;

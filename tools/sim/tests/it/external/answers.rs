@@ -1,4 +1,4 @@
-//! What is understood of an answer, and what is not.
+//! Answers that are accepted, and those that are not.
 
 use super::peer::{
     ANGLES, ECHO, NOD, Outcome, PATIENCE, in_cycle_3, peer, ready, run, run_on, stopped,

@@ -143,7 +143,7 @@ fn it_does_not_read() -> Outcome {
     Ok(())
 }
 
-/// Whether a process is there.
+/// Returns true if a process is there.
 fn lives(process: &str) -> bool {
     let asked = Command::new("kill").args(["-0", process]).output();
     asked.is_ok_and(|asked| asked.status.success())
@@ -183,7 +183,7 @@ fn what_it_started_is_not_left_behind() -> Outcome {
     Ok(())
 }
 
-/// What it says on its standard error.
+/// Collects the output on its standard error.
 fn heard(plant: ExternalPlant) -> (ExternalPlant, Arc<Mutex<Vec<String>>>) {
     let lines = Arc::new(Mutex::new(Vec::new()));
     let into = lines.clone();

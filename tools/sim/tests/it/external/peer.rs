@@ -29,12 +29,12 @@ pub(crate) fn script(ready: &str, each: &str) -> String {
     )
 }
 
-/// What it does with `hello`.
+/// Returns its reaction to `hello`.
 pub(crate) fn ready() -> String {
     format!("echo \"ready version=1 {ANGLES}\"")
 }
 
-/// What it does in a cycle.
+/// Its reaction to a cycle.
 pub(crate) const ECHO: &str = "echo \"state n=$n angles=$targets\"";
 
 /// So much time as a test has.
