@@ -48,17 +48,17 @@ pub trait Host {
     /// Gives the file these bytes, all of them or none.
     ///
     /// # Errors
-    /// Why not, in words for the viewer.
+    /// The reason, in words for the viewer.
     fn write(&mut self, bytes: &[u8]) -> Result<(), String>;
 
     /// Reads the present bytes of the file.
     ///
     /// # Errors
-    /// Why it cannot be read, in words for the viewer.
+    /// The reason why it cannot be read, in words for the viewer.
     fn read(&mut self) -> Result<Vec<u8>, String>;
 }
 
-/// No file: the program is only in the page.
+/// A host without a file: the program is only in the page.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFile;
 

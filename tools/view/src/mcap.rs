@@ -66,7 +66,7 @@ struct Topic {
 enum Encoding {
     Foxglove,
     Own,
-    /// With the text of its definition.
+    /// ROS 2 message, with the text of its definition.
     Ros(&'static str),
 }
 
@@ -307,7 +307,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.put(topic, time, message.encode_to_vec())
     }
 
-    /// Writes a message at a time of the run: ns.
+    /// Writes a message at a time of the run, ns.
     fn put(&mut self, topic: &Topic, time: u64, bytes: Vec<u8>) -> McapResult<()> {
         let channel = match self.channels.get_mut(topic.name) {
             Some(channel) => channel,

@@ -14,11 +14,11 @@ use tipc::message::Lang;
 /// A kind of diagram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Diagram {
-    /// Which feet carry the robot, or which fingertips touch something.
+    /// Feet that carry the robot, or fingertips that touch something.
     Gait,
     /// Paths of the feet, mm; in the world for a robot that walks.
     Feet,
-    /// The angle of each joint: deg.
+    /// The angle of each joint, deg.
     Angles,
     /// Torque of each motor, in the robot's unit of torque.
     Torques,
@@ -95,7 +95,7 @@ enum Panel {
     Bars {
         title: String,
         time: Span,
-        /// From when to when each leg has contact: s.
+        /// Intervals in which each leg has contact, s.
         legs: Vec<Vec<(f64, f64)>>,
         /// Times of falls, s.
         marks: Vec<f64>,
@@ -155,7 +155,7 @@ struct Plot<'a> {
     recording: &'a Recording,
     lang: Lang,
     time: Span,
-    /// Not more than can be told apart.
+    /// Frames to draw, not more than can be told apart.
     frames: Vec<&'a Frame>,
 }
 

@@ -20,7 +20,7 @@ use tipc::Loaded;
 use tipc::language::Keyword;
 use tipc::source::Source;
 
-/// Frames are not closer than this: ms.
+/// Time between two frames, at least, ms.
 const APART: f64 = 20.0;
 
 /// Rounding error of sums of times, ms.
@@ -31,11 +31,11 @@ const ROUNDING: f64 = 1e-6;
 pub enum Extent {
     /// A number of cycles.
     Cycles(u64),
-    /// So much time of the robot, but less if it waits so long without a motion: ms.
+    /// Limit in time of the robot, and in time that it waits without a motion, ms.
     Time {
-        /// For the whole run.
+        /// Limit of the whole run.
         most: f64,
-        /// For one wait.
+        /// Limit of one wait.
         wait: f64,
     },
 }
@@ -382,7 +382,7 @@ fn torque_joints(run: &Run, angles: &[Vec<f64>]) -> Vec<Target> {
     by_torque.map(|(joint, _)| joint).collect()
 }
 
-/// A foot that has come so far from where it touched down has slipped: mm.
+/// Distance from the place of touch-down at which a foot has slipped, mm.
 const SLIPPED: f64 = 5.0;
 
 /// Watches where each foot touched down.

@@ -36,14 +36,15 @@ pub struct Recording {
     pub lamps: Vec<At<(u8, bool)>>,
     /// Commands that were accepted.
     pub commands: Vec<At<IssuedCommand>>,
-    /// Which feet or fingertips touched something, where that changed; the first is that of cycle 0.
+    /// Feet or fingertips that touched something, where that changed; the first entry is that of
+    /// cycle 0.
     pub contacts: Vec<At<Vec<bool>>>,
     /// The flags of conditions that were up, where that changed; the first is that of cycle 0. A trace does not say.
     pub flags: Vec<At<Vec<Flag>>>,
     /// Control modes of feet or joints, and a slider, where they changed; the first entry is that
     /// of cycle 0. A trace lacks them.
     pub modes: Vec<At<Vec<(Target, Mode)>>>,
-    /// Falls, with the distance of the centre of mass from the edge of the support polygon: mm; negative outside.
+    /// Falls, with the distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub falls: Vec<At<f64>>,
     /// Feet that slipped while they stood.
     pub slips: Vec<At<Slip>>,
@@ -69,7 +70,7 @@ pub struct At<T> {
 pub struct Tick {
     /// The cycle.
     pub cycle: u64,
-    /// When it began: ms.
+    /// Time at which it began, ms.
     pub time: f64,
     /// Control period from here on, ms.
     pub period: f64,
@@ -97,7 +98,7 @@ pub struct Script {
 pub struct Frame {
     /// The cycle.
     pub cycle: u64,
-    /// When it ended: ms.
+    /// Time at which it ended, ms.
     pub time: f64,
     /// Pose of the body in the world; none for a robot that stays where it is.
     pub pose: Option<Pose>,
@@ -105,15 +106,15 @@ pub struct Frame {
     pub angles: Vec<Vec<f64>>,
     /// Load of each foot, or push of each fingertip, N. Empty if it is not known.
     pub loads: Vec<f64>,
-    /// With what force the ground pushes each foot, friction included, in the world: N. Empty where only loads are known. A trace
-    /// does not say.
+    /// Force of the ground on each foot, friction included, in the world, N. Empty where only loads
+    /// are known. A trace lacks it.
     pub forces: Vec<[f64; 3]>,
     /// Torque of each motor, leg by leg, in the robot's torque unit, in N·m if it has none. A trace
     /// lacks it.
     pub torques: Vec<Vec<f64>>,
     /// Distance of the centre of mass inside the support polygon, mm; negative outside.
     pub margin: Option<f64>,
-    /// With what force each fingertip pushes floor and objects: N. Empty for a robot that is not a hand.
+    /// Force of each fingertip on floor and objects, N. Empty for a robot that is not a hand.
     pub pushes: Vec<[f64; 3]>,
     /// Place of the slider that carries the floor, mm.
     pub slider: Option<Point>,
@@ -128,7 +129,7 @@ pub struct Frame {
 /// Pose of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectPose {
-    /// Its centre: mm.
+    /// Its centre, mm.
     pub position: Point,
     /// deg.
     pub angle: f64,
@@ -155,13 +156,13 @@ pub struct Slip {
 /// The end of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// By the program's own word: END or EXIT.
+    /// The program ended by END or EXIT.
     Program(String),
-    /// Someone interrupted it.
+    /// The run was interrupted.
     Interrupted,
     /// The cycles were used up.
     Limit,
-    /// By an emergency stop.
+    /// An emergency stop.
     Emergency(Stop),
 }
 
@@ -200,7 +201,7 @@ pub enum Pace {
     /// At 50 Hz at most, and in the last cycle.
     #[default]
     Smooth,
-    /// In one cycle of so many; in each for 0.
+    /// In one cycle out of this number; in each for 0.
     Every(u64),
 }
 

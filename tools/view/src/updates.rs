@@ -68,7 +68,7 @@ struct Over<'a> {
 
 /// Part of a run that an update tells.
 pub(crate) struct Part<'a> {
-    /// Which run it is, from 1.
+    /// Number of the run, from 1.
     pub(crate) run: u64,
     /// The first cycle that is still known.
     pub(crate) first: u64,
@@ -270,7 +270,7 @@ struct Block {
     height: f64,
 }
 
-/// A disc has a radius, a box a width and a height: mm.
+/// A disc has a radius, a box a width and a height, mm.
 #[derive(Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Outline {

@@ -12,11 +12,11 @@ pub(super) struct Buffer {
     options: Options,
     /// The file as it was last read or written.
     file: Source,
-    /// With LF between lines.
+    /// The text, with LF between lines.
     pub(super) text: String,
     /// Counts its changes.
     pub(super) version: u64,
-    /// Which viewer changed it last.
+    /// The viewer that changed it last.
     pub(super) author: String,
     /// True if the text is that of the file, which may be in another encoding.
     is_file: bool,

@@ -35,7 +35,7 @@ pub(super) struct Hover {
 pub(super) struct CompletionItem {
     label: String,
     detail: String,
-    /// In English and Japanese.
+    /// Description in English and Japanese.
     description: [&'static str; 2],
     /// Start of the text that is replaced.
     from: Place,

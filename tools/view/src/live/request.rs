@@ -66,7 +66,7 @@ pub(super) enum Request {
     Pause {},
     /// Steps a number of cycles forward, or back if negative; then the run rests.
     Step { cycles: i64 },
-    /// To the end of a cycle that has been; then it rests.
+    /// Goes to the end of a cycle that has been; then it rests.
     Go { cycle: u64 },
     /// Sets the speed, as a multiple of the robot's own.
     Speed { times: f64 },

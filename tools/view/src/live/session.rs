@@ -76,7 +76,8 @@ impl Session {
     /// Creates a program before its second cycle, at rest.
     ///
     /// # Errors
-    /// What was found in a text that is not a program for this robot, or nothing if the events cannot happen to it.
+    /// The diagnostics of a text that is not a program for this robot, or nothing if the events
+    /// cannot happen to it.
     pub fn new(setup: Setup) -> Result<Self, Box<Loaded>> {
         let Setup {
             name,

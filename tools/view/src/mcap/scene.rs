@@ -17,7 +17,7 @@ use tip_sim::urdf::frame::{self, BASE, WORLD, direction, metres};
 const METRES_PER_NEWTON: f64 = 0.002;
 /// Length of an arrow for each newton of a hand, whose forces are smaller, m.
 const METRES_PER_NEWTON_OF_A_HAND: f64 = 0.02;
-/// An arrow that is shorter is not shown: m.
+/// Length below which an arrow is not shown, m.
 const SHORTEST: f64 = 0.001;
 /// Time between two places of a trail, ns.
 const STEP: u64 = 100_000_000;
@@ -42,7 +42,7 @@ pub(super) struct Stage<'a> {
     /// Blocks on the floor, as cubes, which never move.
     blocks: Vec<CubePrimitive>,
     trails: Vec<VecDeque<Point>>,
-    /// When the trails go on: ns.
+    /// Time at which the trails go on, ns.
     due: u64,
 }
 

@@ -18,7 +18,7 @@ pub(super) struct Transform {
     turned: [f64; 4],
 }
 
-/// Not turned.
+/// The quaternion without a turn.
 pub(super) const STRAIGHT: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
 impl Transform {

@@ -149,7 +149,7 @@ fn rounded(value: f64) -> String {
     value.to_string()
 }
 
-/// Paths in a plane: mm.
+/// Paths in a plane, mm.
 pub(super) struct View {
     pub(super) title: String,
     /// Names of its axes.
@@ -241,7 +241,7 @@ pub(super) fn bars(
     Ok(())
 }
 
-/// On a light ground, and on a dark one.
+/// Colors on a light and on a dark background.
 type Pair = [u32; 2];
 
 const GROUND: Pair = [0xFFFFFF, 0x0D1117];
