@@ -51,11 +51,9 @@
 //! # Ok::<(), tip_runtime::fault::Fault>(())
 //! ```
 
-mod aims;
 mod arrival;
-mod detect;
 mod drive;
-mod feel;
+mod floor_detection;
 mod force;
 mod leg;
 mod motion;
@@ -63,24 +61,26 @@ mod native;
 mod operands;
 mod params;
 mod posture;
+mod sensor_checks;
+mod setpoints;
 mod sleep;
 mod stand;
 mod stop;
 mod targets;
 mod task;
 mod teach;
+mod touch_detection;
 mod trajectory;
 mod vibrate;
-mod watch;
 
-pub use aims::{Aim, Mode};
+pub use setpoints::{Mode, Setpoint};
 
 use crate::command::{Command, Op, Poll};
 use crate::fault::Fault;
 use crate::hardware::{JointCommand, Sensors};
 use crate::model::{Family, Joint, Leg, Model, ModelFacts, Point};
 use core::ops::{Deref, DerefMut};
-use drive::Going;
+use drive::CycleParams;
 use leg::LegState;
 use operands::Base;
 use params::Params;
@@ -104,21 +104,21 @@ pub type ControllerView<'m, const J: usize> = Core<'m, [LegState<'m, J>]>;
 pub struct Core<'m, S: ?Sized> {
     robot: ModelFacts<'m>,
     params: Params,
-    /// Where the slider is to be: mm.
+    /// Set point of the slider, mm.
     slider: Track<3>,
-    /// Where the slider was measured: mm.
+    /// Measured place of the slider, mm.
     slider_at: Point,
-    /// Whether joint angles have been measured yet.
+    /// True once joint angles have been measured.
     sensed: bool,
     hold: Hold,
     task: Task,
-    /// What arose in the last advance, to be reported by the next sense.
+    /// Fault of the last advance, for the next sense to report.
     pending: Option<Fault>,
     legs: S,
 }
 
 impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
-    /// A robot in its initial posture with nothing controlled and standard parameters.
+    /// Creates a robot in its initial posture with nothing controlled and standard parameters.
     #[must_use]
     pub fn new(model: &'m Model<L, J>) -> Self {
         let robot = ModelFacts::of(model);
@@ -128,13 +128,13 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
         controller
     }
 
-    /// The robot that is controlled.
+    /// Returns the robot that is controlled.
     #[must_use]
     pub const fn model(&self) -> &'m Model<L, J> {
         self.model
     }
 
-    /// What every joint is commanded.
+    /// Returns the command of every joint.
     #[must_use]
     pub fn outputs(&self) -> [[JointCommand; J]; L] {
         let mut outputs = [[JointCommand::at(0.0); J]; L];
@@ -148,7 +148,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// A joint sensor that reads nonsense; a joint beyond its potentiometer's limits, or under
     /// EMG_ON beyond its working limits; the fault of the last advance.
     pub fn sense(&mut self, sensors: &Sensors<L, J>) -> Result<(), Fault> {
-        (**self).take_in(&sensors.view())
+        (**self).sense_view(&sensors.view())
     }
 }
 
@@ -167,7 +167,7 @@ impl<const L: usize, const J: usize> DerefMut for Controller<'_, L, J> {
 }
 
 impl<'m> Core<'m, ()> {
-    /// What a controller keeps of the robot as a whole, with nothing controlled.
+    /// Returns the part of a controller that does not depend on the legs, with nothing controlled.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     fn resting(robot: ModelFacts<'m>) -> Self {
@@ -185,7 +185,7 @@ impl<'m> Core<'m, ()> {
         }
     }
 
-    /// The same with legs; only this is compiled for each number of them.
+    /// Adds the legs; only this is compiled for each number of them.
     fn with<S>(self, legs: S) -> Core<'m, S> {
         Core {
             robot: self.robot,
@@ -211,18 +211,18 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         }
     }
 
-    /// The sampling time: ms.
+    /// Returns the sampling time, ms.
     #[must_use]
     pub const fn period(&self) -> f64 {
         self.params.period
     }
 
-    /// What the model says of the robot as a whole.
+    /// Returns the facts of the model that hold for the whole robot.
     pub(crate) const fn robot(&self) -> &ModelFacts<'m> {
         &self.robot
     }
 
-    /// A joint's model; leg and joint count from 0.
+    /// Returns a joint's model; leg and joint count from 0.
     pub(crate) fn joint(&self, leg: usize, joint: usize) -> Option<&'m Joint> {
         self.legs.get(leg)?.model.joints.get(joint)
     }
@@ -234,13 +234,13 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         }
     }
 
-    /// Where the slider is commanded to be: mm; zeros where there is none.
+    /// Returns the commanded place of the slider, mm; zeros without a slider.
     #[must_use]
     pub const fn slider(&self) -> Point {
         self.slider.position()
     }
 
-    /// How many legs there are.
+    /// Returns the number of legs.
     pub(crate) fn count(&self) -> u8 {
         u8::try_from(self.legs.len()).unwrap_or(u8::MAX)
     }
@@ -287,10 +287,10 @@ impl<'m, const J: usize> ControllerView<'m, J> {
                 return self.detect_floor_by_soles(command);
             }
             Op::DetectFloor if family == Family::Hand => {
-                return self.feel(command, Self::floor_search);
+                return self.detect_touch(command, Self::floor_search);
             }
             Op::DetectObject if family == Family::Hand => {
-                return self.feel(command, Self::object_search);
+                return self.detect_touch(command, Self::object_search);
             }
             Op::Sleep => return self.sleep(command),
             Op::WaitInpos => return Ok(self.wait_inpos(command.target)),
@@ -304,7 +304,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
     /// [`sense`](Controller::sense).
     pub fn advance(&mut self) {
         let dt = self.params.period / 1000.0;
-        let going = Going {
+        let cycle = CycleParams {
             inverse: self.robot.inverse,
             torque_unit: self.robot.torque_unit(),
             dt,
@@ -312,18 +312,18 @@ impl<'m, const J: usize> ControllerView<'m, J> {
             held: self.hold.is_on(),
         };
         for (n, leg) in self.legs.iter_mut().enumerate() {
-            if let (Err(fault), true) = (leg.advance(targets::number(n), &going), self.params.emg) {
+            if let (Err(fault), true) = (leg.advance(targets::number(n), &cycle), self.params.emg) {
                 self.pending.get_or_insert(fault);
             }
         }
         self.slider
             .advance(self.params.slider.limits(), dt, self.hold.is_on());
-        self.shake(dt);
+        self.advance_vibrations(dt);
         self.end_if_finished();
     }
 }
 
-/// Commands of torque, force and compliance.
+/// Returns true for commands of torque, force and compliance.
 const fn is_of_force(op: Op) -> bool {
     matches!(
         op,

@@ -1,5 +1,5 @@
-//! What generated code is made of. It is no part of the public API: [`version`](crate::version) ties generated
-//! code to this crate.
+//! The parts that generated code is made of. It is no part of the public API:
+//! [`version`](crate::version) ties generated code to this crate.
 //!
 //! Every row of a table of states starts with a function, also one that is data: [`step`] loads it and jumps
 //! there, without a branch on the kind of row and without keeping anything of its own.
@@ -8,7 +8,7 @@ use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
 use crate::program::{Context, Flow};
 
-/// What a state does; the row is its own.
+/// The function of a state; the row is its own.
 pub type Run<P> = fn(&mut P, &mut dyn Context, Row<P>) -> Result<Flow, Fault>;
 
 /// A row where it stands.
@@ -18,18 +18,18 @@ pub type Row<P> = &'static Step<P>;
 #[derive(Clone, Copy, Debug)]
 pub struct Step<P: 'static> {
     run: Run<P>,
-    /// What a row of a command asks for.
+    /// The command of a row of a command.
     command: &'static Command<'static>,
-    /// Where a row without code leads.
+    /// The next row, for a row without code.
     next: u32,
 }
 
 /// A compiled program, as the rows of its table see it.
 pub trait State: 'static {
-    /// The step that runs next.
+    /// Returns the step that runs next.
     fn at_mut(&mut self) -> &mut u32;
 
-    /// On to a step, "taken"; never a fault.
+    /// Goes on to a step, "taken"; never a fault.
     fn go(&mut self, step: u32) -> Result<Flow, Fault>;
 }
 
@@ -51,7 +51,7 @@ impl<P: State> Step<P> {
         }
     }
 
-    /// Only goes on.
+    /// Creates a row that only goes on.
     pub const fn go(next: u32) -> Self {
         Step {
             run: go,

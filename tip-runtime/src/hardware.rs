@@ -51,17 +51,16 @@ pub use inputs::Inputs;
 use crate::fault::Fault;
 use crate::model::Point;
 
-/// What a robot measures in one cycle. A reader fills in what it has; the rest keeps its zeros.
+/// The readings of one cycle. A reader fills in what it has; the rest keeps its zeros.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensors<const L: usize, const J: usize> {
-    /// Joint angles: deg.
+    /// Joint angles, deg.
     pub angles: [[f64; J]; L],
-    /// What each joint drives its link with, in the robot's torque unit; zeros where nothing
-    /// senses it.
+    /// Torque of each joint on its link, in the robot's torque unit; zeros where nothing senses it.
     pub torques: [[f64; J]; L],
     /// V of knobs, of the soles' pressure sensors, of the feeler: what a program reads by a name. A palm's touch gives 1.
     pub inputs: Inputs,
-    /// Where the slider (`FLOOR`) is: mm; zeros where there is none.
+    /// Place of the slider (`FLOOR`), mm; zeros without a slider.
     pub slider: Point,
 }
 
@@ -75,7 +74,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     };
 }
 
-/// What a robot of any number of legs measured, leg by leg.
+/// The readings of a robot of any number of legs, leg by leg.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SensorsView<'a, const J: usize> {
     pub(crate) angles: &'a [[f64; J]],
@@ -84,7 +83,7 @@ pub(crate) struct SensorsView<'a, const J: usize> {
     pub(crate) slider: Point,
 }
 
-/// The same, to be filled in.
+/// The readings of a robot of any number of legs, to be filled in.
 #[derive(Debug)]
 pub(crate) struct SensorsMut<'a, const J: usize> {
     pub(crate) angles: &'a mut [[f64; J]],
@@ -113,15 +112,15 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     }
 }
 
-/// What one joint is commanded in one cycle.
+/// The command of one joint in one cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointCommand {
     /// Be at an angle.
     Angle {
         /// deg.
         angle: f64,
-        /// At what rate the trajectory turned from the angle commanded before to this one, over one
-        /// sampling time: deg/s; 0 where it rests. A drive that can use it goes there evenly, in place
+        /// Rate of the trajectory from the angle commanded before to this one, over one sampling
+        /// time, deg/s; 0 where it rests. A drive that can use it goes there evenly, in place
         /// of jumping and waiting. Vibrations are in the angle, not in the rate.
         rate: f64,
     },
@@ -130,12 +129,12 @@ pub enum JointCommand {
 }
 
 impl JointCommand {
-    /// To stay at an angle: deg.
+    /// Returns the command to stay at an angle, deg.
     pub const fn at(angle: f64) -> Self {
         JointCommand::Angle { angle, rate: 0.0 }
     }
 
-    /// The angle (deg) or torque that is sent.
+    /// Returns the angle (deg) or torque that is sent.
     pub const fn value(self) -> f64 {
         match self {
             JointCommand::Angle { angle, .. } => angle,
@@ -144,20 +143,20 @@ impl JointCommand {
     }
 }
 
-/// What a robot is commanded in one cycle.
+/// The commands of one cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outputs<const L: usize, const J: usize> {
     /// One command for each joint.
     pub joints: [[JointCommand; J]; L],
-    /// Where the slider (`FLOOR`) is to be: mm; zeros where there is none.
+    /// Commanded place of the slider (`FLOOR`), mm; zeros without a slider.
     pub slider: Point,
     /// Lamps and relays: bit n % 32 of word n / 32 is device n.
     pub lamps: [u32; 8],
-    /// The sampling time for which the commands hold: ms.
+    /// The sampling time for which the commands hold, ms.
     pub period: f64,
 }
 
-/// What a robot of any number of legs is commanded, leg by leg.
+/// The commands to a robot of any number of legs, leg by leg.
 #[derive(Debug)]
 pub(crate) struct OutputsView<'a, const J: usize> {
     pub(crate) joints: &'a mut [[JointCommand; J]],
@@ -186,13 +185,13 @@ pub trait Hardware<const L: usize, const J: usize> {
     /// Samples every sensor, at the start of a cycle.
     ///
     /// # Errors
-    /// What failed; the machine answers with an emergency stop.
+    /// The fault; the machine answers with an emergency stop.
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault>;
 
     /// Sends every joint command and output, at the end of a cycle.
     ///
     /// # Errors
-    /// What failed; the machine answers with an emergency stop.
+    /// The fault; the machine answers with an emergency stop.
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault>;
 
     /// Stops the robot: called in every cycle of an emergency, in place of [`write`](Self::write).

@@ -1,6 +1,6 @@
 //! The control loop: sample sensors, run one step, advance the trajectories, write to the robot.
 //!
-//! `Written` is a program by hand that says `LAMP_ON 3` and `END`; macros and build scripts compile one from its text.
+//! `Written` is a hand-written program of `LAMP_ON 3` and `END`; macros and build scripts compile one from its text.
 //!
 //! ```
 //! use tip_runtime::machine::{Machine, Status};
@@ -86,7 +86,7 @@ pub struct Machine<'m, P, H, C, S, const L: usize, const J: usize> {
     hardware: H,
     controller: Controller<'m, L, J>,
     sensors: Sensors<L, J>,
-    /// What was sent last.
+    /// The outputs of the last cycle.
     outputs: Outputs<L, J>,
 }
 
@@ -151,7 +151,7 @@ where
 }
 
 impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J> {
-    /// A program on a robot, before its first cycle.
+    /// Returns a program on a robot, before its first cycle.
     fn resting(program: P, model: &'m Model<L, J>, hardware: H, console: C, special: S) -> Self {
         Machine {
             program,
@@ -170,7 +170,7 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
         }
     }
 
-    /// A byte was typed: RETURN stops the robot in the next cycle, ESC requests a halt, any other
+    /// Takes a typed byte: RETURN stops the robot in the next cycle, ESC requests a halt, any other
     /// goes to the keyboard buffer, which keeps 64.
     pub fn key(&mut self, byte: u8) {
         self.state.key(byte);
@@ -197,78 +197,78 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
         self.state.resume(&mut self.controller);
     }
 
-    /// What became of the program.
+    /// Returns the status of the program.
     pub fn status(&self) -> Status {
         self.state.status
     }
 
-    /// Why and where the robot stopped.
+    /// Returns the cause and the place of an emergency stop.
     pub fn emergency(&self) -> Option<&Emergency> {
         self.state.emergency.as_ref()
     }
 
-    /// The program.
+    /// Returns the program.
     pub fn program(&self) -> &P {
         &self.program
     }
 
-    /// The program.
+    /// Returns the program.
     pub fn program_mut(&mut self) -> &mut P {
         &mut self.program
     }
 
-    /// The robot.
+    /// Returns the robot.
     pub fn hardware(&self) -> &H {
         &self.hardware
     }
 
-    /// The robot.
+    /// Returns the robot.
     pub fn hardware_mut(&mut self) -> &mut H {
         &mut self.hardware
     }
 
-    /// The console.
+    /// Returns the console.
     pub fn console(&self) -> &C {
         &self.console
     }
 
-    /// The console.
+    /// Returns the console.
     pub fn console_mut(&mut self) -> &mut C {
         &mut self.console
     }
 
-    /// The controller.
+    /// Returns the controller.
     pub fn controller(&self) -> &Controller<'m, L, J> {
         &self.controller
     }
 
-    /// Whether a flag of conditions (T.I.P. 3.1 §6-2) is up.
+    /// Returns true if a flag of conditions (T.I.P. 3.1 §6-2) is up.
     pub fn flag(&self, flag: Flag) -> bool {
         let (controller, inputs) = (&self.controller, &self.sensors.inputs);
         self.state.io.flag(flag, controller, inputs)
     }
 
-    /// What was measured in the last cycle.
+    /// Returns the readings of the last cycle.
     pub fn sensors(&self) -> &Sensors<L, J> {
         &self.sensors
     }
 
-    /// What was sent in the last cycle.
+    /// Returns the outputs of the last cycle.
     pub fn outputs(&self) -> &Outputs<L, J> {
         &self.outputs
     }
 
-    /// Cycles whose step ran without a fault.
+    /// Returns the number of cycles whose step ran without a fault.
     pub fn cycles(&self) -> u64 {
         self.state.cycles
     }
 
-    /// Time on the robot since the start, up to the end of the last cycle: ms.
+    /// Returns the time on the robot since the start, up to the end of the last cycle, ms.
     pub fn time(&self) -> f64 {
         self.state.time
     }
 
-    /// The sampling time: ms.
+    /// Returns the sampling time, ms.
     pub fn period(&self) -> f64 {
         self.controller.period()
     }

@@ -87,17 +87,17 @@ pub struct Range {
 }
 
 impl Range {
-    /// From `min` to `max`.
+    /// Creates the interval from `min` to `max`.
     pub const fn new(min: f64, max: f64) -> Self {
         Range { min, max }
     }
 
-    /// Whether `value` lies inside; NaN never does.
+    /// Returns true if `value` lies inside; NaN never does.
     pub const fn contains(&self, value: f64) -> bool {
         value >= self.min && value <= self.max
     }
 
-    /// The interval with both ends moved outwards by `margin`.
+    /// Returns the interval with both ends moved outwards by `margin`.
     #[must_use]
     pub const fn widened(&self, margin: f64) -> Self {
         Range::new(self.min - margin, self.max + margin)
@@ -114,70 +114,71 @@ pub type Point = [f64; 3];
 pub struct Joint {
     /// Unit vector of the axis in the frame of the link before; right-handed.
     pub axis: [f64; 3],
-    /// From this joint to the next one, or to the foot, at angle 0: mm.
+    /// Vector from this joint to the next one, or to the foot, at angle 0, mm.
     pub link: [f64; 3],
-    /// The working limits: deg.
+    /// The working limits, deg.
     pub limits: Range,
-    /// The limits of the potentiometer, beyond which nothing may move: deg.
+    /// The limits of the potentiometer, beyond which nothing may move, deg.
     pub outer: Range,
-    /// The link's mass: kg.
+    /// The link's mass, kg.
     pub mass: f64,
-    /// How it is spread; `None`: evenly along the link. The simulated hand takes all its links to be so.
+    /// Distribution of the mass; `None`: evenly along the link. The simulated hand takes all its
+    /// links to be so.
     pub spread: Option<Spread>,
-    /// The most torque that its motor gives: N·m.
+    /// Maximum torque of its motor, N·m.
     pub torque: f64,
 }
 
 /// A leg or finger: a serial chain of joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leg<const J: usize> {
-    /// The first joint in the robot frame: mm.
+    /// Place of the first joint in the robot frame, mm.
     pub base: Point,
     /// The joints from base to foot.
     pub joints: [Joint; J],
-    /// The initial posture: deg.
+    /// The initial posture, deg.
     pub initial: [f64; J],
 }
 
 /// The body of a walking robot: a box around the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
-    /// Extent along x: mm.
+    /// Extent along x, mm.
     pub x: Range,
-    /// Extent along y: mm.
+    /// Extent along y, mm.
     pub y: Range,
-    /// Extent along z; the lower end is the belly: mm.
+    /// Extent along z; the lower end is the belly, mm.
     pub z: Range,
-    /// Mass without legs: kg.
+    /// Mass without legs, kg.
     pub mass: f64,
-    /// How it is spread; `None`: evenly in the box, its centre in the origin.
+    /// Distribution of the mass; `None`: evenly in the box, its centre in the origin.
     pub spread: Option<Spread>,
 }
 
-/// What parameter commands set, at its standard value.
+/// Standard values of the parameters that commands set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standards {
-    /// `V_MAX`: mm/s.
+    /// `V_MAX`, mm/s.
     pub v_max: f64,
-    /// `A_MAX`: mm/s².
+    /// `A_MAX`, mm/s².
     pub a_max: f64,
-    /// `OMEGA_MAX`: deg/s.
+    /// `OMEGA_MAX`, deg/s.
     pub omega_max: f64,
-    /// `OMEGA_DOT_MAX`: deg/s².
+    /// `OMEGA_DOT_MAX`, deg/s².
     pub omega_dot_max: f64,
-    /// `JUST_POSITION`: mm.
+    /// `JUST_POSITION`, mm.
     pub just_position: f64,
-    /// `JUST_ANGLE`: deg.
+    /// `JUST_ANGLE`, deg.
     pub just_angle: f64,
-    /// `NEAR_POSITION`: mm.
+    /// `NEAR_POSITION`, mm.
     pub near_position: f64,
-    /// `NEAR_ANGLE`: deg.
+    /// `NEAR_ANGLE`, deg.
     pub near_angle: f64,
-    /// Sampling time: ms.
+    /// Sampling time, ms.
     pub period: f64,
 }
 
-/// How joint angles follow from a foot's position.
+/// The inverse kinematics of a leg: joint angles from a foot's position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inverse {
     /// Closed form of a yaw joint followed by two parallel pitch joints; the knee bends downwards.
@@ -191,7 +192,7 @@ pub enum Inverse {
     LeastSquares,
 }
 
-/// Which of x, y and z count.
+/// The axes x, y and z that count.
 pub type Axes = [bool; 3];
 
 impl Inverse {
@@ -203,7 +204,7 @@ impl Inverse {
         Inverse::LeastSquares,
     ];
 
-    /// What descriptions call it.
+    /// Returns its name in descriptions.
     pub const fn name(self) -> &'static str {
         match self {
             Inverse::YawPitchPitch => "yaw-pitch-pitch",
@@ -213,17 +214,18 @@ impl Inverse {
         }
     }
 
-    /// Whether a closed form finds the angles of a foot, so that no search is needed.
+    /// Returns true if a closed form finds the angles of a foot, so that no search is needed.
     pub const fn is_closed(self) -> bool {
         matches!(self, Inverse::YawPitchPitch | Inverse::RollPitchPitch)
     }
 
-    /// Which axes of a position, velocity or force count.
+    /// Returns the axes of a position, velocity or force that count.
     pub const fn axes(self) -> Axes {
         [true, true, !matches!(self, Inverse::Planar)]
     }
 
-    /// A position, velocity or force as the robot knows it: without z, if that does not count.
+    /// Returns a position, velocity or force as the robot has it: without z, if that does not
+    /// count.
     #[must_use]
     pub const fn flat(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [_, _, space] = self.axes();
@@ -231,7 +233,7 @@ impl Inverse {
     }
 }
 
-/// What torques are counted in.
+/// The unit of torques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TorqueUnit {
     /// N·m.
@@ -252,7 +254,7 @@ impl TorqueUnit {
         }
     }
 
-    /// How many of this unit one N·m is.
+    /// Returns the number of these units in 1 N·m.
     pub const fn per_newton_metre(self) -> f64 {
         match self {
             TorqueUnit::NewtonMetre => 1.0,
@@ -261,7 +263,8 @@ impl TorqueUnit {
     }
 }
 
-/// What a robot that senses and gives torques needs for commands of torque, force and compliance.
+/// Parameters of commands of torque, force and compliance, for a robot that senses and gives
+/// torques.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
     /// The unit of every torque that is commanded or sensed.
@@ -270,36 +273,36 @@ pub struct Forces {
     pub torque_max: f64,
     /// `ANGLE_STIFFNESS` at its standard value: torque per degree.
     pub angle_stiffness: f64,
-    /// `POSITION_STIFFNESS` at its standard value, along each axis: N/mm.
+    /// `POSITION_STIFFNESS` at its standard value, along each axis, N/mm.
     pub position_stiffness: f64,
     /// The torque with which DETECT_FLOOR closes a joint.
     pub search_torque: f64,
-    /// The force with which DETECT_OBJECT closes the fingers of one side: N.
+    /// The force with which DETECT_OBJECT closes the fingers of one side, N.
     pub search_force: f64,
     /// The torque from which a joint that stands still presses on something.
     pub contact_torque: f64,
 }
 
-/// What one volt of [vibration](crate::vibration) does to a joint.
+/// Response of a joint to one volt of [vibration](crate::vibration).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PerVolt {
-    /// To the angle that is commanded: deg.
+pub struct VibrationGain {
+    /// Addition to the angle that is commanded, deg.
     pub angle: f64,
-    /// To the torque that is commanded, in the robot's [`TorqueUnit`].
+    /// Addition to the torque that is commanded, in the robot's [`TorqueUnit`].
     pub torque: f64,
 }
 
 /// A slider that carries the floor under a hand (`FLOOR`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
-    /// Where it is at first: mm.
+    /// Initial place, mm.
     pub initial: Point,
-    /// How far it goes along x, y and z: mm.
+    /// Travel along x, y and z, mm.
     pub travel: [Range; 3],
 }
 
 impl Slider {
-    /// Whether it can go there.
+    /// Returns true if the slider can go there.
     pub fn reaches(&self, position: Point) -> bool {
         let axes = self.travel.iter().zip(position);
         axes.into_iter().all(|(travel, at)| travel.contains(at))
@@ -321,16 +324,16 @@ pub struct Model<const L: usize, const J: usize> {
     pub body: Option<Body>,
     /// Its parameters at program start.
     pub standards: Standards,
-    /// The sampling times that it accepts: ms.
+    /// The sampling times that it accepts, ms.
     pub periods: Range,
-    /// The reading of a sole's pressure sensor from which its foot stands on something: V.
+    /// The reading of a sole's pressure sensor from which its foot stands on something, V.
     pub contact: f64,
     /// Lamps and relays: devices 0 up to, but not including, this number.
     pub lamps: u8,
-    /// What it can do with torques and forces, if anything.
+    /// Parameters of torques and forces, if it has any.
     pub forces: Option<Forces>,
     /// Its slider, if it has one.
     pub slider: Option<Slider>,
-    /// How its joints vibrate, if they do.
-    pub vibration: Option<PerVolt>,
+    /// Vibration of its joints, if they vibrate.
+    pub vibration: Option<VibrationGain>,
 }

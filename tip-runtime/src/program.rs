@@ -1,4 +1,4 @@
-//! What a compiled or interpreted program is, and what a step of it can reach.
+//! The interface of a compiled or interpreted program, and the robot that its steps can reach.
 //!
 //! Macros and build scripts make programs of text. One by hand shows what they have to answer:
 //!
@@ -74,7 +74,7 @@ mod variables;
 
 pub use variables::VariableError;
 
-/// Which command ended the program.
+/// The command that ended the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// `END`.
@@ -83,12 +83,12 @@ pub enum End {
     Exit,
 }
 
-/// What one step did.
+/// Result of one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flow {
-    /// It ran to its end; [`Program::at`] names the step of the next cycle.
+    /// The step ran to its end; [`Program::at`] names the step of the next cycle.
     Next,
-    /// It waits: the next cycle runs it again.
+    /// The step waits: the next cycle runs it again.
     Wait,
     /// The program is over.
     Finished(End),
@@ -108,7 +108,7 @@ pub struct Signature {
 }
 
 impl<const L: usize, const J: usize> Model<L, J> {
-    /// What a program must have been checked for to run on this robot.
+    /// Returns the signature that a program must have been checked for to run on this robot.
     pub const fn signature(&self) -> Signature {
         Signature {
             robot: self.name,
@@ -121,33 +121,34 @@ impl<const L: usize, const J: usize> Model<L, J> {
 
 /// A motion program: generated code or the reference interpreter.
 pub trait Program {
-    /// The robot the program was checked for.
+    /// Returns the signature of the robot that the program was checked for.
     fn signature(&self) -> Signature;
-    /// The program's name: its file, or the type that holds it.
+    /// Returns the program's name: its file, or the type that holds it.
     fn name(&self) -> &str;
-    /// Line 2 of the source.
+    /// Returns line 2 of the source.
     fn title(&self) -> &str;
-    /// The step that the next call of [`step`](Self::step) runs.
+    /// Returns the step that the next call of [`step`](Self::step) runs.
     fn at(&self) -> u32;
     /// Runs one step. A fault leaves variables, position and call stack as they were.
     ///
     /// # Errors
     /// The fault that the step found; the machine answers it with an emergency stop.
     fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault>;
-    /// Name and value of scalar `i` in declaration order (`VAR_KEY` first, members one by one);
-    /// `None` past the last, an inner `None` while unassigned.
+    /// Returns name and value of scalar `i` in declaration order (`VAR_KEY` first, members one by
+    /// one); `None` past the last, an inner `None` while unassigned.
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)>;
     /// Assigns a finite value to scalar `i`; does nothing past the last. [`set`](Self::set) does it by name.
     fn set_scalar(&mut self, i: usize, value: f64);
-    /// The source line (from 1) of a step; 0 if there is no such step.
+    /// Returns the source line (from 1) of a step; 0 if there is no such step.
     fn line(&self, step: u32) -> u32;
-    /// Back to the state of a new program.
+    /// Resets to the state of a new program.
     fn reset(&mut self);
 
-    /// The value of a variable, or of a struct's member such as `P.X`; `None` while unassigned.
+    /// Returns the value of a variable, or of a struct's member such as `P.X`; `None` while
+    /// unassigned.
     ///
     /// # Errors
-    /// `Unknown` for a name that the program does not declare, `Constant` for `CHAR_A` and its like.
+    /// `Unknown` for a name that the program does not declare, `Constant` for constants such as `CHAR_A`.
     fn get(&self, name: &str) -> Result<Option<f64>, VariableError> {
         variables::get(self, name)
     }
@@ -158,7 +159,8 @@ pub trait Program {
     /// after that step.
     ///
     /// # Errors
-    /// As [`get`](Self::get); `NotFinite` for an infinite value, or one that is not a number.
+    /// The errors of [`get`](Self::get); `NotFinite` for an infinite value, or one that is not a
+    /// number.
     fn set(&mut self, name: &str, value: f64) -> Result<(), VariableError> {
         variables::set(self, name, value)
     }
@@ -166,7 +168,7 @@ pub trait Program {
     /// Checks that [`set`](Self::set) would assign the variable, and changes nothing.
     ///
     /// # Errors
-    /// Those of [`set`](Self::set).
+    /// The errors of [`set`](Self::set).
     fn accepts(&self, name: &str, value: f64) -> Result<(), VariableError> {
         variables::settable(self, name, value).map(drop)
     }
@@ -202,7 +204,7 @@ impl<P: Program + ?Sized> Program for &mut P {
     }
 }
 
-/// What native code of a SPECIAL command, and every step, can ask of the robot.
+/// The robot as native code of a SPECIAL command, and every step, sees it.
 pub trait Robot {
     /// Starts or continues a command. While it answers `Pending` the same command is asked again each cycle.
     ///
@@ -220,7 +222,7 @@ pub trait Robot {
     /// # Errors
     /// `Sensor` if the input reads nonsense, `Domain` for one that the robot lacks.
     fn analog(&self, port: Port) -> Result<f64, Fault>;
-    /// The state of an event flag.
+    /// Returns the state of an event flag.
     fn flag(&self, flag: Flag) -> bool;
     /// Sets one of `SPECIAL_FLAG0…9`; other numbers are ignored.
     fn set_special_flag(&mut self, n: u8, on: bool);
@@ -239,12 +241,13 @@ pub trait Robot {
     /// # Errors
     /// `Domain` for another target, a robot without torques, or numbers without sense.
     fn pull(&mut self, point: Target, to: Point, stiffness: [f64; 3]) -> Result<(), Fault>;
-    /// The torque of each joint of a leg: what it is commanded, vibration aside, or else what it senses.
+    /// Returns the torque of each joint of a leg: what it is commanded, vibration aside, or else
+    /// what it senses.
     ///
     /// # Errors
     /// `Domain` for a leg that the robot lacks, or a robot without torques.
     fn torques(&self, leg: u8) -> Result<[f64; MAX], Fault>;
-    /// The joint angles (deg), near the angles `from`, that put a foot at `position` (mm).
+    /// Returns the joint angles (deg), near the angles `from`, that put a foot at `position` (mm).
     ///
     /// # Errors
     /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.
@@ -255,17 +258,17 @@ pub trait Robot {
     /// # Errors
     /// `Domain` for another graph, or a robot without torques.
     fn show_graph(&mut self, graph: u8, on: bool) -> Result<(), Fault>;
-    /// The sampling time in ms.
+    /// Returns the sampling time in ms.
     fn period(&self) -> f64;
 }
 
-/// What a step can reach: the robot and the console.
+/// The robot and the console as a step sees them.
 pub trait Context: Robot {
     /// Asks for the command of a step, which puts the program on from `at` to `next` once it is done. A compiled
     /// step that is a command ends in this call.
     ///
     /// # Errors
-    /// As [`command`](Robot::command); `at` stays what it is.
+    /// The errors of [`command`](Robot::command); `at` stays what it is.
     fn ask(&mut self, command: &Command<'_>, at: &mut u32, next: u32) -> Result<Flow, Fault> {
         match self.command(command)? {
             Poll::Done => {
@@ -290,10 +293,10 @@ pub struct CallStack {
 }
 
 impl CallStack {
-    /// How deep calls may nest.
+    /// Maximum depth of nested calls.
     pub const DEPTH: usize = 10;
 
-    /// No call is open.
+    /// Creates a stack without an open call.
     pub const fn new() -> Self {
         CallStack {
             steps: [0; Self::DEPTH],
@@ -315,12 +318,12 @@ impl CallStack {
         Ok(())
     }
 
-    /// Where the open calls return to, the outermost first.
+    /// Returns the return addresses of the open calls, the outermost first.
     pub fn open(&self) -> &[u32] {
         self.steps.get(..usize::from(self.len)).unwrap_or(&[])
     }
 
-    /// Where to return to.
+    /// Removes the innermost return address and returns it.
     ///
     /// # Errors
     /// `InvalidReturn` when no call is open.

@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::kinematics::LegPoint;
 use crate::model::{Inverse, Point};
 
-/// How close counts.
+/// The distance at which a target counts as reached.
 #[derive(Clone, Copy)]
 enum Tolerance {
     Just,
@@ -33,24 +33,26 @@ impl Tolerance {
 }
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// `INPOS_…`: arrived within JUST; true where nothing is under position or angle control.
+    /// Returns the flag `INPOS_…`: arrived within JUST; true where nothing is under position or
+    /// angle control.
     #[must_use]
     pub fn inpos(&self, target: Target) -> bool {
         self.arrived(target, Tolerance::Just).unwrap_or(true)
     }
 
-    /// `NEAR_…`: arrived within NEAR; false where nothing is under position or angle control.
+    /// Returns the flag `NEAR_…`: arrived within NEAR; false where nothing is under position or
+    /// angle control.
     #[must_use]
     pub fn near(&self, target: Target) -> bool {
         self.arrived(target, Tolerance::Near).unwrap_or(false)
     }
 
-    /// WAIT_INPOS.
+    /// Runs WAIT_INPOS.
     pub(super) fn wait_inpos(&self, target: Target) -> Poll {
         done_if(self.inpos(target))
     }
 
-    /// WAIT_NEAR.
+    /// Runs WAIT_NEAR.
     pub(super) fn wait_near(&self, target: Target) -> Result<Poll, Fault> {
         match (self.arrived(target, Tolerance::Near), target) {
             (Some(near), _) => Ok(done_if(near)),
@@ -59,7 +61,8 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// `None` where nothing is under position or angle control.
+    /// Returns true if the target has arrived; `None` where nothing is under position or angle
+    /// control.
     fn arrived(&self, target: Target, tolerance: Tolerance) -> Option<bool> {
         let inverse = self.robot.inverse;
         match target {
@@ -82,7 +85,8 @@ impl<const J: usize> ControllerView<'_, J> {
 }
 
 impl<const J: usize> LegState<'_, J> {
-    /// Joints under angle control, and a third joint under position control, decide; otherwise the foot.
+    /// Returns true if the leg has arrived. Joints under angle control, and a third joint under
+    /// position control, decide; otherwise the foot.
     fn arrived(&self, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
         // A point that decides about any joint decides about the first.
         let point = self.drive.point_of_joint(0);
@@ -93,7 +97,7 @@ impl<const J: usize> LegState<'_, J> {
         all(point.into_iter().chain(joints))
     }
 
-    /// A joint that serves a point has arrived when the point has.
+    /// Returns true if a joint has arrived. One that serves a point has arrived when the point has.
     fn joint_arrived(&self, m: u8, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
         let at = targets::index(m);
         let point = match self.drive.point_of_joint(at) {
@@ -111,7 +115,7 @@ impl<const J: usize> LegState<'_, J> {
         }
     }
 
-    /// Of joint `m`, counted from 0.
+    /// Returns true if joint `m`, counted from 0, has arrived.
     fn angle_arrived(&self, m: usize, track: &Track<1>, tolerance: Tolerance) -> Option<bool> {
         let [target] = track.goal().target()?;
         let params = self.params.joints.get(m)?;
@@ -136,7 +140,8 @@ fn distance(a: Point, b: Point) -> f64 {
     libm::sqrt(squares.sum())
 }
 
-/// Whether all parts are true, looking no farther than the first that is not; `None` of nothing.
+/// Returns true if all parts are true, looking no farther than the first that is not; `None`
+/// without parts.
 fn all(parts: impl Iterator<Item = bool>) -> Option<bool> {
     let mut all = None;
     for part in parts {

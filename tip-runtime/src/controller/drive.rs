@@ -1,19 +1,19 @@
-//! What moves the joints of one leg: their own set points, or that of a point of the leg.
+//! Motion of the joints of one leg, by their own set points or by that of a point of the leg.
 
 mod advance;
 mod bend;
 mod brake;
-mod guide;
 mod law;
-mod lead;
+mod posture_path;
 mod reach;
+mod redundancy;
 mod search;
 mod trial;
 
-pub(super) use advance::{Going, Mover};
+pub(super) use advance::{CycleParams, MovingLeg};
 pub(super) use law::bounded;
-pub(super) use lead::Lead;
 pub(super) use reach::{name, nearest_place, reach};
+pub(super) use redundancy::Redundancy;
 
 use super::trajectory::{Goal, Track};
 use crate::hardware::JointCommand;
@@ -24,7 +24,7 @@ use crate::model::{Inverse, Leg, Point};
 /// before it.
 pub(super) const THIRD: usize = 2;
 
-/// Who decides about a leg's joints.
+/// The set points that a leg's joints follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Drive<const J: usize> {
     /// Each joint for itself: free (it stays where it is), at an angle, at an angular velocity, or
@@ -40,22 +40,22 @@ pub(super) enum Drive<const J: usize> {
 /// A leg's joint commands and what makes them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LegDrive<const J: usize> {
-    /// The angles commanded, or where torques led: deg.
+    /// The angles commanded, or where torques led, deg.
     pub(super) angles: [f64; J],
-    /// At what rates the angles changed in the last sampling time: deg/s.
+    /// Rates at which the angles changed in the last sampling time, deg/s.
     turns: [f64; J],
     /// The torques commanded in place of angles.
     torques: [Option<f64>; J],
     pub(super) drive: Drive<J>,
-    /// The stiffness of the spring at a point, where it is not that of the parameter: N/mm.
+    /// The stiffness of the spring at a point, where it is not that of the parameter, N/mm.
     pub(super) own_stiffness: Option<[f64; 3]>,
-    /// What joints to spare do on the path of a point.
-    pub(super) lead: Lead<J>,
-    /// What the closed form of the inverse kinematics said last.
+    /// Motion of redundant joints on the path of a point.
+    pub(super) redundancy: Redundancy<J>,
+    /// The last solution of the closed form of the inverse kinematics.
     solved: Option<Solved<J>>,
 }
 
-/// Where a foot was to be (mm), and the angles (deg) that put it there.
+/// The demanded place of a foot, mm, and the angles, deg, that put it there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Solved<const J: usize> {
     foot: Point,
@@ -63,7 +63,7 @@ struct Solved<const J: usize> {
 }
 
 impl<const J: usize> LegDrive<J> {
-    /// Nothing controlled: the servos hold `angles`.
+    /// Creates a drive that controls nothing: the servos hold `angles`.
     pub(super) fn free(angles: [f64; J]) -> Self {
         LegDrive {
             angles,
@@ -71,12 +71,12 @@ impl<const J: usize> LegDrive<J> {
             torques: [None; J],
             drive: Drive::Joints(angles.map(|angle| Track::resting([angle]))),
             own_stiffness: None,
-            lead: Lead::None,
+            redundancy: Redundancy::None,
             solved: None,
         }
     }
 
-    /// What each joint is commanded.
+    /// Returns the command of each joint.
     pub(super) fn outputs(&self) -> [JointCommand; J] {
         let mut outputs = self.angles.map(JointCommand::at);
         let joints = self.angles.iter().zip(&self.turns).zip(&self.torques);
@@ -92,8 +92,8 @@ impl<const J: usize> LegDrive<J> {
         outputs
     }
 
-    /// Joints that were commanded a torque are where it led them, or are to come back to the working
-    /// limit that they overshot.
+    /// Takes over measured angles: joints that were commanded a torque are where it led them, or
+    /// are to come back to the working limit that they overshot.
     pub(super) fn follow(&mut self, measured: &[f64; J], leg: &Leg<J>) {
         let states = self.torques.iter().zip(leg.within_limits(measured));
         for (angle, (torque, measured)) in self.angles.iter_mut().zip(states) {
@@ -106,15 +106,16 @@ impl<const J: usize> LegDrive<J> {
     pub(super) fn is_at_rest(&self) -> bool {
         match &self.drive {
             Drive::Joints(joints) => joints.iter().all(Track::is_at_rest),
-            Drive::Foot(foot) => foot.is_at_rest() && self.lead.is_at_rest(),
+            Drive::Foot(foot) => foot.is_at_rest() && self.redundancy.is_at_rest(),
             Drive::Third(third, joints) => {
                 let joints = joints.iter().skip(THIRD);
-                third.is_at_rest() && self.lead.is_at_rest() && { joints }.all(Track::is_at_rest)
+                third.is_at_rest() && self.redundancy.is_at_rest() && { joints }
+                    .all(Track::is_at_rest)
             }
         }
     }
 
-    /// Whether a torque, force or spring decides about any joint.
+    /// Returns true if a torque, force or spring drives any joint.
     pub(super) fn is_soft(&self) -> bool {
         match &self.drive {
             Drive::Joints(joints) => joints.iter().any(|joint| joint.goal().is_soft()),
@@ -129,7 +130,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The set point that decides about joint `m`'s position, counted from 0, if one does.
+    /// Returns the set point that decides about joint `m`'s position, counted from 0, if one does.
     pub(super) fn point_of_joint(&self, m: usize) -> Option<(LegPoint, &Track<3>)> {
         match &self.drive {
             Drive::Joints(_) => None,
@@ -139,7 +140,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The set point of a point of the leg, if that is what decides.
+    /// Returns the set point of a point of the leg, if that is what decides.
     pub(super) fn own_point(&self, point: LegPoint) -> Option<&Track<3>> {
         match (&self.drive, point) {
             (Drive::Foot(foot), LegPoint::Tip) => Some(foot),
@@ -148,7 +149,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The set points of the joints that go for themselves: the first one's number, from 0.
+    /// Returns the set points of the joints that go for themselves: the first one's number, from 0.
     pub(super) fn own_joints(&self) -> (usize, &[Track<1>]) {
         match &self.drive {
             Drive::Joints(joints) => (0, joints),
@@ -157,8 +158,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// A point's set point, in the motion that the leg is commanded now. Where torques decide, the
-    /// leg starts from where it is.
+    /// Returns a point's set point, in the motion that the leg is commanded now. Where torques
+    /// decide, the leg starts from where it is.
     pub(super) fn point(&self, point: LegPoint, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
         if let Some(own) = self.own_point(point)
             && !own.goal().is_soft()
@@ -174,8 +175,8 @@ impl<const J: usize> LegDrive<J> {
         )
     }
 
-    /// As [`point`](Self::point), but a spring that pulls at the point already stays strained, unless
-    /// its stiffness is to change.
+    /// Returns the same as [`point`](Self::point), but a spring that pulls at the point already stays strained,
+    /// unless its stiffness is to change.
     pub(super) fn strained_point(
         &self,
         point: LegPoint,
@@ -203,15 +204,15 @@ impl<const J: usize> LegDrive<J> {
         inverse: Inverse,
     ) {
         self.own_stiffness = None;
-        self.lead = Lead::None;
+        self.redundancy = Redundancy::None;
         self.drive = match point {
             LegPoint::Tip => Drive::Foot(track),
             LegPoint::Joint(_) => Drive::Third(track, self.joints(leg, stays, inverse)),
         };
     }
 
-    /// The joints' set points, in the motion that the leg is commanded now. Joints that served
-    /// a point are to stay at the angles `stays`.
+    /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
+    /// served a point are to stay at the angles `stays`.
     pub(super) fn joints(&self, leg: &Leg<J>, stays: &[f64; J], inverse: Inverse) -> [Track<1>; J] {
         let (served, own) = match &self.drive {
             Drive::Joints(joints) => return *joints,
@@ -233,7 +234,7 @@ impl<const J: usize> LegDrive<J> {
         joints
     }
 
-    /// The rates at which the joints are commanded to turn: deg/s. Torques command none.
+    /// Returns the rates at which the joints are commanded to turn, deg/s. Torques command none.
     fn rates(&self, leg: &Leg<J>, inverse: Inverse) -> [f64; J] {
         let mut rates = match &self.drive {
             Drive::Joints(_) => [0.0; J],
@@ -263,7 +264,7 @@ impl<const J: usize> LegDrive<J> {
         if track.goal().is_soft() {
             return [0.0; J];
         }
-        if !self.lead.is_none() {
+        if !self.redundancy.is_none() {
             return self.turns;
         }
         let chain = Chain::new(leg, &self.angles);

@@ -11,7 +11,7 @@ use crate::kinematics::LegPoint;
 use core::ops::RangeInclusive;
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// TORQUE: relative operands count from the torque commanded, or else from that sensed.
+    /// Runs TORQUE: relative operands count from the torque commanded, or else from that sensed.
     pub(super) fn torque(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, first, count) = self.joints_of(command)?;
         let inverse = self.robot.inverse;
@@ -31,7 +31,8 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// FORCE: relative operands count from the force commanded, or else from that sensed, or else from 0.
+    /// Runs FORCE: relative operands count from the force commanded, or else from that sensed, or
+    /// else from 0.
     pub(super) fn force(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, point) = self.point_of(command.target)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
@@ -55,7 +56,8 @@ impl<const J: usize> ControllerView<'_, J> {
         self.take_point(n, point, Track::resting(place).towards(Goal::Effort(force)))
     }
 
-    /// COMPLIANCE_ANGLE and REL_COMPLIANCE_ANGLE. Of all legs none is softened unless each can be.
+    /// Runs COMPLIANCE_ANGLE and REL_COMPLIANCE_ANGLE. With ALL, no leg is softened unless each can
+    /// be.
     pub(super) fn soften_joints(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
         for n in self.legs_of(command.target)? {
             self.softened(&of_leg(command, n), base)?;
@@ -85,7 +87,8 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(tracks)
     }
 
-    /// COMPLIANCE_POSITION and REL_COMPLIANCE_POSITION. Of all legs none is softened unless each can be.
+    /// Runs COMPLIANCE_POSITION and REL_COMPLIANCE_POSITION. With ALL, no leg is softened unless
+    /// each can be.
     pub(super) fn soften_point(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
         for n in self.legs_of(command.target)? {
             self.softened_point(&of_leg(command, n), base)?;
@@ -116,7 +119,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok((point, track.towards(Goal::Spring { target, hs })))
     }
 
-    /// The legs that a target of one leg, or of all, means.
+    /// Returns the legs that a target of one leg, or of all, means.
     fn legs_of(&self, target: Target) -> Result<RangeInclusive<u8>, Fault> {
         match target {
             Target::All => Ok(1..=self.count()),
@@ -125,7 +128,8 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// NO_COMPLIANCE: what a torque, force or spring decides about is held where it is measured.
+    /// Runs NO_COMPLIANCE: joints and points that follow a torque, force or spring are held where
+    /// they are measured.
     pub(super) fn stiffen(&mut self, target: Target) -> Result<(), Fault> {
         let (n, first, count) = match target {
             Target::Foot(n) => (n, 0, J),
@@ -155,8 +159,8 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// The force with which a point pushes, as the joint torques reveal it: N; `None` in a singular
-    /// posture.
+    /// Returns the force with which a point pushes, as the joint torques reveal it, N; `None` in a
+    /// singular posture.
     pub(super) fn sensed_force(&self, n: u8, point: LegPoint) -> Result<Option<[f64; 3]>, Fault> {
         let forces = self.robot.forces.ok_or(Fault::Domain)?;
         let leg = self.leg(n)?;
@@ -168,7 +172,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 }
 
-/// The same for leg `n` alone, where it is for all.
+/// Narrows a command for all legs to leg `n`.
 fn of_leg<'c>(command: &Command<'c>, n: u8) -> Command<'c> {
     let target = match command.target {
         Target::All => Target::Foot(n),

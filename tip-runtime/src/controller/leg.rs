@@ -1,9 +1,9 @@
 //! Everything that the controller keeps of one leg.
 
-use super::drive::{Going, LegDrive, Mover};
+use super::drive::{CycleParams, LegDrive, MovingLeg};
 use super::params::LegParams;
 use super::trajectory::Track;
-use super::vibrate::{Shaken, Shaker};
+use super::vibrate::{JointVibration, VibrationContext};
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
 use crate::kinematics::{Chain, LegPoint};
@@ -15,21 +15,21 @@ pub struct LegState<'m, const J: usize> {
     pub(super) model: &'m Leg<J>,
     pub(super) params: LegParams<J>,
     pub(super) drive: LegDrive<J>,
-    pub(super) shakers: [Shaker; J],
-    /// Measured: deg.
+    pub(super) vibrations: [JointVibration; J],
+    /// Measured joint angles, deg.
     pub(super) angles: [f64; J],
-    /// Measured joint rates: deg/s.
+    /// Measured joint rates, deg/s.
     pub(super) rates: [f64; J],
     /// Measured, in the robot's torque unit.
     pub(super) torques: [f64; J],
-    /// Of the sole's pressure sensor: V.
+    /// Voltage of the sole's pressure sensor, V.
     pub(super) paw: f64,
-    /// For how many cycles the leg has been still in a search; `None` if it does not search.
+    /// Number of cycles that the leg has been still in a search; `None` if it does not search.
     pub(super) search: Option<u16>,
 }
 
 impl<'m, const J: usize> LegState<'m, J> {
-    /// A leg in its initial posture, not controlled, with standard parameters.
+    /// Creates a leg in its initial posture, not controlled, with standard parameters.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn new(model: &'m Leg<J>, robot: &ModelFacts<'_>) -> Self {
@@ -37,7 +37,7 @@ impl<'m, const J: usize> LegState<'m, J> {
             model,
             params: LegParams::standard(robot),
             drive: LegDrive::free(model.initial),
-            shakers: [Shaker::STILL; J],
+            vibrations: [JointVibration::STILL; J],
             angles: model.initial,
             rates: [0.0; J],
             torques: [0.0; J],
@@ -46,32 +46,32 @@ impl<'m, const J: usize> LegState<'m, J> {
         }
     }
 
-    /// Leg `number` moves on by one sampling time.
+    /// Moves leg `number` on by one sampling time.
     ///
     /// # Errors
-    /// As those of its drive.
-    pub(super) fn advance(&mut self, number: u8, going: &Going) -> Result<(), Fault> {
-        let leg = Mover {
+    /// The errors of its drive.
+    pub(super) fn advance(&mut self, number: u8, cycle: &CycleParams) -> Result<(), Fault> {
+        let leg = MovingLeg {
             number,
             model: self.model,
             params: &self.params,
             measured: &self.angles,
         };
-        self.drive.advance(&leg, going)
+        self.drive.advance(&leg, cycle)
     }
 
-    /// The leg where it is measured.
+    /// Returns the leg where it is measured.
     pub(super) fn chain(&self) -> Chain<J> {
         Chain::new(self.model, &self.angles)
     }
 
-    /// Where a point of it is measured: mm.
+    /// Returns the measured place of one of its points, mm.
     pub(super) fn place(&self, point: LegPoint, inverse: Inverse) -> Result<Point, Fault> {
         let place = self.chain().point(point).ok_or(Fault::Domain)?;
         Ok(inverse.flat(place))
     }
 
-    /// A point's target, or where the point is if it has none: mm.
+    /// Returns a point's target, or where the point is if it has none, mm.
     pub(super) fn target(&self, point: LegPoint, inverse: Inverse) -> Result<Point, Fault> {
         let own = self.drive.own_point(point);
         match own.and_then(|track| track.goal().target()) {
@@ -80,35 +80,35 @@ impl<'m, const J: usize> LegState<'m, J> {
         }
     }
 
-    /// The angles at which its joints stay where they are: those measured, but within the working
-    /// limits.
+    /// Returns the angles at which its joints stay where they are: those measured, but within the
+    /// working limits.
     pub(super) fn stays(&self) -> [f64; J] {
         self.model.within_limits(&self.angles)
     }
 
-    /// The joints' set points, in the motion that the leg is commanded now. Joints that served
-    /// a point are to stay where they are measured.
+    /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
+    /// served a point are to stay where they are measured.
     pub(super) fn joints(&self, inverse: Inverse) -> [Track<1>; J] {
         self.drive.joints(self.model, &self.stays(), inverse)
     }
 
-    /// What its joints are commanded, vibrations included.
+    /// Returns the commands of its joints, vibrations included.
     pub(super) fn outputs(&self, robot: &ModelFacts<'_>) -> [JointCommand; J] {
         let mut commands = self.drive.outputs();
         let Some(per_volt) = robot.vibration else {
             return commands;
         };
         let joints = self.model.joints.iter().zip(&self.params.joints);
-        let states = self.shakers.iter().zip(&self.angles);
-        for (command, ((joint, params), (shaker, measured))) in
+        let states = self.vibrations.iter().zip(&self.angles);
+        for (command, ((joint, params), (vibration, measured))) in
             commands.iter_mut().zip(joints.zip(states))
         {
-            let state = Shaken {
+            let state = VibrationContext {
                 per_volt,
                 most_torque: params.most_torque(joint, robot.torque_unit()),
                 measured: *measured,
             };
-            *command = shaker.shaken(*command, joint, &state);
+            *command = vibration.vibrated(*command, joint, &state);
         }
         commands
     }

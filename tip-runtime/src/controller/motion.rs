@@ -1,6 +1,6 @@
 //! Commands that start a motion (T.I.P. 3.1 §7-1, §7-2); they take one cycle.
 
-use super::drive::{Drive, Lead, THIRD, name, nearest_place, reach};
+use super::drive::{Drive, Redundancy, THIRD, name, nearest_place, reach};
 use super::operands::{Base, is_zero, resolve, resolve_from, sum};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
@@ -10,7 +10,7 @@ use crate::kinematics::{self, Chain, LegPoint};
 use crate::model::{Family, Point};
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// PTP and REL_PTP.
+    /// Runs PTP and REL_PTP.
     pub(super) fn move_point(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
         if command.target == Target::Floor {
             return self.move_slider(command, base);
@@ -39,30 +39,30 @@ impl<const J: usize> ControllerView<'_, J> {
         };
         let track = moving.towards(Goal::Point { target, hs });
         let how = (inverse, limits);
-        let lead = match leg.drive.brakes_first(point, &track, leg.model, how) {
+        let redundancy = match leg.drive.brakes_first(point, &track, leg.model, how) {
             Some(rates) => {
                 if stop {
                     let angles = leg.drive.rest_angles(&rates, leg.model, &leg.params);
                     let rest = Chain::new(leg.model, &angles).point(point);
                     target = rest.map_or(target, |rest| inverse.flat(rest));
                 }
-                Lead::Brakes(rates)
+                Redundancy::Brakes(rates)
             }
-            None if stop => Lead::None,
+            None if stop => Redundancy::None,
             None => {
                 let line = (track.position(), target);
-                Lead::to_place(inverse, leg.model, point, &leg.drive.angles, line)
+                Redundancy::to_place(inverse, leg.model, point, &leg.drive.angles, line)
             }
         };
         if !stop {
             self.require_reach(n, point, target)?;
         }
         self.take_point(n, point, moving.towards(Goal::Point { target, hs }))?;
-        targets::leg_mut(&mut self.legs, n)?.drive.lead = lead;
+        targets::leg_mut(&mut self.legs, n)?.drive.redundancy = redundancy;
         Ok(())
     }
 
-    /// PTP and REL_PTP of the slider.
+    /// Runs PTP and REL_PTP of the slider.
     fn move_slider(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
         let slider = self.robot.slider.ok_or(Fault::Domain)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
@@ -88,7 +88,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// PTP_ANGLE and REL_PTP_ANGLE.
+    /// Runs PTP_ANGLE and REL_PTP_ANGLE.
     pub(super) fn move_joints(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
         let (n, first, count) = self.joints_of(command)?;
         let inverse = self.robot.inverse;
@@ -127,7 +127,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// VEL_CONTROL.
+    /// Runs VEL_CONTROL.
     pub(super) fn drive_foot(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let Target::Foot(n) = command.target else {
             return Err(Fault::Domain);
@@ -144,7 +144,7 @@ impl<const J: usize> ControllerView<'_, J> {
         self.take_point(n, LegPoint::Tip, foot.towards(Goal::Speed(velocity)))
     }
 
-    /// OMEGA_CONTROL.
+    /// Runs OMEGA_CONTROL.
     pub(super) fn drive_joints(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, first, count) = self.joints_of(command)?;
         let inverse = self.robot.inverse;
@@ -187,25 +187,25 @@ impl<const J: usize> ControllerView<'_, J> {
         self.take_point(n, LegPoint::Tip, foot)
     }
 
-    /// A foot's set point, in the motion that its leg is commanded now.
+    /// Returns a foot's set point, in the motion that its leg is commanded now.
     pub(super) fn foot_track(&self, n: u8) -> Result<Track<3>, Fault> {
         let leg = self.leg(n)?;
         let inverse = self.robot.inverse;
         Ok(leg.drive.point(LegPoint::Tip, leg.model, inverse))
     }
 
-    /// Where a foot comes to rest when it brakes now.
+    /// Returns the place where a foot comes to rest when it brakes now.
     pub(super) fn foot_rest_point(&self, n: u8) -> Result<Point, Fault> {
         let limits = self.leg(n)?.params.foot.limits();
         Ok(self.foot_track(n)?.rest_point(limits))
     }
 
-    /// A point's target, or where the point is if it has none.
+    /// Returns a point's target, or where the point is if it has none.
     pub(super) fn point_target(&self, n: u8, point: LegPoint) -> Result<Point, Fault> {
         self.leg(n)?.target(point, self.robot.inverse)
     }
 
-    /// Where a point of leg `n` is.
+    /// Returns the place of a point of leg `n`.
     pub(super) fn measured_point(&self, n: u8, point: LegPoint) -> Result<Point, Fault> {
         self.leg(n)?.place(point, self.robot.inverse)
     }
@@ -226,7 +226,7 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// Leg and point that a command of positions or forces acts on.
+    /// Returns the leg and the point that a command of positions or forces acts on.
     pub(super) fn point_of(&self, target: Target) -> Result<(u8, LegPoint), Fault> {
         match target {
             Target::Foot(n) => Ok((n, LegPoint::Tip)),
@@ -237,7 +237,8 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// Leg, first joint (from 0) and number of joints that a command of angles acts on.
+    /// Returns the leg, the first joint (from 0) and the number of joints that a command of angles
+    /// acts on.
     pub(super) fn joints_of(&self, command: &Command<'_>) -> Result<(u8, usize, usize), Fault> {
         let (n, first, count) = match command.target {
             Target::Foot(n) => (n, 0, J),

@@ -1,4 +1,4 @@
-//! What native code alone asks of the controller.
+//! Queries and changes that only native code makes.
 
 use super::drive::reach;
 use super::trajectory::{Goal, Track};
@@ -30,7 +30,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// The torque of each joint of a leg: what it is commanded, or else what it senses.
+    /// Returns the torque of each joint of a leg: what it is commanded, or else what it senses.
     ///
     /// # Errors
     /// `Domain` for a leg that the robot lacks, or a robot without torques.
@@ -51,7 +51,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(torques)
     }
 
-    /// The joint angles (deg), near the angles `from`, that put a foot at `position` (mm).
+    /// Returns the joint angles (deg), near the angles `from`, that put a foot at `position` (mm).
     ///
     /// # Errors
     /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.

@@ -3,10 +3,10 @@
 use crate::command::Value;
 use crate::fault::Fault;
 
-/// How a REL_ command and a plain one read their operands.
+/// The way in which a REL_ command and a plain one read their operands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Base {
-    /// Each operand says for itself; relative ones count from the measured value.
+    /// Each operand has a mark of its own; relative ones count from the measured value.
     Operand,
     /// All but those after `A` count from the current target, or else from the measured value; all zero stops a move.
     Target,
@@ -16,7 +16,7 @@ pub(super) fn is_zero(values: &[Value]) -> bool {
     values.iter().all(|value| value.number() == 0.0)
 }
 
-/// The operands, relative ones counted from `base`.
+/// Returns the operands, relative ones counted from `base`.
 pub(super) fn resolve<const N: usize>(
     values: &[Value; N],
     base: [f64; N],
@@ -31,7 +31,7 @@ pub(super) fn resolve<const N: usize>(
     Ok(resolved)
 }
 
-/// The operands, all counted from `base` but those after `A`.
+/// Returns the operands, all counted from `base` but those after `A`.
 pub(super) fn sum<const N: usize>(values: &[Value; N], base: [f64; N]) -> Result<[f64; N], Fault> {
     let counted = values.map(|value| match value {
         Value::Absolute(number) => Value::Relative(number),
@@ -40,7 +40,7 @@ pub(super) fn sum<const N: usize>(values: &[Value; N], base: [f64; N]) -> Result
     resolve(&counted, base)
 }
 
-/// The operands as the command reads them, counted from `from`.
+/// Returns the operands as the command reads them, counted from `from`.
 pub(super) fn resolve_from<const N: usize>(
     values: &[Value; N],
     from: [f64; N],

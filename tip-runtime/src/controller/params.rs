@@ -1,4 +1,4 @@
-//! What the SET_ commands set (T.I.P. 3.1 §7-8), and how they set it.
+//! The parameters of the SET_ commands (T.I.P. 3.1 §7-8), and the rules by which they are set.
 
 mod springs;
 
@@ -18,13 +18,13 @@ pub(super) struct FootParams {
     pub(super) near: f64,
     /// N/mm along each axis, for the foot and the third joint alike.
     pub(super) stiffness: [f64; 3],
-    /// The most that a spring at the foot pulls with: N.
+    /// Largest pull of a spring at the foot, N.
     pub(super) foot_limit: Option<[f64; 3]>,
-    /// The most that a spring at the third joint pulls with: N.
+    /// Largest pull of a spring at the third joint, N.
     pub(super) third_limit: Option<[f64; 3]>,
 }
 
-/// What a spring at a point of a leg obeys.
+/// Parameters of a spring at a point of a leg.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PointParams {
     /// N/mm along each axis.
@@ -48,7 +48,7 @@ pub(super) struct JointParams {
     pub(super) limit: Option<f64>,
 }
 
-/// What a robot without commands of force has in their place.
+/// Placeholder for a robot without commands of force.
 const NO_FORCES: Forces = Forces {
     unit: TorqueUnit::NewtonMetre,
     torque_max: 0.0,
@@ -107,7 +107,7 @@ impl JointParams {
         }
     }
 
-    /// The most torque that `joint` is commanded: no more than its motor gives.
+    /// Returns the most torque that `joint` is commanded: no more than its motor gives.
     pub(super) const fn most_torque(&self, joint: &Joint, torque_unit: f64) -> f64 {
         self.torque_max.min(joint.torque * torque_unit)
     }
@@ -140,9 +140,9 @@ impl<const J: usize> LegParams<J> {
 /// Parameters and switches of the robot as a whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Params {
-    /// Of the slider.
+    /// Limits of the slider.
     pub(super) slider: FootParams,
-    /// Sampling time: ms.
+    /// Sampling time, ms.
     pub(super) period: f64,
     /// EMG_ON: a joint at its working limit is an emergency.
     pub(super) emg: bool,
@@ -161,13 +161,13 @@ impl Params {
 type FootField = fn(&mut FootParams) -> &mut f64;
 type JointField = fn(&mut JointParams) -> &mut f64;
 
-/// Which parameter a command sets.
+/// The parameter that a command sets.
 enum Field {
     Foot(FootField),
     Joint(JointField),
 }
 
-/// Where the new value comes from.
+/// The source of the new value.
 enum Source {
     /// The operand.
     Operand,
@@ -181,7 +181,7 @@ const SLOW: Source = Source::Share(0.5);
 const FAST: Source = Source::Share(1.5);
 const NORMAL: Source = Source::Share(1.0);
 
-/// What a SET_ command of feet and joints means.
+/// Returns the meaning of a SET_ command of feet and joints.
 fn setting(op: Op) -> Option<(Field, Source)> {
     use Field::{Foot, Joint};
     use Source::{Operand, Rate};
@@ -245,7 +245,7 @@ impl<'a> Checked<'a> {
         }
     }
 
-    /// The value for the `i`th joint of a leg; a single operand serves all.
+    /// Returns the value for the `i`th joint of a leg; a single operand serves all.
     fn value(&self, i: usize, standard: f64) -> Result<f64, Fault> {
         let operand = match self.command.values {
             [one] => Some(one),

@@ -1,7 +1,7 @@
 //! INITIAL_POSTURE (T.I.P. 3.1 §7-1-7).
 
 use super::ControllerView;
-use super::drive::{Drive, Lead};
+use super::drive::{Drive, Redundancy};
 use super::task::Task;
 use super::trajectory::Goal;
 use crate::command::Poll;
@@ -23,7 +23,8 @@ impl<const J: usize> ControllerView<'_, J> {
             let target = inverse.flat(initial.foot());
             let foot = leg.drive.point(LegPoint::Tip, leg.model, inverse);
             let line = (foot.position(), target);
-            leg.drive.lead = Lead::to_initial(inverse, leg.model, &leg.drive.angles, line);
+            leg.drive.redundancy =
+                Redundancy::to_initial(inverse, leg.model, &leg.drive.angles, line);
             leg.drive.drive = Drive::Foot(foot.towards(Goal::Point { target, hs: false }));
         }
         if let Some(slider) = self.robot.slider {

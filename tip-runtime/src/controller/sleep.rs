@@ -7,7 +7,7 @@ use crate::command::{Command, Poll};
 use crate::fault::Fault;
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// At least one cycle, and no time of a cycle too little.
+    /// Runs SLEEP: at least one cycle, and no time of a cycle too little.
     pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let left = match (self.task, command.values) {
             (Task::Sleep(left), _) => left,

@@ -5,10 +5,10 @@ use super::drive::LegDrive;
 use super::task::Task;
 use super::trajectory::Track;
 
-/// Whether motions are held.
+/// The hold of all motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hold {
-    /// They go on.
+    /// No hold: motions go on.
     Off,
     /// ALL_STOP: they brake and wait; modes and targets stay.
     On,
@@ -23,14 +23,14 @@ impl Hold {
 }
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// ALL_STOP: every motion brakes under the limits in force; modes and targets stay.
+    /// Runs ALL_STOP: every motion brakes under the limits in force; modes and targets stay.
     pub fn hold(&mut self) {
         if self.hold == Hold::Off {
             self.hold = Hold::On;
         }
     }
 
-    /// As [`hold`](Self::hold); whether this call is what holds the robot.
+    /// Holds like [`hold`](Self::hold); returns true if this call is what holds the robot.
     pub(crate) fn take_hold(&mut self) -> bool {
         let holds = !self.is_held();
         if holds {
@@ -39,21 +39,21 @@ impl<const J: usize> ControllerView<'_, J> {
         holds
     }
 
-    /// ALL_STOP_RELEASE: every motion goes on towards its target.
+    /// Runs ALL_STOP_RELEASE: every motion goes on towards its target.
     pub fn release(&mut self) {
         if self.hold == Hold::On {
             self.hold = Hold::Off;
         }
     }
 
-    /// Whether ALL_STOP is in force.
+    /// Returns true if ALL_STOP is in force.
     #[must_use]
     pub fn is_held(&self) -> bool {
         self.hold == Hold::On
     }
 
-    /// END and EXIT: every motion brakes under the limits in force; then parameters are standard
-    /// and nothing is controlled.
+    /// Ends the program (END and EXIT): every motion brakes under the limits in force; then
+    /// parameters are standard and nothing is controlled.
     pub fn finish(&mut self) {
         self.task = Task::Idle;
         self.still();
@@ -61,9 +61,10 @@ impl<const J: usize> ControllerView<'_, J> {
         self.end_if_finished();
     }
 
-    /// Emergency stop: every joint, and the slider, is to stay where it is measured; nothing is
-    /// controlled. What is measured outside of the outer limits, or the travel, is to stay at their
-    /// border; a slider that reads nonsense where it was commanded to be.
+    /// Stops in an emergency: every joint, and the slider, is to stay where it is measured; nothing
+    /// is controlled. Joints measured outside of the outer limits, or a slider outside of its
+    /// travel, are to stay at the border; a slider that reads nonsense stays where it was commanded
+    /// to be.
     pub fn emergency(&mut self) {
         for leg in &mut self.legs {
             let mut angles = leg.angles;
@@ -87,13 +88,13 @@ impl<const J: usize> ControllerView<'_, J> {
         self.pending = None;
     }
 
-    /// As a new controller, on a robot that is where it was measured.
+    /// Resets to the state of a new controller, on a robot that is where it was measured.
     pub(crate) fn restart(&mut self) {
         self.emergency();
         self.standardise();
     }
 
-    /// Whether no joint command moves.
+    /// Returns true if no joint command moves.
     pub(super) fn is_at_rest(&self) -> bool {
         self.legs.iter().all(|leg| leg.drive.is_at_rest()) && self.slider.is_at_rest()
     }

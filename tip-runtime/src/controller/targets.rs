@@ -3,22 +3,22 @@
 use crate::command::Target;
 use crate::fault::Fault;
 
-/// The place of leg or joint `n`, counted from 0.
+/// Returns the place of leg or joint `n`, counted from 0.
 pub(super) fn index(n: u8) -> usize {
     usize::from(n).wrapping_sub(1)
 }
 
-/// What belongs to leg or joint `n`.
+/// Returns the entry of leg or joint `n`.
 pub(super) fn leg<T>(legs: &[T], n: u8) -> Result<&T, Fault> {
     legs.get(index(n)).ok_or(Fault::Domain)
 }
 
-/// What belongs to leg or joint `n`.
+/// Returns the entry of leg or joint `n`.
 pub(super) fn leg_mut<T>(legs: &mut [T], n: u8) -> Result<&mut T, Fault> {
     legs.get_mut(index(n)).ok_or(Fault::Domain)
 }
 
-/// What belongs to the one leg, or to all legs, that a target names.
+/// Returns the entries of the one leg, or of all legs, that a target names.
 pub(super) fn feet<T>(legs: &mut [T], target: Target) -> Result<&mut [T], Fault> {
     match target {
         Target::All => Ok(legs),
@@ -30,7 +30,7 @@ pub(super) fn feet<T>(legs: &mut [T], target: Target) -> Result<&mut [T], Fault>
     }
 }
 
-/// The number, from 1, of the leg or joint at `index`.
+/// Returns the number, from 1, of the leg or joint at `index`.
 pub(super) fn number(index: usize) -> u8 {
     u8::try_from(index).map_or(u8::MAX, |index| index.saturating_add(1))
 }

@@ -1,4 +1,4 @@
-//! What a command that takes several cycles remembers between them.
+//! The state that a command of several cycles keeps between them.
 
 /// The command in progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,12 +12,12 @@ pub(super) enum Task {
     /// STAND_UP and SIT_DOWN.
     Stand(Stand),
     /// DETECT_FLOOR by soles.
-    Detect(Search),
+    DetectFloor(FloorSearch),
     /// DETECT_FLOOR and DETECT_OBJECT by touch.
-    Feel,
+    DetectTouch,
 }
 
-/// How far STAND_UP or SIT_DOWN has come.
+/// Phase of STAND_UP or SIT_DOWN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stand {
     /// The feet come to rest where they are.
@@ -28,7 +28,7 @@ pub(super) enum Stand {
 
 /// The operand of DETECT_FLOOR by soles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Search {
+pub(super) enum FloorSearch {
     /// One leg after the other goes down.
     DownInTurn,
     /// All legs go down at once.

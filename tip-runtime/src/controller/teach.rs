@@ -6,7 +6,7 @@ use crate::command::{MAX, Target, Teach};
 use crate::fault::Fault;
 use crate::kinematics::LegPoint;
 
-/// What TEACH_FORCE gives where the posture is singular.
+/// Result of TEACH_FORCE where the posture is singular.
 const UNAVAILABLE: [f64; 3] = [0.0, 0.0, -1.0];
 
 impl<const J: usize> ControllerView<'_, J> {
@@ -57,7 +57,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 }
 
-/// The leg that a target names, and the joint of it (from 0) if it names one alone.
+/// Returns the leg that a target names, and the joint of it (from 0) if it names one alone.
 fn leg_and_joint(target: Target) -> Result<(u8, Option<usize>), Fault> {
     match target {
         Target::Foot(n) => Ok((n, None)),
@@ -66,7 +66,7 @@ fn leg_and_joint(target: Target) -> Result<(u8, Option<usize>), Fault> {
     }
 }
 
-/// Of all joints, or of a single one.
+/// Returns the values of all joints, or of a single one.
 fn of_joints(values: &[f64], joint: Option<usize>) -> Result<[f64; MAX], Fault> {
     match joint {
         None => Ok(members(values)),

@@ -12,7 +12,7 @@ mod vector;
 use core::f64::consts::SQRT_2;
 use course::Course;
 
-/// A remaining time of no more than this is rounding: s.
+/// Remaining time up to which it is rounding, s.
 const INSTANT: f64 = 1e-9;
 
 /// Limits above this one are as good as none; its square is still finite.
@@ -27,33 +27,33 @@ pub(crate) struct Limits {
     pub(crate) acceleration: f64,
 }
 
-/// What a set point is after.
+/// The goal of a set point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Goal<const N: usize> {
-    /// To come to rest and stay.
+    /// Comes to rest and stays.
     Rest,
-    /// To come to rest at a point.
+    /// Comes to rest at a point.
     Point {
         /// The point.
         target: [f64; N],
-        /// Whether no acceleration limit holds during the move.
+        /// True if no acceleration limit holds during the move.
         hs: bool,
     },
-    /// To come to rest at a point, to which a spring pulls what is guided.
+    /// Comes to rest at a point, to which a spring pulls what is guided.
     Spring {
         /// The point.
         target: [f64; N],
-        /// Whether no acceleration limit holds during the move.
+        /// True if no acceleration limit holds during the move.
         hs: bool,
     },
-    /// To keep a velocity.
+    /// Keeps a velocity.
     Speed([f64; N]),
-    /// To push with a torque or force, wherever that leads; the set point is where it led.
+    /// Pushes with a torque or force, wherever that leads; the set point is where it led.
     Effort([f64; N]),
 }
 
 impl<const N: usize> Goal<N> {
-    /// The point that it heads for.
+    /// Returns the point that it heads for.
     pub(crate) const fn target(&self) -> Option<[f64; N]> {
         match self {
             Goal::Point { target, .. } | Goal::Spring { target, .. } => Some(*target),
@@ -61,12 +61,12 @@ impl<const N: usize> Goal<N> {
         }
     }
 
-    /// Whether torques follow from it, not positions.
+    /// Returns true if torques follow from it, not positions.
     pub(crate) const fn is_soft(&self) -> bool {
         matches!(self, Goal::Spring { .. } | Goal::Effort(_))
     }
 
-    /// Whether no acceleration limit holds.
+    /// Returns true if no acceleration limit holds.
     pub(crate) const fn is_hs(&self) -> bool {
         matches!(
             self,
@@ -85,7 +85,7 @@ pub(crate) struct Track<const N: usize> {
 }
 
 impl<const N: usize> Track<N> {
-    /// A set point in motion, without a goal.
+    /// Returns a set point in motion, without a goal.
     pub(crate) const fn moving(position: [f64; N], velocity: [f64; N]) -> Self {
         Track {
             position,
@@ -95,12 +95,12 @@ impl<const N: usize> Track<N> {
         }
     }
 
-    /// A set point at rest.
+    /// Returns a set point at rest.
     pub(crate) const fn resting(position: [f64; N]) -> Self {
         Self::moving(position, [0.0; N])
     }
 
-    /// The same motion towards another goal.
+    /// Returns this motion with another goal.
     pub(crate) const fn towards(self, goal: Goal<N>) -> Self {
         Track {
             goal,
@@ -109,7 +109,7 @@ impl<const N: usize> Track<N> {
         }
     }
 
-    /// The same goal, starting from rest at `position`.
+    /// Returns this goal, started from rest at `position`.
     pub(crate) const fn stopped_at(self, position: [f64; N]) -> Self {
         Track::resting(position).towards(self.goal)
     }
@@ -130,8 +130,8 @@ impl<const N: usize> Track<N> {
         self.velocity.iter().all(|speed| *speed == 0.0)
     }
 
-    /// Where the set point comes to rest when it brakes as hard as it may; a point farther than
-    /// any robot reaches, but finite, if it may hardly brake.
+    /// Returns the place where the set point comes to rest when it brakes as hard as it may; a
+    /// point farther than any robot reaches, but finite, if it may hardly brake.
     pub(crate) fn rest_point(&self, limits: Limits) -> [f64; N] {
         let acceleration = self.in_force(limits).acceleration;
         let speed = vector::norm(self.velocity);
@@ -143,16 +143,16 @@ impl<const N: usize> Track<N> {
         vector::add_scaled(self.position, self.velocity, per_speed)
     }
 
-    /// Where the set point would be farthest to the side of the straight line to its target, which it
-    /// joins without a jump in velocity.
+    /// Returns the place where the set point would be farthest to the side of the straight line to
+    /// its target, which it joins without a jump in velocity.
     pub(crate) fn swing(&self, limits: Limits) -> [f64; N] {
         self.goal.target().map_or(self.position, |target| {
             Course::new(self.position, self.velocity, target).swing(self.in_force(limits))
         })
     }
 
-    /// Where the set point is after a share of the time in which it joins the straight line to its target, at most, if
-    /// it moves away from it at first.
+    /// Returns the place of the set point after a share of the time in which it joins the straight
+    /// line to its target, at most, if it moves away from it at first.
     pub(crate) fn ahead(mut self, limits: Limits, share: f64) -> [f64; N] {
         let acceleration = self.in_force(limits).acceleration;
         if acceleration > 0.0 {

@@ -5,21 +5,21 @@ use super::{ControllerView, targets};
 use crate::command::Target;
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
-use crate::model::{Joint, PerVolt};
+use crate::model::{Joint, VibrationGain};
 use crate::vibration::{Vibration, Waveform};
 use core::f64::consts::TAU;
 
 /// The vibration of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shaker {
+pub(super) struct JointVibration {
     vibration: Option<Vibration>,
-    /// Where in its wave it is: 0…1.
+    /// Phase of the wave, 0…1.
     phase: f64,
 }
 
-/// What a vibration at a joint depends on.
-pub(super) struct Shaken {
-    pub(super) per_volt: PerVolt,
+/// The values that a vibration of a joint depends on.
+pub(super) struct VibrationContext {
+    pub(super) per_volt: VibrationGain,
     /// The most torque that the joint is commanded.
     pub(super) most_torque: f64,
     /// deg.
@@ -29,8 +29,8 @@ pub(super) struct Shaken {
 /// The share of a sawtooth's time that its slow flank takes.
 const SLOW: f64 = 0.8;
 
-impl Shaker {
-    pub(super) const STILL: Self = Shaker {
+impl JointVibration {
+    pub(super) const STILL: Self = JointVibration {
         vibration: None,
         phase: 0.0,
     };
@@ -43,19 +43,19 @@ impl Shaker {
         };
     }
 
-    /// How far it departs now: V.
+    /// Returns the present departure, V.
     fn volts(&self) -> f64 {
         self.vibration.map_or(0.0, |vibration| {
             vibration.amplitude * wave(vibration.waveform, self.phase)
         })
     }
 
-    /// A command with the vibration of its joint.
-    pub(super) fn shaken(
+    /// Returns a command with the vibration of its joint.
+    pub(super) fn vibrated(
         &self,
         command: JointCommand,
         joint: &Joint,
-        state: &Shaken,
+        state: &VibrationContext,
     ) -> JointCommand {
         if self.vibration.is_none() {
             return command;
@@ -63,18 +63,18 @@ impl Shaker {
         let (volts, per_volt) = (self.volts(), state.per_volt);
         match command {
             JointCommand::Angle { angle, rate } => JointCommand::Angle {
-                angle: shaken_angle(angle, per_volt.angle * volts, joint),
+                angle: vibrated_angle(angle, per_volt.angle * volts, joint),
                 rate,
             },
             JointCommand::Torque(torque) => {
-                let shaken = bounded(torque + per_volt.torque * volts, state.most_torque);
-                JointCommand::Torque(inward(shaken, state.measured, joint))
+                let vibrated = bounded(torque + per_volt.torque * volts, state.most_torque);
+                JointCommand::Torque(inward(vibrated, state.measured, joint))
             }
         }
     }
 }
 
-/// A wave of amplitude 1 at a phase of 0…1.
+/// Returns a wave of amplitude 1 at a phase of 0…1.
 fn wave(waveform: Waveform, phase: f64) -> f64 {
     match waveform {
         Waveform::Sine => libm::sin(TAU * phase),
@@ -119,39 +119,39 @@ impl<const J: usize> ControllerView<'_, J> {
             return Err(Fault::Domain);
         }
         let leg = targets::leg_mut(&mut self.legs, n)?;
-        let shaker = targets::leg_mut(&mut leg.shakers, m)?;
-        *shaker = match vibration {
-            Some(_) => Shaker {
+        let joint_vibration = targets::leg_mut(&mut leg.vibrations, m)?;
+        *joint_vibration = match vibration {
+            Some(_) => JointVibration {
                 vibration,
-                ..*shaker
+                ..*joint_vibration
             },
-            None => Shaker::STILL,
+            None => JointVibration::STILL,
         };
         Ok(())
     }
 
-    /// Every vibration ends.
+    /// Ends every vibration.
     pub(super) fn still(&mut self) {
         for leg in &mut self.legs {
-            leg.shakers = [Shaker::STILL; J];
+            leg.vibrations = [JointVibration::STILL; J];
         }
     }
 
     /// Vibrations go on by `dt` seconds.
-    pub(super) fn shake(&mut self, dt: f64) {
-        for shaker in self.legs.iter_mut().flat_map(|leg| &mut leg.shakers) {
-            shaker.advance(dt, self.hold.is_on());
+    pub(super) fn advance_vibrations(&mut self, dt: f64) {
+        for joint_vibration in self.legs.iter_mut().flat_map(|leg| &mut leg.vibrations) {
+            joint_vibration.advance(dt, self.hold.is_on());
         }
     }
 }
 
-/// An angle with a departure that does not leave the joint's working limits.
-fn shaken_angle(angle: f64, departure: f64, joint: &Joint) -> f64 {
+/// Returns an angle with a departure that does not leave the joint's working limits.
+fn vibrated_angle(angle: f64, departure: f64, joint: &Joint) -> f64 {
     let (low, high) = (joint.limits.min.min(angle), joint.limits.max.max(angle));
     (angle + departure).max(low).min(high)
 }
 
-/// A torque that does not push a joint on which is at its working limit.
+/// Limits a torque so that it does not push a joint on that is at its working limit.
 fn inward(torque: f64, measured: f64, joint: &Joint) -> f64 {
     if measured >= joint.limits.max {
         torque.min(0.0)

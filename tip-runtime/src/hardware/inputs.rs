@@ -1,4 +1,4 @@
-//! What the analogue inputs of a robot read, whichever they are.
+//! A value for each analogue input of a robot.
 
 use crate::command::Port;
 
@@ -8,17 +8,17 @@ use crate::command::Port;
 pub struct Inputs<T = f64>([T; Port::INPUTS]);
 
 impl<T: Copy> Inputs<T> {
-    /// The same value for all.
+    /// Creates inputs that all have one value.
     pub const fn all(value: T) -> Self {
         Inputs([value; Port::INPUTS])
     }
 
-    /// The value of an input; `None` for a joint, a channel, or a number that no robot has.
+    /// Returns the value of an input; `None` for a joint, a channel, or a number that no robot has.
     pub fn get(&self, port: Port) -> Option<T> {
         self.0.get(port.place()?).copied()
     }
 
-    /// The same, to be changed.
+    /// Returns the value of an input, to be changed.
     pub fn get_mut(&mut self, port: Port) -> Option<&mut T> {
         self.0.get_mut(port.place()?)
     }
@@ -28,7 +28,7 @@ impl<T: Copy> Inputs<T> {
         self.get_mut(port).map(|place| *place = value).is_some()
     }
 
-    /// The values of a kind, in the order of its numbers; `port` says which kind.
+    /// Returns the values of a kind, in the order of its numbers; `port` selects the kind.
     pub fn of(&self, port: Port) -> &[T] {
         self.0.get(port.places()).unwrap_or_default()
     }

@@ -1,4 +1,4 @@
-//! What the step of one cycle can reach.
+//! The parts of a machine that the step of one cycle can reach.
 
 use super::devices::{Devices, whole_byte};
 use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};

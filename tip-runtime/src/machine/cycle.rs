@@ -38,7 +38,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         self.state.status
     }
 
-    /// Phase 1: every sensor, the keyboard, and what the controller makes of it.
+    /// Runs phase 1: reads every sensor and the keyboard, and lets the controller take them in.
     fn sample(&mut self) -> Result<(), Fault> {
         if let Some(fault) = self.state.pending.take() {
             return Err(fault);
@@ -49,7 +49,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         if core::mem::take(&mut self.state.stop_requested) {
             return Err(Fault::EmergencyKey);
         }
-        self.controller.take_in(&self.robot.sensors())
+        self.controller.sense_view(&self.robot.sensors())
     }
 
     fn take_keys(&mut self) {
@@ -95,7 +95,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         Ok(())
     }
 
-    /// Phase 2.
+    /// Runs phase 2, the step.
     fn step(&mut self, mut sink: Option<&mut dyn Sink>) -> Result<Flow, Fault> {
         if let Some(sink) = &mut sink {
             sink.begin(self.program);
@@ -118,7 +118,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         Ok(flow)
     }
 
-    /// What the step asked of the console and could not reach itself.
+    /// Serves the console requests that the step made and could not serve itself.
     fn serve_console(&mut self, step: u32) {
         let io = &mut self.state.io;
         if let Some(on) = io.silence.take() {
@@ -140,7 +140,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         }
     }
 
-    /// Phase 3: trajectories, servo and plant advance by one sampling time.
+    /// Runs phase 3: trajectories, servo and plant advance by one sampling time.
     fn drive(&mut self) {
         let period = self.controller.period();
         self.controller.advance();
@@ -175,7 +175,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         });
     }
 
-    /// Emergency stop: the robot freezes where it is.
+    /// Stops in an emergency: the robot freezes where it is.
     fn stop(&mut self, fault: Fault) {
         let emergency = Emergency {
             fault,
@@ -201,7 +201,7 @@ fn hardware_fault(HardwareFault(what): HardwareFault) -> Fault {
     Fault::Hardware(what)
 }
 
-/// What a cycle measured and sent.
+/// Returns the readings and outputs of a cycle.
 fn sample<'a, const J: usize>(
     robot: &'a dyn DynHardware<J>,
     controller: &ControllerView<'_, J>,

@@ -59,7 +59,7 @@ impl<const J: usize> Devices<'_, '_, J> {
     }
 }
 
-/// A number given as a float, truncated, if it is 0…255.
+/// Returns a number given as a float, truncated, if it is 0…255.
 pub(super) fn whole_byte(value: Option<f64>) -> Result<u8, Fault> {
     let whole = libm::trunc(value.ok_or(Fault::Domain)?);
     if (0.0..=255.0).contains(&whole) {
@@ -69,7 +69,7 @@ pub(super) fn whole_byte(value: Option<f64>) -> Result<u8, Fault> {
     }
 }
 
-/// The place in an array of a leg or joint that counts from 1; past every array if it is 0.
+/// Returns the place in an array of a leg or joint that counts from 1; past every array if it is 0.
 fn index(number: u8) -> usize {
     usize::from(number).wrapping_sub(1)
 }

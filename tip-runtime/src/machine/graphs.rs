@@ -6,7 +6,7 @@ use crate::controller::ControllerView;
 use crate::fault::Fault;
 use crate::model::Forces;
 
-/// How long bars stay before they are redrawn: ms.
+/// Time between two drawings of the bars, ms.
 const EVERY: f64 = 100.0;
 
 /// One bar for each joint that the language can name.
@@ -19,7 +19,7 @@ enum Graph {
     Off,
     /// It is to be taken away.
     Leaving,
-    /// It is shown, and redrawn at this time: ms.
+    /// Time at which a shown graph is redrawn, ms.
     On(f64),
 }
 
@@ -68,7 +68,7 @@ impl Graphs {
     }
 }
 
-/// Full height is twice the torque of a search.
+/// Fills bars with torques; full height is twice the torque of a search.
 fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) -> &'a [f64] {
     let full = 2.0 * forces.search_torque;
     for (bar, torque) in bars.iter_mut().zip(torques) {
@@ -77,7 +77,8 @@ fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) 
     bars.get(..torques.len()).unwrap_or(bars)
 }
 
-/// Full height is four times the force of a search; a force that is not available has no height.
+/// Fills bars with forces; full height is four times the force of a search, and a force that is not
+/// available has no height.
 fn force_bars<'a, const J: usize>(
     controller: &ControllerView<'_, J>,
     forces: &Forces,

@@ -1,4 +1,4 @@
-//! What a robot has besides legs, and what steps switch: keys, lamps, flags, logs, bar graphs.
+//! The parts of a robot besides its legs, which steps switch: keys, lamps, flags, logs, bar graphs.
 
 use super::graphs::Graphs;
 use super::keyboard::Keyboard;
@@ -18,9 +18,9 @@ pub(super) struct IoState {
     pub(super) silence: Option<bool>,
     /// OUTPUT_VARIABLES ran in this cycle.
     pub(super) dump_requested: bool,
-    /// Whether OUTPUT_VARIABLES is what holds the robot.
+    /// True if OUTPUT_VARIABLES holds the robot.
     pub(super) held_for_dump: bool,
-    /// Whether a pause is what holds the robot.
+    /// True if a pause holds the robot.
     pub(super) held_for_pause: bool,
     pub(super) graphs: Graphs,
 }

@@ -25,7 +25,7 @@ impl Keyboard {
         }
     }
 
-    /// The oldest key, upper-cased; all others are lost.
+    /// Takes the oldest key, upper-cased; all others are lost.
     pub(super) fn take(&mut self) -> Option<u8> {
         let oldest = (!self.is_empty()).then_some(self.bytes[0]);
         self.clear();

@@ -13,7 +13,7 @@ pub struct Mismatch {
 }
 
 impl Mismatch {
-    /// Compiled once, whatever the sizes of robots.
+    /// Checks a program against a robot. Compiled once, whatever the sizes of robots.
     #[inline(never)]
     pub(super) fn check(program: &dyn Program, robot: Signature) -> Result<(), Self> {
         let program = program.signature();

@@ -18,7 +18,8 @@ pub trait Simulated<const L: usize, const J: usize> {
     /// The robot as data.
     const MODEL: &'static Model<L, J>;
 
-    /// The robot as every run begins with it: a walker above a level floor, a hand without objects.
+    /// Returns the robot as every run begins with it: a walker above a level floor, a hand without
+    /// objects.
     fn hardware() -> Self::Hardware;
 
     /// Its native commands.

@@ -1,4 +1,4 @@
-//! Where a machine is in its run.
+//! The state of a machine in its run.
 
 use super::io_state::IoState;
 use crate::controller::ControllerView;
@@ -11,7 +11,7 @@ const RETURN_KEY: u8 = 0x0D;
 /// The halt request.
 const ESCAPE_KEY: u8 = 0x1B;
 
-/// What became of a program.
+/// The status of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// It runs, or is paused.
@@ -23,7 +23,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// The program has not ended yet.
+    /// Returns true if the program has not ended yet.
     pub const fn is_running(self) -> bool {
         matches!(self, Status::Running)
     }
@@ -40,9 +40,9 @@ pub(super) struct State {
     pub(super) paused: bool,
     pub(super) stop_requested: bool,
     pub(super) cycles: u64,
-    /// Since the start: ms.
+    /// Time since the start, ms.
     pub(super) time: f64,
-    /// When the sensors were sampled.
+    /// Time at which the sensors were sampled.
     pub(super) sampled_at: f64,
     pub(super) io: IoState,
 }

@@ -2,13 +2,13 @@
 
 use super::{Inverse, Joint, Leg, Model, Point, Range, Spread, generic};
 
-/// How far beyond the working limits the potentiometers measure: deg.
+/// Margin by which the potentiometers measure beyond the working limits, deg.
 const OUTER: f64 = 5.0;
 
 impl Joint {
-    /// A joint that turns about `axis`, a unit vector in the frame of the link before, and carries
-    /// a link that goes from it to the next joint, or to the foot, by `link` (mm) at angle 0. It
-    /// turns from −180 to 180 deg; its link has 0.1 kg, its motor 10 N·m.
+    /// Returns a joint that turns about `axis`, a unit vector in the frame of the link before, and
+    /// carries a link that goes from it to the next joint, or to the foot, by `link` (mm) at angle
+    /// 0. It turns from −180 to 180 deg; its link has 0.1 kg, its motor 10 N·m.
     #[must_use]
     pub const fn revolute(axis: [f64; 3], link: [f64; 3]) -> Self {
         Joint {
@@ -22,7 +22,7 @@ impl Joint {
         }
     }
 
-    /// With these working limits, and potentiometers that measure 5 deg beyond: deg.
+    /// Sets the working limits, deg; the potentiometers measure 5 deg beyond.
     #[must_use]
     pub const fn limits(self, min: f64, max: f64) -> Self {
         let limits = Range::new(min, max);
@@ -33,13 +33,13 @@ impl Joint {
         }
     }
 
-    /// With a link of this mass: kg.
+    /// Sets the mass of the link, kg.
     #[must_use]
     pub const fn mass(self, mass: f64) -> Self {
         Joint { mass, ..self }
     }
 
-    /// With a mass that is spread so.
+    /// Sets the distribution of the mass.
     #[must_use]
     pub const fn spread(self, spread: Spread) -> Self {
         Joint {
@@ -48,7 +48,7 @@ impl Joint {
         }
     }
 
-    /// With a motor of this torque: N·m.
+    /// Sets the torque of the motor, N·m.
     #[must_use]
     pub const fn torque(self, torque: f64) -> Self {
         Joint { torque, ..self }
@@ -56,7 +56,8 @@ impl Joint {
 }
 
 impl<const J: usize> Leg<J> {
-    /// A leg whose first joint is at `base` (mm, in the robot frame); all its angles are 0 at first.
+    /// Returns a leg whose first joint is at `base` (mm, in the robot frame); all its angles are 0
+    /// at first.
     #[must_use]
     pub const fn at(base: Point, joints: [Joint; J]) -> Self {
         Leg {
@@ -66,7 +67,7 @@ impl<const J: usize> Leg<J> {
         }
     }
 
-    /// With this initial posture: deg.
+    /// Sets the initial posture, deg.
     #[must_use]
     pub const fn initial(self, initial: [f64; J]) -> Self {
         Leg { initial, ..self }
@@ -74,8 +75,8 @@ impl<const J: usize> Leg<J> {
 }
 
 impl<const L: usize, const J: usize> Model<L, J> {
-    /// A robot with the commands marked G: bolted down, without torques and slider, its joint angles
-    /// found by least squares; everything else is as [`generic::MODEL`] has it.
+    /// Returns a robot with the commands marked G: bolted down, without torques and slider, its
+    /// joint angles found by least squares; everything else is as [`generic::MODEL`] has it.
     #[must_use]
     pub const fn generic(name: &'static str, legs: [Leg<J>; L]) -> Self {
         Model {
@@ -94,7 +95,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
         }
     }
 
-    /// The same robot with these legs.
+    /// Returns the robot with these legs.
     #[must_use]
     pub const fn with_legs<const N: usize>(self, legs: [Leg<J>; N]) -> Model<N, J> {
         Model {

@@ -1,10 +1,12 @@
-//! What is nonsense in a model.
+//! Checks that a model makes sense.
 
-use super::{Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Spread, Standards};
+use super::{
+    Body, Forces, Inverse, Joint, Leg, Model, Range, Slider, Spread, Standards, VibrationGain,
+};
 use crate::command::{MAX, Target};
 use core::fmt;
 
-/// Where in a model; legs and joints count from 1.
+/// A place in a model; legs and joints count from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
@@ -18,11 +20,11 @@ pub enum Place {
     Body,
     /// The standard parameters.
     Standards,
-    /// What is said about torques.
+    /// The parameters of torques.
     Forces,
     /// The slider.
     Slider,
-    /// What a volt of vibration does.
+    /// The response to a volt of vibration.
     Vibration,
 }
 
@@ -44,11 +46,11 @@ impl fmt::Display for Place {
 /// A model is nonsense: the first thing that is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ModelError {
-    /// Where.
+    /// Place of the error.
     pub place: Place,
     /// The field's name in the model.
     pub field: &'static str,
-    /// What it must be.
+    /// The requirement that does not hold.
     pub wanted: &'static str,
 }
 
@@ -60,7 +62,7 @@ impl fmt::Display for ModelError {
 
 impl core::error::Error for ModelError {}
 
-/// How far the length of an axis may be from 1, and a direction from where it should point.
+/// Tolerance of the length of an axis, which is 1, and of a direction.
 const SLIGHT: f64 = 1e-9;
 
 const NOT_NEGATIVE: &str = "must be a finite number, not below 0";
@@ -70,7 +72,7 @@ const FINITE: &str = "must be finite numbers";
 const ORDERED: &str = "must be finite, the lower end not above the upper one";
 
 impl<const L: usize, const J: usize> Model<L, J> {
-    /// Whether the model describes a robot.
+    /// Checks that the model describes a robot.
     ///
     /// # Errors
     /// The first thing that makes no sense: a number that is not finite, an axis whose length is not
@@ -106,7 +108,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
 }
 
 impl Inverse {
-    /// Whether the joint angles of such a leg can be found this way.
+    /// Returns true if the joint angles of such a leg can be found this way.
     #[must_use]
     pub fn fits(self, joints: &[Joint]) -> bool {
         match self {
@@ -117,7 +119,7 @@ impl Inverse {
         }
     }
 
-    /// What the joints of such a leg must be, in words.
+    /// Returns the requirements on the joints of such a leg, in words.
     #[must_use]
     pub const fn wanted(self) -> &'static str {
         match self {
@@ -263,8 +265,8 @@ fn check_slider(slider: &Slider) -> Result<(), ModelError> {
     )
 }
 
-fn check_vibration(per_volt: &PerVolt) -> Result<(), ModelError> {
-    let PerVolt { angle, torque } = *per_volt;
+fn check_vibration(per_volt: &VibrationGain) -> Result<(), ModelError> {
+    let VibrationGain { angle, torque } = *per_volt;
     for (field, value) in [("angle", angle), ("torque", torque)] {
         require(is_at_least_0(value), Place::Vibration, field, NOT_NEGATIVE)?;
     }
@@ -289,8 +291,8 @@ fn is_ordered(range: Range) -> bool {
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// A yaw, a thigh and a knee that point straight outward at 0, with room for the knee to flex
-/// downwards.
+/// Returns true for a yaw, a thigh and a knee that point straight outward at 0, with room for the
+/// knee to flex downwards.
 fn is_yaw_pitch_pitch(joints: &[Joint]) -> bool {
     let [yaw, thigh, knee] = joints else {
         return false;
@@ -307,7 +309,8 @@ fn is_yaw_pitch_pitch(joints: &[Joint]) -> bool {
     is_along(yaw.axis, Z) && is_level && goes_on(thigh) && goes_on(knee) && flexed > 0.0
 }
 
-/// Three joints, the last two of which turn their links in a plane through the first one's axis, or beside it.
+/// Returns true for three joints, the last two of which turn their links in a plane through the
+/// first one's axis, or beside it.
 fn is_roll_pitch_pitch(joints: &[Joint]) -> bool {
     let [roll, thigh, knee] = joints else {
         return false;
@@ -321,7 +324,7 @@ fn is_roll_pitch_pitch(joints: &[Joint]) -> bool {
         && swings(knee)
 }
 
-/// Whether two vectors lie on one line; one without length does not.
+/// Returns true if two vectors lie on one line; one without length does not.
 fn is_along(a: [f64; 3], b: [f64; 3]) -> bool {
     let size = square(a) * square(b);
     size > 0.0 && square(cross(a, b)) <= SLIGHT * SLIGHT * size

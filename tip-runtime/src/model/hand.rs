@@ -23,14 +23,14 @@
 //! ```
 
 use super::{
-    Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards, TorqueUnit,
+    Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, TorqueUnit, VibrationGain,
 };
 
 const L1: f64 = 70.0;
 const L2: f64 = 50.0;
 const L3: f64 = 40.0;
 
-/// How far F2 and F3 are beside F1: mm.
+/// Distance of F2 and F3 from F1 to the side, mm.
 const APART: f64 = 30.0;
 
 /// The robot.
@@ -71,13 +71,13 @@ pub const MODEL: Model<3, 3> = Model {
             Range::new(0.0, 0.0),
         ],
     }),
-    vibration: Some(PerVolt {
+    vibration: Some(VibrationGain {
         angle: 0.5,
         torque: 10.0,
     }),
 };
 
-/// A finger on the `side` (−1 left, +1 right) of the palm.
+/// Returns a finger on the `side` (−1 left, +1 right) of the palm.
 const fn finger(side: f64, z: f64) -> Leg<3> {
     Leg {
         base: [side * 60.0, 0.0, z],

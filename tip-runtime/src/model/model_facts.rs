@@ -1,6 +1,6 @@
-//! What a model says of the whole robot, for any number of legs.
+//! The facts of a model that hold for the whole robot, with any number of legs.
 
-use super::{Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards};
+use super::{Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, VibrationGain};
 
 /// A model without its legs.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +13,7 @@ pub(crate) struct ModelFacts<'m> {
     pub(crate) lamps: u8,
     pub(crate) forces: Option<&'m Forces>,
     pub(crate) slider: Option<&'m Slider>,
-    pub(crate) vibration: Option<PerVolt>,
+    pub(crate) vibration: Option<VibrationGain>,
 }
 
 impl<'m> ModelFacts<'m> {
@@ -31,7 +31,7 @@ impl<'m> ModelFacts<'m> {
         }
     }
 
-    /// How many of the robot's torque unit one N·m is.
+    /// Returns the number of the robot's torque units in 1 N·m.
     pub(crate) fn torque_unit(&self) -> f64 {
         self.forces
             .map_or(1.0, |forces| forces.unit.per_newton_metre())
@@ -39,12 +39,12 @@ impl<'m> ModelFacts<'m> {
 }
 
 impl<const J: usize> Leg<J> {
-    /// What fills an array until it is filled in over a slice, which compiles once for all of
-    /// its lengths; `map` of an array does not.
+    /// Placeholder for arrays that are filled in over a slice, which compiles once for all of their
+    /// lengths; `map` of an array does not.
     pub(crate) const BLANK: &'static Self =
         &Leg::at([0.0; 3], [Joint::revolute([0.0, 0.0, 1.0], [0.0; 3]); J]);
 
-    /// The nearest angles to these within the working limits: deg.
+    /// Returns the nearest angles to these within the working limits, deg.
     pub(crate) fn within_limits(&self, angles: &[f64; J]) -> [f64; J] {
         let mut within = *angles;
         for (angle, joint) in within.iter_mut().zip(&self.joints) {
@@ -55,7 +55,7 @@ impl<const J: usize> Leg<J> {
 }
 
 impl Range {
-    /// The place in the interval that is nearest to `value`.
+    /// Returns the place in the interval that is nearest to `value`.
     pub(crate) const fn nearest(&self, value: f64) -> f64 {
         value.max(self.min).min(self.max)
     }

@@ -1,22 +1,22 @@
-//! How the mass of a link or a body is spread.
+//! Distribution of the mass of a link or a body.
 
 use super::{Point, Range};
 
-/// Where a mass is, and how hard it is to turn.
+/// Centre of mass and inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// The centre of mass, of a link from its joint on, of a body in the robot frame: mm.
+    /// Centre of mass, mm: of a link from its joint on, of a body in the robot frame.
     pub centre: Point,
     /// The elements xx, yy, zz, xy, xz and yz of the tensor of inertia about that centre: kg·m². Its axes are those of the link's
     /// frame, which is parallel to the robot frame while all joints are at 0.
     pub inertia: [f64; 6],
 }
 
-/// What rounding adds to a tensor, in parts of it.
+/// Relative rounding error of a tensor.
 const SLIGHT: f64 = 1e-9;
 
 impl Spread {
-    /// Evenly along a rod from the joint to the end of `link` (mm).
+    /// Spreads a mass evenly along a rod from the joint to the end of `link` (mm).
     #[must_use]
     pub const fn rod(link: [f64; 3], mass: f64) -> Self {
         let [x, y, z] = link;
@@ -34,7 +34,8 @@ impl Spread {
         }
     }
 
-    /// Evenly in a box with these extents (mm), its centre taken to be in the origin.
+    /// Spreads a mass evenly in a box with these extents (mm), its centre taken to be in the
+    /// origin.
     #[must_use]
     pub const fn block([x, y, z]: [Range; 3], mass: f64) -> Self {
         let (x, y, z) = (x.max - x.min, y.max - y.min, z.max - z.min);
@@ -52,7 +53,7 @@ impl Spread {
         }
     }
 
-    /// Whether all its numbers are finite, and some rigid body has such an inertia.
+    /// Returns true if all its numbers are finite, and some rigid body has such an inertia.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         let numbers = self.centre.iter().chain(&self.inertia);
@@ -60,8 +61,9 @@ impl Spread {
     }
 }
 
-/// Whether the second moments of mass that such a tensor comes from are not negative in any direction. Its principal moments are
-/// not negative then, and none is greater than the other two together.
+/// Returns true if the second moments of mass that such a tensor comes from are not negative in any
+/// direction. Its principal moments are not negative then, and none is greater than the other two
+/// together.
 fn is_of_a_body([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let half = (xx + yy + zz) / 2.0;
     let (x, y, z) = (half - xx, half - yy, half - zz);

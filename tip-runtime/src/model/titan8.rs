@@ -58,7 +58,8 @@ pub const MODEL: Model<4, 3> = Model {
     vibration: None,
 };
 
-/// A leg whose hip is on the `side` (−1 left, +1 right) and towards the `end` (−1 rear, +1 front).
+/// Returns a leg whose hip is on the `side` (−1 left, +1 right) and towards the `end` (−1 rear, +1
+/// front).
 const fn leg(side: f64, end: f64) -> Leg<3> {
     Leg {
         base: [side * 101.0, end * 201.0, 0.0],

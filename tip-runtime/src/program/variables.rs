@@ -4,7 +4,7 @@ use super::Program;
 use crate::command::CONSTANT;
 use core::fmt;
 
-/// Why a variable cannot be read or set by that name.
+/// The reason why a variable cannot be read or set by that name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum VariableError {
@@ -28,7 +28,7 @@ impl fmt::Display for VariableError {
 
 impl core::error::Error for VariableError {}
 
-/// The value of a variable.
+/// Returns the value of a variable.
 pub(super) fn get<P: Program + ?Sized>(
     program: &P,
     name: &str,
@@ -48,7 +48,7 @@ pub(super) fn set<P: Program + ?Sized>(
     Ok(())
 }
 
-/// Index of a variable that can have a value.
+/// Returns the index of a variable that can have a value.
 pub(super) fn settable<P: Program + ?Sized>(
     program: &P,
     name: &str,
@@ -61,7 +61,7 @@ pub(super) fn settable<P: Program + ?Sized>(
     }
 }
 
-/// Index and value of the scalar of that name.
+/// Returns index and value of the scalar of that name.
 fn find<P: Program + ?Sized>(
     program: &P,
     name: &str,

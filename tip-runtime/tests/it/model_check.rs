@@ -1,8 +1,8 @@
 //! Models written in Rust, and the errors that are found in them.
 
 use tip_runtime::model::{
-    Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Spread, TorqueUnit, generic,
-    hand, titan8,
+    Body, Forces, Inverse, Joint, Leg, Model, Range, Slider, Spread, TorqueUnit, VibrationGain,
+    generic, hand, titan8,
 };
 
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -214,7 +214,7 @@ fn the_rest_of_a_robot_is_checked_as_well() {
         wrong(|m| m.slider.as_mut().expect("some").initial[1] = 2.0),
         "slider: initial must lie within the travel"
     );
-    let endless = PerVolt {
+    let endless = VibrationGain {
         angle: 0.5,
         torque: f64::INFINITY,
     };

@@ -13,7 +13,7 @@ use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
 use tip_sim::{Robot, urdf};
-use tip_view::{BadTrace, Diagram, Extent, Outcome, Pace, Recording};
+use tip_view::{Diagram, Extent, Outcome, Pace, Recording, TraceError};
 use tipc::Loaded;
 
 /// Maximum length of a recording without `--cycles`, minutes of robot time.
@@ -225,7 +225,7 @@ impl View {
             .map_err(|reason| failed(&reason.in_lang(lang)))?;
         let trace = String::from_utf8(trace).map_err(|error| failed(&error))?;
         let read = Recording::from_trace(&trace, loaded, robot);
-        read.map_err(|error: BadTrace| failed(&error))
+        read.map_err(|error: TraceError| failed(&error))
     }
 }
 

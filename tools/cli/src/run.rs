@@ -21,7 +21,7 @@ use summary::{fall, summary};
 
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, Waits};
+use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, WaitDetector};
 use tipc::Loaded;
 use tipc::program::Program;
 
@@ -191,7 +191,7 @@ impl Job<'_> {
             trace: trace.as_mut(),
             live: None,
             fell: false,
-            waits: Waits::default(),
+            waits: WaitDetector::default(),
             has_waited: false,
         };
         if self.arguments.realtime {
@@ -274,7 +274,7 @@ struct Watch<'a> {
     trace: Option<&'a mut Trace>,
     live: Option<Live>,
     fell: bool,
-    waits: Waits,
+    waits: WaitDetector,
     /// True if a long wait was reported.
     has_waited: bool,
 }

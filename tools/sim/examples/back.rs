@@ -1,4 +1,4 @@
-//! How long it takes to go back in a run of ten minutes.
+//! Time to go back in a run of ten minutes.
 //!
 //! `cargo run --release -p tip-sim --example back` goes back with TITAN VIII and with the hand on its cylinder; `-- ROBOT PROGRAM.prg` with a
 //! program of your own.

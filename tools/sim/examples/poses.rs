@@ -89,7 +89,7 @@ fn pose(text: &mut String, anatomy: &Anatomy, random: &mut Random) -> std::fmt::
     Ok(())
 }
 
-/// How a foot moves with each joint: mm/rad.
+/// Returns the motion of a foot with each joint, mm/rad.
 fn jacobian(limb: &Limb, angles: &[f64]) -> Vec<[f64; 3]> {
     match angles.len() {
         1 => columns::<1>(limb, angles),

@@ -1,4 +1,4 @@
-//! What happened in a cycle, as a value.
+//! Everything that happened in a cycle, as a value.
 
 use crate::dyn_machine::DynMachine;
 use std::fmt::{self, Display};
@@ -13,7 +13,7 @@ use tip_runtime::record::{self, Sink, state_hash};
 pub struct Cycle {
     /// Its number, from 0.
     pub number: u64,
-    /// Time on the robot when it began: ms.
+    /// Time on the robot when it began, ms.
     pub time: f64,
     /// The step that ran; none in the cycle of an emergency stop, after the program's end, and in a pause.
     pub step: Option<u32>,
@@ -21,36 +21,36 @@ pub struct Cycle {
     pub next: Option<u32>,
     /// Scalars by name whose bits changed or that became assigned, with their values, in order of declaration.
     pub set: Vec<(String, f64)>,
-    /// What a MESSAGE showed; an empty one cleared the line.
+    /// Text of a MESSAGE; an empty one cleared the line.
     pub say: Option<String>,
     /// The lamp that was switched, and whether on.
     pub lamp: Option<(u8, bool)>,
     /// The command that was accepted, in its first cycle.
-    pub command: Option<Asked>,
-    /// Where the body is after the cycle; none for a robot that stays where it is. One outside of this process says where it
-    /// was when the cycle began.
+    pub command: Option<IssuedCommand>,
+    /// Pose of the body after the cycle; none for a robot that stays where it is. A robot outside
+    /// of this process gives the pose at the beginning of the cycle.
     pub pose: Option<Pose>,
     /// A hash of what each joint was sent and measured, as in a trace with state.
     pub state: u64,
-    /// What became of the program.
+    /// Status of the program.
     pub status: Status,
 }
 
 /// A command as a step asked for it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
-    /// Which command.
+pub struct IssuedCommand {
+    /// The command.
     pub op: Op,
-    /// HS: hand over to the next command at once.
+    /// HS: hand over to the next command immediately.
     pub hs: bool,
-    /// What it is for.
+    /// The foot, joint or device that it is for.
     pub target: Target,
     /// Its numbers, before relative ones are resolved.
     pub values: Vec<Value>,
 }
 
-impl Display for Asked {
-    /// As a statement has it, such as `PTP HS F1 300.0 R10.0 -200.0`.
+impl Display for IssuedCommand {
+    /// Writes it as in a statement, such as `PTP HS F1 300.0 R10.0 -200.0`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.op.fmt(f)?;
         if self.hs {
@@ -74,11 +74,11 @@ pub(crate) struct Collector {
     set: Vec<(String, f64)>,
     say: Option<String>,
     lamp: Option<(u8, bool)>,
-    command: Option<Asked>,
+    command: Option<IssuedCommand>,
 }
 
 impl Collector {
-    /// The cycle that a robot is in now; `number` and `time` are those of its beginning.
+    /// Finishes the cycle that a robot is in now; `number` and `time` are those of its beginning.
     pub(crate) fn finish(
         self,
         machine: &dyn DynMachine,
@@ -113,7 +113,7 @@ impl Sink for Collector {
     }
 
     fn command(&mut self, command: &Command<'_>) {
-        self.command = Some(Asked {
+        self.command = Some(IssuedCommand {
             op: command.op,
             hs: command.hs,
             target: command.target,

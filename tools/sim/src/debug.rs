@@ -31,15 +31,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod ask;
 mod breakpoints;
+mod expressions;
 mod moves;
 mod stop;
 
-pub use ask::{Asked, Frame, Value, Variable, control};
 pub use breakpoints::{Placed, When};
+pub use expressions::{BreakCondition, Frame, Value, Variable, control};
 pub use moves::Work;
-pub use stop::{By, Hits, Move, NotHits, Progress, Reason, Refused, Stop};
+pub use stop::{By, DebugError, Hits, HitsError, Move, Progress, Reason, Stop};
 
 use crate::event::{Event, Events};
 use crate::interp::Interpreter;
@@ -56,7 +56,7 @@ use tip_runtime::machine::{Emergency, Mismatch};
 use tip_runtime::program::End;
 use tipc::program::Program;
 
-/// What may be given up for a change.
+/// The cycles that may be given up for a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Discard {
     /// Nothing: in the past a change is refused.
@@ -69,7 +69,7 @@ pub enum Discard {
 pub struct Debugger {
     program: Arc<Program>,
     asker: Asker,
-    /// Where the debugger stands.
+    /// The run and its checkpoints.
     timeline: Timeline,
     history: History,
     breakpoints: Breakpoints,
@@ -78,9 +78,9 @@ pub struct Debugger {
     /// The first one that is known.
     fall: Option<Fall>,
     said: Vec<(u64, String)>,
-    /// How many of them someone has taken.
+    /// Number of messages that have been taken.
     taken: usize,
-    /// What log points have said and no one has taken.
+    /// Output of log points that has not been taken.
     logged: Vec<(u64, String)>,
     pending: Option<PendingCommand>,
     stop: Stop,
@@ -100,7 +100,7 @@ impl Debugger {
 
     fn of(run: Run, program: Arc<Program>, robot: &Robot) -> Self {
         Debugger {
-            asker: Asker::new(&program, robot.options(), ask::OWN),
+            asker: Asker::new(&program, robot.options(), expressions::OWN_NAMES),
             timeline: Timeline::new(run, ()),
             history: History::default(),
             breakpoints: Breakpoints::new(program.steps().len()),
@@ -125,37 +125,37 @@ impl Debugger {
         self.stops_at_fall = on;
     }
 
-    /// The position: the cycle that comes next.
+    /// Returns the position: the cycle that comes next.
     pub fn now(&self) -> u64 {
         self.timeline.now()
     }
 
-    /// How many cycles have been run at all; what follows them is not known yet.
+    /// Returns the number of cycles that have been run; nothing is known of later ones.
     pub fn known(&self) -> u64 {
         self.history.len()
     }
 
-    /// Why it stands where it does.
+    /// Returns the reason and the position of the last stop.
     pub fn stop(&self) -> &Stop {
         &self.stop
     }
 
-    /// The program.
+    /// Returns the program.
     pub fn program(&self) -> &Arc<Program> {
         &self.program
     }
 
-    /// The run where the debugger stands.
+    /// Returns the run where the debugger stands.
     pub fn run(&self) -> &Run {
         self.timeline.run()
     }
 
-    /// The interpreter; every run of a debugger has one.
+    /// Returns the interpreter; every run of a debugger has one.
     fn interpreter(run: &Run) -> Option<&Interpreter> {
         run.engine()
     }
 
-    /// How many calls are open in a run.
+    /// Returns the number of open calls in a run.
     fn depth(run: &Run) -> u8 {
         let calls = Self::interpreter(run).map_or(0, |engine| engine.calls().len());
         u8::try_from(calls).unwrap_or(u8::MAX)
@@ -185,19 +185,19 @@ impl Debugger {
     ///
     /// # Errors
     /// The program is over, the robot or the program lacks what it changes, or cycles would be discarded.
-    pub fn happens(&mut self, event: Event, discard: Discard) -> Result<(), Refused> {
+    pub fn happens(&mut self, event: Event, discard: Discard) -> Result<(), DebugError> {
         let now = self.now();
         if self.end_at(now).is_some() {
-            return Err(Refused::Ended);
+            return Err(DebugError::Ended);
         }
         let later = self.history.len() - now;
         if later > 0 && discard == Discard::Nothing {
-            return Err(Refused::WouldDiscard(later));
+            return Err(DebugError::WouldDiscard(later));
         }
-        self.run().accepts(&event).map_err(Refused::Event)?;
+        self.run().accepts(&event).map_err(DebugError::Event)?;
         self.pending = None;
         self.forget_later();
-        self.timeline.add(event).map_err(Refused::Event)?;
+        self.timeline.add(event).map_err(DebugError::Event)?;
         self.timeline.happen();
         self.stop = Stop {
             reason: Reason::Change,
@@ -206,7 +206,7 @@ impl Debugger {
         Ok(())
     }
 
-    /// What its user made happen, in the order in which it happens.
+    /// Returns the user's changes, in the order in which they happen.
     pub fn changes(&self) -> Events {
         self.timeline.changes().clone()
     }
@@ -224,10 +224,10 @@ impl Debugger {
     }
 }
 
-/// How many messages are kept.
+/// Maximum number of messages that are kept.
 const MESSAGES: usize = 10_000;
 
-/// How the run went on after the last cycle that is known.
+/// State of the run after the last cycle that is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Frontier {
     /// This step comes next.
@@ -254,13 +254,13 @@ impl History {
         self.steps.len() as u64
     }
 
-    /// A step is about to run for the first time.
+    /// Adds a step that is about to run for the first time.
     fn push(&mut self, step: u32, depth: u8) {
         self.steps.push(step);
         self.depths.push(depth);
     }
 
-    /// What came after it.
+    /// Stores the step and the state that came after it.
     fn reached(&mut self, next: u32, frontier: Frontier) {
         self.next = next;
         self.frontier = frontier;
@@ -275,22 +275,23 @@ impl History {
         self.frontier = Frontier::Open;
     }
 
-    /// The step at a position.
+    /// Returns the step at a position.
     fn step(&self, at: u64) -> u32 {
         self.steps.get(place(at)).copied().unwrap_or(self.next)
     }
 
-    /// How many calls are open before a cycle.
+    /// Returns the number of open calls before a cycle.
     fn depth(&self, at: u64) -> u8 {
         self.depths.get(place(at)).copied().unwrap_or_default()
     }
 
-    /// Whether the step at a position is not that of the cycle before: it begins there.
+    /// Returns true if the step at a position begins there: it differs from that of the cycle
+    /// before.
     fn enters(&self, at: u64) -> bool {
         at == 0 || self.step(at) != self.step(at - 1)
     }
 
-    /// Whether the step of a cycle failed, and so changed nothing.
+    /// Returns true if the step of a cycle failed, and so changed nothing.
     fn fails(&self, at: u64) -> bool {
         matches!(self.frontier, Frontier::Failed(_)) && at + 1 == self.len()
     }

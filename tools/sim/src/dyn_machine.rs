@@ -5,7 +5,7 @@ use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::SimHardware;
 use tip_runtime::command::{Flag, Poll};
-use tip_runtime::controller::Aim;
+use tip_runtime::controller::Setpoint;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
@@ -26,15 +26,15 @@ pub(crate) trait DynMachine: Send {
     fn hardware_mut(&mut self) -> &mut SimHardware;
     fn emergency(&self) -> Option<&Emergency>;
     fn cycles(&self) -> u64;
-    /// Returns the time on the robot: ms.
+    /// Returns the time on the robot, ms.
     fn time(&self) -> f64;
-    /// Returns the sampling time: ms.
+    /// Returns the sampling time, ms.
     fn period(&self) -> f64;
     fn flag(&self, flag: Flag) -> bool;
-    fn aims(&self) -> Vec<Aim>;
+    fn setpoints(&self) -> Vec<Setpoint>;
     /// Returns what each joint was sent, leg by leg.
     fn commands(&self) -> &[JointCommand];
-    /// Returns what each joint was measured at, leg by leg: deg.
+    /// Returns the measured angle of each joint, leg by leg, deg.
     fn angles(&self) -> &[f64];
     fn lamps(&self) -> &[u32; 8];
 }
@@ -104,8 +104,8 @@ impl<const L: usize, const J: usize> DynMachine
         self.flag(flag)
     }
 
-    fn aims(&self) -> Vec<Aim> {
-        self.controller().aims().collect()
+    fn setpoints(&self) -> Vec<Setpoint> {
+        self.controller().setpoints().collect()
     }
 
     fn commands(&self) -> &[JointCommand] {

@@ -1,4 +1,4 @@
-//! What happens to a robot from outside, and when.
+//! Events that reach a robot from outside, and their cycles.
 //!
 //! ```
 //! use tip_sim::event::{Event, Events};
@@ -22,7 +22,7 @@ use tip_runtime::plant::Noise;
 
 /// Something that happens to a robot or to its program from outside.
 ///
-/// As text, in `--events`, files, tests, and as a string in JSON:
+/// Text form of events, in `--events`, files, tests, and as a string in JSON:
 ///
 /// | event | text |
 /// |---|---|
@@ -65,7 +65,7 @@ pub enum Event {
 pub struct Timed {
     /// The cycle, from 0.
     pub cycle: u64,
-    /// What happens.
+    /// The event.
     pub event: Event,
 }
 
@@ -84,17 +84,17 @@ impl Events {
         Events(events)
     }
 
-    /// All of them, in order.
+    /// Returns all events, in order.
     pub fn all(&self) -> &[Timed] {
         &self.0
     }
 
-    /// Whether nothing happens.
+    /// Returns true if there is no event.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The inputs that they change.
+    /// Returns the inputs that they change.
     pub fn ports(&self) -> impl Iterator<Item = Port> {
         self.0.iter().filter_map(|timed| match timed.event {
             Event::Sensor(port, _) => Some(port),
@@ -107,7 +107,7 @@ impl Events {
         self.0.truncate(count);
     }
 
-    /// Number of events before a cycle.
+    /// Returns the number of events before a cycle.
     pub(crate) fn before(&self, cycle: u64) -> usize {
         self.0.partition_point(|event| event.cycle < cycle)
     }

@@ -22,7 +22,7 @@ pub(crate) trait Listener: Console + Any + Send {}
 impl<C: Console + Send + 'static> Listener for C {}
 
 impl EventConsole {
-    /// A key is pressed.
+    /// Presses a key.
     pub(crate) fn press(&mut self, byte: u8) {
         self.due.push_back(byte);
     }
@@ -43,7 +43,7 @@ impl EventConsole {
         std::mem::replace(&mut self.listener, listener)
     }
 
-    fn tell(&mut self, what: impl FnOnce(&mut dyn Listener)) {
+    fn notify(&mut self, what: impl FnOnce(&mut dyn Listener)) {
         if let Some(listener) = self.listener.as_deref_mut() {
             what(listener);
         }
@@ -66,30 +66,30 @@ impl Console for EventConsole {
     }
 
     fn message(&mut self, text: &dyn Display) {
-        self.tell(|listener| listener.message(text));
+        self.notify(|listener| listener.message(text));
     }
 
     fn silent(&mut self, on: bool) {
-        self.tell(|listener| listener.silent(on));
+        self.notify(|listener| listener.silent(on));
     }
 
     fn bars(&mut self, graph: u8, bars: Bars<'_>) {
-        self.tell(|listener| listener.bars(graph, bars));
+        self.notify(|listener| listener.bars(graph, bars));
     }
 
     fn sample(&mut self, sample: &Sample<'_>) {
-        self.tell(|listener| listener.sample(sample));
+        self.notify(|listener| listener.sample(sample));
     }
 
     fn variables(&mut self, dump: &Dump<'_>) {
-        self.tell(|listener| listener.variables(dump));
+        self.notify(|listener| listener.variables(dump));
     }
 
     fn emergency(&mut self, report: &Report<'_>) {
-        self.tell(|listener| listener.emergency(report));
+        self.notify(|listener| listener.emergency(report));
     }
 
     fn ended(&mut self) {
-        self.tell(|listener| listener.ended());
+        self.notify(|listener| listener.ended());
     }
 }

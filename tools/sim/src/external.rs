@@ -33,7 +33,7 @@ use crate::program_runner::ProgramRunner;
 use crate::robot::Robot;
 use crate::run::Run;
 use crate::sim_hardware::{Commands, DynHardware, Reading};
-use link::{Heard, Link};
+use link::{Link, Received};
 use protocol::{Answer, Layout, Measured};
 use std::any::Any;
 use std::ffi::{OsStr, OsString};
@@ -53,23 +53,23 @@ use tipc::message::Lang;
 pub struct ExternalPlant {
     program: OsString,
     arguments: Vec<OsString>,
-    patience: Patience,
+    limits: TimeLimits,
     listener: Arc<dyn Fn(&str) + Send + Sync>,
 }
 
-/// How long answers may take.
+/// Time limits of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Patience {
+pub struct TimeLimits {
     /// The one to `hello`: a simulator may have to load much.
     pub first: Duration,
     /// Any other one.
     pub later: Duration,
 }
 
-impl Default for Patience {
-    /// 30 s and 5 s.
+impl Default for TimeLimits {
+    /// Returns 30 s and 5 s.
     fn default() -> Self {
-        Patience {
+        TimeLimits {
             first: Duration::from_secs(30),
             later: Duration::from_secs(5),
         }
@@ -77,7 +77,8 @@ impl Default for Patience {
 }
 
 impl ExternalPlant {
-    /// A program with its arguments; no shell is between. What it writes to its standard error is dropped.
+    /// Creates a program with its arguments; no shell is between. What it writes to its standard
+    /// error is dropped.
     pub fn new(
         program: impl AsRef<OsStr>,
         arguments: impl IntoIterator<Item = impl AsRef<OsStr>>,
@@ -86,15 +87,15 @@ impl ExternalPlant {
         ExternalPlant {
             program: program.as_ref().to_owned(),
             arguments: arguments.map(|word| word.as_ref().to_owned()).collect(),
-            patience: Patience::default(),
+            limits: TimeLimits::default(),
             listener: Arc::new(|_| ()),
         }
     }
 
     /// Waits otherwise.
     #[must_use]
-    pub fn with_patience(mut self, patience: Patience) -> Self {
-        self.patience = patience;
+    pub fn with_time_limits(mut self, limits: TimeLimits) -> Self {
+        self.limits = limits;
         self
     }
 
@@ -111,31 +112,31 @@ impl fmt::Debug for ExternalPlant {
         f.debug_struct("ExternalPlant")
             .field("program", &self.program)
             .field("arguments", &self.arguments)
-            .field("patience", &self.patience)
+            .field("limits", &self.limits)
             .finish_non_exhaustive()
     }
 }
 
 /// A run on an external plant does not begin.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NotStarted {
+pub enum StartError {
     /// The program is for another robot.
     Mismatch(Mismatch),
     /// The process cannot be started.
     Process {
         /// Its program.
         program: String,
-        /// What the system says.
+        /// Message of the system.
         reason: String,
     },
 }
 
-impl NotStarted {
-    /// What it says in a language. What the runtime and the system say themselves is English.
+impl StartError {
+    /// Returns the message in a language. Messages of the runtime and the system are English.
     pub fn text(&self, lang: Lang) -> String {
         match self {
-            NotStarted::Mismatch(mismatch) => mismatch.to_string(),
-            NotStarted::Process { program, reason } => {
+            StartError::Mismatch(mismatch) => mismatch.to_string(),
+            StartError::Process { program, reason } => {
                 let (program, reason) = (program.clone().into(), reason.clone().into());
                 let message = Simulating::CannotStart { program, reason };
                 message.in_lang(lang).to_string()
@@ -144,13 +145,13 @@ impl NotStarted {
     }
 }
 
-impl fmt::Display for NotStarted {
+impl fmt::Display for StartError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text(Lang::English))
     }
 }
 
-impl std::error::Error for NotStarted {}
+impl std::error::Error for StartError {}
 
 impl Run {
     /// Puts a program on a robot that another process simulates, before its first cycle, and starts the process. It ends with
@@ -162,13 +163,13 @@ impl Run {
         program: impl Program + Clone + Send + 'static,
         robot: &Robot,
         plant: &ExternalPlant,
-    ) -> Result<Self, NotStarted> {
+    ) -> Result<Self, StartError> {
         let plant = Box::new(ExternalHardware::start(robot, plant)?);
         let machine = robot.start_on(plant, ProgramRunner::new(program));
-        Ok(Run::on(machine.map_err(NotStarted::Mismatch)?))
+        Ok(Run::on(machine.map_err(StartError::Mismatch)?))
     }
 
-    /// What is wrong with its external plant, if anything is.
+    /// Returns the error of its external plant, if there is one.
     pub fn plant_error(&self) -> Option<&PlantError> {
         self.plant::<ExternalHardware>()?.error.as_ref()
     }
@@ -179,13 +180,13 @@ pub(crate) struct ExternalHardware {
     layout: Layout,
     /// None in a copy.
     link: Option<Link>,
-    patience: Patience,
-    /// What an answer is awaited to.
+    limits: TimeLimits,
+    /// The request whose answer is awaited.
     awaits: Option<Head>,
-    /// Of the next control cycle.
+    /// Number of the next control cycle.
     number: u64,
     measured: Measured,
-    /// What events have set inputs to.
+    /// Values of inputs that events have set.
     overrides: Inputs<Option<f64>>,
     odometry: Option<Odometry>,
     error: Option<PlantError>,
@@ -193,19 +194,19 @@ pub(crate) struct ExternalHardware {
 }
 
 impl ExternalHardware {
-    fn start(robot: &Robot, plant: &ExternalPlant) -> Result<Self, NotStarted> {
+    fn start(robot: &Robot, plant: &ExternalPlant) -> Result<Self, StartError> {
         let layout = Layout::of(robot.name(), &robot.anatomy());
         let hello = layout.hello();
         let mut link = Link::start(&plant.program, &plant.arguments, plant.listener.clone())
-            .map_err(|reason| NotStarted::Process {
+            .map_err(|reason| StartError::Process {
                 program: plant.program.to_string_lossy().into_owned(),
                 reason: reason.to_string(),
             })?;
-        link.ask(hello);
+        link.request(hello);
         Ok(ExternalHardware {
             layout,
             link: Some(link),
-            patience: plant.patience,
+            limits: plant.limits,
             awaits: Some(Head::Hello),
             number: 0,
             measured: Measured::default(),
@@ -216,7 +217,7 @@ impl ExternalHardware {
         })
     }
 
-    /// Waits for what is awaited, but not longer than this; whether nothing is awaited any more.
+    /// Waits for the awaited answer, but not longer than this; returns true if none is awaited any more.
     fn wait(&mut self, longest: Duration) -> bool {
         let (Some(head), None) = (self.awaits, &self.error) else {
             return true;
@@ -226,17 +227,17 @@ impl ExternalHardware {
             return true;
         };
         let within = match head {
-            Head::Hello => self.patience.first,
-            Head::Cycle(_) => self.patience.later,
+            Head::Hello => self.limits.first,
+            Head::Cycle(_) => self.limits.later,
         };
         let taken = match link.answer(longest, within) {
-            Heard::Nothing => return false,
+            Received::Nothing => return false,
             heard => self.take(head, heard, within),
         };
         self.awaits = None;
         if let Err(error) = taken {
             if let Some(link) = &mut self.link {
-                link.give_up();
+                link.skip_grace();
             }
             self.error = Some(error);
         }
@@ -244,13 +245,15 @@ impl ExternalHardware {
     }
 
     /// Takes what was heard in answer to a line.
-    fn take(&mut self, to: Head, heard: Heard, within: Duration) -> Result<(), PlantError> {
+    fn take(&mut self, to: Head, heard: Received, within: Duration) -> Result<(), PlantError> {
         let line = match heard {
-            Heard::Line(line) => line,
-            Heard::Nothing | Heard::TooLate => return Err(PlantError::NoAnswer { to, within }),
-            Heard::End(ended) => return Err(PlantError::Ended { to, ended }),
-            Heard::TooLong => return Err(PlantError::TooLong { to }),
-            Heard::NotText => return Err(PlantError::NotText { to }),
+            Received::Line(line) => line,
+            Received::Nothing | Received::TooLate => {
+                return Err(PlantError::NoAnswer { to, within });
+            }
+            Received::End(ended) => return Err(PlantError::Ended { to, ended }),
+            Received::TooLong => return Err(PlantError::TooLong { to }),
+            Received::NotText => return Err(PlantError::NotText { to }),
         };
         let Answer { measured, pose } = protocol::read(&line, to, &self.layout, &self.measured)?;
         self.measured = measured;
@@ -313,7 +316,7 @@ impl DynHardware for ExternalHardware {
         self.fault()?;
         let line = self.layout.cycle(self.number, commands);
         if let Some(link) = &mut self.link {
-            link.ask(line);
+            link.request(line);
         }
         self.awaits = Some(Head::Cycle(self.number));
         self.number += 1;
@@ -322,7 +325,7 @@ impl DynHardware for ExternalHardware {
 
     fn stop(&mut self, _why: &Fault) {
         if let (Some(link), None, false) = (&mut self.link, &self.error, self.is_stopped) {
-            link.tell(protocol::stop(self.number));
+            link.notify(protocol::stop(self.number));
         }
         self.is_stopped = true;
     }
@@ -363,7 +366,7 @@ impl DynHardware for ExternalHardware {
 struct Odometry {
     start: Pose,
     now: Pose,
-    /// Whole turns: deg.
+    /// Whole turns, deg.
     turned: f64,
 }
 
@@ -393,12 +396,12 @@ impl Odometry {
         }
     }
 
-    /// Where it is.
+    /// Returns the present pose.
     fn now(&self) -> Pose {
         self.now
     }
 
-    /// How far it has come.
+    /// Returns the distance that the body has come.
     fn travel(&self) -> Travel {
         let ([x, y, z], [x0, y0, z0]) = (self.now.position, self.start.position);
         let turn = self.now.yaw - self.start.yaw + self.turned;

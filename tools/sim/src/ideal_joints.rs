@@ -8,7 +8,7 @@ use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, Inputs, JointCommand};
 use tip_runtime::model::{Point, Range};
 
-/// How far a joint with all its torque turns in a cycle: deg.
+/// Turn of a joint with all its torque in a cycle, deg.
 const DRIFT: f64 = 0.3;
 
 /// A robot of any size without mass, leg by leg.
@@ -17,11 +17,11 @@ pub(crate) struct IdealJoints {
     joints: Vec<Joint>,
     /// V.
     inputs: Inputs,
-    /// How many soles it has: one on each leg, if it stands on them.
+    /// Number of soles: one on each leg, if it stands on them.
     soles: usize,
     /// mm.
     slider: Point,
-    /// What a joint drives its link with while something is touched, in the robot's torque unit.
+    /// Torque of a joint on its link while something is touched, in the robot's torque unit.
     resistance: f64,
     /// The most that a joint can do, in the same unit.
     torque_max: f64,
@@ -33,7 +33,7 @@ struct Joint {
     limits: Range,
     /// deg.
     angle: f64,
-    /// In the robot's torque unit.
+    /// Torque, in the robot's torque unit.
     torque: f64,
 }
 

@@ -1,6 +1,6 @@
 //! The reference interpreter: a [`Program`](tipc::program::Program) run one step at a call.
 //!
-//! It says what a program means by running it as written. With the emitter it shares the leaf
+//! It defines the meaning of a program by running it as written. With the emitter it shares the leaf
 //! arithmetic of [`tip_runtime::ops`] and nothing else, so that comparing the two proves something.
 
 mod evaluate;
@@ -24,7 +24,7 @@ pub struct Interpreter {
 }
 
 impl Interpreter {
-    /// At step 0, with every variable unassigned.
+    /// Creates an interpreter at step 0, with every variable unassigned.
     pub fn new(program: impl Into<Arc<program::Program>>) -> Self {
         let program = program.into();
         Interpreter {
@@ -37,7 +37,7 @@ impl Interpreter {
         }
     }
 
-    /// Where it is.
+    /// Returns its place in the program.
     pub fn place(&self) -> Place {
         Place {
             step: self.at,
@@ -45,12 +45,12 @@ impl Interpreter {
         }
     }
 
-    /// Where the open calls return to, the outermost first.
+    /// Returns the return addresses of the open calls, the outermost first.
     pub fn calls(&self) -> &[u32] {
         self.calls.open()
     }
 
-    /// The program that it runs, which copies of the interpreter share.
+    /// Returns the program that it runs, which copies of the interpreter share.
     pub fn program(&self) -> &Arc<program::Program> {
         &self.program
     }

@@ -1,6 +1,6 @@
 //! Programs from text.
 
-use crate::findings;
+use crate::diagnostics;
 use crate::interp::Interpreter;
 use crate::robot::Robot;
 use std::fmt;
@@ -10,29 +10,29 @@ use tipc::Loaded;
 ///
 /// # Errors
 /// Everything that is wrong with the text.
-pub fn load(name: &str, text: &str, robot: &Robot) -> Result<Interpreter, NotLoaded> {
+pub fn load(name: &str, text: &str, robot: &Robot) -> Result<Interpreter, LoadError> {
     let mut loaded = tip_lint::load(name, text.as_bytes(), &robot.options());
     match loaded.program.take() {
         Some(program) => Ok(Interpreter::new(program)),
-        None => Err(NotLoaded(Box::new(loaded))),
+        None => Err(LoadError(Box::new(loaded))),
     }
 }
 
 /// A text that is not a program for this robot. Shown, it is one line for each finding.
 #[derive(Debug)]
-pub struct NotLoaded(Box<Loaded>);
+pub struct LoadError(Box<Loaded>);
 
-impl NotLoaded {
-    /// The findings, each at its place in the text.
+impl LoadError {
+    /// Returns the diagnostics, each at its place in the text.
     pub fn loaded(&self) -> &Loaded {
         &self.0
     }
 }
 
-impl fmt::Display for NotLoaded {
+impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        findings::write(&self.0, f)
+        diagnostics::write(&self.0, f)
     }
 }
 
-impl std::error::Error for NotLoaded {}
+impl std::error::Error for LoadError {}

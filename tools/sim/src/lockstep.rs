@@ -1,6 +1,6 @@
 //! Compiled code against the reference interpreter, cycle by cycle, each on a simulated robot of its own.
 //!
-//! `tip verify` does this for programs on the robots that it knows. With commands or a robot of your own it takes a
+//! `tip verify` does this for programs on the robots that have a name. With commands or a robot of your own it takes a
 //! few lines, in a test of your own; the front page of this crate has an example.
 //!
 //! Here the compiled code is of another text, and differs in the cycle of the step that does:
@@ -26,7 +26,7 @@
 mod answer;
 mod side;
 
-pub use answer::{Answer, Reach, RunEnd, Session, serve};
+pub use answer::{Answer, ReachedPoints, RunEnd, Session, serve};
 
 use crate::event::Inputs;
 use crate::interp::Interpreter;
@@ -44,7 +44,7 @@ use tipc::program::{self, StepId};
 /// The most cycles of a run that is given no limit: a program may run forever.
 pub const LIMIT: u64 = 10_000;
 
-/// What of each cycle is compared.
+/// The part of each cycle that is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Evidence {
@@ -58,17 +58,17 @@ pub enum Evidence {
 
 /// Goes along with the interpreter while both engines do the same.
 pub trait Scout {
-    /// A step ran, and led on unless it was the last.
+    /// Called after each step, which led on unless it was the last.
     fn went(&mut self, cycle: u64, from: Place, to: Option<Place>) {
         let _ = (cycle, from, to);
     }
 
-    /// Where the interpreter's cycle is written down, if anywhere.
+    /// Returns the sink that records the interpreter's cycle, if there is one.
     fn sink(&mut self) -> Option<&mut dyn Sink> {
         None
     }
 
-    /// Both engines are over one more cycle; the last one may have ended them.
+    /// Called after each cycle of both engines; the last one may have ended them.
     fn after(&mut self, interpreted: &Run) {
         let _ = interpreted;
     }
@@ -79,11 +79,11 @@ impl Scout for () {}
 /// The result for a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
-    /// How many cycles were compared; one that stops the robot is not counted.
+    /// Number of cycles that were compared; one that stops the robot is not counted.
     pub cycles: u64,
-    /// How both engines ended; `None` if they diverged.
+    /// End of both engines; `None` if they diverged.
     pub ending: Option<Ending>,
-    /// Where they diverged.
+    /// The point at which they diverged.
     pub divergence: Option<Divergence>,
     /// A hash of everything that both did, if hashes were compared.
     pub hash: u64,
@@ -96,9 +96,9 @@ pub struct Divergence {
     pub cycle: u64,
     /// The step that the interpreter ran.
     pub step: StepId,
-    /// What the interpreter did in it: its record, or words.
+    /// The interpreter's cycle: its record, or words.
     pub interpreted: String,
-    /// What the compiled code did.
+    /// The compiled code's cycle.
     pub compiled: String,
 }
 
@@ -124,7 +124,7 @@ impl Lockstep {
         Self::comparing(Evidence::Records, program, compiled, robot)
     }
 
-    /// The same, comparing what is wanted.
+    /// Creates a comparison of the wanted evidence.
     ///
     /// # Errors
     /// One of them is for another robot.
@@ -143,13 +143,13 @@ impl Lockstep {
         })
     }
 
-    /// The program.
+    /// Returns the program.
     pub fn program(&self) -> &Arc<program::Program> {
         &self.program
     }
 
-    /// What the engines say of the program without running it, if that differs: robot, name, title, source lines of the
-    /// steps, names of the variables.
+    /// Returns the first difference in what the engines say of the program without running it:
+    /// robot, name, title, source lines of the steps, names of the variables.
     pub fn unlike(&self) -> Option<Divergence> {
         let facts = |run: &Run| {
             let program = run.program();
@@ -221,7 +221,7 @@ impl Lockstep {
         Ok([side(&self.interpreted)?, side(&self.compiled)?])
     }
 
-    /// What both sides do in a cycle.
+    /// Describes the cycle of both sides.
     fn in_words(&self, inputs: &Inputs, cycle: u64) -> Result<[String; 2], Refused> {
         let limit = inputs.cycles.unwrap_or(LIMIT);
         let sides = self.sides(inputs)?;

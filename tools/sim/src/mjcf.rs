@@ -38,12 +38,12 @@ const SKIN: f64 = 1e-3;
 #[must_use]
 pub fn export(robot: &Robot) -> String {
     let (anatomy, shapes) = (robot.anatomy(), robot.shapes());
-    let beginning = robot.beginning();
+    let initial_state = robot.initial_state();
     let mut parts = Parts::default();
-    if beginning.pose.is_some() {
+    if initial_state.pose.is_some() {
         surroundings::ground(&mut parts, robot.scene());
     }
-    limb::base(&mut parts, &anatomy, &beginning, &shapes.body);
+    limb::base(&mut parts, &anatomy, &initial_state, &shapes.body);
     for (number, leg) in (1..).zip(&anatomy.legs) {
         limb::leg(
             &mut parts,
@@ -51,13 +51,13 @@ pub fn export(robot: &Robot) -> String {
             leg,
             &anatomy,
             shapes,
-            beginning.objects.is_some(),
+            initial_state.objects.is_some(),
         );
     }
     if let Some(slider) = &anatomy.slider {
         surroundings::slider(&mut parts, slider, &anatomy, robot.scene());
     }
-    if let Some(objects) = &beginning.objects {
+    if let Some(objects) = &initial_state.objects {
         surroundings::objects(&mut parts, &anatomy, robot.scene(), objects);
     }
     parts.world.close("body");

@@ -8,20 +8,20 @@ use crate::dyn_machine::{DynMachine, NativeCommands};
 use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
-use miss::Reach;
+use miss::MovableParts;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::{Frame, frames};
 use tip_runtime::machine::{Machine, Mismatch};
 use tip_runtime::model::{Body, Forces, Inverse, Joint, Leg, Model, Point, Slider, Standards};
 use tip_runtime::plant::{DynamicPlant, Scene, SimulatedPlant, Simulation};
 
-/// What a robot has, whatever its size.
+/// The parts of a robot, whatever its size.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Anatomy {
     /// Its body, if it walks.
     pub body: Option<Body>,
-    /// What it can do with torques and forces, if anything.
+    /// Parameters of torques and forces, if it has any.
     pub forces: Option<Forces>,
     /// Its inverse kinematics.
     pub inverse: Inverse,
@@ -33,7 +33,7 @@ pub struct Anatomy {
     pub slider: Option<Slider>,
     /// Its parameters at program start.
     pub standards: Standards,
-    /// Where each foot is in the initial posture: mm.
+    /// Place of each foot in the initial posture, mm.
     pub feet: Vec<Point>,
 }
 
@@ -41,11 +41,11 @@ pub struct Anatomy {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Limb {
-    /// The first joint in the robot frame: mm.
+    /// Place of the first joint in the robot frame, mm.
     pub base: Point,
     /// The joints from base to foot.
     pub joints: Vec<Joint>,
-    /// The initial posture: deg.
+    /// The initial posture, deg.
     pub initial: Vec<f64>,
 }
 
@@ -60,12 +60,12 @@ impl<const J: usize> From<&Leg<J>> for Limb {
 }
 
 impl Limb {
-    /// The frame of each link at these angles (deg), from base to foot.
+    /// Returns the frame of each link at these angles (deg), from base to foot.
     pub fn frames(&self, angles: &[f64]) -> Vec<Frame> {
         frames(self.base, &self.joints, angles).collect()
     }
 
-    /// Where the foot is at these angles (deg), in the robot frame: mm.
+    /// Returns the place of the foot at these angles, deg, in the robot frame, mm.
     pub fn foot(&self, angles: &[f64]) -> Point {
         let last = frames(self.base, &self.joints, angles).zip(&self.joints);
         last.last()
@@ -105,7 +105,7 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
     }
 
     fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        Reach::from(self).miss(op, target, values)
+        MovableParts::from(self).miss(op, target, values)
     }
 
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware> {

@@ -1,4 +1,4 @@
-//! What a robot does, as a value of no size.
+//! The motion of a robot, as a value of no size.
 
 use tip_runtime::model::Point;
 use tip_runtime::plant::{self, Fingertip, ObjectState};
@@ -7,14 +7,14 @@ use tip_runtime::plant::{self, Fingertip, ObjectState};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Limbs {
-    /// Of each joint, leg by leg: deg.
+    /// Angle of each joint, leg by leg, deg.
     pub angles: Vec<Vec<f64>>,
-    /// How much of the robot each foot carries, or how hard each fingertip pushes: N. Empty if it is bolted down.
+    /// Load of each foot, or push of each fingertip, N. Empty if the robot is bolted down.
     pub loads: Vec<f64>,
-    /// With what force the ground pushes each foot, friction included, in the world: N. Empty where only loads are known; those of a
-    /// hand are in [`Grasp`].
+    /// Force of the ground on each foot, friction included, in the world, N. Empty where only loads are
+    /// known; those of a hand are in [`Grasp`].
     pub forces: Vec<[f64; 3]>,
-    /// What each motor gives, leg by leg: in the robot's torque unit, in N·m if it has none.
+    /// Torque of each motor, leg by leg, in the robot's torque unit, in N·m if it has none.
     pub torques: Vec<Vec<f64>>,
 }
 
@@ -29,7 +29,7 @@ impl<const L: usize, const J: usize> From<plant::Limbs<L, J>> for Limbs {
     }
 }
 
-/// What a hand does to the things around it.
+/// The effect of a hand on the things around it.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Grasp {
@@ -37,7 +37,7 @@ pub struct Grasp {
     pub fingertips: Vec<Fingertip>,
     /// The objects, in the order of the scene.
     pub objects: Vec<ObjectState>,
-    /// Where the slider is that carries the floor: mm.
+    /// Place of the slider that carries the floor, mm.
     pub slider: Point,
 }
 
@@ -57,7 +57,7 @@ impl<const L: usize> From<plant::Grasp<L>> for Grasp {
 pub struct Fall {
     /// The control cycle, from 0.
     pub cycle: u64,
-    /// When that cycle began: ms.
+    /// Time at which that cycle began, ms.
     pub time: f64,
     /// The step that ran in it.
     pub step: u32,

@@ -2,21 +2,23 @@
 
 use tip_runtime::plant::{Scene, Simulation};
 
-/// How the robot's joints and surroundings are simulated.
+/// The simulation of the robot's joints and surroundings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Plant {
-    /// As the scene says; without a word of it a walking robot rests on its feet and has no inertia.
+    /// The simulation that the scene asks for; by default a walking robot rests on its feet and has
+    /// no inertia.
     #[default]
     Simulated,
-    /// Everything has mass, whatever the scene says.
+    /// Everything has mass, whatever the scene asks for.
     Dynamic,
     /// Joints that are at once where they are commanded to be: cheap, for comparing engines.
     Echo,
 }
 
 impl Plant {
-    /// How a walking robot is simulated in a scene; `None` if only its joints are.
+    /// Returns the simulation of a walking robot in a scene; `None` if only its joints are
+    /// simulated.
     pub(crate) fn walking(self, scene: &Scene) -> Option<Simulation> {
         // Nothing but mass meets a block.
         let open = match scene.blocks.iter().flatten().next() {

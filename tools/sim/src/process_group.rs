@@ -6,13 +6,13 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often it is looked at whether a process has ended.
-const BLINK: Duration = Duration::from_millis(5);
+/// Time between two checks that a process has ended.
+const POLL_INTERVAL: Duration = Duration::from_millis(5);
 
 /// The processes that were started here and have not been ended.
 static RUNNING: Mutex<Vec<u32>> = Mutex::new(Vec::new());
 
-/// Ends all processes that were started here at once, and those that they started: for a command that is about to exit
+/// Ends immediately all processes that were started here, and those that they started: for a command that is about to exit
 /// without dropping what it has.
 pub fn end_processes() {
     for id in running().drain(..) {
@@ -80,7 +80,7 @@ fn wait<T>(longest: Duration, mut look: impl FnMut() -> Option<T>) -> Option<T> 
     let begin = Instant::now();
     loop {
         match look() {
-            None if begin.elapsed() < longest => thread::sleep(BLINK),
+            None if begin.elapsed() < longest => thread::sleep(POLL_INTERVAL),
             seen => return seen,
         }
     }
@@ -96,7 +96,7 @@ fn lead(command: &mut Command) {
     command.process_group(0);
 }
 
-/// Whether there is a process in the group that this one leads, or led.
+/// Returns true if there is a process in the group that this one leads, or led.
 #[cfg(unix)]
 fn is_there(id: u32) -> bool {
     group(id).is_some_and(|group| rustix::process::test_kill_process_group(group).is_ok())

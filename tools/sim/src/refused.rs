@@ -1,4 +1,4 @@
-//! Why something cannot happen to a run.
+//! The reason why an event cannot happen to a run.
 
 use crate::event::EventError;
 use crate::message::Debugging;
@@ -8,7 +8,7 @@ use tip_runtime::machine::Mismatch;
 use tip_runtime::program::VariableError;
 use tipc::message::Lang;
 
-/// Why something cannot happen to a run.
+/// The reason why an event cannot happen to a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refused {
     /// The program is for another robot.
@@ -24,7 +24,7 @@ pub enum Refused {
 }
 
 impl Refused {
-    /// What it says in a language. What the runtime says itself is English.
+    /// Returns the message in a language. Messages of the runtime are English.
     pub fn text(&self, lang: Lang) -> String {
         let message = match self {
             Refused::Mismatch(mismatch) => return mismatch.to_string(),
@@ -41,7 +41,7 @@ impl Refused {
     }
 }
 
-/// What is wrong with a variable.
+/// Returns the message on an error of a variable.
 pub(crate) fn of_variable(variable: &str, error: VariableError, lang: Lang) -> String {
     let name = variable.to_owned().into();
     let message = match error {

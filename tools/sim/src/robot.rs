@@ -26,7 +26,7 @@ pub struct Robot {
     plant: Plant,
     scene: Scene,
     special: Box<dyn NativeCommands>,
-    /// The SPECIAL commands that are the robot's own; `None` if someone else's code answers.
+    /// The SPECIAL commands that are the robot's own; `None` if user code answers.
     answers: Option<&'static [u8]>,
     shapes: Arc<Shapes>,
 }
@@ -40,17 +40,17 @@ enum Hardware {
     Own(Box<dyn DynHardware>),
 }
 
-/// Where a robot and the objects around it are before the first control cycle.
-pub(crate) struct Beginning {
-    /// Of the body; `None` if it is bolted down.
+/// State of a robot and the objects around it before the first control cycle.
+pub(crate) struct InitialState {
+    /// Pose of the body; `None` if it is bolted down.
     pub(crate) pose: Option<plant::Pose>,
     /// The objects that a hand is to grasp, in the order of the scene; `None` for any other robot.
     pub(crate) objects: Option<Vec<plant::ObjectState>>,
 }
 
 impl Robot {
-    /// A robot that has a name: `titan8`, `hand` or `generic`, which the language knows, or one of those that are
-    /// [`published`](tipc::published). The hand has its SPECIAL commands.
+    /// Returns a robot that has a name: `titan8`, `hand` or `generic`, which the language knows, or
+    /// one of those that are [`published`](tipc::published). The hand has its SPECIAL commands.
     ///
     /// # Errors
     /// There is no robot of that name.
@@ -74,12 +74,12 @@ impl Robot {
         }
     }
 
-    /// A walking robot of a model, such as `include_robot!` makes.
+    /// Creates a walking robot of a model, such as `include_robot!` makes.
     pub fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
         Self::new(model, Facts::of(model), Hardware::Walker)
     }
 
-    /// A robot of a model with a plant of its own.
+    /// Creates a robot of a model with a plant of its own.
     pub fn on<const L: usize, const J: usize>(
         model: &'static Model<L, J>,
         plant: impl plant::Plant<L, J> + Clone + Send + 'static,
@@ -122,7 +122,7 @@ impl Robot {
         Ok(self)
     }
 
-    /// What surrounds it, unless it has a plant of its own.
+    /// Returns its surroundings, unless it has a plant of its own.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
@@ -136,27 +136,27 @@ impl Robot {
         self
     }
 
-    /// The SPECIAL commands that are its own; `None` if its owner's code answers.
+    /// Returns the SPECIAL commands that are its own; `None` if its owner's code answers.
     pub(crate) fn answers(&self) -> Option<&'static [u8]> {
         self.answers
     }
 
-    /// What it is called.
+    /// Returns its name.
     pub fn name(&self) -> &'static str {
         self.facts.signature.robot
     }
 
-    /// What programs for it are checked for.
+    /// Returns the facts that programs for it are checked for.
     pub fn facts(&self) -> Facts {
         self.facts
     }
 
-    /// What it has.
+    /// Returns its parts.
     pub fn anatomy(&self) -> Anatomy {
         self.model.anatomy()
     }
 
-    /// What a description says that it looks like.
+    /// Returns its shapes in a description.
     pub fn shapes(&self) -> &Shapes {
         &self.shapes
     }
@@ -166,16 +166,16 @@ impl Robot {
         self
     }
 
-    /// How it and what is around it begin, if everything has mass.
-    pub(crate) fn beginning(&self) -> Beginning {
+    /// Returns its initial state and that of the objects around it, if everything has mass.
+    pub(crate) fn initial_state(&self) -> InitialState {
         let hardware = self.clone().with_plant(Plant::Dynamic).simulated();
-        Beginning {
+        InitialState {
             pose: hardware.pose(),
             objects: hardware.grasp().map(|grasp| grasp.objects),
         }
     }
 
-    /// How programs for it are loaded.
+    /// Returns the options for loading programs for it.
     pub fn options(&self) -> Options {
         Options {
             robot: tipc::Robot::Described(self.facts),
@@ -183,12 +183,12 @@ impl Robot {
         }
     }
 
-    /// Whether it has this input.
+    /// Returns true if it has this input.
     pub fn has_input(&self, port: Port) -> bool {
         SimHardware::new(self.simulated()).has_input(port)
     }
 
-    /// What a PTP or PTP_ANGLE to these numbers misses, if it does.
+    /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it misses.
     pub(crate) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
         self.model.miss(op, target, values)
     }

@@ -8,7 +8,7 @@ use crate::motion::Fall;
 use crate::program_runner::ProgramRunner;
 use crate::refused::Refused;
 use crate::robot::Robot;
-use crate::trace::{Trace, both};
+use crate::trace::{Trace, tee};
 use std::fmt;
 use std::time::Duration;
 use tip_runtime::command::Flag;
@@ -21,10 +21,10 @@ use tip_runtime::record::{Ending, Sink, state_hash};
 /// The byte of the ESC key: a halt request.
 const ESCAPE: u8 = 0x1B;
 
-/// How often an observer is asked while a robot outside of this process is waited for.
-const NAP: Duration = Duration::from_millis(50);
+/// Time between two calls of an observer while a robot outside of this process is awaited.
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
-/// How long a run may take.
+/// Maximum length of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Limit(Option<u64>);
 
@@ -32,7 +32,7 @@ impl Limit {
     /// Until the program ends.
     pub const NONE: Self = Limit(None);
 
-    /// As many cycles since the start of the run.
+    /// Limits a run to a number of cycles since its start.
     pub const fn cycles(cycles: u64) -> Self {
         Limit(Some(cycles))
     }
@@ -46,18 +46,19 @@ impl From<Option<u64>> for Limit {
 
 /// Accompanies a run while it lasts.
 pub trait Observer {
-    /// Asked before each cycle, and now and then while a robot outside of this process is waited for; `false` interrupts
-    /// the run.
+    /// Called before each cycle, and now and then while a robot outside of this process is awaited;
+    /// `false` interrupts the run.
     fn goes_on(&mut self) -> bool {
         true
     }
 
-    /// Where the cycle is written down, if anywhere. Each cycle that runs goes there once.
+    /// Returns the sink that records the cycle, if there is one. Each cycle that runs goes there
+    /// once.
     fn sink(&mut self) -> Option<&mut dyn Sink> {
         None
     }
 
-    /// A cycle is over; the program may have ended in it.
+    /// Called after each cycle; the program may have ended in it.
     fn after(&mut self, run: &mut Run) {
         let _ = run;
     }
@@ -72,7 +73,7 @@ impl Observer for () {}
 pub struct Run {
     pub(crate) machine: Box<dyn DynMachine>,
     pub(crate) events: Events,
-    /// How many of them have happened.
+    /// Number of them that have happened.
     pub(crate) happened: usize,
     pub(crate) ending: Option<Ending>,
     /// The first one.
@@ -92,7 +93,7 @@ impl Run {
         Self::of(ProgramRunner::new(program), &robot)
     }
 
-    /// The same with any engine.
+    /// Puts a program with any engine on a robot.
     ///
     /// # Errors
     /// The program was checked for another robot.
@@ -157,14 +158,14 @@ impl Run {
     /// Lets one more event happen; at once in the next cycle if its own is over.
     ///
     /// # Errors
-    /// Those of [`accepts`](Self::accepts).
+    /// The errors of [`accepts`](Self::accepts).
     pub fn add(&mut self, event: Timed) -> Result<(), Refused> {
         self.accepts(&event.event)?;
         self.events.insert(self.happened, event);
         Ok(())
     }
 
-    /// Nothing that was to happen from now on will; what has happened stays.
+    /// Forgets all events that were to happen from now on; past ones stay.
     pub fn forget_events(&mut self) {
         self.events.truncate(self.happened);
     }
@@ -186,12 +187,12 @@ impl Run {
         self
     }
 
-    /// The console, if it is one of type `C`.
+    /// Returns the console, if it is one of type `C`.
     pub fn console<C: Console + 'static>(&self) -> Option<&C> {
         self.machine.console().listener()?.downcast_ref()
     }
 
-    /// The console, if it is one of type `C`.
+    /// Returns the console, if it is one of type `C`.
     pub fn console_mut<C: Console + 'static>(&mut self) -> Option<&mut C> {
         self.machine.console_mut().listener_mut()?.downcast_mut()
     }
@@ -203,7 +204,7 @@ impl Run {
         self
     }
 
-    /// The trace so far, with its last record if the run has ended; empty if none is kept.
+    /// Returns the trace so far, with its last record if the run has ended; empty if none is kept.
     pub fn trace(&self) -> String {
         let trace = self.trace.as_ref();
         trace.map_or(String::new(), |trace| {
@@ -237,7 +238,7 @@ impl Run {
 
     /// Waits for a robot outside of this process; `false` if the observer does not.
     fn is_awaited(&mut self, observer: &mut (impl Observer + ?Sized)) -> bool {
-        while !self.machine.hardware_mut().is_ready(NAP) {
+        while !self.machine.hardware_mut().is_ready(POLL_INTERVAL) {
             if !observer.goes_on() {
                 return false;
             }
@@ -262,7 +263,7 @@ impl Run {
         self.happen();
         let (cycle, time, step) = (self.cycles(), self.time(), self.program().at());
         let own = self.trace.as_mut().map(Trace::sink);
-        let status = both(own, sink, |sink| self.machine.cycle(sink));
+        let status = tee(own, sink, |sink| self.machine.cycle(sink));
         self.trace.iter_mut().for_each(Trace::keep);
         self.note_fall(cycle, time, step);
         self.ending = match status {
@@ -309,69 +310,71 @@ impl Run {
         self.machine.pause(on);
     }
 
-    /// How it ended, if it has; a run whose cycles were used up goes on when it is asked to.
+    /// Returns the end of the run, if it has ended; a run whose cycles were used up goes on when it
+    /// is asked to.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
 
-    /// Why and where the robot stopped.
+    /// Returns the cause and the place of an emergency stop.
     pub fn emergency(&self) -> Option<Emergency> {
         self.machine.emergency().copied()
     }
 
-    /// Cycles whose step ran without a fault.
+    /// Returns the number of cycles whose step ran without a fault.
     pub fn cycles(&self) -> u64 {
         self.machine.cycles()
     }
 
-    /// Time on the robot: ms.
+    /// Returns the time on the robot, ms.
     pub fn time(&self) -> f64 {
         self.machine.time()
     }
 
-    /// The sampling time: ms.
+    /// Returns the sampling time, ms.
     pub fn period(&self) -> f64 {
         self.machine.period()
     }
 
-    /// The program as the run has left it.
+    /// Returns the program as the run has left it.
     pub fn program(&self) -> &dyn Program {
         self.machine.program()
     }
 
-    /// The program, if it is one of type `P`, such as [`Interpreter`](crate::Interpreter).
+    /// Returns the program, if it is one of type `P`, such as [`Interpreter`](crate::Interpreter).
     pub fn engine<P: Program + 'static>(&self) -> Option<&P> {
         self.machine.program().get()
     }
 
-    /// What is simulated, if it is one of type `H`, such as
-    /// [`SimulatedPlant<4, 3>`](tip_runtime::plant::SimulatedPlant).
+    /// Returns the simulated plant, if it is of type `H`, such as [`SimulatedPlant<4,
+    /// 3>`](tip_runtime::plant::SimulatedPlant).
     pub fn plant<H: 'static>(&self) -> Option<&H> {
         self.machine.hardware().plant().downcast_ref()
     }
 
-    /// Whether a flag of conditions is up, as the step of the next cycle finds it unless sensors and keys change it.
+    /// Returns true if a flag of conditions is up, as the step of the next cycle finds it unless
+    /// sensors and keys change it.
     pub fn flag(&self, flag: Flag) -> bool {
         self.machine.flag(flag)
     }
 
-    /// What each joint was sent in the last cycle, leg by leg.
+    /// Returns the command of each joint in the last cycle, leg by leg.
     pub fn commands(&self) -> &[JointCommand] {
         self.machine.commands()
     }
 
-    /// Joint angles as measured in the last cycle, leg by leg: deg.
+    /// Returns the joint angles measured in the last cycle, leg by leg, deg.
     pub fn angles(&self) -> &[f64] {
         self.machine.angles()
     }
 
-    /// Whether a lamp or relay is on.
+    /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
         let word = self.machine.lamps().get(usize::from(device / 32));
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)
     }
 
-    /// A hash of what each joint was sent and measured in the last cycle.
+    /// Returns a hash of the commands to each joint and its readings in the last cycle.
     pub fn state_hash(&self) -> u64 {
         state_hash(self.commands(), self.angles())
     }

@@ -26,7 +26,7 @@
 mod coverage;
 mod inputs;
 
-pub use coverage::{Came, Coverage, Diverging};
+pub use coverage::{Coverage, Diverging, RunResult};
 pub use inputs::inputs;
 
 use crate::event::{Event, Inputs, Timed};
@@ -37,10 +37,10 @@ use tipc::program::Program;
 
 /// Two engines that run the same program, wherever they are.
 pub trait Engines {
-    /// What keeps them from running.
+    /// The error that keeps them from running.
     type Error;
 
-    /// One run.
+    /// Runs both engines once.
     ///
     /// # Errors
     /// There is no answer.
@@ -55,7 +55,7 @@ impl Engines for Session {
     }
 }
 
-/// Why a search came to nothing.
+/// The reason why a search has no result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Failed<E> {
     /// The robot lacks something that was asked for.
@@ -91,8 +91,8 @@ pub fn verify<E: Engines>(
         Search::new(engines, &mut coverage, inputs.cycles).run(program, runs)?
     } else {
         match coverage.run(engines, inputs)? {
-            Came::Diverged(diverging) => Some(diverging),
-            Came::Agreed { .. } => None,
+            RunResult::Diverged(diverging) => Some(diverging),
+            RunResult::Agreed { .. } => None,
         }
     };
     let shortest = diverging.map(|diverging| shrink(engines, diverging));
@@ -128,7 +128,7 @@ struct Search<'a, E> {
 }
 
 impl<'a, E: Engines> Search<'a, E> {
-    /// A search that adds its runs to a coverage.
+    /// Creates a search that adds its runs to a coverage.
     fn new(engines: &'a mut E, coverage: &'a mut Coverage, cycles: Option<u64>) -> Self {
         Search {
             engines,
@@ -159,8 +159,8 @@ impl<'a, E: Engines> Search<'a, E> {
     fn attempt(&mut self, events: Vec<Timed>) -> Result<Option<Diverging>, Failed<E::Error>> {
         let inputs = of_events(&events, self.cycles);
         match self.coverage.run(self.engines, &inputs)? {
-            Came::Diverged(diverging) => Ok(Some(diverging)),
-            Came::Agreed {
+            RunResult::Diverged(diverging) => Ok(Some(diverging)),
+            RunResult::Agreed {
                 cycles,
                 is_new,
                 chances,
@@ -177,7 +177,7 @@ impl<'a, E: Engines> Search<'a, E> {
         }
     }
 
-    /// A run that reached something new, more likely a late one, with one to three changes.
+    /// Returns a run that reached something new, more likely a late one, with one to three changes.
     fn varied(&mut self, choices: &[Event]) -> Vec<Timed> {
         let count = self.seeds.len() as u64;
         let which = self.random.below(count).max(self.random.below(count));
@@ -220,7 +220,7 @@ impl<'a, E: Engines> Search<'a, E> {
         events.extend((0..times).map(|n| what.clone().at(from + n * apart)));
     }
 
-    /// Most often shortly before a chance, else any time.
+    /// Draws a cycle, most often shortly before a chance.
     fn moment(&mut self, seed: &Seed) -> u64 {
         let by_chance = self.random.below(4) > 0;
         match self.random.pick(&seed.chances).copied() {
@@ -230,7 +230,7 @@ impl<'a, E: Engines> Search<'a, E> {
     }
 }
 
-/// The inputs that some events make. Of several halt requests the first one counts.
+/// Returns the inputs that some events make. Of several halt requests the first one counts.
 fn of_events(events: &[Timed], cycles: Option<u64>) -> Inputs {
     let mut events = events.to_vec();
     events.sort_by_key(|timed| timed.cycle);
@@ -242,7 +242,7 @@ fn of_events(events: &[Timed], cycles: Option<u64>) -> Inputs {
     }
 }
 
-/// Each lever alone, at the start of each part of a run of this length.
+/// Returns each input alone, at the start of each part of a run of this length.
 fn first(choices: &[Event], length: u64) -> Vec<Vec<Timed>> {
     let starts = (0..PARTS).map(|part| part * length / PARTS);
     let at = |cycle| choices.iter().map(move |what| vec![what.clone().at(cycle)]);
@@ -343,12 +343,12 @@ impl<E: Engines> Shrinking<'_, E> {
 pub struct Random(u64);
 
 impl Random {
-    /// The same seed gives the same numbers.
+    /// Creates a generator; the same seed gives the same numbers.
     pub const fn new(seed: u64) -> Self {
         Random(seed)
     }
 
-    /// Any number.
+    /// Draws any number.
     pub fn draw(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -356,17 +356,17 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// One of 0, 1, … `count` − 1; 0 if there is none.
+    /// Draws one of 0, 1, … `count` − 1; 0 if there is none.
     pub fn below(&mut self, count: u64) -> u64 {
         self.draw().checked_rem(count).unwrap_or(0)
     }
 
-    /// True once in `n` times.
+    /// Returns true once in `n` times.
     pub fn once_in(&mut self, n: u64) -> bool {
         self.below(n) == 0
     }
 
-    /// One of them, if there are any.
+    /// Draws one of them, if there are any.
     pub fn pick<'a, T>(&mut self, of: &'a [T]) -> Option<&'a T> {
         of.get(self.below(of.len() as u64) as usize)
     }

@@ -10,7 +10,7 @@ use tip_runtime::hardware::{Hardware, HardwareFault, Inputs, JointCommand, Outpu
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Fall, Motion, Noise, Plant, Pose, Travel};
 
-/// What a sole's sensor reads on the ground: V.
+/// Reading of a sole's sensor on the ground, V.
 const PRESSED: f64 = 2.0;
 
 /// The sensors of a robot, to be filled in.
@@ -21,7 +21,7 @@ pub(crate) struct Reading<'a> {
     pub(crate) slider: &'a mut Point,
 }
 
-/// What a robot is sent in a cycle.
+/// The commands to a robot in a cycle.
 pub(crate) struct Commands<'a> {
     pub(crate) joints: &'a [JointCommand],
     pub(crate) slider: Point,
@@ -109,7 +109,7 @@ impl Clone for Box<dyn DynHardware> {
 #[derive(Clone)]
 pub(crate) struct OfSize<P, const L: usize, const J: usize> {
     plant: P,
-    /// What it measured last: it need not fill in everything each time.
+    /// The last readings: the plant need not fill in everything each time.
     sensors: Sensors<L, J>,
 }
 

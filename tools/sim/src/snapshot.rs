@@ -15,7 +15,7 @@ pub struct Snapshot {
     happened: usize,
     ending: Option<Ending>,
     fall: Option<Fall>,
-    trace: Option<trace::Mark>,
+    trace: Option<trace::TraceMark>,
     shown: Option<Lengths>,
 }
 

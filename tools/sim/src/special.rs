@@ -48,7 +48,7 @@ pub fn warn(loaded: &mut Loaded, robot: &Robot) {
     tip_lint::add(loaded, found);
 }
 
-/// The number of a SPECIAL, which is a constant.
+/// Returns the number of a SPECIAL, which is a constant.
 fn number(arguments: &[Argument]) -> Option<f64> {
     match arguments.first()?.operand {
         Operand::Constant(number) => Some(number),

@@ -8,14 +8,14 @@ use tip_runtime::record::{Cycle, Ending, JsonLines, Sink};
 /// Records of the cycles so far, which only grow.
 #[derive(Clone, Debug)]
 pub(crate) struct Trace {
-    /// Writes the record of one cycle; knows the variables after the one before.
+    /// Writes the record of one cycle; keeps the variables after the one before.
     writer: JsonLines<String>,
     records: String,
 }
 
 /// A trace at some cycle: how long it was, and what its writer knew.
 #[derive(Clone, Debug)]
-pub(crate) struct Mark {
+pub(crate) struct TraceMark {
     writer: JsonLines<String>,
     length: usize,
 }
@@ -32,13 +32,13 @@ impl Trace {
         &mut self.writer
     }
 
-    /// A cycle is over.
+    /// Keeps the record of the cycle that is over.
     pub(crate) fn keep(&mut self) {
         self.records.push_str(self.writer.get_ref());
         self.writer.get_mut().clear();
     }
 
-    /// All records so far, and the last one if the run has ended.
+    /// Returns all records so far, and the last one if the run has ended.
     pub(crate) fn text(&self, ending: Option<Ending>, cycles: u64) -> String {
         let mut text = self.records.clone();
         if let Some(ending) = ending {
@@ -47,20 +47,20 @@ impl Trace {
         text
     }
 
-    pub(crate) fn mark(&self) -> Mark {
-        Mark {
+    pub(crate) fn mark(&self) -> TraceMark {
+        TraceMark {
             writer: self.writer.clone(),
             length: self.records.len(),
         }
     }
 
-    pub(crate) fn restore(&mut self, mark: &Mark) {
+    pub(crate) fn restore(&mut self, mark: &TraceMark) {
         self.writer.clone_from(&mark.writer);
         self.records.truncate(mark.length);
     }
 }
 
-/// The record after those of the cycles.
+/// Returns the record after those of the cycles.
 pub(crate) fn last_record(ending: Ending, cycles: u64) -> String {
     let mut writer = JsonLines::new(String::new(), false);
     writer.end(ending, cycles);
@@ -68,22 +68,22 @@ pub(crate) fn last_record(ending: Ending, cycles: u64) -> String {
 }
 
 /// Tells two sinks the same.
-struct Both<'a>(&'a mut dyn Sink, &'a mut dyn Sink);
+struct Tee<'a>(&'a mut dyn Sink, &'a mut dyn Sink);
 
-/// The sinks that there are, as one.
-pub(crate) fn both<T>(
+/// Returns the sinks that there are, as one.
+pub(crate) fn tee<T>(
     first: Option<&mut dyn Sink>,
     second: Option<&mut dyn Sink>,
     then: impl FnOnce(Option<&mut dyn Sink>) -> T,
 ) -> T {
     match (first, second) {
-        (Some(first), Some(second)) => then(Some(&mut Both(first, second))),
+        (Some(first), Some(second)) => then(Some(&mut Tee(first, second))),
         (Some(first), None) => then(Some(first)),
         (None, second) => then(second),
     }
 }
 
-impl Sink for Both<'_> {
+impl Sink for Tee<'_> {
     fn begin(&mut self, program: &dyn Program) {
         self.0.begin(program);
         self.1.begin(program);

@@ -56,8 +56,8 @@ pub struct Subject<'a> {
 }
 
 impl<'a> Subject<'a> {
-    /// The program of these bytes; `name` and `options` are those that it was loaded with. The robot has a name, or
-    /// [a description](Self::on).
+    /// Creates the program of these bytes; `name` and `options` are those that it was loaded with.
+    /// The robot has a name, or [a description](Self::on).
     pub fn new(name: &'a str, source: &'a [u8], options: Options, program: &'a Program) -> Self {
         Subject {
             name,
@@ -69,7 +69,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// On the robot of a description.
+    /// Sets the robot to that of a description.
     #[must_use]
     pub fn on(self, description: &'a Description) -> Self {
         Subject {
@@ -78,7 +78,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// In a scene. One with objects is for a hand.
+    /// Sets the scene. One with objects is for a hand.
     #[must_use]
     pub fn with_scene(self, scene: Scene) -> Self {
         Subject { scene, ..self }
@@ -101,8 +101,8 @@ impl Project {
 const PATIENCE: Duration = Duration::from_secs(60);
 const PATIENCE_PER_CYCLE: Duration = Duration::from_millis(1);
 
-/// How soon it is noticed that nobody waits for the answer any more.
-const NAP: Duration = Duration::from_millis(100);
+/// Time between two checks that the answer is still wanted.
+const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// Both engines, in a process of their own.
 #[derive(Debug)]
@@ -142,19 +142,19 @@ impl Engines {
         })
     }
 
-    /// A run ends without an answer as soon as this is true: after Ctrl-C, say.
+    /// Ends a run without an answer as soon as this is true: after Ctrl-C, say.
     #[must_use]
     pub fn given_up_if(mut self, given_up: fn() -> bool) -> Self {
         self.given_up = given_up;
         self
     }
 
-    /// The next answer, if it comes in time and nobody gives it up.
+    /// Returns the next answer, if it comes in time and is not given up.
     fn answer(&self, patience: Duration) -> Result<String, RecvTimeoutError> {
         let begin = Instant::now();
         loop {
             let left = patience.saturating_sub(begin.elapsed());
-            match self.answers.recv_timeout(left.min(NAP)) {
+            match self.answers.recv_timeout(left.min(POLL_INTERVAL)) {
                 Err(RecvTimeoutError::Timeout) if !left.is_zero() && !(self.given_up)() => {}
                 answer => return answer,
             }
@@ -190,24 +190,24 @@ impl search::Engines for Engines {
     }
 }
 
-/// What keeps both engines from running.
+/// The reason why both engines cannot run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotBuilt {
-    /// Cargo knows no project there.
+    /// There is no Cargo project.
     NoProject {
-        /// What is wrong.
+        /// The reason.
         reason: String,
-        /// What cargo says of it, line by line.
+        /// Output of cargo, line by line.
         said: String,
     },
     /// Something outside does not do what it is asked.
     Failed(String),
     /// A file cannot be written.
     CannotWrite {
-        /// Which one.
+        /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }

@@ -35,10 +35,10 @@ fn write_row(out: &mut impl Write, fields: &[String]) -> io::Result<()> {
     out.write_all(b"\r\n")
 }
 
-/// What holds from row to row.
+/// The state that is kept from row to row.
 struct Table<'a> {
     recording: &'a Recording,
-    /// Of each variable, once it has one.
+    /// Value of each variable, once it has one.
     values: Vec<Option<f64>>,
     lamps: BTreeSet<u8>,
     message: &'a str,
@@ -145,7 +145,7 @@ impl<'a> Table<'a> {
         row
     }
 
-    /// What the program did until the end of a cycle.
+    /// Adds the effects of the program until the end of a cycle.
     fn catch_up(&mut self, cycle: u64) {
         let recording = self.recording;
         let (from, until) = (self.from, cycle + 1);
@@ -183,7 +183,7 @@ impl<'a> Table<'a> {
             .collect()
     }
 
-    /// Where each foot is, in the world if the robot walks, and what it carries.
+    /// Returns the place of each foot, in the world if the robot walks, and its load.
     fn feet(&self, frame: &Frame) -> Vec<String> {
         let body = frame.pose.as_ref().map(robot_frame);
         let legs = self.recording.robot.legs.iter().zip(&frame.angles);
@@ -197,14 +197,15 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The part of a list that is in cycles from one until before another.
+/// Returns the part of a list that is in cycles from one until before another.
 fn within<T>(list: &[T], from: u64, until: u64, cycle: impl Fn(&T) -> u64) -> &[T] {
     let begin = list.partition_point(|at| cycle(at) < from);
     let end = list.partition_point(|at| cycle(at) < until);
     list.get(begin..end).unwrap_or_default()
 }
 
-/// A text that spreadsheets show: an apostrophe comes before one that they would take for a formula. A number stays one.
+/// Returns a text that spreadsheets show: an apostrophe comes before one that they would take for a
+/// formula. A number stays one.
 fn shown(text: &str) -> String {
     let begins = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
     let is_number = text.parse().is_ok_and(f64::is_finite);
@@ -214,7 +215,7 @@ fn shown(text: &str) -> String {
     }
 }
 
-/// A number that reads back to the same bits; −0 is 0. What is no number is an empty field.
+/// Returns a number that reads back to the same bits; −0 is 0. What is no number is an empty field.
 fn number(value: f64) -> String {
     // What is far from 1 has an exponent, in place of a row of zeros.
     match value.abs() {

@@ -15,10 +15,10 @@ mod trace;
 mod updates;
 
 pub use plot::{Diagram, NothingToPlot};
-pub use recorder::{Extent, NotRecorded};
+pub use recorder::{Extent, RecordError};
 pub use recording::{
-    Assigned, At, Frame, Outcome, Pace, Recording, Script, Slip, Stop, Thing, Tick,
+    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Slip, Stop, Tick,
 };
 pub use skeleton::{Skeleton, robot_frame};
 pub use tip_sim;
-pub use trace::BadTrace;
+pub use trace::TraceError;

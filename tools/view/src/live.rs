@@ -1,8 +1,8 @@
 //! A run that goes on while people look at it and act on it: requests in, updates out.
 //!
-//! A [`Session`] knows no clock, no file and no network. Whoever holds it says how much time has passed
-//! ([`Session::advance`]), hands over what viewers ask for ([`Session::request`]) and takes what each of them does not know
-//! yet ([`Session::update`]). Requests and updates are JSON objects; `page/src/session.js` lists them. A viewer that looks
+//! A [`Session`] uses no clock, no file and no network. Its host tells it how much time has passed
+//! ([`Session::advance`]), hands over requests of viewers ([`Session::request`]) and takes the update for each of them
+//! ([`Session::update`]). Requests and updates are JSON objects; `page/src/session.js` lists them. A viewer that looks
 //! seldom gets fewer and larger updates; nothing waits for it.
 //!
 //! ```
@@ -23,22 +23,22 @@
 
 mod buffer;
 mod language_service;
-mod reader;
 mod request;
 mod runner;
 mod session;
+mod text_checker;
 mod update;
 
-pub use reader::{Reader, Reading, Unread};
-pub use request::Asked;
+pub use request::ClientRequest;
 pub use session::{Session, Setup};
+pub use text_checker::{CheckedText, TextChecker, UncheckedText};
 pub use update::Viewer;
 
 /// The most bytes that a request may have; the text of a program takes most of it.
 pub const MOST_BYTES: usize = 2 << 20;
 
-/// The page that shows a session at the other end of a WebSocket: `/live` of the server that it comes from, with the same
-/// query.
+/// Returns the page that shows a session at the other end of a WebSocket: `/live` of the server
+/// that it comes from, with the same query.
 pub fn page() -> String {
     crate::page::live()
 }
@@ -48,17 +48,17 @@ pub trait Host {
     /// Gives the file these bytes, all of them or none.
     ///
     /// # Errors
-    /// Why not, in words for the viewer.
+    /// The reason, in words for the viewer.
     fn write(&mut self, bytes: &[u8]) -> Result<(), String>;
 
-    /// What is in the file now.
+    /// Reads the present bytes of the file.
     ///
     /// # Errors
-    /// Why it cannot be read, in words for the viewer.
+    /// The reason why it cannot be read, in words for the viewer.
     fn read(&mut self) -> Result<Vec<u8>, String>;
 }
 
-/// No file: the program is only in the page.
+/// A host without a file: the program is only in the page.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFile;
 

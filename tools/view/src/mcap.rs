@@ -20,7 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Seek, Write};
 use tip_sim::urdf::frame;
 
-/// What an info is in `foxglove.Log`, and what an error is.
+/// Levels of infos and errors in `foxglove.Log`.
 const INFO: i32 = 2;
 const ERROR: i32 = 4;
 
@@ -51,11 +51,11 @@ struct Log<'a, W: Write + Seek> {
 
 struct Channel {
     id: u16,
-    /// Of its next message.
+    /// Sequence number of its next message.
     sequence: u32,
 }
 
-/// How messages of a topic are encoded and described.
+/// Encoding and description of a topic's messages.
 struct Topic {
     name: &'static str,
     schema: &'static str,
@@ -66,7 +66,7 @@ struct Topic {
 enum Encoding {
     Foxglove,
     Own,
-    /// With the text of its definition.
+    /// ROS 2 message, with the text of its definition.
     Ros(&'static str),
 }
 
@@ -99,7 +99,7 @@ const MARGIN: Topic = topic("/tip/margin", "tip.Margin", Encoding::Own);
 const LOADS: Topic = topic("/tip/loads", "tip.Loads", Encoding::Own);
 
 /// Something in a cycle that is no motion.
-enum Happening<'a> {
+enum LogEntry<'a> {
     Step,
     Lamp(u8, bool),
     Assigned(usize, f64),
@@ -132,24 +132,24 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.put(&DESCRIPTION, 0, text)?;
         let fixed = transforms::fixed(&self.recording.robot);
         self.send(&FIXED, 0, &transforms::message(0, fixed))?;
-        let mut happenings = happenings(self.recording).into_iter().peekable();
+        let mut log_entries = log_entries(self.recording).into_iter().peekable();
         for frame in &self.recording.frames {
             // What happens in a cycle stands before what the robot did until its end.
-            while let Some((cycle, happening)) =
-                happenings.next_if(|(cycle, _)| *cycle <= frame.cycle)
+            while let Some((cycle, log_entry)) =
+                log_entries.next_if(|(cycle, _)| *cycle <= frame.cycle)
             {
-                self.happening(cycle, &happening)?;
+                self.write_entry(cycle, &log_entry)?;
             }
             self.frame(frame)?;
         }
-        for (cycle, happening) in happenings {
-            self.happening(cycle, &happening)?;
+        for (cycle, log_entry) in log_entries {
+            self.write_entry(cycle, &log_entry)?;
         }
         self.ending()?;
         self.writer.finish().map(drop)
     }
 
-    /// What the robot did until the end of a cycle.
+    /// Writes the motion of the robot until the end of a cycle.
     fn frame(&mut self, frame: &Frame) -> McapResult<()> {
         let (robot, time) = (&self.recording.robot, nanoseconds(frame.time));
         let moving = transforms::moving(robot, frame);
@@ -173,7 +173,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         Ok(())
     }
 
-    /// `sensor_msgs/msg/JointState`: rad, rad/s and N·m; of a slider m, m/s and 0.
+    /// Returns a `sensor_msgs/msg/JointState`: rad, rad/s and N·m; of a slider m, m/s and 0.
     fn joints(&mut self, time: u64, frame: &Frame) -> Vec<u8> {
         let robot = &self.recording.robot;
         let (mut names, mut positions, mut efforts) = (Vec::new(), Vec::new(), Vec::new());
@@ -218,7 +218,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         cdr.into_bytes()
     }
 
-    /// What the program does in a cycle.
+    /// Returns the state of the program in a cycle.
     fn state(&self, time: u64, cycle: u64, frame: Option<&Frame>) -> State {
         let recording = self.recording;
         let line = recording.line(cycle);
@@ -244,38 +244,38 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         }
     }
 
-    fn happening(&mut self, cycle: u64, happening: &Happening<'_>) -> McapResult<()> {
+    fn write_entry(&mut self, cycle: u64, log_entry: &LogEntry<'_>) -> McapResult<()> {
         let time = nanoseconds(self.recording.time(cycle));
-        match happening {
-            Happening::Step => self.send(&STATE, time, &self.state(time, cycle, None)),
-            Happening::Lamp(lamp, on) => {
+        match log_entry {
+            LogEntry::Step => self.send(&STATE, time, &self.state(time, cycle, None)),
+            LogEntry::Lamp(lamp, on) => {
                 match on {
                     true => self.lamps.insert(*lamp),
                     false => self.lamps.remove(lamp),
                 };
                 Ok(())
             }
-            Happening::Assigned(scalar, value) => {
+            LogEntry::Assigned(scalar, value) => {
                 self.variables.set(*scalar, *value);
                 Ok(())
             }
-            Happening::Variables => {
+            LogEntry::Variables => {
                 let variables = self.variables.message(time);
                 self.put(&VARIABLES, time, variables)
             }
-            Happening::Say(text) => self.say(cycle, INFO, text),
-            Happening::Fall(margin) if *margin < 0.0 => {
+            LogEntry::Say(text) => self.say(cycle, INFO, text),
+            LogEntry::Fall(margin) if *margin < 0.0 => {
                 let text = format!(
                     "the robot falls: its centre of mass is {:.1} mm outside",
                     -margin
                 );
                 self.say(cycle, ERROR, &text)
             }
-            Happening::Fall(_) => self.say(cycle, ERROR, "the robot falls"),
+            LogEntry::Fall(_) => self.say(cycle, ERROR, "the robot falls"),
         }
     }
 
-    /// `foxglove.Log`
+    /// Writes a `foxglove.Log`.
     fn say(&mut self, cycle: u64, level: i32, text: &str) -> McapResult<()> {
         let (script, time) = (
             &self.recording.script,
@@ -292,7 +292,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.send(&MESSAGES, time, &message)
     }
 
-    /// How the run ended, among the messages.
+    /// Writes the end of the run, among the messages.
     fn ending(&mut self) -> McapResult<()> {
         let recording = self.recording;
         let level = if recording.outcome.is_emergency() {
@@ -307,7 +307,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.put(topic, time, message.encode_to_vec())
     }
 
-    /// Writes a message at a time of the run: ns.
+    /// Writes a message at a time of the run, ns.
     fn put(&mut self, topic: &Topic, time: u64, bytes: Vec<u8>) -> McapResult<()> {
         let channel = match self.channels.get_mut(topic.name) {
             Some(channel) => channel,
@@ -327,7 +327,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.writer.write_to_known_channel(&header, &bytes)
     }
 
-    /// The channel of a topic.
+    /// Opens the channel of a topic.
     fn open(&mut self, topic: &Topic) -> McapResult<u16> {
         let (schema_encoding, encoding) = match topic.encoding {
             Encoding::Ros(_) => ("ros2msg", "cdr"),
@@ -347,7 +347,8 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             .add_channel(schema, topic.name, encoding, &BTreeMap::new())
     }
 
-    /// The definition of a message, or the files of messages that it needs, each after those that it needs itself.
+    /// Returns the definition of a message, or the files of messages that it needs, each after
+    /// those that it needs itself.
     fn description(&self, encoding: Encoding) -> Vec<u8> {
         let file = match encoding {
             Encoding::Ros(definition) => return definition.as_bytes().to_vec(),
@@ -362,39 +363,36 @@ impl<'a, W: Write + Seek> Log<'a, W> {
     }
 }
 
-/// ms as ns.
+/// Converts ms to ns.
 fn nanoseconds(milliseconds: f64) -> u64 {
     (milliseconds * 1e6).round() as u64
 }
 
-/// All of them, in order of their cycles; what a cycle assigns and switches stands before its step.
-fn happenings(recording: &Recording) -> Vec<(u64, Happening<'_>)> {
+/// Returns all of them, in order of their cycles; what a cycle assigns and switches stands before
+/// its step.
+fn log_entries(recording: &Recording) -> Vec<(u64, LogEntry<'_>)> {
     let mut all = Vec::new();
     for at in &recording.sets {
-        all.push((at.cycle, Happening::Assigned(at.what.scalar, at.what.value)));
+        all.push((at.cycle, LogEntry::Assigned(at.what.scalar, at.what.value)));
     }
     let mut cycles: Vec<u64> = recording.sets.iter().map(|at| at.cycle).collect();
     cycles.dedup();
-    all.extend(
-        cycles
-            .into_iter()
-            .map(|cycle| (cycle, Happening::Variables)),
-    );
+    all.extend(cycles.into_iter().map(|cycle| (cycle, LogEntry::Variables)));
     for at in &recording.lamps {
-        all.push((at.cycle, Happening::Lamp(at.what.0, at.what.1)));
+        all.push((at.cycle, LogEntry::Lamp(at.what.0, at.what.1)));
     }
-    all.extend(recording.steps.iter().map(|at| (at.cycle, Happening::Step)));
+    all.extend(recording.steps.iter().map(|at| (at.cycle, LogEntry::Step)));
     all.extend(
         recording
             .messages
             .iter()
-            .map(|at| (at.cycle, Happening::Say(&at.what))),
+            .map(|at| (at.cycle, LogEntry::Say(&at.what))),
     );
     all.extend(
         recording
             .falls
             .iter()
-            .map(|at| (at.cycle, Happening::Fall(at.what))),
+            .map(|at| (at.cycle, LogEntry::Fall(at.what))),
     );
     // Stable: within a cycle the order above stays.
     all.sort_by_key(|(cycle, _)| *cycle);

@@ -63,7 +63,7 @@ fn page(other: &str, title: &str, recording: &str) -> String {
     page
 }
 
-/// Text as HTML.
+/// Escapes text for HTML.
 fn escaped(text: &str) -> String {
     let mut html = String::new();
     for char in text.chars() {

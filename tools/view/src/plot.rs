@@ -14,15 +14,15 @@ use tipc::message::Lang;
 /// A kind of diagram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Diagram {
-    /// Which feet carry the robot, or which fingertips touch something.
+    /// Feet that carry the robot, or fingertips that touch something.
     Gait,
-    /// Where the feet go, in mm; of a robot that walks in the world.
+    /// Paths of the feet, mm; in the world for a robot that walks.
     Feet,
-    /// The angle of each joint: deg.
+    /// The angle of each joint, deg.
     Angles,
-    /// What each motor gives, in the robot's unit of torque.
+    /// Torque of each motor, in the robot's unit of torque.
     Torques,
-    /// What each foot carries, or how hard each fingertip pushes: N.
+    /// Load of each foot, or push of each fingertip, N.
     Forces,
 }
 
@@ -87,7 +87,7 @@ impl Recording {
     }
 }
 
-/// What lines show, leg by leg; a leg may have none.
+/// Points of lines, leg by leg; a leg may have none.
 type Lines = Vec<Vec<(f64, f64)>>;
 
 /// A diagram with its data.
@@ -95,9 +95,9 @@ enum Panel {
     Bars {
         title: String,
         time: Span,
-        /// From when to when each leg has contact: s.
+        /// Intervals in which each leg has contact, s.
         legs: Vec<Vec<(f64, f64)>>,
-        /// Of falls: s.
+        /// Times of falls, s.
         marks: Vec<f64>,
     },
     Lines {
@@ -155,7 +155,7 @@ struct Plot<'a> {
     recording: &'a Recording,
     lang: Lang,
     time: Span,
-    /// Not more than can be told apart.
+    /// Frames to draw, not more than can be told apart.
     frames: Vec<&'a Frame>,
 }
 
@@ -258,7 +258,7 @@ impl<'a> Plot<'a> {
         }))
     }
 
-    /// In the world, if the robot walks: mm.
+    /// Returns the place of a foot, in the world if the robot walks, mm.
     fn foot(&self, frame: &Frame, leg: usize) -> Option<Point> {
         let limb = self.recording.robot.legs.get(leg)?;
         let foot = limb.foot(frame.angles.get(leg)?);
@@ -320,7 +320,7 @@ impl<'a> Plot<'a> {
     }
 }
 
-/// Of a diagram; joints count from 1.
+/// Title of a diagram; joints count from 1.
 #[derive(Clone, Copy)]
 enum Title {
     Page,
@@ -373,7 +373,7 @@ impl Title {
     }
 }
 
-/// Of an axis.
+/// Label of an axis.
 #[derive(Clone, Copy)]
 enum Axis {
     Time,

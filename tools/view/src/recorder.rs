@@ -1,11 +1,11 @@
 //! Recordings of runs.
 
-mod back;
+mod rewind;
 
-pub(crate) use back::Checkpoint;
+pub(crate) use rewind::Checkpoint;
 
 use crate::recording::{
-    Assigned, At, Frame, Outcome, Pace, Recording, Script, Slip, Stop, Thing, Tick,
+    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Slip, Stop, Tick,
 };
 use crate::skeleton::{Skeleton, robot_frame};
 use std::fmt;
@@ -15,38 +15,38 @@ use tip_runtime::machine::Mismatch;
 use tip_runtime::model::Point;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run, Waits};
+use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run, WaitDetector};
 use tipc::Loaded;
 use tipc::language::Keyword;
 use tipc::source::Source;
 
-/// Frames are not closer than this: ms.
+/// Time between two frames, at least, ms.
 const APART: f64 = 20.0;
 
-/// What sums of times differ by without being different: ms.
+/// Rounding error of sums of times, ms.
 const ROUNDING: f64 = 1e-6;
 
-/// How long a recording may become.
+/// Maximum length of a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
-    /// So many cycles.
+    /// A number of cycles.
     Cycles(u64),
-    /// So much time of the robot, but less if it waits so long without a motion: ms.
+    /// Limit in time of the robot, and in time that it waits without a motion, ms.
     Time {
-        /// For the whole run.
+        /// Limit of the whole run.
         most: f64,
-        /// For one wait.
+        /// Limit of one wait.
         wait: f64,
     },
 }
 
 impl Extent {
-    /// So many cycles.
+    /// Limits a recording to a number of cycles.
     pub const fn cycles(cycles: u64) -> Self {
         Extent::Cycles(cycles)
     }
 
-    /// So many minutes of the robot's time; a minute without a motion ends it too.
+    /// Limits a recording to minutes of the robot's time; a minute without a motion ends it too.
     pub const fn minutes(minutes: f64) -> Self {
         Extent::Time {
             most: minutes * 60_000.0,
@@ -54,7 +54,7 @@ impl Extent {
         }
     }
 
-    fn is_over(self, run: &Run, waits: &Waits) -> bool {
+    fn is_over(self, run: &Run, waits: &WaitDetector) -> bool {
         match self {
             Extent::Cycles(cycles) => run.cycles() >= cycles,
             Extent::Time { most, wait } => run.time() >= most || waits.rest(run) >= wait,
@@ -62,9 +62,9 @@ impl Extent {
     }
 }
 
-/// Why nothing can be recorded.
+/// The reason why nothing can be recorded.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NotRecorded {
+pub enum RecordError {
     /// The text is not a program.
     NoProgram,
     /// The program is for another robot.
@@ -73,17 +73,17 @@ pub enum NotRecorded {
     Refused(Refused),
 }
 
-impl fmt::Display for NotRecorded {
+impl fmt::Display for RecordError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            NotRecorded::NoProgram => f.write_str("the text is not a program"),
-            NotRecorded::Mismatch(mismatch) => mismatch.fmt(f),
-            NotRecorded::Refused(refused) => refused.fmt(f),
+            RecordError::NoProgram => f.write_str("the text is not a program"),
+            RecordError::Mismatch(mismatch) => mismatch.fmt(f),
+            RecordError::Refused(refused) => refused.fmt(f),
         }
     }
 }
 
-impl std::error::Error for NotRecorded {}
+impl std::error::Error for RecordError {}
 
 impl Recording {
     /// Runs a program by the reference interpreter to its end, or to that of the extent, as long as `goes_on` agrees.
@@ -96,11 +96,11 @@ impl Recording {
         events: &Events,
         extent: Extent,
         goes_on: impl FnMut() -> bool,
-    ) -> Result<Self, NotRecorded> {
+    ) -> Result<Self, RecordError> {
         Self::paced(loaded, robot, events, extent, Pace::Smooth, goes_on)
     }
 
-    /// The same with the motion kept as often as asked.
+    /// Records a program, with the motion kept as often as asked.
     ///
     /// # Errors
     /// There is no program, or it cannot run on that robot, or one of the events cannot happen to it.
@@ -111,17 +111,17 @@ impl Recording {
         extent: Extent,
         pace: Pace,
         mut goes_on: impl FnMut() -> bool,
-    ) -> Result<Self, NotRecorded> {
-        let program = loaded.program.as_ref().ok_or(NotRecorded::NoProgram)?;
+    ) -> Result<Self, RecordError> {
+        let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
         let interpreter = Interpreter::new(program.clone());
         let mut run = Run::new(interpreter, robot.clone())
-            .map_err(NotRecorded::Mismatch)?
+            .map_err(RecordError::Mismatch)?
             .with_events(events)
-            .map_err(NotRecorded::Refused)?;
+            .map_err(RecordError::Refused)?;
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = events.all().to_vec();
         recorder.pace = pace;
-        let mut waits = Waits::default();
+        let mut waits = WaitDetector::default();
         let outcome = loop {
             if let Some(ending) = run.ending() {
                 break Outcome::from(ending);
@@ -144,7 +144,7 @@ impl Recording {
 }
 
 impl Script {
-    /// That of a program.
+    /// Returns the script of a program.
     pub(crate) fn of(source: &Source, program: &tipc::program::Program) -> Self {
         Script {
             name: program.source_name().to_owned(),
@@ -179,15 +179,15 @@ impl From<Ending> for Outcome {
 /// A recording that grows cycle by cycle.
 pub(crate) struct Recorder {
     pub(crate) recording: Recording,
-    slips: Slips,
+    slips: SlipDetector,
     falls: u32,
     pub(crate) pace: Pace,
-    /// Of the last cycle, if it is not among the frames.
+    /// The last frame, if it is not among those of the recording.
     pub(crate) pending: Option<Frame>,
 }
 
 impl Recorder {
-    /// Nothing yet.
+    /// Creates a recorder with nothing recorded.
     pub(crate) fn new(robot: &Robot, script: Script) -> Self {
         Recorder {
             recording: Recording {
@@ -211,14 +211,14 @@ impl Recorder {
                 outcome: Outcome::Limit,
                 wait: None,
             },
-            slips: Slips::default(),
+            slips: SlipDetector::default(),
             falls: 0,
             pace: Pace::Smooth,
             pending: None,
         }
     }
 
-    /// A cycle of a run, which is in the state after it.
+    /// Records a cycle of a run, which is in the state after it.
     pub(crate) fn take(&mut self, happened: Cycle, run: &Run) {
         let cycle = happened.number;
         // The clock stands still in the cycle of a fault; who looks at it sees a cycle like others.
@@ -251,7 +251,7 @@ impl Recorder {
             };
             frame.pushes = grasp.fingertips.iter().map(sum).collect();
             frame.slider = Some(grasp.slider);
-            let things = grasp.objects.iter().map(|object| Thing {
+            let things = grasp.objects.iter().map(|object| ObjectPose {
                 position: object.position,
                 angle: object.angle,
             });
@@ -259,13 +259,17 @@ impl Recorder {
         }
         frame.flags = raised(run, frame.angles.len());
         note_change(&mut self.recording.flags, cycle, &frame.flags);
-        let modes: Vec<_> = run.aims().iter().map(|aim| (aim.of, aim.mode)).collect();
+        let modes: Vec<_> = run
+            .setpoints()
+            .iter()
+            .map(|aim| (aim.of, aim.mode))
+            .collect();
         note_change(&mut self.recording.modes, cycle, &modes);
         frame.torque_joints = torque_joints(run, &frame.angles);
         self.keep(frame);
     }
 
-    /// A cycle that began at `time` took `period` ms, as those after it do unless they say otherwise.
+    /// Notes that a cycle which began at `time` took `period` ms, as later ones do unless they change it.
     pub(crate) fn keep_time(&mut self, cycle: u64, time: f64, period: f64) {
         let is_same = |last: &Tick| (last.period - period).abs() < ROUNDING;
         if !self.recording.clock.last().is_some_and(is_same) {
@@ -277,7 +281,7 @@ impl Recorder {
         }
     }
 
-    /// What the program did in a cycle.
+    /// Adds the effects of the program in a cycle.
     pub(crate) fn note(&mut self, happened: Cycle) {
         let Cycle {
             number: cycle,
@@ -310,7 +314,7 @@ impl Recorder {
         }
     }
 
-    /// How often the robot has fallen until the end of a cycle.
+    /// Adds the falls of the robot until the end of a cycle.
     pub(crate) fn note_falls(&mut self, cycle: u64, falls: u32, margin: f64) {
         if falls > self.falls {
             self.falls = falls;
@@ -319,13 +323,13 @@ impl Recorder {
         }
     }
 
-    /// What the robot did in a cycle.
+    /// Adds the motion of the robot in a cycle.
     pub(crate) fn keep(&mut self, frame: Frame) {
         let recording = &mut self.recording;
         let cycle = frame.cycle;
         let touch: Vec<bool> = frame.loads.iter().map(|load| *load > 0.0).collect();
         note_change(&mut recording.contacts, cycle, &touch);
-        let slips = self.slips.watch(&recording.robot, &frame);
+        let slips = self.slips.detect(&recording.robot, &frame);
         recording
             .slips
             .extend(slips.into_iter().map(|what| At { cycle, what }));
@@ -342,7 +346,7 @@ impl Recorder {
         };
     }
 
-    /// Nothing more happens.
+    /// Ends the recording.
     pub(crate) fn finish(mut self, outcome: Outcome) -> Recording {
         self.recording.frames.extend(self.pending.take());
         self.recording.outcome = outcome;
@@ -358,7 +362,7 @@ fn note_change<T: Clone + PartialEq>(list: &mut Vec<At<Vec<T>>>, cycle: u64, now
     }
 }
 
-/// The flags that are up, for a robot with so many legs.
+/// Returns the flags that are up, for a robot with so many legs.
 fn raised(run: &Run, legs: usize) -> Vec<Flag> {
     let of = |target| [Flag::Inpos(target), Flag::Near(target)];
     let feet = (1..).take(legs).map(Target::Foot);
@@ -368,7 +372,7 @@ fn raised(run: &Run, legs: usize) -> Vec<Flag> {
     flags.filter(|flag| run.flag(*flag)).collect()
 }
 
-/// The joints that are driven by torque; the angles show how many each leg has.
+/// Returns the joints that are driven by torque; the angles show how many each leg has.
 fn torque_joints(run: &Run, angles: &[Vec<f64>]) -> Vec<Target> {
     let legs = (1..).zip(angles);
     let joints =
@@ -378,12 +382,12 @@ fn torque_joints(run: &Run, angles: &[Vec<f64>]) -> Vec<Target> {
     by_torque.map(|(joint, _)| joint).collect()
 }
 
-/// A foot that has come so far from where it touched down has slipped: mm.
+/// Distance from the place of touch-down at which a foot has slipped, mm.
 const SLIPPED: f64 = 5.0;
 
 /// Watches where each foot touched down.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Slips(Vec<Stance>);
+pub(crate) struct SlipDetector(Vec<Stance>);
 
 /// One foot; in the air it has touched down nowhere.
 #[derive(Clone, Copy, Debug, Default)]
@@ -392,9 +396,9 @@ struct Stance {
     reported: bool,
 }
 
-impl Slips {
+impl SlipDetector {
     /// Looks at a robot in another cycle; each stance has one slip at most.
-    pub(crate) fn watch(&mut self, robot: &Skeleton, frame: &Frame) -> Vec<Slip> {
+    pub(crate) fn detect(&mut self, robot: &Skeleton, frame: &Frame) -> Vec<Slip> {
         let Some(pose) = &frame.pose else {
             return Vec::new();
         };

@@ -6,9 +6,9 @@ use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Pose, Scene};
-use tip_sim::{Asked, Timed, Wait};
+use tip_sim::{IssuedCommand, Timed, Wait};
 
-/// What a program did, from its first cycle to its last.
+/// The run of a program, from its first cycle to its last.
 ///
 /// Motion is there at 50 Hz at most; everything else in the cycle in which it was. Lists are in order of their cycles.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,15 +16,15 @@ use tip_sim::{Asked, Timed, Wait};
 pub struct Recording {
     /// The robot.
     pub robot: Skeleton,
-    /// What surrounded it.
+    /// Its surroundings.
     pub scene: Scene,
     /// The program.
     pub script: Script,
-    /// How many cycles ran without a fault.
+    /// Number of cycles that ran without a fault.
     pub cycles: u64,
-    /// Where cycles began to take another time.
+    /// Cycles at which the control period changed.
     pub clock: Vec<Tick>,
-    /// What the robot did, at 50 Hz at most; the last cycle has one.
+    /// Motion of the robot, at 50 Hz at most; the last cycle has one.
     pub frames: Vec<Frame>,
     /// The step that ran, where it was another one than in the cycle before.
     pub steps: Vec<At<u32>>,
@@ -35,22 +35,24 @@ pub struct Recording {
     /// Lamps that were switched, and whether on.
     pub lamps: Vec<At<(u8, bool)>>,
     /// Commands that were accepted.
-    pub commands: Vec<At<Asked>>,
-    /// Which feet or fingertips touched something, where that changed; the first is that of cycle 0.
+    pub commands: Vec<At<IssuedCommand>>,
+    /// Feet or fingertips that touched something, where that changed; the first entry is that of
+    /// cycle 0.
     pub contacts: Vec<At<Vec<bool>>>,
     /// The flags of conditions that were up, where that changed; the first is that of cycle 0. A trace does not say.
     pub flags: Vec<At<Vec<Flag>>>,
-    /// How feet or joints, and a slider, were controlled, where that changed; the first is that of cycle 0. A trace does not say.
+    /// Control modes of feet or joints, and a slider, where they changed; the first entry is that
+    /// of cycle 0. A trace lacks them.
     pub modes: Vec<At<Vec<(Target, Mode)>>>,
-    /// Falls, with the distance of the centre of mass from the edge of the support polygon: mm; negative outside.
+    /// Falls, with the distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub falls: Vec<At<f64>>,
     /// Feet that slipped while they stood.
     pub slips: Vec<At<Slip>>,
-    /// What happened from outside: keys, halts, inputs. A trace does not say.
+    /// Events from outside: keys, halts, inputs. A trace lacks them.
     pub events: Vec<Timed>,
-    /// How it ended.
+    /// End of the run.
     pub outcome: Outcome,
-    /// What the program waited for when someone else ended it, if it did. A trace does not say.
+    /// The wait during which the run was ended from outside, if it was. A trace lacks it.
     pub wait: Option<Wait>,
 }
 
@@ -59,7 +61,7 @@ pub struct Recording {
 pub struct At<T> {
     /// The cycle.
     pub cycle: u64,
-    /// What.
+    /// The value.
     pub what: T,
 }
 
@@ -68,9 +70,9 @@ pub struct At<T> {
 pub struct Tick {
     /// The cycle.
     pub cycle: u64,
-    /// When it began: ms.
+    /// Time at which it began, ms.
     pub time: f64,
-    /// How long it and those after it take: ms.
+    /// Control period from here on, ms.
     pub period: f64,
 }
 
@@ -90,43 +92,44 @@ pub struct Script {
     pub scalars: Vec<String>,
 }
 
-/// What the robot did until the end of a cycle.
+/// State of the robot at the end of a cycle.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Frame {
     /// The cycle.
     pub cycle: u64,
-    /// When it ended: ms.
+    /// Time at which it ended, ms.
     pub time: f64,
-    /// Where the body is in the world; none for a robot that stays where it is.
+    /// Pose of the body in the world; none for a robot that stays where it is.
     pub pose: Option<Pose>,
-    /// Of each joint, leg by leg: deg.
+    /// Angle of each joint, leg by leg, deg.
     pub angles: Vec<Vec<f64>>,
-    /// How much of the robot each foot carries, or how hard each fingertip pushes: N. Empty if it is not known.
+    /// Load of each foot, or push of each fingertip, N. Empty if it is not known.
     pub loads: Vec<f64>,
-    /// With what force the ground pushes each foot, friction included, in the world: N. Empty where only loads are known. A trace
-    /// does not say.
+    /// Force of the ground on each foot, friction included, in the world, N. Empty where only loads
+    /// are known. A trace lacks it.
     pub forces: Vec<[f64; 3]>,
-    /// What each motor gives, leg by leg: in the robot's torque unit, in N·m if it has none. A trace does not say.
+    /// Torque of each motor, leg by leg, in the robot's torque unit, in N·m if it has none. A trace
+    /// lacks it.
     pub torques: Vec<Vec<f64>>,
-    /// How far inside the support polygon the centre of mass is: mm; negative outside.
+    /// Distance of the centre of mass inside the support polygon, mm; negative outside.
     pub margin: Option<f64>,
-    /// With what force each fingertip pushes floor and objects: N. Empty for a robot that is not a hand.
+    /// Force of each fingertip on floor and objects, N. Empty for a robot that is not a hand.
     pub pushes: Vec<[f64; 3]>,
-    /// Where the slider is that carries the floor: mm.
+    /// Place of the slider that carries the floor, mm.
     pub slider: Option<Point>,
     /// The objects, in the order of the scene. A trace does not say.
-    pub objects: Vec<Thing>,
+    pub objects: Vec<ObjectPose>,
     /// The flags of conditions that are up, for all joints and for each foot. A trace does not say.
     pub flags: Vec<Flag>,
     /// The joints that are driven by torque; the others are by angle. A trace does not say.
     pub torque_joints: Vec<Target>,
 }
 
-/// Where an object is.
+/// Pose of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Thing {
-    /// Its centre: mm.
+pub struct ObjectPose {
+    /// Its centre, mm.
     pub position: Point,
     /// deg.
     pub angle: f64,
@@ -146,24 +149,24 @@ pub struct Assigned {
 pub struct Slip {
     /// The leg, from 0.
     pub leg: usize,
-    /// How far it slipped in that stance: mm.
+    /// Distance that it slipped in that stance, mm.
     pub distance: f64,
 }
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// By the program's own word: END or EXIT.
+    /// The program ended by END or EXIT.
     Program(String),
-    /// Someone interrupted it.
+    /// The run was interrupted.
     Interrupted,
     /// The cycles were used up.
     Limit,
-    /// By an emergency stop.
+    /// An emergency stop.
     Emergency(Stop),
 }
 
-/// Why a robot stopped.
+/// The cause of a stop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stop {
     /// The classical message.
@@ -175,7 +178,7 @@ pub struct Stop {
 }
 
 impl Outcome {
-    /// Whether something went wrong.
+    /// Returns true if something went wrong.
     pub fn is_emergency(&self) -> bool {
         matches!(self, Outcome::Emergency(_))
     }
@@ -192,18 +195,18 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// How often the motion is kept.
+/// Rate at which the motion is kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pace {
     /// At 50 Hz at most, and in the last cycle.
     #[default]
     Smooth,
-    /// In one cycle of so many; in each for 0.
+    /// In one cycle out of this number; in each for 0.
     Every(u64),
 }
 
 impl Recording {
-    /// When a cycle began: ms.
+    /// Returns the time at which a cycle began, ms.
     pub fn time(&self, cycle: u64) -> f64 {
         let after = self.clock.partition_point(|tick| tick.cycle <= cycle);
         let tick = after.checked_sub(1).and_then(|at| self.clock.get(at));
@@ -212,14 +215,14 @@ impl Recording {
         })
     }
 
-    /// The step that ran in a cycle, if one did.
+    /// Returns the step that ran in a cycle, if one did.
     pub fn step(&self, cycle: u64) -> Option<u32> {
         let after = self.steps.partition_point(|step| step.cycle <= cycle);
         let step = after.checked_sub(1).and_then(|at| self.steps.get(at))?;
         (cycle < self.cycles).then_some(step.what)
     }
 
-    /// The source line that ran in a cycle, from 1, if a step did.
+    /// Returns the source line that ran in a cycle, from 1, if a step did.
     pub fn line(&self, cycle: u64) -> Option<u32> {
         self.script.lines.get(self.step(cycle)? as usize).copied()
     }

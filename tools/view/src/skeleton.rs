@@ -1,4 +1,4 @@
-//! Where the body and the links of a robot are.
+//! Geometry of the body and the links of a robot.
 
 use tip_runtime::kinematics::Frame;
 use tip_runtime::model::{Body, Inverse, Point, Slider, TorqueUnit};
@@ -8,7 +8,7 @@ use tip_sim::{Limb, Robot};
 /// A robot as links and joints, whatever its size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Skeleton {
-    /// What it is called.
+    /// Name of the robot.
     pub name: String,
     /// Its body, if it walks; its frame stays where it is if not.
     pub body: Option<Body>,
@@ -16,14 +16,14 @@ pub struct Skeleton {
     pub legs: Vec<Limb>,
     /// The slider that carries the floor under a hand, if it has one.
     pub slider: Option<Slider>,
-    /// How torques are counted.
+    /// Unit of torques.
     pub torque_unit: TorqueUnit,
     /// All its joints turn about z, and y is the height: it is a hand.
     pub is_planar: bool,
 }
 
 impl Skeleton {
-    /// That of a robot.
+    /// Returns the skeleton of a robot.
     pub fn of(robot: &Robot) -> Self {
         let anatomy = robot.anatomy();
         Skeleton {
@@ -38,8 +38,8 @@ impl Skeleton {
         }
     }
 
-    /// The joints of a leg, counted from 0, and then its foot, at these angles (deg), in the robot's frame: mm. A leg that
-    /// does not exist has no points.
+    /// Returns the joints of a leg, counted from 0, and then its foot, at these angles (deg), in
+    /// the robot's frame, mm. A leg that does not exist has no points.
     pub fn points(&self, leg: usize, angles: &[f64]) -> Vec<Point> {
         let Some(limb) = self.legs.get(leg) else {
             return Vec::new();
@@ -49,7 +49,8 @@ impl Skeleton {
     }
 }
 
-/// The robot's frame in the world: turned by yaw about z first, then by pitch about x, then by roll about y.
+/// Returns the robot's frame in the world: turned by yaw about z first, then by pitch about x, then
+/// by roll about y.
 pub fn robot_frame(pose: &Pose) -> Frame {
     let sin_cos = |angle: f64| libm::sincos(angle.to_radians());
     let ((sr, cr), (sp, cp), (sy, cy)) =

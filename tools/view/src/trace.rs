@@ -9,16 +9,16 @@ use std::fmt;
 use tip_runtime::command::{FAST, Op, RELATIVE, Target, Value};
 use tip_runtime::machine::Status;
 use tip_runtime::plant::Pose;
-use tip_sim::{Asked, Cycle, Robot};
+use tip_sim::{Cycle, IssuedCommand, Robot};
 use tipc::Loaded;
 use tipc::language::Keyword;
 
-/// Why a text is not the trace of a program's motion.
+/// The reason why a text is not the trace of a program's motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum BadTrace {
+pub enum TraceError {
     /// This line, counted from 1, is not a record.
     Line(usize, String),
-    /// No record says how the robot moved.
+    /// No record has the motion of the robot.
     NoMotion,
     /// A record names a step that the program does not have.
     Step(u32),
@@ -26,22 +26,24 @@ pub enum BadTrace {
     NoProgram,
 }
 
-impl fmt::Display for BadTrace {
+impl fmt::Display for TraceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            BadTrace::Line(line, why) => write!(f, "line {line} is not a record of a trace: {why}"),
-            BadTrace::NoMotion => {
+            TraceError::Line(line, why) => {
+                write!(f, "line {line} is not a record of a trace: {why}")
+            }
+            TraceError::NoMotion => {
                 f.write_str("it does not say how the robot moved: write it with --trace-motion")
             }
-            BadTrace::Step(step) => {
+            TraceError::Step(step) => {
                 write!(f, "it is of another program: this one has no step {step}")
             }
-            BadTrace::NoProgram => f.write_str("the text is not a program"),
+            TraceError::NoProgram => f.write_str("the text is not a program"),
         }
     }
 }
 
-impl std::error::Error for BadTrace {}
+impl std::error::Error for TraceError {}
 
 /// A line of a trace: a cycle, or the end.
 #[derive(Debug, Default, Deserialize)]
@@ -70,8 +72,8 @@ impl Recording {
     ///
     /// # Errors
     /// It is not the trace of such a program, or it holds no motion.
-    pub fn from_trace(trace: &str, loaded: &Loaded, robot: &Robot) -> Result<Self, BadTrace> {
-        let program = loaded.program.as_ref().ok_or(BadTrace::NoProgram)?;
+    pub fn from_trace(trace: &str, loaded: &Loaded, robot: &Robot) -> Result<Self, TraceError> {
+        let program = loaded.program.as_ref().ok_or(TraceError::NoProgram)?;
         let script = Script::of(&loaded.source, program);
         let mut period = robot.anatomy().standards.period;
         let mut time = 0.0;
@@ -79,13 +81,13 @@ impl Recording {
         let mut recorder = Recorder::new(robot, script);
         for (line, text) in (1..).zip(trace.lines()) {
             let record: Record = serde_json::from_str(text)
-                .map_err(|error| BadTrace::Line(line, error.to_string()))?;
+                .map_err(|error| TraceError::Line(line, error.to_string()))?;
             if let Some(end) = &record.end {
                 outcome = ending(end, &record);
                 break;
             }
             if record.step as usize >= program.steps().len() {
-                return Err(BadTrace::Step(record.step));
+                return Err(TraceError::Step(record.step));
             }
             let command = asked(&record.cmd);
             period = command.as_ref().and_then(new_period).unwrap_or(period);
@@ -95,7 +97,7 @@ impl Recording {
         }
         let recording = recorder.finish(outcome);
         match recording.frames.is_empty() {
-            true => Err(BadTrace::NoMotion),
+            true => Err(TraceError::NoMotion),
             false => Ok(recording),
         }
     }
@@ -103,7 +105,7 @@ impl Recording {
 
 impl Recorder {
     /// Takes the record of a cycle that ended at `time` (ms).
-    fn take_record(&mut self, record: Record, command: Option<Asked>, time: f64) {
+    fn take_record(&mut self, record: Record, command: Option<IssuedCommand>, time: f64) {
         let cycle = record.cycle;
         let mut lamps = record.lamp.iter();
         self.note(Cycle {
@@ -144,8 +146,8 @@ impl Recorder {
     }
 }
 
-/// The sampling time (ms) that a command sets.
-fn new_period(command: &Asked) -> Option<f64> {
+/// Returns the sampling time (ms) that a command sets.
+fn new_period(command: &IssuedCommand) -> Option<f64> {
     let value = command.values.first()?.number();
     match command.op {
         Op::SetSamplingTime => Some(value),
@@ -154,15 +156,15 @@ fn new_period(command: &Asked) -> Option<f64> {
     }
 }
 
-/// `[NAME, TARGET, value, …]`, with HS before the target if it was there.
-fn asked(cmd: &[Json]) -> Option<Asked> {
+/// Reads `[NAME, TARGET, value, …]`, with HS before the target if it was there.
+fn asked(cmd: &[Json]) -> Option<IssuedCommand> {
     let (name, mut rest) = cmd.split_first()?;
     let hs = rest.first().and_then(Json::as_str) == Some(FAST);
     if hs {
         rest = rest.get(1..)?;
     }
     let (target, values) = rest.split_first()?;
-    Some(Asked {
+    Some(IssuedCommand {
         op: name.as_str()?.parse().ok()?,
         hs,
         target: target

@@ -1,5 +1,5 @@
 //! A recording as updates: what a page is told of a run, in JSON. `page/src/session.js` lists them. A page that replays a run
-//! holds all of them at once; a page of a run that goes on gets them little by little.
+//! holds all of them; a page of a run that goes on gets them one by one.
 
 use crate::recording::{self, At, Frame, Outcome, Recording};
 use crate::skeleton::Skeleton;
@@ -8,7 +8,7 @@ use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Range;
 use tip_runtime::plant::{self, Object, Shape};
-use tip_sim::{Asked, Event};
+use tip_sim::{Event, IssuedCommand};
 
 /// The grid on which motion is: mm, deg or N.
 const GRID: f64 = 0.01;
@@ -28,8 +28,9 @@ struct Begin<'a> {
     inputs: &'a [String],
 }
 
-/// What happened from one cycle to another; what the viewer has seen of cycles from `from` on is not so any more. Numbers that
-/// are many are in columns, and a column of cycles, steps or motion holds the differences between its numbers.
+/// Everything that happened from one cycle to another; it replaces what the viewer has seen of
+/// cycles from `from` on. Large lists of numbers are in columns, and a column of cycles, steps or
+/// motion holds the differences between its numbers.
 #[derive(Serialize)]
 struct More<'a> {
     r#type: &'static str,
@@ -58,7 +59,7 @@ struct More<'a> {
     events: Vec<(u64, &'a Event)>,
 }
 
-/// How a recorded run ended.
+/// The end of a recorded run.
 #[derive(Serialize)]
 struct Over<'a> {
     r#type: &'static str,
@@ -67,7 +68,7 @@ struct Over<'a> {
 
 /// Part of a run that an update tells.
 pub(crate) struct Part<'a> {
-    /// Which run it is, from 1.
+    /// Number of the run, from 1.
     pub(crate) run: u64,
     /// The first cycle that is still known.
     pub(crate) first: u64,
@@ -181,12 +182,12 @@ impl Part<'_> {
     }
 }
 
-/// No value of it can fail to be written.
+/// Returns the update as JSON; no value of it can fail to be written.
 pub(crate) fn json(update: &impl Serialize) -> String {
     serde_json::to_string(update).unwrap_or_default()
 }
 
-/// Cycles of frames, and the motion in them.
+/// Returns the cycles of frames, and the motion in them.
 fn columns(channels: &[Channel], frames: &[Frame]) -> Vec<Vec<i64>> {
     let cycles = frames.iter().map(|frame| frame.cycle as i64);
     let motion = channels.iter().map(|channel| {
@@ -205,14 +206,14 @@ fn cycles<T>(list: &[At<T>]) -> Vec<i64> {
     differences(list.iter().map(|at| at.cycle as i64))
 }
 
-/// The first number, and how much each is more than the one before.
+/// Returns the first number, and how much each is more than the one before.
 fn differences(numbers: impl Iterator<Item = i64>) -> Vec<i64> {
     let mut last = 0;
     let differences = numbers.map(|number| number - std::mem::replace(&mut last, number));
     differences.collect()
 }
 
-/// Which feet or fingertips touch something, the first one in the lowest bit.
+/// Returns the feet or fingertips that touch something, the first one in the lowest bit.
 fn mask(touch: &[bool]) -> u64 {
     let feet = touch.iter().rev();
     feet.fold(0, |mask, touches| mask << 1 | u64::from(*touches))
@@ -269,7 +270,7 @@ struct Block {
     height: f64,
 }
 
-/// A disc has a radius, a box a width and a height: mm.
+/// A disc has a radius, a box a width and a height, mm.
 #[derive(Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Outline {
@@ -298,13 +299,13 @@ fn each<'a, T, U>(list: &'a [At<T>], of: impl Fn(u64, &'a T) -> U) -> Vec<U> {
     list.iter().map(|at| of(at.cycle, &at.what)).collect()
 }
 
-/// Flags, with blanks between.
+/// Returns flags with blanks between.
 fn words(flags: &[Flag]) -> String {
     let words: Vec<_> = flags.iter().map(ToString::to_string).collect();
     words.join(" ")
 }
 
-/// Each target with what its mode is called.
+/// Returns each target with the name of its mode.
 fn named(modes: &[(Target, Mode)]) -> Vec<(String, &'static str)> {
     let modes = modes
         .iter()
@@ -312,7 +313,7 @@ fn named(modes: &[(Target, Mode)]) -> Vec<(String, &'static str)> {
     modes.collect()
 }
 
-/// As the page asks its words for it (`page/src/words.js`).
+/// Returns the name under which the page has its words (`page/src/words.js`).
 fn called(mode: Mode) -> &'static str {
     match mode {
         Mode::Rest => "rest",
@@ -323,7 +324,7 @@ fn called(mode: Mode) -> &'static str {
     }
 }
 
-fn values(asked: &Asked) -> String {
+fn values(asked: &IssuedCommand) -> String {
     let values: Vec<_> = asked.values.iter().map(ToString::to_string).collect();
     values.join(" ")
 }
@@ -435,10 +436,10 @@ struct Channel {
     value: Value,
 }
 
-/// What it is in a frame, if it is there.
+/// Reads the value from a frame, if it is there.
 type Value = Box<dyn Fn(&Frame) -> Option<f64>>;
 
-/// The channels of a recording; the first frame has them all.
+/// Returns the channels of a recording; the first frame has them all.
 fn channels(recording: &Recording) -> Vec<Channel> {
     let Some(first) = recording.frames.first() else {
         return Vec::new();

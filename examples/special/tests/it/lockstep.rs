@@ -4,7 +4,7 @@ use special::native::Native;
 use special::{Dance, SOURCE};
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::lockstep::{Lockstep, Reach};
+use tip_sim::lockstep::{Lockstep, ReachedPoints};
 use tip_sim::{Robot, load};
 
 #[test]
@@ -14,7 +14,7 @@ fn both_engines_dance_alike_whether_all_feet_carry_or_not() {
     let program = load("dance.prg", SOURCE, &robot).expect("it loads");
     let lockstep = Lockstep::new(program.program().clone(), Dance::new(), &robot);
     let lockstep = lockstep.expect("both are for TITAN VIII");
-    let mut reach = Reach::new(lockstep.program());
+    let mut reach = ReachedPoints::new(lockstep.program());
     for inputs in ["", "--sensor PAW2=0@0"] {
         let inputs = inputs.parse().expect("inputs");
         let run = lockstep.run(&inputs, &mut reach).expect("TITAN VIII");

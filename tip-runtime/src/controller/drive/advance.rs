@@ -3,7 +3,7 @@
 use super::law::{bounded, spring};
 use super::reach::{follow, name};
 use super::trial::PointOfLeg;
-use super::{Drive, Lead, LegDrive, Solved, THIRD};
+use super::{Drive, LegDrive, Redundancy, Solved, THIRD};
 use crate::controller::params::{JointParams, LegParams, PointParams};
 use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Track};
@@ -11,29 +11,29 @@ use crate::fault::Fault;
 use crate::kinematics::{Chain, LegPoint, ROUNDING};
 use crate::model::{Inverse, Joint, Leg, Range};
 
-/// What holds for every leg while they move on.
+/// Values that all legs share while they move on.
 #[derive(Clone, Copy)]
-pub(in crate::controller) struct Going {
-    /// Which inverse kinematics the robot has.
+pub(in crate::controller) struct CycleParams {
+    /// Inverse kinematics of the robot.
     pub(in crate::controller) inverse: Inverse,
-    /// How many of the robot's torque unit one N·m is.
+    /// Number of the robot's torque units in 1 N·m.
     pub(in crate::controller) torque_unit: f64,
-    /// The sampling time: s.
+    /// The sampling time, s.
     pub(in crate::controller) dt: f64,
-    /// Its reciprocal: 1/s; 0 of none.
+    /// Reciprocal of the sampling time, 1/s; 0 of none.
     pub(in crate::controller) per_second: f64,
-    /// Whether every motion brakes and waits.
+    /// True if every motion brakes and waits.
     pub(in crate::controller) held: bool,
 }
 
 /// The leg that moves on.
 #[derive(Clone, Copy)]
-pub(in crate::controller) struct Mover<'a, const J: usize> {
+pub(in crate::controller) struct MovingLeg<'a, const J: usize> {
     /// From 1.
     pub(in crate::controller) number: u8,
     pub(in crate::controller) model: &'a Leg<J>,
     pub(in crate::controller) params: &'a LegParams<J>,
-    /// The angles measured: deg.
+    /// The angles measured, deg.
     pub(in crate::controller) measured: &'a [f64; J],
 }
 
@@ -41,37 +41,37 @@ impl<const J: usize> LegDrive<J> {
     /// Moves on by one sampling time. At the border of what the leg can do it stops there.
     ///
     /// # Errors
-    /// What stopped it: the path to a target is out of reach, or a joint is at its limit.
+    /// The fault that stopped it: the path to a target is out of reach, or a joint is at its limit.
     pub(in crate::controller) fn advance(
         &mut self,
-        leg: &Mover<'_, J>,
-        going: &Going,
+        leg: &MovingLeg<'_, J>,
+        cycle: &CycleParams,
     ) -> Result<(), Fault> {
         let before = self.angles;
-        let result = self.follow_tracks(leg, going);
+        let result = self.follow_tracks(leg, cycle);
         let turns = self.turns.iter_mut().zip(self.angles.iter().zip(before));
         for (turn, (angle, before)) in turns {
-            *turn = (angle - before) * going.per_second;
+            *turn = (angle - before) * cycle.per_second;
         }
         result
     }
 
-    fn follow_tracks(&mut self, leg: &Mover<'_, J>, going: &Going) -> Result<(), Fault> {
+    fn follow_tracks(&mut self, leg: &MovingLeg<'_, J>, cycle: &CycleParams) -> Result<(), Fault> {
         self.torques = [None; J];
         match self.drive {
             Drive::Joints(mut tracks) => {
-                let result = self.advance_joints(&mut tracks, 0, leg, going);
+                let result = self.advance_joints(&mut tracks, 0, leg, cycle);
                 self.drive = Drive::Joints(tracks);
                 result
             }
             Drive::Foot(mut foot) => {
-                let result = self.advance_point(LegPoint::Tip, &mut foot, leg, going);
+                let result = self.advance_point(LegPoint::Tip, &mut foot, leg, cycle);
                 self.drive = Drive::Foot(foot);
                 result
             }
             Drive::Third(mut third, mut tracks) => {
-                let point = self.advance_point(LegPoint::Joint(THIRD), &mut third, leg, going);
-                let joints = self.advance_joints(&mut tracks, THIRD, leg, going);
+                let point = self.advance_point(LegPoint::Joint(THIRD), &mut third, leg, cycle);
+                let joints = self.advance_joints(&mut tracks, THIRD, leg, cycle);
                 self.drive = Drive::Third(third, tracks);
                 point.and(joints)
             }
@@ -82,8 +82,8 @@ impl<const J: usize> LegDrive<J> {
         &mut self,
         tracks: &mut [Track<1>; J],
         first: usize,
-        leg: &Mover<'_, J>,
-        going: &Going,
+        leg: &MovingLeg<'_, J>,
+        cycle: &CycleParams,
     ) -> Result<(), Fault> {
         let mut result = Ok(());
         let data = leg.model.joints.iter().zip(&leg.params.joints);
@@ -91,10 +91,10 @@ impl<const J: usize> LegDrive<J> {
         let each = tracks.iter_mut().zip(data).enumerate().skip(first);
         for (m, (track, ((joint, params), measured))) in each {
             let moved = if track.goal().is_soft() {
-                self.advance_soft_joint(m, track, *measured, (joint, params), going);
+                self.advance_soft_joint(m, track, *measured, (joint, params), cycle);
                 Ok(())
             } else {
-                self.advance_stiff_joint((leg.number, m), track, (joint, params), going)
+                self.advance_stiff_joint((leg.number, m), track, (joint, params), cycle)
             };
             result = result.and(moved);
         }
@@ -106,13 +106,13 @@ impl<const J: usize> LegDrive<J> {
         (n, m): (u8, usize),
         track: &mut Track<1>,
         (joint, params): (&Joint, &JointParams),
-        going: &Going,
+        cycle: &CycleParams,
     ) -> Result<(), Fault> {
         let Some(angle) = self.angles.get_mut(m) else {
             return Ok(());
         };
         let from = *angle;
-        track.advance(params.limits(), going.dt, going.held);
+        track.advance(params.limits(), cycle.dt, cycle.held);
         *angle = track.position().iter().sum();
         // A joint that is beyond its limits already may come back, not go on.
         let free = Range::new(joint.limits.min.min(from), joint.limits.max.max(from));
@@ -131,9 +131,9 @@ impl<const J: usize> LegDrive<J> {
         track: &mut Track<1>,
         measured: f64,
         (joint, params): (&Joint, &JointParams),
-        going: &Going,
+        cycle: &CycleParams,
     ) {
-        track.advance(params.limits(), going.dt, going.held);
+        track.advance(params.limits(), cycle.dt, cycle.held);
         let goal = track.goal();
         let [torque] = match goal {
             Goal::Effort(torque) => torque,
@@ -147,38 +147,38 @@ impl<const J: usize> LegDrive<J> {
         if matches!(goal, Goal::Effort(_)) {
             *track = track.stopped_at([measured]);
         }
-        self.push(m, torque, measured, (joint, params), going);
+        self.push(m, torque, measured, (joint, params), cycle);
     }
 
     fn advance_point(
         &mut self,
         point: LegPoint,
         track: &mut Track<3>,
-        leg: &Mover<'_, J>,
-        going: &Going,
+        leg: &MovingLeg<'_, J>,
+        cycle: &CycleParams,
     ) -> Result<(), Fault> {
         if track.goal().is_soft() {
-            self.advance_soft_point(point, track, leg, going);
+            self.advance_soft_point(point, track, leg, cycle);
             return Ok(());
         }
-        if let Lead::Brakes(rates) = self.lead {
-            return self.brake(point, track, rates, (leg, going));
+        if let Redundancy::Brakes(rates) = self.redundancy {
+            return self.brake(point, track, rates, (leg, cycle));
         }
         let before = *track;
         let limits = leg.params.foot.limits();
         let looking = PointOfLeg {
             leg: leg.model,
             point,
-            axes: going.inverse.axes(),
+            axes: cycle.inverse.axes(),
         };
-        self.lead.look(&looking, &self.angles, track, limits);
-        let held = going.held || self.lead.waits();
-        track.advance(limits, going.dt, held);
+        self.redundancy.look(&looking, &self.angles, track, limits);
+        let held = cycle.held || self.redundancy.waits();
+        track.advance(limits, cycle.dt, held);
         if let Some(target) = track.goal().target() {
             let line = (track.position(), target);
-            self.lead.advance(line, going.dt, going.held);
+            self.redundancy.advance(line, cycle.dt, cycle.held);
         }
-        match self.solve(point, track, leg, going) {
+        match self.solve(point, track, leg, cycle) {
             Ok(angles) => {
                 let moving = self.angles.iter_mut().zip(angles);
                 for (angle, new) in moving.take(point.moved_by(J)) {
@@ -196,17 +196,17 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The angles that put a point where its set point is. A closed form solves a foot that stays where it is
-    /// only once.
+    /// Returns the angles that put a point where its set point is. A closed form solves a foot that
+    /// stays where it is only once.
     fn solve(
         &mut self,
         point: LegPoint,
         track: &Track<3>,
-        leg: &Mover<'_, J>,
-        going: &Going,
+        leg: &MovingLeg<'_, J>,
+        cycle: &CycleParams,
     ) -> Result<[f64; J], Fault> {
         let foot = track.position();
-        let is_closed = going.inverse.is_closed() && point == LegPoint::Tip;
+        let is_closed = cycle.inverse.is_closed() && point == LegPoint::Tip;
         let stays = |solved: &Solved<J>| {
             is_same(&solved.foot, &foot) && is_same(&solved.angles, &self.angles)
         };
@@ -216,9 +216,10 @@ impl<const J: usize> LegDrive<J> {
         }
         let name = (point, leg.number);
         let target = track.goal().target();
-        let posture = target.and_then(|target| self.lead.posture(&self.angles, (foot, target)));
+        let posture =
+            target.and_then(|target| self.redundancy.posture(&self.angles, (foot, target)));
         let angles = follow(
-            going.inverse,
+            cycle.inverse,
             leg.model,
             name,
             &self.angles,
@@ -234,12 +235,12 @@ impl<const J: usize> LegDrive<J> {
         &mut self,
         point: LegPoint,
         track: &mut Track<3>,
-        leg: &Mover<'_, J>,
-        going: &Going,
+        leg: &MovingLeg<'_, J>,
+        cycle: &CycleParams,
     ) {
-        track.advance(leg.params.foot.limits(), going.dt, going.held);
+        track.advance(leg.params.foot.limits(), cycle.dt, cycle.held);
         let chain = Chain::new(leg.model, leg.measured);
-        let at = going.inverse.flat(chain.point(point).unwrap_or([0.0; 3]));
+        let at = cycle.inverse.flat(chain.point(point).unwrap_or([0.0; 3]));
         let PointParams { stiffness, limit } = leg.params.foot.of_point(point);
         let force = match track.goal() {
             Goal::Effort(force) => {
@@ -259,8 +260,8 @@ impl<const J: usize> LegDrive<J> {
         for (m, (torque, ((joint, params), measured))) in
             torques.iter().zip(data).enumerate().take(point.moved_by(J))
         {
-            let torque = torque * going.torque_unit;
-            self.push(m, torque, *measured, (joint, params), going);
+            let torque = torque * cycle.torque_unit;
+            self.push(m, torque, *measured, (joint, params), cycle);
         }
     }
 
@@ -271,15 +272,15 @@ impl<const J: usize> LegDrive<J> {
         torque: f64,
         measured: f64,
         (joint, params): (&Joint, &JointParams),
-        going: &Going,
+        cycle: &CycleParams,
     ) {
         let (Some(slot), Some(angle)) = (self.torques.get_mut(m), self.angles.get_mut(m)) else {
             return;
         };
-        if going.held {
+        if cycle.held {
             return;
         }
-        let torque = bounded(torque, params.most_torque(joint, going.torque_unit));
+        let torque = bounded(torque, params.most_torque(joint, cycle.torque_unit));
         let outward = (torque > 0.0 && measured >= joint.limits.max)
             || (torque < 0.0 && measured <= joint.limits.min);
         if outward {
@@ -290,7 +291,7 @@ impl<const J: usize> LegDrive<J> {
     }
 }
 
-/// Whether numbers are the same to the bit.
+/// Returns true if the numbers are equal to the bit.
 fn is_same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
     a.map(f64::to_bits) == b.map(f64::to_bits)
 }

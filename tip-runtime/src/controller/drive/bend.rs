@@ -3,30 +3,30 @@
 //! The postures of a straight leg's point are few, and those on its one side may end at a limit at once.
 //! The leg turns through the postures of that one place until it is bent towards the middle of its limits.
 
-use super::guide::{Guide, Line};
+use super::posture_path::{Line, PosturePath};
 use super::trial::PointOfLeg;
 use crate::kinematics::{self, resolve_piece};
 use crate::model::Leg;
 
-/// How fast joints turn meanwhile: deg/s.
+/// Joint speed meanwhile, deg/s.
 const RATE: f64 = 30.0;
 
-/// How far the joints turn in one step of the search: deg.
+/// Turn of the joints in one step of the search, deg.
 const STEP: f64 = 0.5;
 
 /// The most steps of the search.
 const STEPS: u8 = 60;
 
-/// A leg that would have to turn farther is not nearly straight: deg.
+/// Largest turn for which a leg is nearly straight, deg.
 const FARTHEST: f64 = 25.0;
 
 /// Joints that turn less than this share of a step have arrived.
 const AT_REST: f64 = 0.05;
 
-/// How long a leg bends at most: s.
+/// Longest time that a leg bends, s.
 const LONGEST: f64 = 3.0;
 
-/// Joints so near to the posture have taken it: deg.
+/// Distance from the posture at which joints have taken it, deg.
 const TAKEN: f64 = 0.2;
 
 /// A leg that bends, and what it does then.
@@ -37,14 +37,14 @@ pub(in crate::controller) struct Bend<const J: usize> {
     /// The posture at the end of the line that follows.
     end: [f64; J],
     line: Line,
-    /// How far the joints turn in this cycle: deg.
+    /// Turn of the joints in this cycle, deg.
     step: f64,
-    /// How long the leg may take: s.
+    /// Time that the leg may still take, s.
     left: f64,
 }
 
 impl<const J: usize> Bend<J> {
-    /// To the posture `to`, and from there along `line` to the posture `end`.
+    /// Creates a bend to the posture `to`, and from there along `line` to the posture `end`.
     pub(super) fn new(point: &PointOfLeg<'_, J>, to: [f64; J], end: [f64; J], line: Line) -> Self {
         Bend {
             aim: middle(point.leg),
@@ -63,13 +63,13 @@ impl<const J: usize> Bend<J> {
         self.left -= dt;
     }
 
-    /// The postures to follow once the leg at `angles` is bent.
-    pub(super) fn done(&self, angles: &[f64; J]) -> Option<Guide<J>> {
+    /// Returns the postures to follow once the leg at `angles` is bent.
+    pub(super) fn done(&self, angles: &[f64; J]) -> Option<PosturePath<J>> {
         let is_near = farthest(angles, &self.to) <= TAKEN;
-        (is_near || self.left <= 0.0).then(|| Guide::between(*angles, self.end, self.line))
+        (is_near || self.left <= 0.0).then(|| PosturePath::between(*angles, self.end, self.line))
     }
 
-    /// The posture that the joints at `angles` turn towards.
+    /// Returns the posture that the joints at `angles` turn towards.
     pub(super) fn posture(&self, angles: &[f64; J]) -> [f64; J] {
         towards(angles, &self.aim, self.step)
     }
@@ -83,13 +83,13 @@ pub(super) struct Bending<const J: usize> {
     steps: u8,
 }
 
-/// What a step of the search shows.
+/// Result of one step of the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Bent<const J: usize> {
+pub(super) enum BendResult<const J: usize> {
     SoFar(Bending<J>),
     /// The leg is bent.
     To([f64; J]),
-    /// It does not bend.
+    /// The leg does not bend.
     Fails,
 }
 
@@ -103,34 +103,34 @@ impl<const J: usize> Bending<J> {
     }
 
     /// Turns the joints by one step, with the point at `place`.
-    pub(super) fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> Bent<J> {
+    pub(super) fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> BendResult<J> {
         let before = self.angles;
         let posture = towards(&before, &middle(point.leg), STEP);
         let turned = resolve_piece(point.leg, &before, point.point, place, point.axes, &posture);
         let Some(angles) = turned else {
-            return Bent::Fails;
+            return BendResult::Fails;
         };
         if farthest(&angles, &before) <= AT_REST * STEP {
             return match farthest(&angles, &self.from) > TAKEN {
-                true => Bent::To(angles),
-                false => Bent::Fails,
+                true => BendResult::To(angles),
+                false => BendResult::Fails,
             };
         }
         (self.angles, self.steps) = (angles, self.steps + 1);
         if self.steps >= STEPS || farthest(&angles, &self.from) > FARTHEST {
-            return Bent::Fails;
+            return BendResult::Fails;
         }
-        Bent::SoFar(self)
+        BendResult::SoFar(self)
     }
 }
 
-/// The middle of the limits.
+/// Returns the middle of the limits.
 pub(super) fn middle<const J: usize>(leg: &Leg<J>) -> [f64; J] {
     kinematics::starts(leg).nth(1).unwrap_or([0.0; J])
 }
 
-/// The posture that joints lean to in order to turn by about `step` towards `aim`; the first joint only
-/// turns the leg.
+/// Returns the posture that joints lean to in order to turn by about `step` towards `aim`; the
+/// first joint only turns the leg.
 fn towards<const J: usize>(angles: &[f64; J], aim: &[f64; J], step: f64) -> [f64; J] {
     let mut posture = *angles;
     let share = 2.0 * step / farthest(angles, aim).max(step);
@@ -140,7 +140,7 @@ fn towards<const J: usize>(angles: &[f64; J], aim: &[f64; J], step: f64) -> [f64
     posture
 }
 
-/// The most that a joint turns from one posture to another: deg.
+/// Returns the most that a joint turns from one posture to another, deg.
 fn farthest<const J: usize>(from: &[f64; J], to: &[f64; J]) -> f64 {
     let turns = from.iter().zip(to).map(|(from, to)| libm::fabs(to - from));
     turns.fold(0.0, f64::max)

@@ -4,9 +4,9 @@
 //! border of its reach: neither on its way to the target nor by braking straight ahead would the foot stay
 //! within it.
 
-use super::lead::{Lead, has_choice};
 use super::reach::{has_few_joints, reach};
-use super::{Going, LegDrive, Mover};
+use super::redundancy::{Redundancy, has_choice};
+use super::{CycleParams, LegDrive, MovingLeg};
 use crate::controller::params::LegParams;
 use crate::controller::trajectory::{Limits, Track};
 use crate::fault::Fault;
@@ -16,12 +16,12 @@ use crate::model::{Inverse, Leg};
 /// At how many places of its way to the line a foot is tried out.
 const PLACES: u8 = 8;
 
-/// A point so near to its target has nowhere to go: mm.
+/// Distance from its target at which a point has nowhere to go, mm.
 const THERE: f64 = 1e-6;
 
 impl<const J: usize> LegDrive<J> {
-    /// The rates (deg/s) at which the joints turn, if they have to come to rest before `point` can set off as `track`
-    /// does.
+    /// Returns the rates (deg/s) at which the joints turn, if they have to come to rest before
+    /// `point` can set off as `track` does.
     pub(in crate::controller) fn brakes_first(
         &self,
         point: LegPoint,
@@ -32,8 +32,8 @@ impl<const J: usize> LegDrive<J> {
         if let Some(own) = self.own_point(point)
             && !own.goal().is_soft()
         {
-            return match self.lead {
-                Lead::Brakes(rates) => Some(rates),
+            return match self.redundancy {
+                Redundancy::Brakes(rates) => Some(rates),
                 _ => None,
             };
         }
@@ -53,7 +53,7 @@ impl<const J: usize> LegDrive<J> {
         (!goes).then(|| self.rates(leg, inverse))
     }
 
-    /// The angles at which joints come to rest that brake from these rates.
+    /// Returns the angles at which joints come to rest that brake from these rates.
     pub(in crate::controller) fn rest_angles(
         &self,
         rates: &[f64; J],
@@ -76,30 +76,30 @@ impl<const J: usize> LegDrive<J> {
         point: LegPoint,
         track: &mut Track<3>,
         mut rates: [f64; J],
-        (leg, going): (&Mover<'_, J>, &Going),
+        (leg, cycle): (&MovingLeg<'_, J>, &CycleParams),
     ) -> Result<(), Fault> {
         let mut result = Ok(());
         let joints = leg.model.joints.iter().zip(&leg.params.joints);
         let joints = joints.enumerate().take(point.moved_by(J));
         for ((m, joint), (rate, angle)) in joints.zip(rates.iter_mut().zip(self.angles)) {
             let mut braking = Track::moving([angle], [*rate]);
-            let moved = self.advance_stiff_joint((leg.number, m), &mut braking, joint, going);
+            let moved = self.advance_stiff_joint((leg.number, m), &mut braking, joint, cycle);
             *rate = braking.velocity().iter().sum();
             result = result.and(moved);
         }
         let place = Chain::new(leg.model, &self.angles).point(point);
-        *track = track.stopped_at(place.map_or(track.position(), |at| going.inverse.flat(at)));
+        *track = track.stopped_at(place.map_or(track.position(), |at| cycle.inverse.flat(at)));
         let is_at_rest = rates
             .iter()
             .take(point.moved_by(J))
             .all(|rate| *rate == 0.0);
-        self.lead = match track.goal().target() {
-            _ if !is_at_rest => Lead::Brakes(rates),
+        self.redundancy = match track.goal().target() {
+            _ if !is_at_rest => Redundancy::Brakes(rates),
             Some(target) if !is_near(track.position(), target) => {
                 let line = (track.position(), target);
-                Lead::to_place(going.inverse, leg.model, point, &self.angles, line)
+                Redundancy::to_place(cycle.inverse, leg.model, point, &self.angles, line)
             }
-            _ => Lead::None,
+            _ => Redundancy::None,
         };
         result
     }

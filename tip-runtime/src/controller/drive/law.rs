@@ -7,7 +7,7 @@
 //! Coordinates*, 1980), without damping of its own: that of the joints brings the robot to rest. Units:
 //! deg, mm, N, and torques in the robot's torque unit.
 
-/// The pull of a spring, bounded by `limit` where there is one.
+/// Returns the pull of a spring, bounded by `limit` where there is one.
 pub(super) fn spring<const N: usize>(
     stiffness: [f64; N],
     target: [f64; N],
@@ -24,7 +24,7 @@ pub(super) fn spring<const N: usize>(
     pull
 }
 
-/// `value` within ±`most`.
+/// Returns `value` within ±`most`.
 pub(in crate::controller) fn bounded(value: f64, most: f64) -> f64 {
     value.min(most).max(-most)
 }

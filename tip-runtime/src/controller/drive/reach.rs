@@ -1,4 +1,4 @@
-//! What a leg can reach.
+//! The places that a leg can reach.
 
 use crate::command::Target;
 use crate::controller::targets::number;
@@ -7,7 +7,7 @@ use crate::fault::Fault;
 use crate::kinematics::{self, Chain, LegPoint};
 use crate::model::{Inverse, Leg, Point};
 
-/// What the language calls a point of leg `n`.
+/// Returns the name that the language has for a point of leg `n`.
 pub(in crate::controller) fn name(point: LegPoint, n: u8) -> Target {
     match point {
         LegPoint::Tip => Target::Foot(n),
@@ -15,7 +15,8 @@ pub(in crate::controller) fn name(point: LegPoint, n: u8) -> Target {
     }
 }
 
-/// The joint angles that put a point of leg `n` at `position`, as near to the angles `from` as they are.
+/// Returns the joint angles that put a point of leg `n` at `position`, as near to the angles `from`
+/// as they are.
 ///
 /// # Errors
 /// `OutOfReach` if the links do not reach it, `JointLimit` if a joint cannot turn so far.
@@ -34,7 +35,7 @@ pub(in crate::controller) fn reach<const J: usize>(
     Ok(within_rounding(inverse, leg, angles))
 }
 
-/// Angles of a closed form, which may be beyond a limit by rounding.
+/// Returns angles of a closed form, which may be beyond a limit by rounding, within the limits.
 fn within_rounding<const J: usize>(inverse: Inverse, leg: &Leg<J>, angles: [f64; J]) -> [f64; J] {
     if inverse.is_closed() {
         leg.within_limits(&angles)
@@ -43,7 +44,7 @@ fn within_rounding<const J: usize>(inverse: Inverse, leg: &Leg<J>, angles: [f64;
     }
 }
 
-/// Why no angles put a point of leg `n` at `position`.
+/// Returns the reason why no angles put a point of leg `n` at `position`.
 fn refused<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,
@@ -61,13 +62,13 @@ fn refused<const J: usize>(
     }
 }
 
-/// The joint angles that put a point of leg `n` where its set point is. A point with too few joints
-/// before it for every direction goes along the line or surface that it has: as near to a set point on
-/// its path as it comes, and all the way to the target. Joints to spare turn towards `posture`. A closed form
-/// leaves out no postures between two cycles.
+/// Returns the joint angles that put a point of leg `n` where its set point is. A point with too
+/// few joints before it for every direction goes along the line or surface that it has: as near to
+/// a set point on its path as it comes, and all the way to the target. Joints to spare turn towards
+/// `posture`. A closed form leaves out no postures between two cycles.
 ///
 /// # Errors
-/// As [`reach`].
+/// The errors of [`reach`].
 pub(super) fn follow<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,
@@ -94,8 +95,8 @@ pub(super) fn follow<const J: usize>(
     reach(inverse, leg, (point, n), from, at)
 }
 
-/// The place nearest to `position` (mm) that a point with too few joints can come to; `position`
-/// itself for any other point.
+/// Returns the place nearest to `position` (mm) that a point with too few joints can come to;
+/// `position` itself for any other point.
 pub(in crate::controller) fn nearest_place<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,
@@ -111,7 +112,7 @@ pub(in crate::controller) fn nearest_place<const J: usize>(
     place.map_or(position, |place| inverse.flat(place))
 }
 
-/// Whether too few joints move a point for every direction that counts.
+/// Returns true if too few joints move a point for every direction that counts.
 pub(super) fn has_few_joints<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
     let directions = inverse.axes().iter().filter(|counts| **counts).count();
     point.moved_by(J) < directions

@@ -3,41 +3,41 @@
 //! It begins at the target with the posture nearest to the present one. Where that leads into a limit,
 //! it goes on from postures that are spread over the limits.
 
-use super::bend::{Bend, Bending, Bent, middle};
-use super::guide::{Guide, Line};
-use super::trial::{PointOfLeg, Shown, Trial};
+use super::bend::{Bend, BendResult, Bending, middle};
+use super::posture_path::{Line, PosturePath};
+use super::trial::{PointOfLeg, Trial, TrialResult};
 use crate::kinematics::{self, is_straight, resolve_piece};
 
 /// The pieces of a line that are tried in one cycle, at most: enough for the nearest posture and for as
 /// many pieces as lines mostly have, so that most legs set off at once.
 const A_CYCLE: usize = 48;
 
-/// How many pieces take as many turns as a posture that is started from anywhere.
+/// Number of pieces that take as many turns as a posture that is started from anywhere.
 const START: usize = 6;
 
-/// How many postures a leg starts from that goes past the middle of its limits, or has bent.
+/// Number of postures to start from for a leg that goes past the middle of its limits, or has bent.
 const STARTS_AGAIN: usize = 4;
 
-/// How often a posture at the target is drawn nearer to the present one.
+/// Number of times that a posture at the target is drawn nearer to the present one.
 const DRAWS: u8 = 8;
 
-/// How far the search has come.
+/// State of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::controller) struct Search<const J: usize> {
     from: [f64; J],
     line: Line,
-    /// Where the joints return to, if they do.
+    /// Angles to return to, if the joints do.
     home: Option<[f64; J]>,
     attempt: Attempt,
-    /// Whether the leg was straight when the search began.
+    /// True if the leg was straight when the search began.
     is_straight: bool,
     /// The number of the next posture to start from: 0 of the present one.
     next: usize,
     stage: Stage<J>,
 }
 
-/// What is tried, one after the other; a straight leg, whose posture does not show to which side it bends,
-/// tries the second first.
+/// One attempt of several in order; a straight leg, whose posture does not show to which side it
+/// bends, tries the second first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Attempt {
     /// Directly from posture to posture.
@@ -63,7 +63,7 @@ enum Stage<const J: usize> {
 }
 
 impl<const J: usize> Stage<J> {
-    /// How many pieces its next step is worth.
+    /// Returns the number of pieces that its next step is worth.
     const fn pieces(&self) -> usize {
         match self {
             Stage::Starting => START,
@@ -72,10 +72,10 @@ impl<const J: usize> Stage<J> {
     }
 }
 
-/// What a search came to.
+/// Result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Outcome<const J: usize> {
-    Found(Guide<J>),
+    Found(PosturePath<J>),
     /// Once the leg has bent.
     Bends(Bend<J>),
     /// No postures are known that lead there.
@@ -83,7 +83,8 @@ pub(super) enum Outcome<const J: usize> {
 }
 
 impl<const J: usize> Search<J> {
-    /// For a leg at the angles `from`, whose joints return to the angles `home`, if there are any.
+    /// Creates a search for a leg at the angles `from`, whose joints return to the angles `home`,
+    /// if there are any.
     pub(super) fn new(
         point: &PointOfLeg<'_, J>,
         from: [f64; J],
@@ -136,21 +137,21 @@ impl<const J: usize> Search<J> {
             Stage::Starting => self.start(point),
             Stage::Drawing(end, draws) => self.draw(point, end, draws),
             Stage::Trying(trial) => match trial.try_piece(point, self.line) {
-                Shown::SoFar(trial) => Stage::Trying(trial),
-                Shown::Leads(guide) if self.attempt == Attempt::Bent => {
+                TrialResult::SoFar(trial) => Stage::Trying(trial),
+                TrialResult::Leads(guide) if self.attempt == Attempt::Bent => {
                     let bend = Bend::new(point, self.from, guide.with_left(0.0), self.line);
                     return Some(Outcome::Bends(bend));
                 }
-                Shown::Leads(guide) => return Some(Outcome::Found(guide)),
-                Shown::Fails => Stage::Starting,
+                TrialResult::Leads(guide) => return Some(Outcome::Found(guide)),
+                TrialResult::Fails => Stage::Starting,
             },
             Stage::Bending(bending) => match bending.bend(point, self.line.0) {
-                Bent::SoFar(bending) => Stage::Bending(bending),
-                Bent::To(angles) => {
+                BendResult::SoFar(bending) => Stage::Bending(bending),
+                BendResult::To(angles) => {
                     self.from = angles;
                     self.again(Attempt::Bent)
                 }
-                Bent::Fails => return Some(Outcome::Nothing),
+                BendResult::Fails => return Some(Outcome::Nothing),
             },
             Stage::Exhausted => match (self.home, self.attempt) {
                 (Some(home), _) => {
@@ -188,7 +189,7 @@ impl<const J: usize> Search<J> {
             nearest => {
                 let end = nearest.unwrap_or(end);
                 let bow = (self.attempt == Attempt::Bowed).then(|| middle(point.leg));
-                let guide = Guide::between(self.from, end, self.line)
+                let guide = PosturePath::between(self.from, end, self.line)
                     .and_home(self.home)
                     .bowed(bow);
                 Stage::Trying(Trial::new(guide, self.from))
@@ -198,8 +199,8 @@ impl<const J: usize> Search<J> {
 }
 
 /// Postures straight to the initial one.
-fn straight<const J: usize>(from: [f64; J], home: [f64; J], line: Line) -> Guide<J> {
-    Guide::between(from, home, line).eased()
+fn straight<const J: usize>(from: [f64; J], home: [f64; J], line: Line) -> PosturePath<J> {
+    PosturePath::between(from, home, line).eased()
 }
 
 #[cfg(test)]

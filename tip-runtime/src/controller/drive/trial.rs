@@ -1,6 +1,6 @@
 //! A line that is tried out before a leg sets off, piece by piece.
 
-use super::guide::{Guide, Line};
+use super::posture_path::{Line, PosturePath};
 use crate::kinematics::{LegPoint, resolve_piece};
 use crate::model::{Axes, Leg};
 
@@ -13,10 +13,10 @@ const SHORTEST: f64 = 1.0 / 16384.0;
 /// The most pieces that are tried.
 const PIECES: u16 = 400;
 
-/// A joint that turns farther within a piece has left out what is between: deg.
+/// Turn of a joint beyond which a piece has left out what is between, deg.
 const LEAP: f64 = 6.0;
 
-/// Which point is to be put somewhere, and along which axes.
+/// A point of a leg that is to be put somewhere, and the axes that count.
 #[derive(Clone, Copy)]
 pub(super) struct PointOfLeg<'a, const J: usize> {
     pub(super) leg: &'a Leg<J>,
@@ -24,29 +24,29 @@ pub(super) struct PointOfLeg<'a, const J: usize> {
     pub(super) axes: Axes,
 }
 
-/// Whether postures lead a point along a line, as far as it was tried.
+/// A trial of the postures that lead a point along a line, as far as it has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Trial<const J: usize> {
-    guide: Guide<J>,
+    guide: PosturePath<J>,
     angles: [f64; J],
     gone: f64,
     piece: f64,
     pieces: u16,
 }
 
-/// What a piece showed.
+/// Result of one piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Shown<const J: usize> {
+pub(super) enum TrialResult<const J: usize> {
     /// The line has to be tried farther.
     SoFar(Trial<J>),
     /// The postures lead to the target.
-    Leads(Guide<J>),
-    /// They do not.
+    Leads(PosturePath<J>),
+    /// The postures do not lead to the target.
     Fails,
 }
 
 impl<const J: usize> Trial<J> {
-    pub(super) fn new(guide: Guide<J>, from: [f64; J]) -> Self {
+    pub(super) fn new(guide: PosturePath<J>, from: [f64; J]) -> Self {
         Trial {
             guide,
             angles: from,
@@ -57,7 +57,7 @@ impl<const J: usize> Trial<J> {
     }
 
     /// Tries one piece, and half of it next if the point does not get over it without a leap.
-    pub(super) fn try_piece(mut self, point: &PointOfLeg<'_, J>, line: Line) -> Shown<J> {
+    pub(super) fn try_piece(mut self, point: &PointOfLeg<'_, J>, line: Line) -> TrialResult<J> {
         let next = (self.gone + self.piece).min(1.0);
         let posture = self.guide.with_left(1.0 - next);
         let at = on_line(line, next);
@@ -72,7 +72,7 @@ impl<const J: usize> Trial<J> {
         .filter(|turned| !leaps(&self.angles, turned));
         self.pieces += 1;
         match turned {
-            Some(_) if next >= 1.0 => return Shown::Leads(self.guide),
+            Some(_) if next >= 1.0 => return TrialResult::Leads(self.guide),
             Some(turned) => {
                 (self.angles, self.gone) = (turned, next);
                 self.piece = (self.piece * 2.0).min(LONGEST);
@@ -80,13 +80,13 @@ impl<const J: usize> Trial<J> {
             None => self.piece /= 2.0,
         }
         if self.piece < SHORTEST || self.pieces >= PIECES {
-            return Shown::Fails;
+            return TrialResult::Fails;
         }
-        Shown::SoFar(self)
+        TrialResult::SoFar(self)
     }
 }
 
-/// The place with a share `gone` of a line left behind.
+/// Returns the place with a share `gone` of a line left behind.
 fn on_line((place, target): Line, gone: f64) -> [f64; 3] {
     let mut at = target;
     for (at, place) in at.iter_mut().zip(place) {

@@ -95,7 +95,7 @@ impl<const J: usize> ControllerView<'_, J> {
         targets::leg_mut(&mut leg.params.joints, m)
     }
 
-    /// Three operands in their domain; z goes unchecked where it does not count.
+    /// Reads three operands in their domain; z goes unchecked where it does not count.
     fn axes(&self, values: &[Value], in_domain: fn(f64) -> bool) -> Result<Axes, Fault> {
         let [x, y, z]: [Value; 3] = values.try_into().map_err(|_| Fault::Domain)?;
         let good = |value: Value| value.number().is_finite() && in_domain(value.number());

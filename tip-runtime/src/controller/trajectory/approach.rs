@@ -4,7 +4,7 @@
 
 use super::{INSTANT, Limits};
 
-/// How far the point still is, and how fast that distance shrinks.
+/// Distance of the point from its goal, and the speed at which it shrinks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Approach {
     pub(super) gap: f64,
@@ -82,8 +82,8 @@ impl Plan {
         }
     }
 
-    /// Gap and speed `t` seconds from now. The last two phases count back from the arrival, so
-    /// that rounding does not add up.
+    /// Returns gap and speed `t` seconds from now. The last two phases count back from the arrival,
+    /// so that rounding does not add up.
     fn after(&self, t: f64) -> (f64, f64) {
         if t < self.pushing {
             let way = self.speed * t + 0.5 * self.push * t * t;

@@ -71,7 +71,7 @@ impl<const N: usize> Course<N> {
         add_scaled(velocity, self.side, self.across.speed)
     }
 
-    /// Where it is farthest to the side of its line.
+    /// Returns the place where it is farthest to the side of its line.
     pub(super) fn swing(mut self, limits: Limits) -> [f64; N] {
         let braking = limits.acceleration * self.across_share;
         if braking > 0.0 {
@@ -104,7 +104,7 @@ impl<const N: usize> Course<N> {
     }
 }
 
-/// The other leg of a right triangle.
+/// Returns the other leg of a right triangle.
 fn leg_of_triangle(hypotenuse: f64, leg: f64) -> f64 {
     libm::sqrt(((hypotenuse - leg) * (hypotenuse + leg)).max(0.0))
 }

@@ -21,7 +21,7 @@ fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     vector::norm(vector::add_scaled(a, b, -1.0))
 }
 
-/// Cycles until the set point is at its target.
+/// Returns the number of cycles until the set point is at its target.
 fn cycles<const N: usize>(track: &mut Track<N>, limits: Limits, dt: f64) -> u32 {
     let Goal::Point { target, .. } = track.goal() else {
         panic!("it heads for no point");

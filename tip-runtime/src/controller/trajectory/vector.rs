@@ -1,6 +1,6 @@
 //! Arithmetic of small vectors that neither overflows nor makes NaN of finite members.
 
-/// `a + k b`.
+/// Returns `a + k b`.
 pub(super) fn add_scaled<const N: usize>(mut a: [f64; N], b: [f64; N], k: f64) -> [f64; N] {
     for (a, b) in a.iter_mut().zip(b) {
         *a += k * b;
@@ -8,17 +8,17 @@ pub(super) fn add_scaled<const N: usize>(mut a: [f64; N], b: [f64; N], k: f64) -
     a
 }
 
-/// The scalar product.
+/// Returns the scalar product.
 pub(super) fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
 }
 
-/// The length.
+/// Returns the length.
 pub(super) fn norm<const N: usize>(a: [f64; N]) -> f64 {
     split(a).1
 }
 
-/// Direction and length; a vector without length points along the first axis.
+/// Returns direction and length; a vector without length points along the first axis.
 pub(super) fn split<const N: usize>(a: [f64; N]) -> ([f64; N], f64) {
     let largest = a.iter().fold(0.0_f64, |most, a| most.max(libm::fabs(*a)));
     let mut direction = [0.0; N];

@@ -52,7 +52,7 @@ enum Mode {
     Torque(f64),
     /// Holds an angle, which moves.
     Servo,
-    /// As `Servo`, saturated for this step at a torque, N·m.
+    /// Like `Servo`, saturated for this step at a torque, N·m.
     Yielding(f64),
 }
 

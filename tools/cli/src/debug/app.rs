@@ -4,7 +4,7 @@ use crate::message::DebugText;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use std::collections::BTreeMap;
 use tip_runtime::plant::Scene;
-use tip_sim::debug::{Debugger, Discard, Move, Progress, Refused, Value, Variable, When, Work};
+use tip_sim::debug::{DebugError, Debugger, Discard, Move, Progress, Value, Variable, When, Work};
 use tip_sim::message::Debugging;
 use tip_sim::{Event, Robot};
 use tip_view::Skeleton;
@@ -139,14 +139,14 @@ impl App {
     pub(crate) fn change(&mut self, event: Event, discard: Discard) {
         match self.debugger.happens(event.clone(), discard) {
             Ok(()) => self.answer = None,
-            Err(Refused::WouldDiscard(cycles)) => {
+            Err(DebugError::WouldDiscard(cycles)) => {
                 self.question = Some((Question::Discard(event, cycles), String::new()));
             }
             Err(refused) => self.refuse(&refused),
         }
     }
 
-    pub(crate) fn refuse(&mut self, refused: &Refused) {
+    pub(crate) fn refuse(&mut self, refused: &DebugError) {
         self.answer = Some(refused.text(self.lang));
     }
 }

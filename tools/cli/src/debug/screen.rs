@@ -10,7 +10,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 use std::collections::BTreeSet;
 use tip_runtime::command::Target;
-use tip_runtime::controller::Aim;
+use tip_runtime::controller::Setpoint;
 use tip_runtime::printable::Printable;
 use tip_sim::debug::{By, Reason, Variable, control};
 use tip_sim::message::Debugging;
@@ -49,7 +49,7 @@ fn draw_side(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let calls = u16::try_from(app.debugger.frames().len()).unwrap_or(u16::MAX);
     let legs = legs(app);
     let height = u16::try_from(legs.len()).unwrap_or(u16::MAX);
-    let [variables, calls, aims, robot] = Layout::vertical([
+    let [variables, calls, setpoints, robot] = Layout::vertical([
         Constraint::Fill(3),
         Constraint::Length(calls.min(area.height / 5) + 1),
         Constraint::Length(height.min(area.height / 4) + 1),
@@ -59,7 +59,7 @@ fn draw_side(app: &App, frame: &mut Frame<'_>, area: Rect) {
     draw_variables(app, frame, variables);
     draw_calls(app, frame, calls);
     let block = block(app.say(Debugging::Legs));
-    frame.render_widget(Paragraph::new(legs).block(block), aims);
+    frame.render_widget(Paragraph::new(legs).block(block), setpoints);
     draw_robot(app, frame, robot);
 }
 
@@ -196,33 +196,36 @@ pub(super) fn draw_calls(app: &App, frame: &mut Frame<'_>, area: Rect) {
 
 /// Returns the mode and target of each foot or joint, a line for each leg.
 pub(super) fn legs(app: &App) -> Vec<Line<'static>> {
-    let aims = app.debugger.run().aims();
+    let setpoints = app.debugger.run().setpoints();
     let legs = (1..=app.skeleton.legs.len()).map(|leg| {
-        let is_own = |aim: &&Aim| leg_of(aim.of).is_some_and(|of| usize::from(of) == leg);
-        let own: Vec<&Aim> = aims.iter().filter(is_own).collect();
+        let is_own = |aim: &&Setpoint| leg_of(aim.of).is_some_and(|of| usize::from(of) == leg);
+        let own: Vec<&Setpoint> = setpoints.iter().filter(is_own).collect();
         Line::from(format!("{leg}: {}", aims_text(app, &own)))
     });
-    let others: Vec<&Aim> = aims.iter().filter(|aim| leg_of(aim.of).is_none()).collect();
+    let others: Vec<&Setpoint> = setpoints
+        .iter()
+        .filter(|aim| leg_of(aim.of).is_none())
+        .collect();
     let others = (!others.is_empty()).then(|| Line::from(aims_text(app, &others)));
     legs.chain(others).collect()
 }
 
 /// Returns modes and targets; joints with the same mode share it.
-fn aims_text(app: &App, aims: &[&Aim]) -> String {
-    let goal = |aim: &Aim| {
+fn aims_text(app: &App, setpoints: &[&Setpoint]) -> String {
+    let goal = |aim: &Setpoint| {
         let numbers = aim.goal().iter().map(|value| format!("{value:.0}"));
         numbers.collect::<Vec<_>>().join(" ")
     };
-    let mode = |aim: &Aim| app.say(control(aim.mode));
-    match aims {
+    let mode = |aim: &Setpoint| app.say(control(aim.mode));
+    match setpoints {
         [] => String::new(),
-        [first, .., last] if aims.iter().all(|aim| aim.mode == first.mode) => {
-            let goals: Vec<String> = aims.iter().map(|aim| goal(aim)).collect();
+        [first, .., last] if setpoints.iter().all(|aim| aim.mode == first.mode) => {
+            let goals: Vec<String> = setpoints.iter().map(|aim| goal(aim)).collect();
             let goals = goals.join(" ");
             format!("{}-{} {} {goals}", first.of, last.of, mode(first))
         }
         _ => {
-            let parts = aims
+            let parts = setpoints
                 .iter()
                 .map(|aim| format!("{} {} {}", aim.of, mode(aim), goal(aim)));
             parts.collect::<Vec<_>>().join(", ")

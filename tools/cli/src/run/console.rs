@@ -16,7 +16,7 @@ use tip_runtime::machine::Report;
 use tip_runtime::printable::Printable;
 use tip_runtime::realtime::Pacer;
 use tip_runtime::record::{Dump, Sample};
-use tip_sim::{Run, Waits};
+use tip_sim::{Run, WaitDetector};
 use tipc::message::Lang;
 use tipc::source::Source;
 
@@ -295,7 +295,7 @@ impl Live {
     }
 
     /// Shows the status, and waits until the cycle is over.
-    pub(super) fn after(&mut self, run: &mut Run, waits: &Waits, source: &Source) {
+    pub(super) fn after(&mut self, run: &mut Run, waits: &WaitDetector, source: &Source) {
         if self.due.is_some_and(|due| Instant::now() >= due) {
             self.due = Some(Instant::now() + self.every);
             let text = status(run, waits.now(run).as_ref(), source, self.lang);

@@ -10,7 +10,9 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
-use tip_view::live::{Asked, Host, Reader, Reading, Session, Unread, Viewer};
+use tip_view::live::{
+    CheckedText, ClientRequest, Host, Session, TextChecker, UncheckedText, Viewer,
+};
 
 /// Time between two advances of the run.
 const TICK: Duration = Duration::from_millis(4);
@@ -26,9 +28,9 @@ pub(super) enum HubEvent {
     /// A viewer has joined.
     Joined(Arc<Outbox>),
     /// A viewer sent a request; the number is that of the emergency stops before it.
-    Asked(Arc<Outbox>, Asked, u64),
+    ClientRequest(Arc<Outbox>, ClientRequest, u64),
     /// A text was checked.
-    Checked(Reading),
+    Checked(CheckedText),
     /// The file may have changed.
     FileChanged,
 }
@@ -37,7 +39,7 @@ pub(super) enum HubEvent {
 #[derive(Clone)]
 pub(super) struct HubSender {
     events: Sender<HubEvent>,
-    stops: Sender<(Arc<Outbox>, Asked)>,
+    stops: Sender<(Arc<Outbox>, ClientRequest)>,
     /// Number of emergency stops so far.
     stopped: Arc<AtomicU64>,
 }
@@ -49,7 +51,7 @@ impl HubSender {
     }
 
     /// Sends a request of a viewer; returns false if the hub has ended.
-    pub(super) fn ask(&self, outbox: &Arc<Outbox>, asked: Asked) -> bool {
+    pub(super) fn ask(&self, outbox: &Arc<Outbox>, asked: ClientRequest) -> bool {
         let outbox = Arc::clone(outbox);
         if asked.is_stop() {
             self.stopped.fetch_add(1, Ordering::Relaxed);
@@ -60,7 +62,7 @@ impl HubSender {
             return true;
         }
         let stops = self.stopped.load(Ordering::Relaxed);
-        self.send(HubEvent::Asked(outbox, asked, stops))
+        self.send(HubEvent::ClientRequest(outbox, asked, stops))
     }
 }
 
@@ -70,7 +72,7 @@ pub(super) struct Hub {
     file: ServedFile,
     events: Receiver<HubEvent>,
     /// Emergency stops, which overtake all other events.
-    stops: Receiver<(Arc<Outbox>, Asked)>,
+    stops: Receiver<(Arc<Outbox>, ClientRequest)>,
     stopped: Arc<AtomicU64>,
     checks: Arc<CheckQueue>,
     viewers: Vec<(Arc<Outbox>, Viewer)>,
@@ -96,7 +98,7 @@ impl Hub {
         thread::spawn(move || {
             // It was made before, so that this cannot fail.
             if let Ok(robot) = robot.simulated() {
-                queue.work(Reader::new(robot), &own);
+                queue.work(TextChecker::new(robot), &own);
             }
         });
         let hub = Hub {
@@ -164,7 +166,9 @@ impl Hub {
     fn handle(&mut self, event: HubEvent) {
         match event {
             HubEvent::Joined(outbox) => self.viewers.push((outbox, Viewer::default())),
-            HubEvent::Asked(outbox, asked, stops) => self.handle_request(outbox, asked, stops),
+            HubEvent::ClientRequest(outbox, asked, stops) => {
+                self.handle_request(outbox, asked, stops)
+            }
             HubEvent::Checked(reading) => self.session.checked(reading),
             HubEvent::FileChanged => {
                 if let Ok(bytes) = self.file.read() {
@@ -177,12 +181,12 @@ impl Hub {
 
     /// Queues the text for checking if it has changed.
     fn queue_text(&mut self) {
-        if let Some(unread) = self.session.unread() {
-            self.checks.queue_text(unread);
+        if let Some(unchecked) = self.session.unchecked() {
+            self.checks.queue_text(unchecked);
         }
     }
 
-    fn handle_request(&mut self, outbox: Arc<Outbox>, asked: Asked, stops: u64) {
+    fn handle_request(&mut self, outbox: Arc<Outbox>, asked: ClientRequest, stops: u64) {
         // A stop overtakes requests: an earlier one must not move the robot after it.
         let answer = if asked.moves() && stops != self.stopped.load(Ordering::Relaxed) {
             Some(asked.refused_stopped())
@@ -220,17 +224,17 @@ struct CheckQueue {
 #[derive(Default)]
 struct Waiting {
     /// The newest text; older ones are not checked.
-    text: Option<Unread>,
-    asked: VecDeque<(Arc<Outbox>, Asked, u64)>,
+    text: Option<UncheckedText>,
+    asked: VecDeque<(Arc<Outbox>, ClientRequest, u64)>,
 }
 
 impl CheckQueue {
-    fn queue_text(&self, text: Unread) {
+    fn queue_text(&self, text: UncheckedText) {
         self.waiting().text = Some(text);
         self.changed.notify_one();
     }
 
-    fn ask(&self, outbox: Arc<Outbox>, asked: Asked, stops: u64) {
+    fn ask(&self, outbox: Arc<Outbox>, asked: ClientRequest, stops: u64) {
         let mut waiting = self.waiting();
         let own = waiting
             .asked
@@ -246,19 +250,19 @@ impl CheckQueue {
     }
 
     /// Checks each text before answering questions about it, until the hub ends.
-    fn work(&self, mut reader: Reader, hub: &HubSender) {
+    fn work(&self, mut checker: TextChecker, hub: &HubSender) {
         let mut goes_on = true;
         while goes_on {
             let mut waiting = self.waiting();
             if let Some(text) = waiting.text.take() {
                 drop(waiting);
-                goes_on = hub.send(HubEvent::Checked(reader.read(text)));
+                goes_on = hub.send(HubEvent::Checked(checker.read(text)));
             } else if let Some((outbox, asked, stops)) = waiting.asked.pop_front() {
                 drop(waiting);
-                match reader.answer(&asked) {
+                match checker.answer(&asked) {
                     Some(answer) => outbox.answer(answer),
                     // The request does not need the checked text.
-                    None => goes_on = hub.send(HubEvent::Asked(outbox, asked, stops)),
+                    None => goes_on = hub.send(HubEvent::ClientRequest(outbox, asked, stops)),
                 }
             } else {
                 let woken = self.changed.wait(waiting);

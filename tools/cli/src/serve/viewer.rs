@@ -7,7 +7,7 @@ use std::io;
 use std::net::TcpStream;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use tip_view::live::{Asked, MOST_BYTES};
+use tip_view::live::{ClientRequest, MOST_BYTES};
 use tungstenite::error::CapacityError;
 use tungstenite::handshake::server::{create_response, write_response};
 use tungstenite::http::Request;
@@ -135,7 +135,10 @@ impl Socket<'_> {
         if !self.rate_limit.spend() {
             return Err(End::Close(CloseCode::Policy, "too many requests"));
         }
-        match self.hub.ask(&self.outbox, Asked::read(text.as_str())) {
+        match self
+            .hub
+            .ask(&self.outbox, ClientRequest::read(text.as_str()))
+        {
             true => Ok(()),
             false => Err(End::Gone),
         }

@@ -9,7 +9,7 @@ use super::session::{Answer, Session};
 use super::{Debuggee, Launcher};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
-use tip_sim::debug::{Placed, Refused, When};
+use tip_sim::debug::{DebugError, Placed, When};
 use tipc::message::Lang;
 
 /// A kind of breakpoints; a client replaces all of a kind together.
@@ -160,7 +160,7 @@ fn place(
     wanted: &SourceBreakpoint,
     (base, first_column): (i64, i64),
     when: &When<'_>,
-) -> Result<Placed, Refused> {
+) -> Result<Placed, DebugError> {
     let line = wanted.line.saturating_sub(base).saturating_add(1);
     let line = u32::try_from(line.max(1)).unwrap_or(u32::MAX);
     let column = wanted.column.map_or(1, |column| {
@@ -174,7 +174,7 @@ fn place(
     }
 }
 
-fn answer(placed: Result<Placed, Refused>, lang: Lang, line: Option<i64>) -> Breakpoint {
+fn answer(placed: Result<Placed, DebugError>, lang: Lang, line: Option<i64>) -> Breakpoint {
     match placed {
         Ok(placed) => Breakpoint {
             id: Some(placed.id),

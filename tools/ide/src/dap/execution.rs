@@ -112,7 +112,7 @@ impl<L: Launcher> Session<L> {
         let debugger = &mut debuggee.debugger;
         let logged = debugger.logged().into_iter();
         let logged = logged.map(|(at, text)| (at, "console", text));
-        let messages = debugger.news().into_iter();
+        let messages = debugger.take_messages().into_iter();
         let messages = messages.map(|(at, text)| (at, "stdout", text));
         let mut all: Vec<_> = logged.chain(messages).collect();
         all.sort_by_key(|(at, ..)| *at);

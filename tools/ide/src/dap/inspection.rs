@@ -7,9 +7,9 @@ use super::protocol::{
 use super::session::{Answer, Session, THREAD};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
-use tip_runtime::controller::Aim;
+use tip_runtime::controller::Setpoint;
 use tip_sim::Event;
-use tip_sim::debug::{self, Debugger, Discard, Move, Refused, Value as Evaluated, control};
+use tip_sim::debug::{self, DebugError, Debugger, Discard, Move, Value as Evaluated, control};
 use tip_sim::message::Debugging;
 use tipc::message::{Lang, Message};
 use tipc::program::VariableKind;
@@ -108,8 +108,8 @@ impl<L: Launcher> Session<L> {
             }
             ROBOT => robot(debugger, lang),
             LEGS => {
-                let aims = debugger.run().aims();
-                aims.iter().map(|it| aim(it, lang)).collect()
+                let setpoints = debugger.run().setpoints();
+                setpoints.iter().map(|it| aim(it, lang)).collect()
             }
             reference => {
                 let place = reference.saturating_sub(MEMBERS);
@@ -163,7 +163,7 @@ impl<L: Launcher> Session<L> {
                 }
                 Ok(())
             }
-            Err(refused @ Refused::WouldDiscard(_)) => {
+            Err(refused @ DebugError::WouldDiscard(_)) => {
                 self.unconfirmed = Some(this);
                 let refused = refused.text(lang).into();
                 let again = DebugAdapter::AgainConfirms { refused };
@@ -317,7 +317,7 @@ fn list(values: &[f64]) -> String {
     format!("({})", values.join(", "))
 }
 
-fn aim(aim: &Aim, lang: Lang) -> Variable {
+fn aim(aim: &Setpoint, lang: Lang) -> Variable {
     let mode = control(aim.mode);
     let mode = mode.in_lang(lang);
     let goal = match aim.goal() {

@@ -1,9 +1,9 @@
 //! Breakpoints: where they are, under which conditions, how often they were passed, and log points, which say something
 //! in place of stopping a run.
 
-use super::ask::{Asked, Now, Words};
+use super::expressions::{BreakCondition, LogText, Now};
 use super::stop::{By, Hits, Reason};
-use super::{Debugger, History, MESSAGES, Refused};
+use super::{DebugError, Debugger, History, MESSAGES};
 use crate::event::{Event, Events};
 use std::ops::Range;
 use tip_runtime::program::VariableError;
@@ -15,7 +15,7 @@ use tipc::program::{Action, Program, Variable};
 pub struct When<'a> {
     /// A condition of the language, which may also name `CYCLE` and `TIME` (ms).
     pub condition: Option<&'a str>,
-    /// Which passes, among those where the condition holds; the text of [`Hits`].
+    /// The passes that count, among those where the condition holds; the text of [`Hits`].
     pub hits: Option<&'a str>,
 }
 
@@ -34,17 +34,18 @@ pub struct Placed {
 struct Breakpoint {
     id: u32,
     steps: Vec<u32>,
-    asked: Option<Asked>,
+    asked: Option<BreakCondition>,
     hits: Option<Hits>,
-    /// What it says in place of stopping the run.
-    says: Option<Words>,
-    /// Where it was passed, in order; kept where hits count, and for positions before `known`.
+    /// Text to log in place of stopping the run.
+    log_text: Option<LogText>,
+    /// Positions at which it was passed, in order; kept where hits count, and for positions before
+    /// `known`.
     passes: Vec<u64>,
     known: u64,
 }
 
 impl Breakpoint {
-    /// Whether a pass at a position is one of those that count.
+    /// Returns true if a pass at a position is one of those that count.
     fn counts(&self, hits: Hits, at: u64) -> bool {
         let place = self.passes.binary_search(&at);
         place.is_ok_and(|place| hits.has(place as u64 + 1))
@@ -54,7 +55,7 @@ impl Breakpoint {
         self.asked.as_ref().is_none_or(|asked| asked.holds(now))
     }
 
-    /// Whether a pass that has just been counted is one that it is for.
+    /// Returns true if the pass that has just been counted is due to stop.
     fn is_due(&self, now: &Now<'_>) -> bool {
         match self.hits {
             Some(hits) => self.counts(hits, now.at),
@@ -70,9 +71,9 @@ impl Breakpoint {
     }
 }
 
-/// What is known of a position without going there.
+/// Knowledge of a position without going there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Known {
+pub(super) enum HitPrediction {
     /// Nothing stops there.
     No,
     /// This breakpoint does.
@@ -85,7 +86,7 @@ pub(super) enum Known {
 #[derive(Debug)]
 pub(super) struct Breakpoints {
     all: Vec<Breakpoint>,
-    /// Whether there is one at a step.
+    /// True for each step that has a breakpoint.
     steps: Vec<bool>,
 }
 
@@ -115,41 +116,41 @@ impl Breakpoints {
         }
     }
 
-    /// The first one that stops a run at a position where a step begins.
+    /// Returns the first one that stops a run at a position where a step begins.
     pub(super) fn stops(&self, step: u32, now: &Now<'_>) -> Option<u32> {
-        let mut here = self.at(step).filter(|one| one.says.is_none());
+        let mut here = self.at(step).filter(|one| one.log_text.is_none());
         here.find(|one| one.is_due(now)).map(|one| one.id)
     }
 
-    /// What is said there.
-    pub(super) fn said(&self, step: u32, now: &Now<'_>) -> Vec<String> {
+    /// Returns the texts of the log points there.
+    pub(super) fn log_texts(&self, step: u32, now: &Now<'_>) -> Vec<String> {
         let here = self.at(step).filter(|one| one.is_due(now));
-        let words = here.filter_map(|one| one.says.as_ref());
+        let words = here.filter_map(|one| one.log_text.as_ref());
         words.map(|words| words.at(now)).collect()
     }
 
     /// Lets one say something in place of stopping.
-    pub(super) fn say(&mut self, id: u32, words: Words) {
+    pub(super) fn set_log_text(&mut self, id: u32, words: LogText) {
         if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
-            one.says = Some(words);
+            one.log_text = Some(words);
         }
     }
 
-    /// The same, as far as it is known without the run.
-    pub(super) fn known(&self, step: u32, at: u64) -> Known {
-        let mut known = Known::No;
-        for one in self.at(step).filter(|one| one.says.is_none()) {
+    /// Returns the answer of [`stops`](Self::stops), as far as it is known without the run.
+    pub(super) fn predict(&self, step: u32, at: u64) -> HitPrediction {
+        let mut known = HitPrediction::No;
+        for one in self.at(step).filter(|one| one.log_text.is_none()) {
             match (one.hits, &one.asked) {
-                (Some(hits), _) if one.counts(hits, at) => return Known::Stops(one.id),
-                (None, None) => return Known::Stops(one.id),
-                (None, Some(_)) => known = Known::Asks,
+                (Some(hits), _) if one.counts(hits, at) => return HitPrediction::Stops(one.id),
+                (None, None) => return HitPrediction::Stops(one.id),
+                (None, Some(_)) => known = HitPrediction::Asks,
                 (Some(_), _) => {}
             }
         }
         known
     }
 
-    /// Counts the passes of a position where nobody counted yet; `step` begins there, if one does.
+    /// Counts the passes of a position that has not been counted; `step` begins there, if one does.
     pub(super) fn count(&mut self, step: Option<u32>, now: &Now<'_>) {
         for one in &mut self.all {
             if one.hits.is_some() && one.known == now.at {
@@ -160,7 +161,7 @@ impl Breakpoints {
         }
     }
 
-    /// Counts what needs no run up to a position; says from where on the rest is unknown, if anything is.
+    /// Counts passes up to a position as far as that needs no run; returns the first position that needs one, if any.
     pub(super) fn count_known(&mut self, history: &History, until: u64) -> Option<u64> {
         for one in &mut self.all {
             if one.hits.is_some() && one.asked.is_none() {
@@ -189,24 +190,29 @@ impl Debugger {
     ///
     /// # Errors
     /// There is no such line, or what it asks is wrong.
-    pub fn break_at_line(&mut self, line: u32, when: &When<'_>) -> Result<Placed, Refused> {
+    pub fn break_at_line(&mut self, line: u32, when: &When<'_>) -> Result<Placed, DebugError> {
         self.break_at(line, 1, when)
     }
 
-    /// The same from a column (in characters, from 1) on, where a line has several steps.
+    /// Sets a breakpoint from a column (in characters, from 1) on, where a line has several steps.
     ///
     /// # Errors
-    /// As [`break_at_line`](Self::break_at_line).
-    pub fn break_at(&mut self, line: u32, column: u32, when: &When<'_>) -> Result<Placed, Refused> {
+    /// The errors of [`break_at_line`](Self::break_at_line).
+    pub fn break_at(
+        &mut self,
+        line: u32,
+        column: u32,
+        when: &When<'_>,
+    ) -> Result<Placed, DebugError> {
         let step = first_from(&self.program, line, column);
-        self.place(vec![step.ok_or(Refused::NoStep(line))?], when)
+        self.place(vec![step.ok_or(DebugError::NoStep(line))?], when)
     }
 
     /// Places a breakpoint where a routine or label is, or at every step that begins with this word, such as `PTP`.
     ///
     /// # Errors
     /// Nothing has this name, or what it asks is wrong.
-    pub fn break_at_name(&mut self, name: &str, when: &When<'_>) -> Result<Placed, Refused> {
+    pub fn break_at_name(&mut self, name: &str, when: &When<'_>) -> Result<Placed, DebugError> {
         let word = name.trim().trim_end_matches(':').trim_end();
         let is_it = |other: &str| other.eq_ignore_ascii_case(word);
         let labels = self.program.labels().iter();
@@ -223,13 +229,15 @@ impl Debugger {
             steps.extend(begins.map(|(number, _)| number));
         }
         if steps.is_empty() || word.is_empty() {
-            return Err(Refused::NoName(word.to_owned()));
+            return Err(DebugError::NoName(word.to_owned()));
         }
         self.place(steps, when)
     }
 
-    fn place(&mut self, steps: Vec<u32>, when: &When<'_>) -> Result<Placed, Refused> {
-        let asked = when.condition.map(|text| Asked::new(text, &self.asker));
+    fn place(&mut self, steps: Vec<u32>, when: &When<'_>) -> Result<Placed, DebugError> {
+        let asked = when
+            .condition
+            .map(|text| BreakCondition::new(text, &self.asker));
         let hits = when.hits.map(str::parse);
         let (asked, hits) = (asked.transpose()?, hits.transpose()?);
         let first = steps
@@ -242,7 +250,7 @@ impl Debugger {
             steps,
             asked,
             hits,
-            says: None,
+            log_text: None,
             passes: Vec::new(),
             known: 0,
         });
@@ -250,7 +258,7 @@ impl Debugger {
         Ok(Placed { id, line, column })
     }
 
-    /// Takes a breakpoint away; says whether there was one.
+    /// Removes a breakpoint; returns true if there was one.
     pub fn remove_breakpoint(&mut self, id: u32) -> bool {
         let before = self.breakpoints.all.len();
         self.breakpoints.all.retain(|one| one.id != id);
@@ -258,7 +266,7 @@ impl Debugger {
         self.breakpoints.all.len() < before
     }
 
-    /// The lines of a step where breakpoints are, with their numbers.
+    /// Returns the lines of a step where breakpoints are, with their numbers.
     pub fn breakpoint_lines(&self) -> impl Iterator<Item = (u32, u32)> {
         let all = self.breakpoints.all.iter();
         all.flat_map(|one| {
@@ -269,7 +277,7 @@ impl Debugger {
     }
 }
 
-/// The first step that does not begin before a place.
+/// Returns the first step that does not begin before a place.
 fn first_from(program: &Program, line: u32, column: u32) -> Option<u32> {
     let steps = (0..).zip(program.steps());
     let behind = steps.filter(|(_, step)| (step.line, step.column) >= (line, column));
@@ -282,33 +290,34 @@ impl Debugger {
     /// braces hold an expression or condition of the program, or the name of a POS or JOINT; its value is printed in their place.
     ///
     /// # Errors
-    /// As [`break_at`](Self::break_at); or a text in braces is neither.
+    /// The errors of [`break_at`](Self::break_at); or a text in braces is neither.
     pub fn log_at(
         &mut self,
         line: u32,
         column: u32,
         when: &When<'_>,
         text: &str,
-    ) -> Result<Placed, Refused> {
-        let words = Words::new(text, &self.program, &self.asker)?;
+    ) -> Result<Placed, DebugError> {
+        let words = LogText::new(text, &self.program, &self.asker)?;
         let placed = self.break_at(line, column, when)?;
-        self.breakpoints.say(placed.id, words);
+        self.breakpoints.set_log_text(placed.id, words);
         Ok(placed)
     }
 
-    /// What log points have said since this was asked last, each with the position. Of very much only the last is kept.
+    /// Takes the output of log points since the last call, each with its position. Of very much
+    /// only the last is kept.
     pub fn logged(&mut self) -> Vec<(u64, String)> {
         std::mem::take(&mut self.logged)
     }
 
-    /// Says what is to be said where a step begins.
+    /// Logs the texts of log points where a step begins.
     pub(super) fn log_here(&mut self) {
         let step = self.run().program().at();
         let begins = self.now() == 0 || self.history.step(self.now() - 1) != step;
         if !begins || self.end_at(self.now()).is_some() {
             return;
         }
-        let said = self.breakpoints.said(step, &self.here());
+        let said = self.breakpoints.log_texts(step, &self.here());
         if self.logged.len() >= 2 * MESSAGES {
             self.logged.drain(..MESSAGES);
         }
@@ -322,7 +331,7 @@ struct Watch {
     id: u32,
     /// Upper case.
     names: Vec<String>,
-    /// Whether a step assigns any of them.
+    /// True for each step that assigns one of them.
     steps: Vec<bool>,
 }
 
@@ -331,7 +340,8 @@ struct Watch {
 pub(super) struct Watches(Vec<Watch>);
 
 impl Watches {
-    /// What the step of a cycle assigns, if the watch `only`, or any, is on it. Only KEY_IN may assign nothing: it waits.
+    /// Returns the variable that the step of a cycle assigns, if the watch `only`, or any, is on
+    /// it. Only KEY_IN may assign nothing: it waits.
     pub(super) fn assigned(
         &self,
         at: u64,
@@ -341,7 +351,7 @@ impl Watches {
     ) -> Option<Reason> {
         let step = history.step(at);
         let assigns = |watch: &&Watch| watch.steps.get(step as usize).copied().unwrap_or(false);
-        let watch = self.those(only).find(assigns)?;
+        let watch = self.selected(only).find(assigns)?;
         let action = program.steps().get(step as usize).map(|step| &step.action);
         let waits = matches!(action, Some(Action::KeyIn { .. })) && history.step(at + 1) == step;
         let assigns = !waits && !history.fails(at);
@@ -351,7 +361,8 @@ impl Watches {
         })
     }
 
-    /// What events assign before the step of a cycle, if the watch `only`, or any, is on it.
+    /// Returns the variable that events assign before the step of a cycle, if the watch `only`, or
+    /// any, is on it.
     pub(super) fn set(&self, at: u64, only: Option<u32>, events: &Events) -> Option<Reason> {
         if self.0.is_empty() {
             return None;
@@ -360,7 +371,7 @@ impl Watches {
         let first = all.partition_point(|event| event.cycle < at);
         let here = all.iter().skip(first).take_while(|event| event.cycle == at);
         let watch = here.into_iter().find_map(|timed| match &timed.event {
-            Event::Set(name, _) => (self.those(only)).find(|watch| watch.names.contains(name)),
+            Event::Set(name, _) => (self.selected(only)).find(|watch| watch.names.contains(name)),
             _ => None,
         })?;
         Some(Reason::Watch {
@@ -369,8 +380,8 @@ impl Watches {
         })
     }
 
-    /// One watch, or all.
-    fn those(&self, only: Option<u32>) -> impl Iterator<Item = &Watch> {
+    /// Iterates over one watch, or all.
+    fn selected(&self, only: Option<u32>) -> impl Iterator<Item = &Watch> {
         let is_meant = move |watch: &&Watch| only.is_none_or(|id| watch.id == id);
         self.0.iter().filter(is_meant)
     }
@@ -381,10 +392,10 @@ impl Debugger {
     ///
     /// # Errors
     /// The program has no such variable.
-    pub fn watch(&mut self, name: &str) -> Result<u32, Refused> {
+    pub fn watch(&mut self, name: &str) -> Result<u32, DebugError> {
         let name = name.trim().to_ascii_uppercase();
         let scalars = scalars(&self.program, &name)
-            .ok_or(Refused::NoVariable(name, VariableError::Unknown))?;
+            .ok_or(DebugError::NoVariable(name, VariableError::Unknown))?;
         let names = self.program.scalar_names().skip(scalars.start);
         let names = names.take(scalars.len()).collect();
         let assigns = |action| {
@@ -398,7 +409,7 @@ impl Debugger {
         Ok(id)
     }
 
-    /// Takes a watch away; says whether there was one.
+    /// Removes a watch; returns true if there was one.
     pub fn unwatch(&mut self, id: u32) -> bool {
         let before = self.watches.0.len();
         self.watches.0.retain(|watch| watch.id != id);
@@ -411,7 +422,7 @@ impl Debugger {
     }
 }
 
-/// The places of a variable, or of a member, among all scalars.
+/// Returns the places of a variable, or of a member, among all scalars.
 fn scalars(program: &Program, name: &str) -> Option<Range<usize>> {
     let mut variables = program.variables().iter();
     let whole = |variable: &Variable| variable.first..variable.first + variable.size();

@@ -2,8 +2,8 @@
 //! is kept of every cycle, which runs a stretch again only where a condition asks it to.
 
 use super::Debugger;
-use super::ask::Now;
-use super::breakpoints::Known;
+use super::breakpoints::HitPrediction;
+use super::expressions::Now;
 use super::stop::{Goal, Move, Origin, Progress, Reason, Stop};
 use super::{Frontier, MESSAGES};
 use crate::run::Run;
@@ -11,7 +11,7 @@ use std::fmt::Display;
 use tip_runtime::machine::Status;
 use tip_runtime::record::Sink;
 
-/// What became of a portion of work.
+/// Result of a portion of work.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Work {
     /// There is more to do.
@@ -34,7 +34,7 @@ enum Phase {
     /// Hits have to be counted first.
     CountingHits(HitCounting),
     Forward,
-    Back(Back),
+    BackwardSearch(BackwardSearch),
 }
 
 impl Debugger {
@@ -48,7 +48,7 @@ impl Debugger {
         };
         let goal = Goal::of(movement, self.now());
         let is_back = movement.is_back();
-        if let Some(stop) = self.there_at_once(goal, is_back) {
+        if let Some(stop) = self.immediate_stop(goal, is_back) {
             self.arrive(stop);
             return;
         }
@@ -71,8 +71,8 @@ impl Debugger {
         });
     }
 
-    /// Where a movement ends that needs no work.
-    fn there_at_once(&self, goal: Goal, is_back: bool) -> Option<Stop> {
+    /// Returns the end of a movement that needs no work.
+    fn immediate_stop(&self, goal: Goal, is_back: bool) -> Option<Stop> {
         let at = self.now();
         match goal {
             Goal::At(to) if is_back || to <= self.history.len() => {
@@ -105,7 +105,7 @@ impl Debugger {
                     false => break None,
                 },
                 Phase::Forward => break self.run_on(pending.goal, &pending.origin, &mut left),
-                Phase::Back(back) => {
+                Phase::BackwardSearch(back) => {
                     break self.look_back(back, pending.goal, &pending.origin, &mut left);
                 }
             }
@@ -123,7 +123,7 @@ impl Debugger {
         }
     }
 
-    /// A whole movement.
+    /// Runs a whole movement.
     pub fn go(&mut self, movement: Move) -> Stop {
         self.start(movement);
         loop {
@@ -133,7 +133,7 @@ impl Debugger {
         }
     }
 
-    /// Whether a movement is under way.
+    /// Returns true if a movement is under way.
     pub fn is_going(&self) -> bool {
         self.pending.is_some()
     }
@@ -158,7 +158,7 @@ impl Debugger {
 impl Phase {
     fn after_counting(is_back: bool, now: u64) -> Self {
         match is_back {
-            true => Phase::Back(Back::new(now)),
+            true => Phase::BackwardSearch(BackwardSearch::new(now)),
             false => Phase::Forward,
         }
     }
@@ -175,7 +175,7 @@ impl PendingCommand {
                     _ => None,
                 },
             },
-            Phase::Back(back) => back.progress(self.origin.at),
+            Phase::BackwardSearch(back) => back.progress(self.origin.at),
         }
     }
 }
@@ -195,7 +195,7 @@ impl Debugger {
         None
     }
 
-    /// Why a run that has just come to this position stops here.
+    /// Returns the reason for a run that has just come to this position to stop here.
     fn reason_here(&self, goal: Goal, origin: &Origin) -> Option<Reason> {
         if let Some(end) = self.end_at(self.now()) {
             return Some(end);
@@ -227,7 +227,7 @@ impl Debugger {
         goal.is_reached(origin, self).then(|| goal.reason())
     }
 
-    /// How the run ended, if it did before this position.
+    /// Returns the end of the run, if it ended before this position.
     pub(super) fn end_at(&self, at: u64) -> Option<Reason> {
         match self.history.frontier {
             _ if at < self.history.len() => None,
@@ -237,7 +237,7 @@ impl Debugger {
         }
     }
 
-    /// One cycle. What happens before the next one has happened then.
+    /// Runs one cycle. What happens before the next one has happened then.
     fn advance(&mut self) {
         if self.now() < self.history.len() {
             self.timeline.advance(None);
@@ -256,11 +256,11 @@ impl Debugger {
         self.breakpoints.count(begins.then_some(step), &now);
     }
 
-    /// A cycle that nobody has seen.
+    /// Runs a cycle for the first time.
     fn explore(&mut self) {
         let before = self.run().program().at();
         self.history.push(before, Self::depth(self.run()));
-        let mut listener = Listener {
+        let mut listener = MessageListener {
             at: self.now(),
             said: &mut self.said,
             taken: &mut self.taken,
@@ -296,14 +296,14 @@ impl Debugger {
     }
 }
 
-/// Keeps what the program says.
-struct Listener<'a> {
+/// Keeps the messages of the program.
+struct MessageListener<'a> {
     at: u64,
     said: &'a mut Vec<(u64, String)>,
     taken: &'a mut usize,
 }
 
-impl Sink for Listener<'_> {
+impl Sink for MessageListener<'_> {
     fn say(&mut self, text: &dyn Display) {
         if self.said.len() >= 2 * MESSAGES {
             self.said.drain(..MESSAGES);
@@ -315,39 +315,39 @@ impl Sink for Listener<'_> {
 
 /// A search under way.
 #[derive(Debug)]
-pub(super) struct Back {
+pub(super) struct BackwardSearch {
     /// Positions from here on are searched.
     below: u64,
     /// Runs stretches again; there is one as soon as one is needed.
     scout: Option<Run>,
-    stretch: Option<Stretch>,
+    segment: Option<ReplaySegment>,
 }
 
 /// From a mark on, positions where conditions decide.
 #[derive(Debug)]
-struct Stretch {
+struct ReplaySegment {
     from: u64,
-    /// Where the scout is.
+    /// Position of the scout.
     at: u64,
-    /// In order, those that are not asked yet.
+    /// Positions that are still to be checked, in order.
     asks: std::vec::IntoIter<u64>,
     /// The last one that stops.
     best: Option<Stop>,
 }
 
-/// What is known of a position before the origin.
+/// Knowledge of a position before the origin.
 enum Found {
     Nothing,
     Stops(Reason),
     Asks,
 }
 
-impl Back {
+impl BackwardSearch {
     pub(super) fn new(now: u64) -> Self {
-        Back {
+        BackwardSearch {
             below: now,
             scout: None,
-            stretch: None,
+            segment: None,
         }
     }
 
@@ -363,23 +363,23 @@ impl Debugger {
     /// Searches on until something is found, or no cycles are left.
     pub(super) fn look_back(
         &self,
-        back: &mut Back,
+        back: &mut BackwardSearch,
         goal: Goal,
         origin: &Origin,
         left: &mut u64,
     ) -> Option<Stop> {
         loop {
-            if let Some(stretch) = &mut back.stretch {
+            if let Some(segment) = &mut back.segment {
                 if let Some(scout) = &mut back.scout
-                    && !self.ask(stretch, scout, left)
+                    && !self.run_segment(segment, scout, left)
                 {
                     return None;
                 }
-                if let Some(stop) = stretch.best.take() {
+                if let Some(stop) = segment.best.take() {
                     return Some(stop);
                 }
-                back.below = stretch.from;
-                back.stretch = None;
+                back.below = segment.from;
+                back.segment = None;
             }
             let last = match back.below.checked_sub(1) {
                 Some(last) => last,
@@ -389,17 +389,17 @@ impl Debugger {
                 }
             };
             let (from, mark) = self.timeline.before(last)?;
-            let stretch = self.scan(from, last, goal, origin);
-            if !stretch.asks.as_slice().is_empty() {
+            let segment = self.scan(from, last, goal, origin);
+            if !segment.asks.as_slice().is_empty() {
                 let scout = back.scout.get_or_insert_with(|| self.run().clone());
                 scout.restore(mark);
             }
-            back.stretch = Some(stretch);
+            back.segment = Some(segment);
         }
     }
 
     /// Looks through the positions from a mark on, the last one first, up to one that stops for certain.
-    fn scan(&self, from: u64, last: u64, goal: Goal, origin: &Origin) -> Stretch {
+    fn scan(&self, from: u64, last: u64, goal: Goal, origin: &Origin) -> ReplaySegment {
         let mut asks = Vec::new();
         let mut best = None;
         for at in (from..=last).rev() {
@@ -413,7 +413,7 @@ impl Debugger {
             }
         }
         asks.reverse();
-        Stretch {
+        ReplaySegment {
             from,
             at: from,
             asks: asks.into_iter(),
@@ -428,10 +428,10 @@ impl Debugger {
         }
         let step = self.history.step(at);
         let known = match self.history.enters(at) {
-            true => self.breakpoints.known(step, at),
-            false => Known::No,
+            true => self.breakpoints.predict(step, at),
+            false => HitPrediction::No,
         };
-        if let Known::Stops(id) = known {
+        if let HitPrediction::Stops(id) = known {
             return Found::Stops(Reason::Breakpoint(id));
         }
         if let Some(watch) = self.set_at(at, None) {
@@ -444,27 +444,28 @@ impl Debugger {
         }
         match known {
             _ if goal.is_met(origin, at, &self.history, self) => Found::Stops(goal.reason()),
-            Known::Asks => Found::Asks,
+            HitPrediction::Asks => Found::Asks,
             _ => Found::Nothing,
         }
     }
 
-    /// What is assigned between a position and the next one, if a watch is on it: that watch, or any.
+    /// Returns the variable that is assigned between a position and the next one, if a watch is on
+    /// it: that watch, or any.
     fn set_at(&self, at: u64, watch: Option<u32>) -> Option<Reason> {
         let assigned = (self.watches).assigned(at, watch, &self.history, &self.program);
         assigned.or_else(|| self.watches.set(at, watch, &self.run().events))
     }
 
-    /// Runs a stretch again up to its last condition; says whether it came there.
-    fn ask(&self, stretch: &mut Stretch, scout: &mut Run, left: &mut u64) -> bool {
-        while let Some(to) = stretch.asks.as_slice().first().copied() {
-            while stretch.at < to {
+    /// Runs a segment again up to its last condition; returns true if it came there.
+    fn run_segment(&self, segment: &mut ReplaySegment, scout: &mut Run, left: &mut u64) -> bool {
+        while let Some(to) = segment.asks.as_slice().first().copied() {
+            while segment.at < to {
                 if *left == 0 {
                     return false;
                 }
                 *left -= 1;
                 scout.advance(None);
-                stretch.at += 1;
+                segment.at += 1;
             }
             scout.happen();
             let now = Now {
@@ -474,16 +475,16 @@ impl Debugger {
             };
             if let Some(id) = self.breakpoints.stops(self.history.step(to), &now) {
                 let reason = Reason::Breakpoint(id);
-                stretch.found(Stop { reason, at: to });
+                segment.found(Stop { reason, at: to });
             }
-            stretch.asks.next();
+            segment.asks.next();
         }
         true
     }
 }
 
-impl Stretch {
-    /// The later one of two stops counts; one that is certain is before all that are asked for.
+impl ReplaySegment {
+    /// Keeps the later one of two stops; one that is certain is before all that are asked for.
     fn found(&mut self, stop: Stop) {
         if self.best.as_ref().is_none_or(|best| best.at < stop.at) {
             self.best = Some(stop);
@@ -491,7 +492,7 @@ impl Stretch {
     }
 }
 
-/// A run that goes again over cycles in which nobody counted.
+/// A run that replays cycles whose passes have not been counted.
 #[derive(Debug)]
 pub(super) struct HitCounting {
     scout: Run,
@@ -501,7 +502,7 @@ pub(super) struct HitCounting {
 }
 
 impl HitCounting {
-    /// From a position up to where the debugger stands.
+    /// Starts counting from a position up to where the debugger stands.
     pub(super) fn new(from: u64, debugger: &Debugger) -> Option<Self> {
         let (at, mark) = debugger.timeline.before(from)?;
         let mut scout = debugger.run().clone();
@@ -524,7 +525,7 @@ impl HitCounting {
 }
 
 impl Debugger {
-    /// Goes on counting; says whether all is counted.
+    /// Goes on counting; returns true when all is counted.
     pub(super) fn count_hits(&mut self, counting: &mut HitCounting, left: &mut u64) -> bool {
         loop {
             let begins = self.history.enters(counting.at);

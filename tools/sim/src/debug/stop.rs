@@ -1,4 +1,4 @@
-//! Where a debugger is to go, why it stops, and why it refuses what it is asked.
+//! Movements of a debugger, and its reasons to stop or to refuse a request.
 
 use super::Debugger;
 use super::History;
@@ -16,21 +16,21 @@ use tipc::message::Lang;
 /// A position, and why the debugger stopped there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stop {
-    /// Why.
+    /// The reason.
     pub reason: Reason,
     /// The cycle that comes next.
     pub at: u64,
 }
 
-/// Why a debugger stopped.
+/// The reason why a debugger stopped.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Reason {
     /// At the beginning of the run.
     Start,
-    /// It did the steps that it was asked for.
+    /// The steps that were asked for are done.
     Step,
-    /// It came to the line or cycle that it was sent to.
+    /// The line or cycle that it was sent to is reached.
     There,
     /// At the breakpoint of this number.
     Breakpoint(u32),
@@ -38,7 +38,7 @@ pub enum Reason {
     Watch {
         /// The watch of this number.
         id: u32,
-        /// Who assigns it.
+        /// The source of the assignment.
         by: By,
     },
     /// The robot fell. Forwards, in the cycle before; backwards, in the cycle that comes next.
@@ -53,7 +53,7 @@ pub enum Reason {
     Change,
 }
 
-/// Who assigns a variable.
+/// The source of an assignment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// A step of the program.
@@ -62,12 +62,12 @@ pub enum By {
     Event,
 }
 
-/// How far a movement has come.
+/// Progress of a movement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
     /// Cycles that are done or searched.
     pub done: u64,
-    /// Of how many; none where nobody knows.
+    /// Number of all cycles; none if it is not known.
     pub of: Option<u64>,
 }
 
@@ -77,23 +77,23 @@ pub struct Progress {
 pub enum Move {
     /// One control cycle.
     Cycle,
-    /// To the next step, into routines.
+    /// Steps to the next step, into routines.
     Step,
-    /// To the next step, over what GOSUB and CALL do.
+    /// Steps to the next step, over what GOSUB and CALL do.
     Over,
     /// Out of a routine, to the step after its call.
     Out,
-    /// On until something stops it.
+    /// Goes on until something stops it.
     Continue,
-    /// On to a step of a line.
+    /// Goes on to a step of a line.
     Line(u32),
-    /// To a cycle, known or not.
+    /// Goes to a cycle, known or not.
     To(u64),
     /// Back one control cycle.
     CycleBack,
     /// Back to the beginning of this step or, from there, of the one before; into routines.
     StepBack,
-    /// The same over what GOSUB and CALL did.
+    /// Goes back over what GOSUB and CALL did.
     OverBack,
     /// Back to the call of a routine.
     OutBack,
@@ -106,7 +106,7 @@ pub enum Move {
 }
 
 impl Move {
-    /// Whether it goes back.
+    /// Returns true if it goes back.
     pub fn is_back(self) -> bool {
         match self {
             Move::Cycle
@@ -127,7 +127,7 @@ impl Move {
     }
 }
 
-/// What a movement ends at.
+/// The end of a movement.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Goal {
     /// This position.
@@ -146,7 +146,7 @@ pub(super) enum Goal {
     Nowhere,
 }
 
-/// Where a movement began.
+/// The beginning of a movement.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Origin {
     pub(super) at: u64,
@@ -169,7 +169,7 @@ impl Goal {
         }
     }
 
-    /// What a debugger that comes there says.
+    /// Returns the reason to stop for a debugger that comes there.
     pub(super) fn reason(self) -> Reason {
         match self {
             Goal::Step | Goal::Over | Goal::Out => Reason::Step,
@@ -177,12 +177,12 @@ impl Goal {
         }
     }
 
-    /// Whether breakpoints and the like count on the path to it.
+    /// Returns true if breakpoints and the like count on the path to it.
     pub(super) fn stops_early(self) -> bool {
         !matches!(self, Goal::At(_) | Goal::Set(_))
     }
 
-    /// Whether a run that has come forward from an origin is there.
+    /// Returns true if a run that has come forward from an origin is there.
     pub(super) fn is_reached(self, from: &Origin, debugger: &Debugger) -> bool {
         let (step, depth) = (
             debugger.run().program().at(),
@@ -201,7 +201,7 @@ impl Goal {
         }
     }
 
-    /// Whether a position before an origin is there.
+    /// Returns true if a position before an origin is there.
     pub(super) fn is_met(
         self,
         from: &Origin,
@@ -222,7 +222,8 @@ impl Goal {
     }
 }
 
-/// Which passes of a breakpoint stop a run, counted from its start. As text: `5` or `== 5`, `> 5`, `>= 5`, `% 5`.
+/// The passes of a breakpoint that stop a run, counted from its start. As text: `5` or `== 5`, `>
+/// 5`, `>= 5`, `% 5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hits {
     /// This one alone.
@@ -246,9 +247,9 @@ impl Hits {
 
 /// A text that does not say which passes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NotHits(pub(super) String);
+pub struct HitsError(pub(super) String);
 
-impl NotHits {
+impl HitsError {
     pub(super) fn message(&self) -> Debugging {
         Debugging::NoCountOfHits {
             text: self.0.clone().into(),
@@ -256,18 +257,18 @@ impl NotHits {
     }
 }
 
-impl fmt::Display for NotHits {
+impl fmt::Display for HitsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.message().fmt(f)
     }
 }
 
-impl std::error::Error for NotHits {}
+impl std::error::Error for HitsError {}
 
 impl FromStr for Hits {
-    type Err = NotHits;
+    type Err = HitsError;
 
-    fn from_str(text: &str) -> Result<Self, NotHits> {
+    fn from_str(text: &str) -> Result<Self, HitsError> {
         let text = text.trim();
         let digits = text.find(|char: char| char.is_ascii_digit());
         let (sign, number) = text.split_at(digits.unwrap_or(text.len()));
@@ -278,14 +279,14 @@ impl FromStr for Hits {
             "%" if n > 0 => Some(Hits::Each(n)),
             _ => None,
         });
-        hits.ok_or_else(|| NotHits(text.to_owned()))
+        hits.ok_or_else(|| HitsError(text.to_owned()))
     }
 }
 
-/// Why something is refused.
+/// The reason why a request is refused.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Refused {
+pub enum DebugError {
     /// No step is on this line, and none after it.
     NoStep(u32),
     /// No routine, label or command has this name.
@@ -297,8 +298,8 @@ pub enum Refused {
     /// It cannot be calculated, or reads what is not assigned.
     Fault(Fault),
     /// The text does not say how many hits.
-    Hits(NotHits),
-    /// So many cycles have been run after this position, and would be discarded.
+    Hits(HitsError),
+    /// The change would discard this number of cycles after the position.
     WouldDiscard(u64),
     /// The program is over.
     Ended,
@@ -306,50 +307,50 @@ pub enum Refused {
     Event(refused::Refused),
 }
 
-impl Refused {
-    /// What it says in a language. A fault has its classical text in each.
+impl DebugError {
+    /// Returns the message in a language. A fault has its classical text in each.
     pub fn text(&self, lang: Lang) -> String {
         let message = match self {
-            Refused::Wrong(diagnostic) => return diagnostic.headline(lang),
-            Refused::Fault(fault) => return fault.to_string(),
-            Refused::Event(refused) => return refused.text(lang),
-            Refused::NoStep(line) => Debugging::NoStepFrom { line: *line },
-            Refused::NoName(name) => Debugging::NoSuchName {
+            DebugError::Wrong(diagnostic) => return diagnostic.headline(lang),
+            DebugError::Fault(fault) => return fault.to_string(),
+            DebugError::Event(refused) => return refused.text(lang),
+            DebugError::NoStep(line) => Debugging::NoStepFrom { line: *line },
+            DebugError::NoName(name) => Debugging::NoSuchName {
                 name: name.clone().into(),
             },
-            Refused::NoVariable(name, error) => return refused::of_variable(name, *error, lang),
-            Refused::Hits(error) => error.message(),
-            Refused::WouldDiscard(cycles) => Debugging::WouldDiscard {
+            DebugError::NoVariable(name, error) => return refused::of_variable(name, *error, lang),
+            DebugError::Hits(error) => error.message(),
+            DebugError::WouldDiscard(cycles) => Debugging::WouldDiscard {
                 cycles: usize::try_from(*cycles).unwrap_or(usize::MAX),
             },
-            Refused::Ended => Debugging::Ended,
+            DebugError::Ended => Debugging::Ended,
         };
         message.in_lang(lang).to_string()
     }
 }
 
-impl fmt::Display for Refused {
+impl fmt::Display for DebugError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text(Lang::English))
     }
 }
 
-impl std::error::Error for Refused {}
+impl std::error::Error for DebugError {}
 
-impl From<NotHits> for Refused {
-    fn from(error: NotHits) -> Self {
-        Refused::Hits(error)
+impl From<HitsError> for DebugError {
+    fn from(error: HitsError) -> Self {
+        DebugError::Hits(error)
     }
 }
 
-impl From<Box<Diagnostic>> for Refused {
+impl From<Box<Diagnostic>> for DebugError {
     fn from(error: Box<Diagnostic>) -> Self {
-        Refused::Wrong(error)
+        DebugError::Wrong(error)
     }
 }
 
-impl From<Fault> for Refused {
+impl From<Fault> for DebugError {
     fn from(error: Fault) -> Self {
-        Refused::Fault(error)
+        DebugError::Fault(error)
     }
 }

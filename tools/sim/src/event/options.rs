@@ -8,10 +8,10 @@ use std::str::FromStr;
 /// All that happens around a run, and how long it may take.
 ///
 /// Its text is that of the options of `tip run`, in one line: `--keys 3:a --sensor VR1=8@300 --halt 500 --cycles 900`.
-/// What has no short form follows `--events`, without blanks around its commas.
+/// Events without a short form follow `--events`, without blanks around its commas.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inputs {
-    /// What happens.
+    /// The events.
     pub events: Events,
     /// The most cycles.
     pub cycles: Option<u64>,
@@ -72,7 +72,7 @@ impl FromStr for Inputs {
     }
 }
 
-/// A word, or the text between single quotes; and what follows.
+/// Returns a word, or the text between single quotes; and what follows.
 fn value(text: &str) -> (&str, &str) {
     match text
         .strip_prefix('\'')
@@ -121,7 +121,7 @@ impl FromStr for SensorAt {
     }
 }
 
-/// An input that reads something from a cycle on, if it can read that.
+/// Returns an input that reads something from a cycle on, if it can read that.
 fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<Timed, EventError> {
     let wrong = |what: &str| {
         EventError(format!(

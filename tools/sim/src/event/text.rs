@@ -6,7 +6,7 @@ use std::str::FromStr;
 use tip_runtime::command::Port;
 use tip_runtime::plant::Noise;
 
-/// A text that is not an event, or not a list of them; it says what was expected.
+/// A text that is not an event, or not a list of them, with the form that was expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EventError(pub(super) String);
 
@@ -89,14 +89,14 @@ impl FromStr for Event {
     }
 }
 
-/// `X Y Z for C`: N, and cycles.
+/// Reads `X Y Z for C`: N, and cycles.
 fn pushed(text: &str) -> Option<Event> {
     let (force, cycles) = text.split_once(" for ")?;
     let force = numbers(force)?;
     Some(Event::Push(force, cycles.trim().parse().ok()?))
 }
 
-/// `A V seed N`: deg, V, and a whole number.
+/// Reads `A V seed N`: deg, V, and a whole number.
 fn noisy(text: &str) -> Option<Event> {
     let (noise, seed) = text.split_once(" seed ")?;
     let [angle, volts] = numbers(noise)?;
@@ -105,7 +105,7 @@ fn noisy(text: &str) -> Option<Event> {
     (angle >= 0.0 && volts >= 0.0).then_some(Event::Noise(noise))
 }
 
-/// So many finite numbers, with blanks between them.
+/// Reads `N` finite numbers with blanks between them.
 fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     let numbers: Option<Vec<f64>> = (text.split_whitespace())
         .map(|word| word.parse().ok().filter(|number: &f64| number.is_finite()))
@@ -114,7 +114,7 @@ fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
 }
 
 impl Event {
-    /// What a debugger's user writes for an assignment: `N = 5`, `P.X=-1.5`.
+    /// Reads an assignment as a debugger's user writes it: `N = 5`, `P.X=-1.5`.
     pub fn assignment(text: &str) -> Option<Self> {
         let (name, value) = text.split_once('=')?;
         let name = name.trim();
@@ -183,7 +183,7 @@ impl fmt::Display for KeyText {
     }
 }
 
-/// One ASCII character, or its code as `0x1B`.
+/// Reads one ASCII character, or its code as `0x1B`.
 pub(super) fn key_byte(key: &str) -> Option<u8> {
     match (key.as_bytes(), key.strip_prefix("0x")) {
         (&[byte], _) if byte.is_ascii() => Some(byte),
@@ -194,7 +194,7 @@ pub(super) fn key_byte(key: &str) -> Option<u8> {
     }
 }
 
-/// The inputs by name, as AD_IN has them, in either case.
+/// Returns the inputs by name, as AD_IN has them, in either case.
 pub(super) fn port(name: &str) -> Option<Port> {
     name.to_ascii_uppercase().parse().ok()
 }

@@ -11,10 +11,11 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tip_runtime::printable::Printable;
 
-/// How long a process and those that it started may take to end after the last line; then they are killed.
+/// Time that a process and those that it started have to end after the last line; then they are
+/// killed.
 const GRACE: Duration = Duration::from_secs(2);
-/// How long it is waited for whether a process that has closed its output ends.
-const MOMENT: Duration = Duration::from_millis(500);
+/// Time that a process which has closed its output has to end.
+const CLOSE_TIMEOUT: Duration = Duration::from_millis(500);
 /// The longest line of standard error that is passed on in one piece: bytes.
 const SAID: u64 = 4096;
 
@@ -23,12 +24,12 @@ pub(super) struct Link {
     process: ProcessGroup,
     /// None when it has been told the last line.
     lines: Option<Sender<Line>>,
-    answers: Receiver<Heard>,
+    answers: Receiver<Received>,
     /// Disconnected when standard error has been read to its end.
     said: Receiver<()>,
     asked: Instant,
     /// Nothing more is to be expected of it.
-    is_given_up: bool,
+    skips_grace: bool,
 }
 
 /// A line to the process.
@@ -37,10 +38,10 @@ struct Line {
     is_answered: bool,
 }
 
-/// What came in place of an answer, or the answer.
-pub(super) enum Heard {
+/// An answer, or what came in its place.
+pub(super) enum Received {
     Line(String),
-    /// Not yet.
+    /// No answer yet.
     Nothing,
     TooLate,
     End(Ended),
@@ -66,7 +67,7 @@ impl Link {
         let (heard, answers) = mpsc::channel();
         let (saying, said) = mpsc::channel();
         if let (Some(input), Some(output)) = (child.stdin.take(), child.stdout.take()) {
-            thread::spawn(move || talk(input, output, &to_write, &heard));
+            thread::spawn(move || exchange_lines(input, output, &to_write, &heard));
         }
         if let Some(errors) = child.stderr.take() {
             thread::spawn(move || {
@@ -80,18 +81,18 @@ impl Link {
             answers,
             said,
             asked: Instant::now(),
-            is_given_up: false,
+            skips_grace: false,
         })
     }
 
     /// Sends a line, and expects an answer from now on.
-    pub(super) fn ask(&mut self, text: String) {
+    pub(super) fn request(&mut self, text: String) {
         self.asked = Instant::now();
         self.send(text, true);
     }
 
     /// Sends a line that has no answer.
-    pub(super) fn tell(&mut self, text: String) {
+    pub(super) fn notify(&mut self, text: String) {
         self.send(text, false);
     }
 
@@ -106,63 +107,71 @@ impl Link {
         });
     }
 
-    /// The answer to what it was asked last, waiting for it, but not longer than this; it is too late after `within`.
-    pub(super) fn answer(&mut self, longest: Duration, within: Duration) -> Heard {
+    /// Waits for the answer to the last request, but not longer than this; it is too late after
+    /// `within`.
+    pub(super) fn answer(&mut self, longest: Duration, within: Duration) -> Received {
         let left = within.saturating_sub(self.asked.elapsed());
         match self.answers.recv_timeout(left.min(longest)) {
-            Ok(Heard::End(_)) | Err(RecvTimeoutError::Disconnected) => Heard::End(self.ended()),
+            Ok(Received::End(_)) | Err(RecvTimeoutError::Disconnected) => {
+                Received::End(self.ended())
+            }
             Ok(heard) => heard,
-            Err(RecvTimeoutError::Timeout) if self.asked.elapsed() < within => Heard::Nothing,
-            Err(RecvTimeoutError::Timeout) => Heard::TooLate,
+            Err(RecvTimeoutError::Timeout) if self.asked.elapsed() < within => Received::Nothing,
+            Err(RecvTimeoutError::Timeout) => Received::TooLate,
         }
     }
 
-    /// How it ended.
+    /// Returns the way in which it ended.
     fn ended(&mut self) -> Ended {
-        match self.process.wait(MOMENT) {
+        match self.process.wait(CLOSE_TIMEOUT) {
             None => Ended::Closed,
             Some(status) => status.code().map_or(Ended::Killed, Ended::Exit),
         }
     }
 
-    /// It is not given time to end by itself.
-    pub(super) fn give_up(&mut self) {
-        self.is_given_up = true;
+    /// Leaves the process no time to end by itself.
+    pub(super) fn skip_grace(&mut self) {
+        self.skips_grace = true;
     }
 }
 
 impl Drop for Link {
     /// Says good-bye, closes its input and waits for its end and that of what it started, which comes in any case.
     fn drop(&mut self) {
-        self.tell(BYE.to_owned());
+        self.notify(BYE.to_owned());
         self.lines = None;
-        let grace = if self.is_given_up {
+        let grace = if self.skips_grace {
             Duration::ZERO
         } else {
             GRACE
         };
         self.process.end(grace);
         // What it said last. Others may hold its pipe open.
-        let _ = self.said.recv_timeout(MOMENT);
+        let _ = self.said.recv_timeout(CLOSE_TIMEOUT);
     }
 }
 
 /// Writes each line and reads its answer, as long as there are lines.
-fn talk(mut input: ChildStdin, output: ChildStdout, lines: &Receiver<Line>, heard: &Sender<Heard>) {
+fn exchange_lines(
+    mut input: ChildStdin,
+    output: ChildStdout,
+    lines: &Receiver<Line>,
+    heard: &Sender<Received>,
+) {
     let mut output = BufReader::new(output);
     for line in lines {
         // A process that does not read any more shows when its answer is missing.
         let _ = input
             .write_all(line.text.as_bytes())
             .and_then(|()| input.flush());
-        if line.is_answered && heard.send(hear(&mut output)).is_err() {
+        if line.is_answered && heard.send(read_line(&mut output)).is_err() {
             return;
         }
     }
 }
 
-/// The next line.
-fn hear(output: &mut impl BufRead) -> Heard {
+/// Reads the next line.
+fn read_line(output: &mut impl BufRead) -> Received {
     let mut bytes = Vec::new();
     let read = output
         .by_ref()
@@ -170,15 +179,15 @@ fn hear(output: &mut impl BufRead) -> Heard {
         .read_until(b'\n', &mut bytes);
     let is_whole = bytes.pop_if(|byte| *byte == b'\n').is_some();
     match (read, is_whole, String::from_utf8(bytes)) {
-        (Ok(read), false, _) if read as u64 > LONGEST => Heard::TooLong,
-        (Ok(_), true, Ok(line)) => Heard::Line(line),
-        (Ok(_), true, Err(_)) => Heard::NotText,
+        (Ok(read), false, _) if read as u64 > LONGEST => Received::TooLong,
+        (Ok(_), true, Ok(line)) => Received::Line(line),
+        (Ok(_), true, Err(_)) => Received::NotText,
         // A line without its end was cut off.
-        _ => Heard::End(Ended::Closed),
+        _ => Received::End(Ended::Closed),
     }
 }
 
-/// Passes on what it says, line by line.
+/// Passes on its output, line by line.
 fn listen(errors: ChildStderr, listener: &(dyn Fn(&str) + Send + Sync)) {
     let mut errors = BufReader::new(errors);
     loop {

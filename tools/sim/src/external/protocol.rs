@@ -13,7 +13,7 @@ use tip_runtime::plant::Pose;
 use tip_runtime::printable::Printable;
 use tipc::message::{Lang, Text};
 
-/// What a process measures of its robot. Lists that it does not measure are empty.
+/// The readings that a process gives of its robot. Lists that it does not measure are empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Measured {
     /// deg.
@@ -24,7 +24,7 @@ pub(super) struct Measured {
     pub(super) loads: Vec<f64>,
     /// mm.
     pub(super) slider: [f64; 3],
-    /// Whether it says where the body is.
+    /// True if it gives the pose of the body.
     has_pose: bool,
 }
 
@@ -153,7 +153,7 @@ struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
-    /// So many finite numbers; none if the key is not there and not needed.
+    /// Reads the finite numbers of a key; none if the key is not there and not needed.
     fn of(
         &self,
         key: &'static str,
@@ -200,7 +200,7 @@ impl Numbers<'_> {
     }
 }
 
-/// What a number of a list is about.
+/// Returns the subject of a number of a list, such as a joint.
 fn place(layout: &Layout, key: &str, index: usize) -> String {
     let at = |names: &[&str]| names.get(index).copied().unwrap_or_default().to_owned();
     let joints = layout.joints.max(1);
@@ -233,20 +233,20 @@ pub(super) const LOADS: &str = "loads";
 pub(super) const SLIDER: &str = "slider";
 pub(super) const POSE: &str = "pose";
 
-/// What an external plant has to know of a robot, and how many numbers belong to it.
+/// The facts of a robot that an external plant has to know, and how many numbers belong to it.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     robot: String,
     pub(super) legs: usize,
-    /// Of each leg.
+    /// Number of joints of each leg.
     pub(super) joints: usize,
     /// ms.
     period: f64,
-    /// The initial posture, leg by leg: deg.
+    /// The initial posture, leg by leg, deg.
     initial: Vec<f64>,
-    /// How many of the robot's torque unit one N·m is.
+    /// Number of the robot's torque units in 1 N·m.
     pub(super) per_newton_metre: f64,
-    /// Whether it senses and gives torques.
+    /// True if it senses and gives torques.
     pub(super) has_torques: bool,
     pub(super) has_slider: bool,
     /// One on each leg if it stands on them.
@@ -276,7 +276,7 @@ impl Layout {
         }
     }
 
-    /// The inputs that read what events set.
+    /// Returns the inputs that read what events set.
     pub(super) fn inputs(&self) -> impl Iterator<Item = Port> {
         let soles = u8::try_from(self.soles).unwrap_or(u8::MAX);
         let knobs = Port::Knob(1).named();
@@ -285,7 +285,7 @@ impl Layout {
             .chain([Port::Antenna])
     }
 
-    /// The first line.
+    /// Returns the first line.
     pub(super) fn hello(&self) -> String {
         let Layout {
             robot,
@@ -307,7 +307,7 @@ impl Layout {
         )
     }
 
-    /// The line of a control cycle.
+    /// Returns the line of a control cycle.
     pub(super) fn cycle(&self, number: u64, commands: &Commands<'_>) -> String {
         let unit = self.per_newton_metre;
         let (joints, period) = (commands.joints, commands.period);
@@ -331,7 +331,7 @@ impl Layout {
     }
 }
 
-/// The line of an emergency.
+/// Returns the line of an emergency.
 pub(super) fn stop(number: u64) -> String {
     format!("stop {NUMBER}={number}\n")
 }
@@ -343,7 +343,7 @@ fn mode(command: JointCommand) -> &'static str {
     }
 }
 
-/// Numbers with commas between, each the shortest that gives the same bits again.
+/// Writes numbers with commas between, each the shortest that gives the same bits again.
 fn list(numbers: impl Iterator<Item = f64>) -> String {
     let mut text = String::new();
     for (index, number) in numbers.enumerate() {
@@ -354,17 +354,17 @@ fn list(numbers: impl Iterator<Item = f64>) -> String {
     text
 }
 
-/// Which line an answer is to.
+/// The line that an answer is to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Head {
     /// The first one.
     Hello,
-    /// That of a control cycle.
+    /// A control cycle.
     Cycle(u64),
 }
 
 impl fmt::Display for Head {
-    /// As the line begins.
+    /// Writes it as the line begins.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Head::Hello => f.write_str(HELLO),
@@ -373,18 +373,18 @@ impl fmt::Display for Head {
     }
 }
 
-/// How a process ended.
+/// The way in which a process ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
-    /// By itself, with this status.
+    /// The process exited with this status.
     Exit(i32),
-    /// By a signal.
+    /// A signal killed it.
     Killed,
     /// It goes on, but has closed its standard output.
     Closed,
 }
 
-/// What is wrong with an external plant.
+/// Error of an external plant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 #[expect(missing_docs, reason = "the fields are what the messages name")]
@@ -438,7 +438,7 @@ pub enum PlantError {
 }
 
 impl PlantError {
-    /// The word of the emergency stop.
+    /// Returns the word of the emergency stop.
     pub fn word(&self) -> &'static str {
         match self {
             PlantError::NoAnswer { .. } => "plant: no answer",
@@ -458,7 +458,7 @@ impl PlantError {
         }
     }
 
-    /// What is wrong, and where, as a message.
+    /// Returns the error and its place, as a message.
     pub fn message(&self) -> Simulating {
         let head = |to: &Head| Text::from(to.to_string());
         let text = |said: &String| Printable::line(said).to_string();

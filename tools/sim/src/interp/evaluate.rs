@@ -25,7 +25,7 @@ impl Interpreter {
         }
     }
 
-    /// The members of a struct.
+    /// Returns the members of a struct.
     pub(super) fn read_struct(&self, variable: VariableId) -> Result<Vec<f64>, Fault> {
         (0..self.program.variables()[variable].size())
             .map(|member| self.read(Scalar { variable, member }))
@@ -53,7 +53,7 @@ impl Interpreter {
         }
     }
 
-    /// What stands on the right of an equation.
+    /// Evaluates the right side of an equation.
     pub(crate) fn scalar_expression(&self, value: ScalarExpression) -> Result<f64, Fault> {
         match value {
             ScalarExpression::Operand(operand) => self.operand(operand),

@@ -1,4 +1,4 @@
-//! What one cycle of each step does: first what it comes to, then, if nothing failed, its effect.
+//! Execution of one cycle of each step: first its result, then, if nothing failed, its effect.
 
 use super::Interpreter;
 use std::fmt;
@@ -8,7 +8,7 @@ use tip_runtime::ops::{self, FormattedNumber};
 use tip_runtime::program::{CallStack, Context, Flow};
 use tipc::program::{Action, Argument, End, Mark, MessagePart, Scalar, StepId, VariableId};
 
-/// What a step came to.
+/// Result of a step.
 pub(super) struct Outcome {
     /// The scalars that it assigns, the first one at `first`.
     first: usize,
@@ -18,11 +18,11 @@ pub(super) struct Outcome {
     then: Then,
 }
 
-/// Where a step leads.
+/// The step that comes next.
 enum Then {
-    /// To another step, "taken".
+    /// Goes to another step, "taken".
     To(StepId),
-    /// To another step, "not taken".
+    /// Goes to another step, "not taken".
     Otherwise(StepId),
     /// Nowhere: it runs again.
     Wait,
@@ -42,7 +42,7 @@ impl Then {
 }
 
 impl Interpreter {
-    /// Everything that can fail, with no effect on the program's state.
+    /// Does everything that can fail, with no effect on the program's state.
     pub(super) fn outcome(&self, cx: &mut dyn Context) -> Result<Outcome, Fault> {
         let step = self.program.steps().get(self.at as usize);
         let next = self.at + 1;
@@ -184,7 +184,7 @@ impl Interpreter {
         })
     }
 
-    /// The effect of a step that did not fail.
+    /// Applies the effect of a step that did not fail.
     pub(super) fn apply(&mut self, outcome: Outcome) -> Flow {
         let places = self.scalars.iter_mut().skip(outcome.first);
         for (place, value) in places.zip(outcome.values) {

@@ -15,22 +15,22 @@ use tipc::program::Program;
 pub enum Answer {
     /// Both engines did the same.
     Agreed {
-        /// How many cycles were compared.
+        /// Number of cycles that were compared.
         cycles: u64,
-        /// How it ended.
+        /// End of the run.
         end: RunEnd,
         /// The spots that no run before reached, by their places in [`Spots::all`](tip_lint::spots::Spots::all).
         new: Vec<usize>,
         /// Some cycles whose step had an edge that no run went along yet: where another input may change the path.
         chances: Vec<u64>,
     },
-    /// They did not.
+    /// The engines differ.
     Diverged(Divergence),
     /// The robot lacks something that was asked for.
     Refused(String),
 }
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RunEnd {
     /// END or EXIT.
@@ -51,17 +51,17 @@ const ENDS: [(&str, RunEnd); 3] = [
 #[derive(Clone, Debug)]
 pub struct Session {
     lockstep: Lockstep,
-    reach: Reach,
+    reach: ReachedPoints,
 }
 
 impl Session {
-    /// A session without runs.
+    /// Creates a session without runs.
     pub fn new(lockstep: Lockstep) -> Self {
-        let reach = Reach::new(lockstep.program());
+        let reach = ReachedPoints::new(lockstep.program());
         Session { lockstep, reach }
     }
 
-    /// One run.
+    /// Runs once.
     pub fn answer(&mut self, inputs: &Inputs) -> Answer {
         let compared = self.lockstep.run(inputs, &mut self.reach);
         let (new, chances) = self.reach.take_news();
@@ -186,22 +186,22 @@ pub fn serve(
 /// The most chances that are reported of a run.
 const CHANCES: usize = 64;
 
-/// Which spots of a program some run reached.
+/// The spots of a program that some run reached.
 #[derive(Clone, Debug)]
-pub struct Reach {
+pub struct ReachedPoints {
     spots: Spots,
     seen: Vec<bool>,
-    /// Of the present run: what no run before reached.
+    /// The spots that the present run reached first.
     new: Vec<usize>,
     chances: Vec<u64>,
 }
 
-impl Reach {
-    /// None yet.
+impl ReachedPoints {
+    /// Creates an empty set.
     pub fn new(program: &Program) -> Self {
         let spots = Spots::of(program);
         let seen = vec![false; spots.all().len()];
-        Reach {
+        ReachedPoints {
             spots,
             seen,
             new: Vec::new(),
@@ -209,24 +209,25 @@ impl Reach {
         }
     }
 
-    /// The spots of the program.
+    /// Returns the spots of the program.
     pub fn spots(&self) -> &Spots {
         &self.spots
     }
 
-    /// Whether some run reached the spot at this place among all.
+    /// Returns true if some run reached the spot at this place among all.
     pub fn has(&self, spot: usize) -> bool {
         self.seen.get(spot).copied().unwrap_or_default()
     }
 
-    /// Some run reached this spot; whether it is the first.
+    /// Adds a spot; returns true if no run reached it before.
     pub fn add(&mut self, spot: usize) -> bool {
         let seen = self.seen.get_mut(spot);
         seen.is_some_and(|seen| !std::mem::replace(seen, true))
     }
 
-    /// What the runs since the last call were the first to come by, by places in [`Spots::all`]; and some cycles whose
-    /// step had an edge that no run went along yet, where another input may change the path.
+    /// Takes the spots that the runs since the last call reached first, by places in
+    /// [`Spots::all`]; and some cycles whose step had an edge that no run went along yet, where
+    /// another input may change the path.
     pub fn take_news(&mut self) -> (Vec<usize>, Vec<u64>) {
         (
             std::mem::take(&mut self.new),
@@ -250,7 +251,7 @@ impl Reach {
     }
 }
 
-impl Scout for Reach {
+impl Scout for ReachedPoints {
     fn went(&mut self, cycle: u64, from: Place, to: Option<Place>) {
         let edge = to
             .filter(|to| *to != from)

@@ -3,7 +3,7 @@
 use super::Evidence;
 use crate::interp::Interpreter;
 use crate::run::Run;
-use crate::trace::both;
+use crate::trace::tee;
 use std::fmt::{self, Display, Write as _};
 use tip_lint::spots::Place;
 use tip_runtime::command::{Command, Value};
@@ -16,93 +16,97 @@ use tip_runtime::record::{Cycle, Dump, Ending, JsonLines, Sample, Sink};
 /// A run, and what is noted of it.
 pub(super) struct Side {
     run: Run,
-    tape: Tape,
+    record: CycleRecord,
     ending: Option<Ending>,
 }
 
-enum Tape {
-    /// What the last cycle left.
+enum CycleRecord {
+    /// The record of the last cycle.
     Record(Box<JsonLines<String>>),
-    Hash(Notes),
+    Hash(HashedCycles),
 }
 
-impl Tape {
-    /// What a cycle is written to.
+impl CycleRecord {
+    /// Returns the sink that a cycle is written to.
     fn sink(&mut self) -> &mut dyn Sink {
         match self {
-            Tape::Record(record) => record.as_mut(),
-            Tape::Hash(notes) => notes,
+            CycleRecord::Record(record) => record.as_mut(),
+            CycleRecord::Hash(notes) => notes,
         }
     }
 }
 
 impl Side {
-    /// A run before its first cycle.
+    /// Creates a run before its first cycle.
     pub(super) fn new(run: Run, evidence: Evidence) -> Self {
-        let (run, tape) = match evidence {
+        let (run, record) = match evidence {
             Evidence::Records => {
                 let record = Box::new(JsonLines::new(String::new(), true));
-                (run, Tape::Record(record))
+                (run, CycleRecord::Record(record))
             }
             Evidence::Hashes => (
                 run.with_console(Shown::default()),
-                Tape::Hash(Notes::default()),
+                CycleRecord::Hash(HashedCycles::default()),
             ),
         };
         Side {
             run,
-            tape,
+            record,
             ending: None,
         }
     }
 
     /// Runs a cycle, unless `limit` are used up, reports it to `sink`, and returns whether that was the end.
     pub(super) fn cycle(&mut self, limit: u64, sink: Option<&mut dyn Sink>) -> Option<Ending> {
-        if let Tape::Record(record) = &mut self.tape {
+        if let CycleRecord::Record(record) = &mut self.record {
             record.get_mut().clear();
         }
         self.ending = if self.run.cycles() >= limit {
             Some(Ending::Limit)
         } else {
-            both(Some(self.tape.sink()), sink, |sink| self.run.advance(sink));
+            tee(Some(self.record.sink()), sink, |sink| {
+                self.run.advance(sink)
+            });
             self.run.ending()
         };
-        if let (Tape::Record(record), Some(ending)) = (&mut self.tape, self.ending) {
+        if let (CycleRecord::Record(record), Some(ending)) = (&mut self.record, self.ending) {
             record.end(ending, self.run.cycles());
         }
         self.ending
     }
 
-    /// Whether it equals the other side.
+    /// Returns true if it equals the other side.
     pub(super) fn equals(&self, other: &Side) -> bool {
-        let is_same = match (&self.tape, &other.tape) {
-            (Tape::Record(one), Tape::Record(other)) => one.get_ref() == other.get_ref(),
-            (Tape::Hash(one), Tape::Hash(other)) => one.hash == other.hash,
+        let is_same = match (&self.record, &other.record) {
+            (CycleRecord::Record(one), CycleRecord::Record(other)) => {
+                one.get_ref() == other.get_ref()
+            }
+            (CycleRecord::Hash(one), CycleRecord::Hash(other)) => one.hash == other.hash,
             _ => false,
         };
         is_same && self.ending == other.ending && self.shown() == other.shown()
     }
 
-    /// The same of what the console was shown.
+    /// Returns the output of the console.
     fn shown(&self) -> Option<&Shown> {
         self.run.console()
     }
 
-    /// A hash of everything so far; 0 if there is none.
+    /// Returns a hash of everything so far; 0 if there is none.
     pub(super) fn hash(&self) -> u64 {
-        match &self.tape {
-            Tape::Record(_) => 0,
-            Tape::Hash(notes) => notes.hash.value(),
+        match &self.record {
+            CycleRecord::Record(_) => 0,
+            CycleRecord::Hash(notes) => notes.hash.value(),
         }
     }
 
     /// Runs a cycle, and returns what happens in it.
     pub(super) fn in_words(&mut self, limit: u64) -> String {
-        self.tape = Tape::Hash(Notes::in_words());
+        self.record = CycleRecord::Hash(HashedCycles::in_words());
         self.cycle(limit, None);
-        let words = match &mut self.tape {
-            Tape::Record(_) => None,
-            Tape::Hash(notes) => notes.words.take(),
+        let words = match &mut self.record {
+            CycleRecord::Record(_) => None,
+            CycleRecord::Hash(notes) => notes.words.take(),
         };
         let words = words.unwrap_or_default();
         match self.ending {
@@ -116,12 +120,12 @@ impl Side {
         &self.run
     }
 
-    /// Control cycles whose step ran without a fault.
+    /// Returns the number of control cycles whose step ran without a fault.
     pub(super) fn cycles(&self) -> u64 {
         self.run.cycles()
     }
 
-    /// Where the interpreter is; compiled code gives its step only.
+    /// Returns the interpreter's place; compiled code gives its step only.
     pub(super) fn place(&self) -> Place {
         match self.run.engine::<Interpreter>() {
             Some(interpreter) => interpreter.place(),
@@ -133,10 +137,10 @@ impl Side {
     }
 }
 
-/// The first records that differ; the last cycle has two.
+/// Returns the first records that differ; the last cycle has two.
 pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> [String; 2] {
     let lines = |side: &Side| -> Vec<String> {
-        let Tape::Record(record) = &side.tape else {
+        let CycleRecord::Record(record) = &side.record else {
             return Vec::new();
         };
         record.get_ref().lines().map(str::to_owned).collect()
@@ -177,22 +181,22 @@ impl fmt::Write for Hash {
 
 /// Hashes each cycle; on demand also in words.
 #[derive(Debug, Default)]
-pub(super) struct Notes {
+pub(super) struct HashedCycles {
     pub(super) hash: Hash,
     /// The present cycle in words, if they are wanted.
     pub(super) words: Option<String>,
 }
 
-impl Notes {
+impl HashedCycles {
     /// Notes that write cycles down.
     pub(super) fn in_words() -> Self {
-        Notes {
+        HashedCycles {
             words: Some(String::new()),
-            ..Notes::default()
+            ..HashedCycles::default()
         }
     }
 
-    fn tell(&mut self, what: fmt::Arguments<'_>) {
+    fn note(&mut self, what: fmt::Arguments<'_>) {
         if let Some(words) = &mut self.words {
             writeln!(words, "  {what}").expect("writing to a string");
         }
@@ -204,7 +208,7 @@ impl Notes {
                 break;
             };
             self.hash.add(value.map_or(u64::MAX, f64::to_bits));
-            self.tell(format_args!("{name} is {value:?}"));
+            self.note(format_args!("{name} is {value:?}"));
         }
     }
 
@@ -220,7 +224,7 @@ impl Notes {
             kinds = kinds * 2 + u64::from(matches!(command, JointCommand::Torque(_)));
             self.hash.add(command.value().to_bits());
             self.hash.add(angle.to_bits());
-            self.tell(format_args!(
+            self.note(format_args!(
                 "joint {n} is at {angle:?} and told {command:?}"
             ));
         }
@@ -228,13 +232,13 @@ impl Notes {
     }
 }
 
-impl Sink for Notes {
+impl Sink for HashedCycles {
     fn begin(&mut self, program: &dyn Program) {
         if let Some(words) = &mut self.words {
             words.clear();
         }
         let at = program.at();
-        self.tell(format_args!("step {at}, line {}", program.line(at)));
+        self.note(format_args!("step {at}, line {}", program.line(at)));
     }
 
     fn command(&mut self, command: &Command<'_>) {
@@ -248,17 +252,17 @@ impl Sink for Notes {
                 Value::Fixed(_) => 2,
             });
         }
-        self.tell(format_args!("{command:?}"));
+        self.note(format_args!("{command:?}"));
     }
 
     fn say(&mut self, text: &dyn Display) {
         write!(self.hash, "{text}").expect("a hash takes every text");
-        self.tell(format_args!("says {text}"));
+        self.note(format_args!("says {text}"));
     }
 
     fn lamp(&mut self, device: u8, on: bool) {
         self.hash.add(u64::from(device) * 2 + u64::from(on));
-        self.tell(format_args!("lamp {device} {on}"));
+        self.note(format_args!("lamp {device} {on}"));
     }
 
     fn cycle(&mut self, cycle: &Cycle<'_>) {
@@ -266,7 +270,7 @@ impl Sink for Notes {
         self.hash.add(cycle.sample.cycle);
         self.hash.add(u64::from(cycle.step));
         self.hash.add(next);
-        self.tell(format_args!("next {:?}", cycle.next));
+        self.note(format_args!("next {:?}", cycle.next));
         self.variables(cycle.program);
         self.joints(cycle);
     }

@@ -1,9 +1,9 @@
-//! What a debugger says.
+//! Messages of a debugger.
 
 use tipc::message::Text;
 
 tipc::message_table! {
-    /// What a debugger says.
+    /// Messages of a debugger.
     Debugging;
 
     // Titles.

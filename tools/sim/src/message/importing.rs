@@ -1,11 +1,11 @@
-//! What is said of robots from URDF files.
+//! Messages on robots from URDF files.
 
 use super::{JointKind, Place};
 use tipc::message::Text;
 use tipc::message::list::{Faults, List};
 
 tipc::message_table! {
-    /// What the import of a URDF file says.
+    /// Messages of the import of a URDF file.
     Importing;
 
     // Why a file is refused.

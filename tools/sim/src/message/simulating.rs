@@ -1,9 +1,9 @@
-//! What is wrong with a plant that another process simulates.
+//! Messages on a plant that another process simulates.
 
 use tipc::message::Text;
 
 tipc::message_table! {
-    /// What is wrong with a plant that another process simulates.
+    /// Messages on a plant that another process simulates.
     Simulating;
 
     CannotStart { program: Text, reason: Text }

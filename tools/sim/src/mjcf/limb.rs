@@ -3,7 +3,7 @@
 use super::parts::Parts;
 use super::{SKIN, metres, quaternion};
 use crate::model::{Anatomy, Limb};
-use crate::robot::Beginning;
+use crate::robot::InitialState;
 use crate::urdf::frame::{self, BASE, BODY};
 use crate::urdf::xml::vector;
 use crate::urdf::{loadable, rod_moments};
@@ -19,9 +19,14 @@ const REACH: f64 = 2.0 * SKIN;
 const SHORTEST: f64 = 1e-5;
 
 /// Begins the body that carries all legs.
-pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning, shapes: &[Shape]) {
+pub(super) fn base(
+    parts: &mut Parts,
+    anatomy: &Anatomy,
+    initial_state: &InitialState,
+    shapes: &[Shape],
+) {
     let world = &mut parts.world;
-    if let (Some(pose), Some(body)) = (&beginning.pose, &anatomy.body) {
+    if let (Some(pose), Some(body)) = (&initial_state.pose, &anatomy.body) {
         let [x, y, z] = metres(pose.position);
         // The skin stands on the floor, not the point in it.
         let (at, attitude) = ([x, y, z + SKIN], quaternion(pose));
@@ -32,7 +37,7 @@ pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning, 
         world.add(&format!("freejoint name=\"{BASE}\""));
         trunk(parts, body, shapes);
         parts.places.extend(at.into_iter().chain(attitude));
-    } else if beginning.objects.is_some() {
+    } else if initial_state.objects.is_some() {
         // Of the hand y is the height.
         let turned = vector([FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0, 0.0]);
         world.open(&format!("body name=\"{BASE}\" quat=\"{turned}\""));

@@ -1,4 +1,4 @@
-//! By how much a robot misses a target.
+//! Distance by which a robot misses a target.
 
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::{Chain, LegPoint, first_beyond_limits, inverse, nearest, search};
@@ -13,31 +13,31 @@ pub(crate) enum Miss {
         /// deg; negative below the lower limit.
         by: f64,
         limits: Range,
-        /// Which number of the command turns it, if each turns one joint.
+        /// Number of the command that turns it, if each turns one joint.
         number: Option<usize>,
     },
-    /// The foot ends before it: mm.
+    /// Gap between the end of the foot's path and the target, mm.
     Ends { by: f64 },
     /// The slider does not go so far.
     Slides { axis: &'static str, travel: Range },
 }
 
-/// A gap that a search may leave although the target is within reach: mm.
+/// Gap that a search may leave although the target is within reach, mm.
 const LEFT_OVER: f64 = 1.0;
-/// Angles that differ by less come from rounding: deg.
+/// Difference of angles up to which it comes from rounding, deg.
 const ROUNDING: f64 = 1e-6;
 
-/// What commands move, of a model with any number of legs.
-pub(super) struct Reach<'a, const J: usize> {
+/// The points and joints that commands move, of a model with any number of legs.
+pub(super) struct MovableParts<'a, const J: usize> {
     legs: &'a [Leg<J>],
     family: Family,
     inverse: Inverse,
     slider: Option<&'a Slider>,
 }
 
-impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for Reach<'a, J> {
+impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for MovableParts<'a, J> {
     fn from(model: &'a Model<L, J>) -> Self {
-        Reach {
+        MovableParts {
             legs: &model.legs,
             family: model.family,
             inverse: model.inverse,
@@ -46,8 +46,8 @@ impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for Reach<'a, J> 
     }
 }
 
-impl<const J: usize> Reach<'_, J> {
-    /// What PTP or PTP_ANGLE misses, if it does.
+impl<const J: usize> MovableParts<'_, J> {
+    /// Returns what PTP or PTP_ANGLE misses, if it misses.
     #[inline(never)] // Else it is compiled for each number of legs.
     pub(super) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
         let leg = |n: u8| self.legs.get(usize::from(n).checked_sub(1)?);
@@ -72,7 +72,7 @@ impl<const J: usize> Reach<'_, J> {
     }
 }
 
-/// The first joint, from `first` on, that cannot turn so far.
+/// Returns the first joint, from `first` on, that cannot turn so far.
 fn angles<const J: usize>(leg: &Leg<J>, n: u8, first: usize, values: &[f64]) -> Option<Miss> {
     let joints = leg.joints.iter().enumerate().skip(first);
     joints
@@ -88,7 +88,7 @@ fn angles<const J: usize>(leg: &Leg<J>, n: u8, first: usize, values: &[f64]) -> 
         })
 }
 
-/// How far an angle is beyond its limits; negative below them.
+/// Returns the excess of an angle over its limits; negative below them.
 fn beyond(limits: Range, angle: f64) -> Option<f64> {
     let by = if angle > limits.max {
         angle - limits.max
@@ -124,7 +124,7 @@ fn place<const J: usize>(
     }
 }
 
-/// How near the point comes, if that is not near.
+/// Returns the end of the point's motion, if that is not near its target.
 fn ends<const J: usize>(
     leg: &Leg<J>,
     (kind, point): (Inverse, LegPoint),

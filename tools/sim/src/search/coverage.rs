@@ -1,40 +1,40 @@
-//! What all runs came to.
+//! Results of all runs.
 
 use super::{Engines, Failed};
 use crate::event::Inputs;
-use crate::lockstep::{Answer, Divergence, Reach, RunEnd};
+use crate::lockstep::{Answer, Divergence, ReachedPoints, RunEnd};
 use tipc::program::Program;
 
 /// Inputs on which the engines differ.
 #[derive(Clone, Debug)]
 pub struct Diverging {
-    /// What happened.
+    /// The inputs of the run.
     pub inputs: Inputs,
-    /// Where they differ.
+    /// The first difference.
     pub divergence: Divergence,
 }
 
-/// What one run came to.
+/// Result of one run.
 #[derive(Clone, Debug)]
-pub enum Came {
+pub enum RunResult {
     /// The engines agree.
     Agreed {
-        /// How many cycles were compared.
+        /// Number of cycles that were compared.
         cycles: u64,
-        /// It reached something that no run before it did.
+        /// True if it reached something that no run before it did.
         is_new: bool,
         /// Cycles where another input may change the path.
         chances: Vec<u64>,
     },
-    /// They differ.
+    /// The engines differ.
     Diverged(Diverging),
 }
 
-/// What all runs came to.
+/// Results of all runs.
 #[derive(Debug)]
 pub struct Coverage {
-    /// What they reached.
-    pub reach: Reach,
+    /// The spots that they reached.
+    pub reach: ReachedPoints,
     /// Cycles that were compared.
     pub cycles: u64,
     /// Runs to END or EXIT.
@@ -46,10 +46,10 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// No runs yet.
+    /// Creates a coverage without runs.
     pub fn new(program: &Program) -> Self {
         Coverage {
-            reach: Reach::new(program),
+            reach: ReachedPoints::new(program),
             cycles: 0,
             finished: 0,
             limited: 0,
@@ -57,12 +57,12 @@ impl Coverage {
         }
     }
 
-    /// How many runs there were.
+    /// Returns the number of runs.
     pub fn runs(&self) -> u64 {
         self.finished + self.limited + self.stopped
     }
 
-    /// One run more.
+    /// Runs once and adds the result.
     ///
     /// # Errors
     /// The robot lacks an input, or the engines fail.
@@ -70,10 +70,10 @@ impl Coverage {
         &mut self,
         engines: &mut E,
         inputs: &Inputs,
-    ) -> Result<Came, Failed<E::Error>> {
+    ) -> Result<RunResult, Failed<E::Error>> {
         match engines.ask(inputs).map_err(Failed::Engines)? {
             Answer::Refused(reason) => Err(Failed::Refused(reason)),
-            Answer::Diverged(divergence) => Ok(Came::Diverged(Diverging {
+            Answer::Diverged(divergence) => Ok(RunResult::Diverged(Diverging {
                 inputs: inputs.clone(),
                 divergence,
             })),
@@ -92,7 +92,7 @@ impl Coverage {
                 for spot in &new {
                     self.reach.add(*spot);
                 }
-                Ok(Came::Agreed {
+                Ok(RunResult::Agreed {
                     cycles,
                     is_new: !new.is_empty(),
                     chances,

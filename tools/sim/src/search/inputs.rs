@@ -1,4 +1,4 @@
-//! What from outside can change the path of a program: read off its steps.
+//! Inputs from outside that can change the path of a program, read off its steps.
 
 use crate::event::Event;
 use std::collections::BTreeSet;
@@ -8,10 +8,10 @@ use tipc::program::{Action, Condition, Operand, Program};
 
 /// Key codes beyond these are none that a program can get.
 const KEYS: std::ops::RangeInclusive<f64> = 32.0..=126.0;
-/// What inputs may read: V.
+/// Range of the inputs' readings, V.
 const VOLTS: std::ops::RangeInclusive<f64> = -10.0..=10.0;
 
-/// Every single thing that may happen to a program and matter to it.
+/// Returns every single event that may happen to a program and matter to it.
 pub fn inputs(program: &Program) -> Vec<Event> {
     let mut takes_keys = false;
     let mut takes_halts = false;
@@ -60,7 +60,7 @@ fn constant(operand: &Operand) -> Option<f64> {
     }
 }
 
-/// The keys that conditions ask for, and one that none asks for.
+/// Returns the keys that conditions ask for, and one that none asks for.
 fn keys(numbers: &[f64]) -> BTreeSet<u8> {
     let codes = numbers.iter().filter(|number| KEYS.contains(number));
     let mut keys: BTreeSet<u8> = codes.map(|number| *number as u8).collect();
@@ -68,7 +68,7 @@ fn keys(numbers: &[f64]) -> BTreeSet<u8> {
     keys
 }
 
-/// Below, at and above each number that conditions ask for, and both ends.
+/// Returns values below, at and above each number that conditions ask for, and both ends.
 fn volts(numbers: &[f64]) -> Vec<f64> {
     let around = numbers
         .iter()

@@ -23,7 +23,7 @@ pub(super) struct Package {
 }
 
 impl Package {
-    /// The package for one program on one robot in one scene.
+    /// Creates the package for one program on one robot in one scene.
     pub(super) fn new(subject: &Subject<'_>, project: &Project) -> Result<Self, NotBuilt> {
         let program = subject.program;
         let mut files = vec![
@@ -64,7 +64,7 @@ impl Package {
     }
 }
 
-/// What a package's name may contain.
+/// Returns the name of a package made of the characters that it may contain.
 fn crate_name(source: &str) -> String {
     let stem = source.rsplit_once('.').map_or(source, |(stem, _)| stem);
     let plain = stem
@@ -157,7 +157,7 @@ fn main() -> io::Result<()> {{
     ))
 }
 
-/// The robot in its scene, as the package puts it there.
+/// Returns the robot in its scene, as the package puts it there.
 fn simulated(subject: &Subject<'_>) -> Result<Robot, NotBuilt> {
     let failed = |error: &dyn Error| NotBuilt::Failed(error.to_string());
     let robot = match subject.description {

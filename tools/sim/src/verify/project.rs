@@ -16,20 +16,20 @@ const WHERE: &str = "run it in the folder of a project that depends on tip-runti
 /// A cargo project that depends on the runtime.
 #[derive(Debug)]
 pub struct Project {
-    /// Where cargo runs, so that the project's configuration and toolchain count.
+    /// Folder in which cargo runs, so that the project's configuration and toolchain count.
     folder: PathBuf,
-    /// Where packages are written and built.
+    /// Folder in which packages are written and built.
     pub(super) target: PathBuf,
     /// The project's lock file, if it has one.
     pub(super) lock: PathBuf,
-    /// Where to take tip-runtime from: a TOML table without braces.
+    /// Source of tip-runtime: a TOML table without braces.
     pub(super) runtime: String,
-    /// Where to take tip-sim from: the same.
+    /// Source of tip-sim, in the same form.
     pub(super) sim: String,
 }
 
 impl Project {
-    /// The project around the current folder, or that of a manifest.
+    /// Returns the project around the current folder, or that of a manifest.
     ///
     /// # Errors
     /// There is none, it does not depend on tip-runtime, or on that of another version.
@@ -58,7 +58,7 @@ impl Project {
                 same_version(sim)?;
                 source(sim)
             }
-            None => beside(runtime, &runtime_source)?,
+            None => matching_sim(runtime, &runtime_source)?,
         };
         let path = |key: &str| PathBuf::from(metadata[key].as_str().unwrap_or_default());
         Ok(Project {
@@ -108,7 +108,7 @@ impl Project {
         }
     }
 
-    /// What a tool of the project says of its version.
+    /// Returns the version that a tool of the project reports.
     pub fn version_of(&self, variable: &str, tool: &str) -> String {
         let tool = env::var_os(variable).unwrap_or_else(|| tool.into());
         let output = Command::new(tool)
@@ -120,7 +120,7 @@ impl Project {
     }
 }
 
-/// Cargo names itself to the processes that it starts.
+/// Returns the cargo to run; cargo names itself to the processes that it starts.
 fn cargo() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
@@ -135,7 +135,7 @@ fn no_cargo(error: io::Error) -> NotBuilt {
     })
 }
 
-/// Everything that cargo knows of the project.
+/// Returns the project's metadata from cargo.
 fn metadata(folder: &Path) -> Result<Value, NotBuilt> {
     let mut command = Command::new(cargo());
     command
@@ -152,7 +152,7 @@ fn metadata(folder: &Path) -> Result<Value, NotBuilt> {
         .map_err(|error| NotBuilt::Failed(format!("cargo metadata: {error}")))
 }
 
-/// Both engines must be of one version, which is that of this tool.
+/// Checks that both engines are of one version, which is that of this tool.
 fn same_version(package: &Value) -> Result<(), NotBuilt> {
     let text = |key: &str| package[key].as_str().unwrap_or_default();
     let (name, version) = (text("name"), text("version"));
@@ -165,7 +165,7 @@ fn same_version(package: &Value) -> Result<(), NotBuilt> {
     )))
 }
 
-/// Where cargo took a package from, as a dependency states it.
+/// Returns the source from which cargo took a package, as a dependency states it.
 fn source(package: &Value) -> String {
     let source = package["source"].as_str().unwrap_or_default();
     let (kind, address) = source.split_once('+').unwrap_or_default();
@@ -187,8 +187,9 @@ fn source(package: &Value) -> String {
     }
 }
 
-/// The tip-sim that belongs to a runtime whose project has none: from the same registry, repository or checkout.
-fn beside(runtime: &Value, source: &str) -> Result<String, NotBuilt> {
+/// Returns the tip-sim that belongs to a runtime whose project has none: from the same registry,
+/// repository or checkout.
+fn matching_sim(runtime: &Value, source: &str) -> Result<String, NotBuilt> {
     if !source.starts_with("path") {
         return Ok(source.to_owned());
     }
@@ -207,7 +208,7 @@ fn folder_of(package: &Value) -> PathBuf {
     manifest.parent().unwrap_or(manifest).to_owned()
 }
 
-/// A string of JSON is one of TOML too, but for one character.
+/// Quotes a string for TOML; a string of JSON is one of TOML too, but for one character.
 fn quoted(text: &str) -> String {
     Value::from(text).to_string().replace('\x7F', "\\u007F")
 }

@@ -1,4 +1,4 @@
-//! What happens to a run, as command lines and files write it.
+//! Events of a run, as command lines and files write them.
 
 use tip_runtime::command::Port;
 use tip_runtime::plant::Noise;

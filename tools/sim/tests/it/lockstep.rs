@@ -1,7 +1,7 @@
 //! Two engines cycle by cycle, and what a process that compares them answers.
 
 use std::io::Cursor;
-use tip_sim::lockstep::{Answer, Evidence, Lockstep, Reach, RunEnd, serve};
+use tip_sim::lockstep::{Answer, Evidence, Lockstep, ReachedPoints, RunEnd, serve};
 use tip_sim::{Inputs, Robot, load};
 
 const COUNT: &str = "DEF_VAR N\nN = 0\nLOOP: KEY_IN\nN += 1\nIF N < 3 GOTO LOOP:\nMESSAGE %N%\nEND";
@@ -30,7 +30,7 @@ fn answers(lockstep: Lockstep, requests: &str) -> Vec<Answer> {
 #[test]
 fn runs_agree_and_tell_what_is_new() {
     let lockstep = lockstep(Evidence::Records, COUNT, COUNT);
-    let reach = Reach::new(lockstep.program());
+    let reach = ReachedPoints::new(lockstep.program());
     let answers = answers(
         lockstep,
         "--keys 0:A --cycles 9\n--keys 0:A,4:B,8:C\n--keys 1:A --cycles 4\n",

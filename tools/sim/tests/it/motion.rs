@@ -1,4 +1,4 @@
-//! What a run says about the motion of its robot, against closed forms.
+//! Figures of a run on the motion of its robot, against closed forms.
 
 use std::error::Error;
 use tip_runtime::plant::{DynamicPlant, Object, Scene, Shape, Simulation};
@@ -8,7 +8,7 @@ use tip_sim::{Limit, Plant, Robot, Run, load};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
-/// Of standard gravity: m/s².
+/// Standard gravity, m/s².
 const G: f64 = 9.80665;
 const STAND: &str = "STAND_UP 60\nWAIT_INPOS ALL\nSLEEP 500\n";
 

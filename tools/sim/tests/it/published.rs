@@ -86,7 +86,7 @@ fn a_name_that_no_robot_has_is_answered_by_those_that_are_there() {
     }
 }
 
-/// How far a program's robot goes without falling: mm.
+/// Returns the distance that a program's robot goes without falling, mm.
 #[track_caller]
 fn goes(name: &str, plant: Plant, source: &str) -> f64 {
     let robot = Robot::named(name).expect("a published robot");

@@ -3,15 +3,15 @@
 use tip_runtime::command::Target;
 use tip_runtime::fault::Fault;
 use tip_runtime::record::Ending;
-use tip_sim::{Interpreter, Limit, Robot, Run, reach};
+use tip_sim::{Interpreter, Limit, Robot, Run, reachability};
 use tipc::message::Message;
 
-/// What is said of the first finding about some statements: code, reason and help.
+/// Returns code, reason and help of the first diagnostic of some statements.
 fn said(robot: &str, statements: &str) -> Vec<String> {
     let robot = Robot::named(robot).expect("a robot");
     let text = format!("3.1\nreach\n{statements}\nEND\n");
     let mut loaded = tipc::load("reach.prg", text.as_bytes(), &robot.options());
-    reach::warn(&mut loaded, &robot);
+    reachability::warn(&mut loaded, &robot);
     let findings = loaded.diagnostics.iter();
     let one = |finding: &tipc::diagnostic::Diagnostic| {
         let help = finding.help.as_ref().map(Message::to_string);

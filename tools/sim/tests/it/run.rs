@@ -12,7 +12,7 @@ use tip_runtime::model::titan8;
 use tip_runtime::plant::{self, SimulatedPlant};
 use tip_runtime::program::End;
 use tip_runtime::record::{Cycle, Ending, Sink};
-use tip_sim::{Asked, Event, Limit, Observer, Plant, Refused, Robot, Run, load};
+use tip_sim::{Event, IssuedCommand, Limit, Observer, Plant, Refused, Robot, Run, load};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -64,7 +64,7 @@ fn a_cycle_tells_what_its_step_did() -> Outcome {
     assert_eq!((set.number, set.step, set.next), (0, Some(0), Some(1)));
     assert_eq!((set.time, set.set), (0.0, vec![("A".to_owned(), -1.0)]));
     let asked = run.cycle();
-    let expected = Asked {
+    let expected = IssuedCommand {
         op: Op::PtpAngle,
         hs: false,
         target: Target::Foot(1),

@@ -1,7 +1,7 @@
 //! The program as it stands in the editor.
 
-use super::language_service::Finding;
-use super::reader::{Reading, Unread};
+use super::language_service::PageDiagnostic;
+use super::text_checker::{CheckedText, UncheckedText};
 use tipc::source::{Charset, Encoding, Source};
 use tipc::{Loaded, Options};
 
@@ -12,23 +12,23 @@ pub(super) struct Buffer {
     options: Options,
     /// The file as it was last read or written.
     file: Source,
-    /// With LF between lines.
+    /// The text, with LF between lines.
     pub(super) text: String,
     /// Counts its changes.
     pub(super) version: u64,
-    /// Which viewer changed it last.
+    /// The viewer that changed it last.
     pub(super) author: String,
-    /// Whether the text is that of the file, which may be in another encoding.
+    /// True if the text is that of the file, which may be in another encoding.
     is_file: bool,
     /// The last version that was given away to be checked.
     given: u64,
-    reading: Reading,
-    /// The file was changed by someone else, and the text is not what was in it before.
+    reading: CheckedText,
+    /// True if the file was changed elsewhere, and the text is not what was in it before.
     pub(super) is_overtaken: bool,
 }
 
 impl Buffer {
-    /// That of a file, not checked yet.
+    /// Creates a buffer of a file's text, not checked yet.
     pub(super) fn new(name: String, bytes: &[u8], options: Options) -> Self {
         let (file, _) = Source::decode(&*name, bytes, options.encoding);
         Buffer {
@@ -40,12 +40,12 @@ impl Buffer {
             author: String::new(),
             is_file: true,
             given: 0,
-            reading: Reading::default(),
+            reading: CheckedText::default(),
             is_overtaken: false,
         }
     }
 
-    /// Another text, by a viewer.
+    /// Replaces the text, on behalf of a viewer.
     pub(super) fn edit(&mut self, text: &str, author: String) {
         self.text = plain(text);
         self.author = author;
@@ -63,7 +63,7 @@ impl Buffer {
     }
 
     /// Returns the text if it has to be checked and was not given away before.
-    pub(super) fn unread(&mut self) -> Option<Unread> {
+    pub(super) fn unchecked(&mut self) -> Option<UncheckedText> {
         if self.given == self.version {
             return None;
         }
@@ -72,7 +72,7 @@ impl Buffer {
             true => (self.file.bytes(), self.options.encoding),
             false => (self.text.clone().into_bytes(), Encoding::Utf8),
         };
-        Some(Unread {
+        Some(UncheckedText {
             version: self.version,
             name: self.name.clone(),
             bytes,
@@ -83,19 +83,19 @@ impl Buffer {
         })
     }
 
-    /// The text is given away again: to someone who has seen none.
+    /// Lets the text be given away again, to a viewer who has seen none.
     pub(super) fn forget_given(&mut self) {
         self.given = 0;
     }
 
     /// Keeps what was found in a text, unless a later one was checked already.
-    pub(super) fn keep(&mut self, reading: Reading) {
+    pub(super) fn keep(&mut self, reading: CheckedText) {
         if reading.version > self.reading.version {
             self.reading = reading;
         }
     }
 
-    /// Whether the text as it stands is checked.
+    /// Returns true if the present text has been checked.
     pub(super) fn is_checked(&self) -> bool {
         self.reading.version == self.version
     }
@@ -105,7 +105,7 @@ impl Buffer {
         self.reading.program.as_deref()
     }
 
-    pub(super) fn findings(&self) -> &[Finding] {
+    pub(super) fn findings(&self) -> &[PageDiagnostic] {
         &self.reading.findings
     }
 
@@ -114,17 +114,17 @@ impl Buffer {
         self.reading.version
     }
 
-    /// Whether the text is not that of the file.
+    /// Returns true if the text is not that of the file.
     pub(super) fn is_changed(&self) -> bool {
         self.text != plain(self.file.text())
     }
 
-    /// Whether the file has these bytes already.
+    /// Returns true if the file has these bytes already.
     pub(super) fn is_file(&self, bytes: &[u8]) -> bool {
         self.file.bytes() == bytes
     }
 
-    /// The text in the bytes of the file.
+    /// Returns the text in the bytes of the file.
     ///
     /// # Errors
     /// A character that its encoding lacks.
@@ -132,7 +132,7 @@ impl Buffer {
         self.file.respelled(&self.text)
     }
 
-    /// The file has these bytes now.
+    /// Notes that the file has these bytes now.
     pub(super) fn saved(&mut self, bytes: &[u8]) {
         // Without its Japanese it would be guessed to be something else.
         let encoding = match self.file.charset() {
@@ -144,7 +144,7 @@ impl Buffer {
     }
 }
 
-/// With LF between lines, as editors have it.
+/// Converts line ends to LF, as editors have them.
 fn plain(text: &str) -> String {
     text.replace("\r\n", "\n").replace('\r', "\n")
 }

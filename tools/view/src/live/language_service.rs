@@ -1,4 +1,4 @@
-//! The language in the page's editor: what is found in a text, and answers to questions about it.
+//! Language features of the page's editor: diagnostics, hovers and completions.
 
 use serde::Serialize;
 use tip_ide::Document;
@@ -7,49 +7,49 @@ use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::source::{Position, Source, Span, Unit};
 
-/// The most offers of one answer; a program may have more names than anyone reads.
-const MOST_OFFERS: usize = 2000;
+/// Maximum number of completions in one answer.
+const MAX_COMPLETIONS: usize = 2000;
 
 /// A line and a column from 1, the column in units of UTF-16.
 pub(super) type Place = [u32; 2];
 
-/// What is known, under the name of the question.
+/// An answer about the text, under the name of the question.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub(super) enum Known {
-    /// Of a word, if there is one.
+pub(super) enum LanguageAnswer {
+    /// Documentation of a word, if there is one.
     Hover(Option<Hover>),
-    /// What can be written.
-    Offers(Vec<Offer>),
+    /// Completions.
+    Offers(Vec<CompletionItem>),
 }
 
 #[derive(Debug, Serialize)]
 pub(super) struct Hover {
     from: Place,
     to: Place,
-    /// As Markdown, in English and Japanese.
+    /// Markdown, in English and Japanese.
     text: [String; 2],
 }
 
 #[derive(Debug, Serialize)]
-pub(super) struct Offer {
+pub(super) struct CompletionItem {
     label: String,
     detail: String,
-    /// In English and Japanese.
+    /// Description in English and Japanese.
     description: [&'static str; 2],
-    /// What goes.
+    /// Start of the text that is replaced.
     from: Place,
     to: Place,
-    /// What comes instead, as a snippet of the Language Server Protocol if it has places to fill.
+    /// Replacement, as a snippet of the Language Server Protocol if it has places to fill.
     text: String,
     fills: bool,
 }
 
-/// What is known of the word at a place.
-pub(super) fn hover(document: &Document, place: Place) -> Known {
+/// Returns the documentation of the word at a place.
+pub(super) fn hover(document: &Document, place: Place) -> LanguageAnswer {
     let at = offset(document.source(), place);
     let [english, japanese] = [Lang::English, Lang::Japanese].map(|lang| document.hover(at, lang));
-    Known::Hover(english.zip(japanese).map(|(english, japanese)| {
+    LanguageAnswer::Hover(english.zip(japanese).map(|(english, japanese)| {
         let [from, to] = ends(document.source(), english.span);
         Hover {
             from,
@@ -59,13 +59,13 @@ pub(super) fn hover(document: &Document, place: Place) -> Known {
     }))
 }
 
-/// What can be written at a place.
-pub(super) fn offers(document: &Document, place: Place) -> Known {
+/// Returns the completions at a place.
+pub(super) fn completions(document: &Document, place: Place) -> LanguageAnswer {
     let source = document.source();
-    let offers = document.complete(offset(source, place)).into_iter();
-    let shown = offers.take(MOST_OFFERS).map(|offer| {
+    let completions = document.complete(offset(source, place)).into_iter();
+    let shown = completions.take(MAX_COMPLETIONS).map(|offer| {
         let [from, to] = ends(source, offer.span);
-        Offer {
+        CompletionItem {
             label: offer.label,
             detail: offer.detail,
             description: [offer.description.english, offer.description.japanese],
@@ -75,7 +75,7 @@ pub(super) fn offers(document: &Document, place: Place) -> Known {
             text: offer.snippet.unwrap_or(offer.text),
         }
     });
-    Known::Offers(shown.collect())
+    LanguageAnswer::Offers(shown.collect())
 }
 
 fn offset(source: &Source, [line, column]: Place) -> usize {
@@ -89,12 +89,12 @@ fn ends(source: &Source, span: Span) -> [Place; 2] {
     })
 }
 
-/// More are of no use to anyone.
-const MOST_FINDINGS: usize = 200;
+/// Maximum number of diagnostics.
+const MAX_DIAGNOSTICS: usize = 200;
 
-/// One finding. Places are lines and columns from 1, columns in units of UTF-16. Texts are in English and Japanese.
+/// One diagnostic. Places are lines and columns from 1, columns in units of UTF-16. Texts are in English and Japanese.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Finding {
+pub(super) struct PageDiagnostic {
     level: &'static str,
     code: &'static str,
     from: Place,
@@ -104,17 +104,19 @@ pub(super) struct Finding {
     classical: String,
 }
 
-/// All of a program, but for the last of very many.
-pub(super) fn findings(loaded: &Loaded) -> Vec<Finding> {
-    let found = loaded.diagnostics.iter().take(MOST_FINDINGS);
-    found.map(|one| Finding::of(one, &loaded.source)).collect()
+/// Returns all diagnostics of a program, but for the last of very many.
+pub(super) fn findings(loaded: &Loaded) -> Vec<PageDiagnostic> {
+    let found = loaded.diagnostics.iter().take(MAX_DIAGNOSTICS);
+    found
+        .map(|one| PageDiagnostic::of(one, &loaded.source))
+        .collect()
 }
 
-impl Finding {
+impl PageDiagnostic {
     fn of(diagnostic: &Diagnostic, source: &Source) -> Self {
         let [from, to] = ends(source, diagnostic.span);
         let both = |text: &dyn Fn(Lang) -> String| [Lang::English, Lang::Japanese].map(text);
-        Finding {
+        PageDiagnostic {
             level: diagnostic.level().name(),
             code: diagnostic.id(),
             from,

@@ -1,6 +1,6 @@
-//! What viewers ask for.
+//! Requests of viewers.
 
-use super::language_service::{Known, Place};
+use super::language_service::{LanguageAnswer, Place};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use tip_sim::Event;
@@ -10,24 +10,25 @@ const RETURN_KEY: u8 = 0x0D;
 
 /// A request that was read.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct ClientRequest {
     pub(super) id: Option<u32>,
     pub(super) request: Result<Request, Refusal>,
 }
 
-impl Asked {
+impl ClientRequest {
     /// Reads a request, a JSON object. Nothing that is sent does harm: what is no request will be refused.
     pub fn read(text: &str) -> Self {
         let (id, request) = read(text);
-        Asked { id, request }
+        ClientRequest { id, request }
     }
 
-    /// Whether it is an emergency stop, which nothing may keep waiting.
+    /// Returns true for an emergency stop, which nothing may keep waiting.
     pub fn is_stop(&self) -> bool {
         matches!(&self.request, Ok(Request::Event { event }) if is_stop(event))
     }
 
-    /// Whether the robot may move again because of it: not after an emergency stop that came later.
+    /// Returns true if the robot may move again because of it: not after an emergency stop that
+    /// came later.
     pub fn moves(&self) -> bool {
         matches!(
             self.request,
@@ -39,7 +40,7 @@ impl Asked {
         )
     }
 
-    /// Answers without doing it: too much is asked at once.
+    /// Answers without doing it: there are too many requests.
     pub fn refused_many(&self) -> String {
         Answer::new(self.id, refuse("many")).text()
     }
@@ -50,7 +51,7 @@ impl Asked {
     }
 }
 
-/// Whether an event stops the robot at once.
+/// Returns true if an event is an emergency stop.
 pub(super) fn is_stop(event: &Event) -> bool {
     *event == Event::Key(RETURN_KEY)
 }
@@ -63,11 +64,11 @@ pub(super) enum Request {
     Play {},
     /// The run rests.
     Pause {},
-    /// So many cycles forward, or back if negative; then it rests.
+    /// Steps a number of cycles forward, or back if negative; then the run rests.
     Step { cycles: i64 },
-    /// To the end of a cycle that has been; then it rests.
+    /// Goes to the end of a cycle that has been; then it rests.
     Go { cycle: u64 },
-    /// So many times as fast as the robot.
+    /// Sets the speed, as a multiple of the robot's own.
     Speed { times: f64 },
     /// Something happens before the next step.
     Event { event: Event },
@@ -79,13 +80,13 @@ pub(super) enum Request {
     Save {},
     /// Takes the text of the file.
     Reload {},
-    /// What is known of the word at a place.
+    /// Asks for the documentation of the word at a place.
     Hover { at: Place },
-    /// What can be written at a place.
+    /// Asks for the completions at a place.
     Complete { at: Place },
 }
 
-/// Why a request is not fulfilled: a word that the page translates, and perhaps what it is about.
+/// The reason why a request is refused: a word that the page translates, and perhaps its subject.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Refusal {
     pub(super) error: &'static str,
@@ -93,12 +94,12 @@ pub(super) struct Refusal {
     pub(super) detail: String,
 }
 
-/// Refuses, with nothing more to say.
+/// Refuses without details.
 pub(super) fn refuse<T>(error: &'static str) -> Result<T, Refusal> {
     refuse_since(error, "")
 }
 
-/// Refuses, and says what it is about.
+/// Refuses, with the subject.
 pub(super) fn refuse_since<T>(error: &'static str, detail: impl ToString) -> Result<T, Refusal> {
     let detail = detail.to_string();
     Err(Refusal { error, detail })
@@ -112,13 +113,13 @@ pub(super) struct Answer {
     id: Option<u32>,
     ok: bool,
     #[serde(flatten)]
-    known: Option<Known>,
+    known: Option<LanguageAnswer>,
     #[serde(flatten)]
     refusal: Option<Refusal>,
 }
 
 impl Answer {
-    pub(super) fn new(id: Option<u32>, result: Result<Option<Known>, Refusal>) -> Self {
+    pub(super) fn new(id: Option<u32>, result: Result<Option<LanguageAnswer>, Refusal>) -> Self {
         let ok = result.is_ok();
         let (known, refusal) = match result {
             Ok(known) => (known, None),

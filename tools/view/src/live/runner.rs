@@ -1,46 +1,46 @@
 //! A run with its past: it goes on, and it is taken back.
 
 use super::request::{Refusal, is_stop, refuse, refuse_since};
-use crate::NotRecorded;
+use crate::RecordError;
 use crate::recorder::{self, Recorder};
 use crate::recording::{Outcome, Recording, Script};
 use std::collections::VecDeque;
 use tip_sim::{Event, Events, Interpreter, Robot, Run, Timeline};
 use tipc::Loaded;
 
-/// How much of the past is kept, and how much more before it is cut: ms.
+/// Length of the past that is kept, and the excess at which it is cut, ms.
 const PAST: f64 = 300_000.0;
 const SLACK: f64 = 60_000.0;
 /// The most events that wait for one cycle, and that happen to one run.
 const MOST_WAITING: usize = 64;
 const MOST_EVENTS: usize = 100_000;
-/// As many cuts are remembered; who missed more begins anew.
+/// Number of cuts that are remembered; a viewer that missed more begins anew.
 const CUTS: usize = 64;
 
 /// A program that runs, and what it did.
 pub(super) struct Runner {
     timeline: Timeline<recorder::Checkpoint>,
     recorder: Recorder,
-    /// What happens before the next step.
+    /// Events that happen before the next step.
     waiting: Vec<Event>,
-    /// Where the run was taken back to, the last ones.
+    /// The last cycles to which the run was taken back.
     cuts: VecDeque<u64>,
-    /// How often it was.
+    /// Number of times that it was taken back.
     pub(super) cut_count: u64,
 }
 
 impl Runner {
-    /// A program before its second cycle: after the first there is something to see.
+    /// Creates a program before its second cycle: after the first there is something to see.
     pub(super) fn begin(
         loaded: &Loaded,
         robot: &Robot,
         scripted: &Events,
-    ) -> Result<Self, NotRecorded> {
-        let program = loaded.program.as_ref().ok_or(NotRecorded::NoProgram)?;
+    ) -> Result<Self, RecordError> {
+        let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
         let run = Run::new(Interpreter::new(program.clone()), robot.clone())
-            .map_err(NotRecorded::Mismatch)?
+            .map_err(RecordError::Mismatch)?
             .with_events(scripted)
-            .map_err(NotRecorded::Refused)?;
+            .map_err(RecordError::Refused)?;
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = scripted.all().to_vec();
         let mut runner = Runner {
@@ -135,7 +135,8 @@ impl Runner {
         }
     }
 
-    /// The first cycle that all later cuts left, for someone who knows of so many cuts; none if that is too long ago.
+    /// Returns the first cycle that all later cuts left, for someone who knows of so many cuts;
+    /// none if that is too long ago.
     pub(super) fn cut_since(&self, known: u64) -> Option<u64> {
         let missed = usize::try_from(self.cut_count.saturating_sub(known)).ok()?;
         let from = self.cuts.len().checked_sub(missed)?;
@@ -157,12 +158,12 @@ impl Runner {
         self.recorder.recording.forget(first);
     }
 
-    /// The first cycle that is still known.
+    /// Returns the first cycle that is still known.
     pub(super) fn first(&self) -> u64 {
         self.timeline.first()
     }
 
-    /// How many cycles are recorded.
+    /// Returns the number of recorded cycles.
     pub(super) fn taken(&self) -> u64 {
         self.timeline.now()
     }
@@ -179,7 +180,7 @@ impl Runner {
         &self.recorder.recording
     }
 
-    /// What the robot did last, if it is not among the frames.
+    /// Returns the robot's last state, if it is not among the frames.
     pub(super) fn pending(&self) -> Option<&crate::recording::Frame> {
         self.recorder.pending.as_ref()
     }

@@ -3,13 +3,13 @@
 use super::Host;
 use super::MOST_BYTES;
 use super::buffer::Buffer;
-use super::reader::{Reader, Reading, Unread};
-use super::request::{Answer, Asked, Refusal, Request, is_stop, refuse, refuse_since};
+use super::request::{Answer, ClientRequest, Refusal, Request, is_stop, refuse, refuse_since};
 use super::runner::Runner;
+use super::text_checker::{CheckedText, TextChecker, UncheckedText};
 use tip_sim::{Event, Events, Robot};
 use tipc::{Loaded, Options};
 
-/// How much slower and faster than the robot a run may go.
+/// Range of speeds of a run, as multiples of the robot's own.
 const SPEEDS: std::ops::RangeInclusive<f64> = 0.05..=100.0;
 /// A run that cannot keep up leaves out what is more than this: ms of the viewers' time.
 const LATE: f64 = 100.0;
@@ -18,7 +18,7 @@ const STEP: i64 = 1000;
 /// The longest name by which a viewer calls itself.
 const NAME: usize = 64;
 
-/// What a session begins with.
+/// The setup of a session.
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// The name of the program's file.
@@ -27,16 +27,16 @@ pub struct Setup {
     pub bytes: Vec<u8>,
     /// The robot, in its scene.
     pub robot: Robot,
-    /// How the file is read.
+    /// Options for reading the file.
     pub options: Options,
-    /// What happens to each run.
+    /// Events of each run.
     pub events: Events,
     /// After how many cycles a run rests, if it has not been asked to earlier.
     pub rest: Option<u64>,
 }
 
 impl Setup {
-    /// A program on a robot to which nothing happens.
+    /// Creates a program on a robot to which nothing happens.
     pub fn new(name: &str, bytes: &[u8], robot: Robot) -> Self {
         Setup {
             name: name.to_owned(),
@@ -54,8 +54,8 @@ pub struct Session {
     robot: Robot,
     events: Events,
     rest: Option<u64>,
-    /// Checks the text, unless someone else does.
-    reader: Option<Reader>,
+    /// The checker of the text, unless the host checks it.
+    checker: Option<TextChecker>,
     pub(super) buffer: Buffer,
     /// The text of this version runs once it is checked.
     runs_next: Option<u64>,
@@ -66,17 +66,18 @@ pub struct Session {
     pub(super) running: u64,
     pub(super) is_playing: bool,
     pub(super) speed: f64,
-    /// How much time of the robot has passed that it has not run: ms.
+    /// Time of the robot that has passed and that it has not run, ms.
     owed: f64,
-    /// Whether the run was too slow for its speed just now.
+    /// True if the run was too slow for its speed just now.
     pub(super) is_late: bool,
 }
 
 impl Session {
-    /// A program before its second cycle, at rest.
+    /// Creates a program before its second cycle, at rest.
     ///
     /// # Errors
-    /// What was found in a text that is not a program for this robot, or nothing if the events cannot happen to it.
+    /// The diagnostics of a text that is not a program for this robot, or nothing if the events
+    /// cannot happen to it.
     pub fn new(setup: Setup) -> Result<Self, Box<Loaded>> {
         let Setup {
             name,
@@ -87,9 +88,9 @@ impl Session {
             rest,
         } = setup;
         let mut buffer = Buffer::new(name.clone(), &bytes, options);
-        let mut reader = Reader::new(robot.clone());
-        if let Some(unread) = buffer.unread() {
-            buffer.keep(reader.read(unread));
+        let mut checker = TextChecker::new(robot.clone());
+        if let Some(unchecked) = buffer.unchecked() {
+            buffer.keep(checker.read(unchecked));
         }
         let refused = || Box::new(tip_lint::load(&name, &bytes, &options));
         let loaded = buffer.program().ok_or_else(refused)?;
@@ -99,7 +100,7 @@ impl Session {
             robot,
             events,
             rest,
-            reader: Some(reader),
+            checker: Some(checker),
             buffer,
             runs_next: None,
             runner,
@@ -112,13 +113,13 @@ impl Session {
         })
     }
 
-    /// The run goes on from now on, unless it is over.
+    /// Lets the run go on from now on, unless it is over.
     pub fn play(&mut self) {
         self.is_playing = !self.runner.is_over();
     }
 
-    /// So much time has passed for the viewers (ms): the run goes on accordingly, as long as `goes_on` agrees, and a text
-    /// that was edited is checked.
+    /// Advances by the time that has passed for the viewers, ms, as long as `goes_on` agrees, and
+    /// checks a text that was edited.
     pub fn advance(&mut self, elapsed: f64, mut goes_on: impl FnMut() -> bool) {
         self.check();
         if !self.is_playing {
@@ -152,20 +153,20 @@ impl Session {
     /// Does what a viewer asks for, a JSON object, and answers with another one. Nothing that is sent does harm: what is no
     /// request is refused.
     pub fn request(&mut self, text: &str, host: &mut dyn Host) -> String {
-        let asked = Asked::read(text);
+        let asked = ClientRequest::read(text);
         if let Some(answer) = self.ask(&asked, host) {
             return answer;
         }
         self.check();
         let answer = self.ask(&asked, host);
-        let known = || self.reader.as_ref()?.answer(&asked);
+        let known = || self.checker.as_ref()?.answer(&asked);
         answer
             .or_else(known)
             .unwrap_or_else(|| asked.refused_many())
     }
 
-    /// Does what a viewer asks for; no answer if the [`Reader`] has to give it, or to check the text first.
-    pub fn ask(&mut self, asked: &Asked, host: &mut dyn Host) -> Option<String> {
+    /// Does what a viewer asks for; no answer if the [`TextChecker`] has to give it, or to check the text first.
+    pub fn ask(&mut self, asked: &ClientRequest, host: &mut dyn Host) -> Option<String> {
         let result = match &asked.request {
             Ok(Request::Hover { .. } | Request::Complete { .. }) => return None,
             Ok(Request::Restart {}) if !self.buffer.is_checked() => return None,
@@ -176,20 +177,20 @@ impl Session {
     }
 
     /// Hands over the work of checking texts, which takes long for long ones: from now on the session checks none itself.
-    /// Whoever takes it over gives a [`Reader`] each [`Session::unread`] text, and the session what was found
+    /// Whoever takes it over gives a [`TextChecker`] each [`Session::unchecked`] text, and the session what was found
     /// ([`Session::checked`]).
     pub fn hand_over(&mut self) {
-        self.reader = None;
+        self.checker = None;
         self.buffer.forget_given();
     }
 
     /// Returns the text that is to be checked, once.
-    pub fn unread(&mut self) -> Option<Unread> {
-        self.buffer.unread()
+    pub fn unchecked(&mut self) -> Option<UncheckedText> {
+        self.buffer.unchecked()
     }
 
     /// Takes what was found in a text.
-    pub fn checked(&mut self, reading: Reading) {
+    pub fn checked(&mut self, reading: CheckedText) {
         self.buffer.keep(reading);
         if self.runs_next == Some(self.buffer.checked()) {
             self.runs_next = None;
@@ -198,15 +199,15 @@ impl Session {
         }
     }
 
-    /// Checks the text, if it has changed and nobody else does.
+    /// Checks the text, if it has changed and the host does not check it.
     fn check(&mut self) {
-        let Some(mut reader) = self.reader.take() else {
+        let Some(mut checker) = self.checker.take() else {
             return;
         };
-        if let Some(unread) = self.buffer.unread() {
-            self.checked(reader.read(unread));
+        if let Some(unchecked) = self.buffer.unchecked() {
+            self.checked(checker.read(unchecked));
         }
-        self.reader = Some(reader);
+        self.checker = Some(checker);
     }
 
     fn fulfil(&mut self, request: &Request, host: &mut dyn Host) -> Result<(), Refusal> {
@@ -321,7 +322,7 @@ impl Session {
         Ok(())
     }
 
-    /// The file has changed. Its text takes the place of one that nobody has edited, and runs if it is a program; an edited
+    /// Takes over a changed file. Its text takes the place of one that nobody has edited, and runs if it is a program; an edited
     /// text stays, and viewers learn of it.
     pub fn file_changed(&mut self, bytes: &[u8]) {
         if self.buffer.is_file(bytes) {
@@ -340,12 +341,12 @@ impl Session {
         self.check();
     }
 
-    /// How many cycles have run, as far as the run has not been taken back.
+    /// Returns the number of cycles that have run, as far as the run has not been taken back.
     pub fn cycles(&self) -> u64 {
         self.runner.taken()
     }
 
-    /// A hash of what each joint was sent and measured in the last cycle.
+    /// Returns a hash of the commands to each joint and its readings in the last cycle.
     pub fn state_hash(&self) -> u64 {
         self.runner.run().state_hash()
     }

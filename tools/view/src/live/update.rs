@@ -1,6 +1,6 @@
-//! What a viewer does not know yet.
+//! The news for a viewer.
 
-use super::language_service::Finding;
+use super::language_service::PageDiagnostic;
 use super::session::Session;
 use crate::recording::Recording;
 use crate::updates::{self, Ended, Part, json};
@@ -12,20 +12,20 @@ const MOST_FRAMES: usize = 1000;
 /// The most other things of one kind.
 const MOST_THINGS: usize = 20_000;
 
-/// How much one viewer knows.
+/// The state that one viewer has.
 #[derive(Clone, Debug, Default)]
 pub struct Viewer {
     /// The run that it sees; the first one is 1.
     run: u64,
-    /// Of that run, all before this cycle.
+    /// Cycle of that run up to which the viewer has everything.
     cycle: u64,
-    /// How often that was taken back.
+    /// Number of times that the run had been taken back.
     cuts: u64,
     /// The text, by version.
     text: u64,
-    /// What is found in it, by the version that was checked.
+    /// Version of the text whose diagnostics the viewer has.
     findings: u64,
-    /// How the run is.
+    /// Status of the run.
     status: String,
 }
 
@@ -41,7 +41,7 @@ struct Text<'a> {
 struct Found<'a> {
     r#type: &'static str,
     version: u64,
-    findings: &'a [Finding],
+    findings: &'a [PageDiagnostic],
     good: bool,
 }
 
@@ -60,7 +60,7 @@ struct Status<'a> {
 }
 
 impl Session {
-    /// Returns the next update for a viewer; none if it knows all.
+    /// Returns the next update for a viewer; none if it has everything.
     pub fn update(&self, viewer: &mut Viewer) -> Option<String> {
         next(self, viewer)
     }
@@ -113,7 +113,7 @@ fn begin(session: &Session, viewer: &mut Viewer) -> String {
     updates::begin(recording, session.runs, &inputs(session))
 }
 
-/// The inputs that a page has sliders for.
+/// Returns the inputs that a page has sliders for.
 fn inputs(session: &Session) -> Vec<String> {
     let ports = (1..=3).map(Port::Knob).chain([Port::Antenna]);
     let ports = ports.chain((1..=9).map(Port::Paw));
@@ -139,7 +139,7 @@ fn more(session: &Session, viewer: &mut Viewer, cut: u64) -> String {
     updates::more(recording, &part)
 }
 
-/// Up to which cycle one update may go.
+/// Returns the cycle up to which one update may go.
 fn until(recording: &Recording, from: u64, taken: u64) -> u64 {
     let after = |place: usize, most: usize, cycle: &dyn Fn(usize) -> Option<u64>| {
         cycle(place + most).map_or(taken, |cycle| cycle.max(from + 1))

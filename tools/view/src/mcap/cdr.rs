@@ -13,7 +13,7 @@ int32 sec\nuint32 nanosec\n";
 /// Little endian, each number at a multiple of its size.
 pub(super) struct Cdr(Vec<u8>);
 
-/// What stands before the body, and does not count for the multiples.
+/// Header before the body, which does not count for the multiples.
 const HEADER: [u8; 4] = [0, 1, 0, 0];
 
 impl Cdr {
@@ -27,14 +27,14 @@ impl Cdr {
             .resize(HEADER.len() + length.next_multiple_of(size), 0);
     }
 
-    /// `uint32`, or `int32` that is not negative.
+    /// Appends a `uint32`, or an `int32` that is not negative.
     pub(super) fn number(mut self, value: u32) -> Self {
         self.align(4);
         self.0.extend(value.to_le_bytes());
         self
     }
 
-    /// `string`; its length counts the zero at the end.
+    /// Appends a `string`; its length counts the zero at the end.
     pub(super) fn text(mut self, text: &str) -> Self {
         self = self.number(text.len() as u32 + 1);
         self.0.extend(text.as_bytes());
@@ -42,13 +42,13 @@ impl Cdr {
         self
     }
 
-    /// `string[]`
+    /// Appends a `string[]`.
     pub(super) fn texts(self, texts: &[String]) -> Self {
         let all = self.number(texts.len() as u32);
         texts.iter().fold(all, |cdr, text| cdr.text(text))
     }
 
-    /// `float64[]`
+    /// Appends a `float64[]`.
     pub(super) fn doubles(mut self, values: &[f64]) -> Self {
         self = self.number(values.len() as u32);
         for value in values {

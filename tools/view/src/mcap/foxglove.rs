@@ -184,7 +184,7 @@ pub(super) fn duration_file() -> FileDescriptorProto {
     proto::file(DURATION, "google.protobuf", "proto3", &[], durations())
 }
 
-/// Foxglove's file.
+/// Returns the descriptors of Foxglove's messages.
 pub(super) fn file() -> FileDescriptorProto {
     let mut messages = all();
     for [name, field, enumeration, values] in ENUMERATIONS {
@@ -211,7 +211,7 @@ pub(super) fn file() -> FileDescriptorProto {
 }
 
 impl Timestamp {
-    /// A moment of the run: ns.
+    /// Creates a moment of the run, ns.
     pub(super) const fn of(nanoseconds: u64) -> Self {
         const SECOND: u64 = 1_000_000_000;
         Timestamp {
@@ -246,7 +246,7 @@ impl From<[f64; 4]> for Color {
 }
 
 impl Pose {
-    /// At a place (m), and turned by a quaternion.
+    /// Creates a pose at a place (m), turned by a quaternion.
     pub(super) fn new(at: [f64; 3], turned: [f64; 4]) -> Self {
         Pose {
             position: at.into(),

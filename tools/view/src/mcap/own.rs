@@ -35,7 +35,7 @@ protobuf! { same:
     }
 }
 
-/// The file of all of them.
+/// Returns the file of all of them.
 pub(super) fn file(recording: &Recording) -> FileDescriptorProto {
     let feet = (1..).take(recording.robot.legs.len());
     let feet = (2..).zip(feet.map(|leg| format!("{}_N", foot(leg))));
@@ -55,7 +55,7 @@ fn number_field(name: &str, number: i32) -> FieldDescriptorProto {
     proto::field(name, number, "optional", "double", "")
 }
 
-/// `tip.Body`
+/// Returns a `tip.Body`.
 pub(super) fn body(time: u64, frame: &Frame) -> Option<Body> {
     let pose = frame.pose?;
     let [x_mm, y_mm, z_mm] = pose.position;
@@ -70,7 +70,7 @@ pub(super) fn body(time: u64, frame: &Frame) -> Option<Body> {
     })
 }
 
-/// `tip.Margin`
+/// Returns a `tip.Margin`.
 pub(super) fn margin(time: u64, frame: &Frame, falls: usize) -> Option<Margin> {
     Some(Margin {
         timestamp: Timestamp::of(time),
@@ -79,7 +79,7 @@ pub(super) fn margin(time: u64, frame: &Frame, falls: usize) -> Option<Margin> {
     })
 }
 
-/// `tip.Loads`
+/// Returns `tip.Loads`.
 pub(super) fn loads(time: u64, frame: &Frame) -> Option<Vec<u8>> {
     let mut message = begun(time);
     for (field, load) in (2..).zip(&frame.loads) {
@@ -88,7 +88,7 @@ pub(super) fn loads(time: u64, frame: &Frame) -> Option<Vec<u8>> {
     (!frame.loads.is_empty()).then_some(message)
 }
 
-/// A message whose first field is its time.
+/// Returns a message whose first field is its time.
 fn begun(time: u64) -> Vec<u8> {
     let mut message = Vec::new();
     prost::encoding::message::encode(1, &Timestamp::of(time), &mut message);
@@ -105,7 +105,7 @@ pub(super) struct Variables {
 }
 
 impl Variables {
-    /// None has a value yet.
+    /// Creates variables that have no values yet.
     pub(super) fn of(scalars: &[String]) -> Self {
         let mut fields: Vec<Field> = Vec::new();
         for (place, name) in scalars.iter().enumerate() {
@@ -127,14 +127,14 @@ impl Variables {
         }
     }
 
-    /// A variable has this value from now on.
+    /// Sets the value of a variable from now on.
     pub(super) fn set(&mut self, scalar: usize, value: f64) {
         if let Some(slot) = self.values.get_mut(scalar) {
             *slot = Some(value);
         }
     }
 
-    /// `tip.Variables`: those that have a value.
+    /// Returns `tip.Variables`: those that have a value.
     pub(super) fn message(&self, time: u64) -> Vec<u8> {
         let mut message = begun(time);
         for (field, (_, members)) in (2..).zip(&self.fields) {

@@ -37,7 +37,7 @@ macro_rules! labelled {
 
 pub(super) use {labelled, protobuf};
 
-/// A file of messages, as `protoc` would describe it.
+/// Returns a file of messages, as `protoc` would describe it.
 pub(super) fn file(
     name: &str,
     package: &str,
@@ -78,7 +78,8 @@ pub(super) fn message(name: &str, field: Vec<FieldDescriptorProto>) -> Descripto
     }
 }
 
-/// A field; `of` names the message that it is, and begins with `/` for one that is declared inside.
+/// Returns a field; `of` names the message that it is, and begins with `/` for one that is declared
+/// inside.
 pub(super) fn field(
     name: &str,
     number: i32,

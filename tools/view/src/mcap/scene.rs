@@ -1,4 +1,4 @@
-//! What can be seen beside the robot: forces as arrows, trails of the feet, objects.
+//! Objects in the scene besides the robot: forces as arrows, trails of the feet, objects.
 
 use super::foxglove::{
     ArrowPrimitive, CubePrimitive, CylinderPrimitive, LinePrimitive, Pose, SceneEntity,
@@ -13,15 +13,15 @@ use tip_runtime::model::Point;
 use tip_runtime::plant::{Block, Floor, Object, Scene, Shape};
 use tip_sim::urdf::frame::{self, BASE, WORLD, direction, metres};
 
-/// How long an arrow is for each newton: m.
+/// Length of an arrow for each newton, m.
 const METRES_PER_NEWTON: f64 = 0.002;
-/// The same of a hand, whose forces are smaller.
+/// Length of an arrow for each newton of a hand, whose forces are smaller, m.
 const METRES_PER_NEWTON_OF_A_HAND: f64 = 0.02;
-/// An arrow that is shorter is not shown: m.
+/// Length below which an arrow is not shown, m.
 const SHORTEST: f64 = 0.001;
-/// How often a trail goes on: ns.
+/// Time between two places of a trail, ns.
 const STEP: u64 = 100_000_000;
-/// How many places a trail has: five seconds.
+/// Number of places of a trail: five seconds.
 const PLACES: usize = 51;
 
 const ARROW: [f64; 4] = [0.9, 0.2, 0.2, 1.0];
@@ -39,10 +39,10 @@ const TRAILS: [[f64; 4]; 4] = [
 pub(super) struct Stage<'a> {
     robot: &'a Skeleton,
     objects: Vec<Object>,
-    /// What stands on the floor, as cubes; it never moves.
+    /// Blocks on the floor, as cubes, which never move.
     blocks: Vec<CubePrimitive>,
     trails: Vec<VecDeque<Point>>,
-    /// When the trails go on: ns.
+    /// Time at which the trails go on, ns.
     due: u64,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// `foxglove.SceneUpdate` for the end of a cycle: ns.
+    /// Returns the `foxglove.SceneUpdate` for the end of a cycle, ns.
     pub(super) fn update(&mut self, time: u64, frame: &Frame) -> SceneUpdate {
         let feet = self.feet(frame);
         let mut entities = vec![self.forces(time, frame, &feet)];
@@ -83,7 +83,8 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Where everything is given: in the world, in which the body moves, or in the robot frame.
+    /// Returns the frame of all coordinates: the world, in which the body moves, or the robot
+    /// frame.
     fn frame(&self) -> &'static str {
         if self.robot.body.is_some() {
             WORLD
@@ -92,7 +93,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// The feet there: mm.
+    /// Returns the feet there, mm.
     fn feet(&self, frame: &Frame) -> Vec<Point> {
         let body = frame.pose.as_ref().map(robot_frame);
         let legs = self.robot.legs.iter().zip(&frame.angles);
@@ -112,7 +113,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Of the floor on the feet, or of the fingers on what they touch: N.
+    /// Returns the forces of the floor on the feet, or of the fingers on what they touch, N.
     fn forces(&self, time: u64, frame: &Frame, feet: &[Point]) -> SceneEntity {
         let (scale, forces) = match frame.pushes.is_empty() {
             true if frame.forces.is_empty() => {
@@ -166,14 +167,14 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// How wide objects are along z: as wide as the hand, mm.
+    /// Returns the width of objects along z: that of the hand, mm.
     fn depth(&self) -> f64 {
         let along = || self.robot.legs.iter().map(|leg| leg.base[2]);
         let (least, most) = (along().fold(0.0, f64::min), along().fold(0.0, f64::max));
         (most - least).max(20.0)
     }
 
-    /// Where a foot has been; none as long as that is one place.
+    /// Returns the places where a foot has been; none as long as that is one place.
     fn trail(&mut self, time: u64, number: u8, foot: Point) -> Option<SceneEntity> {
         let leg = usize::from(number) - 1;
         let trail = self.trails.get_mut(leg)?;
@@ -200,7 +201,8 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// The blocks of a scene as `CubePrimitive`s, down to the lowest place of the floor under each.
+/// Returns the blocks of a scene as `CubePrimitive`s, down to the lowest place of the floor under
+/// each.
 fn blocks(scene: &Scene) -> Vec<CubePrimitive> {
     let blocks = scene.blocks.iter().flatten();
     let cubes = blocks.map(|block| {
@@ -218,7 +220,7 @@ fn blocks(scene: &Scene) -> Vec<CubePrimitive> {
     cubes.collect()
 }
 
-/// The lowest height of the floor under a block.
+/// Returns the lowest height of the floor under a block.
 fn foot(floor: &Floor, block: &Block) -> f64 {
     let Floor { height, slope } = *floor;
     let corners = block.x.into_iter().flat_map(|x| block.y.map(|y| [x, y]));
@@ -226,7 +228,7 @@ fn foot(floor: &Floor, block: &Block) -> f64 {
     heights.fold(f64::INFINITY, f64::min)
 }
 
-/// `ArrowPrimitive`: it points along x of its pose.
+/// Returns an `ArrowPrimitive`, which points along x of its pose.
 fn arrow(at: Point, force: [f64; 3], scale: f64) -> Option<ArrowPrimitive> {
     let force = Vector3::from(direction(force));
     let length = scale * force.norm();

@@ -1,4 +1,5 @@
-//! Where each frame of the robot is in the one before, under the names that its URDF file has.
+//! The transform of each frame of the robot to the one before, under the names that its URDF file
+//! has.
 
 use super::foxglove::{FrameTransform, FrameTransforms, Timestamp};
 use crate::recording::Frame;
@@ -17,7 +18,7 @@ pub(super) struct Transform {
     turned: [f64; 4],
 }
 
-/// Not turned.
+/// The quaternion without a turn.
 pub(super) const STRAIGHT: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
 impl Transform {
@@ -31,7 +32,7 @@ impl Transform {
     }
 }
 
-/// Those that never move.
+/// Returns the transforms that never change.
 pub(super) fn fixed(robot: &Skeleton) -> Vec<Transform> {
     let mut all = Vec::new();
     match robot.body {
@@ -50,7 +51,7 @@ pub(super) fn fixed(robot: &Skeleton) -> Vec<Transform> {
     all
 }
 
-/// How the robot frame of a robot that is bolted down is turned in the world.
+/// Returns the turn of the robot frame in the world for a robot that is bolted down.
 fn standing(is_planar: bool) -> [f64; 4] {
     let [roll, pitch, yaw] = frame::standing(is_planar);
     UnitQuaternion::from_euler_angles(roll, pitch, yaw)
@@ -58,7 +59,7 @@ fn standing(is_planar: bool) -> [f64; 4] {
         .into()
 }
 
-/// Those that move, at the end of a cycle.
+/// Returns the transforms that change, at the end of a cycle.
 pub(super) fn moving(robot: &Skeleton, frame: &Frame) -> Vec<Transform> {
     let body = frame.pose.as_ref().filter(|_| robot.body.is_some());
     let body = body.map(|pose| Transform {
@@ -84,7 +85,7 @@ pub(super) fn moving(robot: &Skeleton, frame: &Frame) -> Vec<Transform> {
     all
 }
 
-/// How the body is turned, in axes with x forward and y left.
+/// Returns the turn of the body, in axes with x forward and y left.
 fn attitude(pose: &Pose) -> [f64; 4] {
     // Each inner array is a column.
     let turned = Rotation3::from_matrix_unchecked(Matrix3::from(robot_frame(pose).axes));
@@ -93,7 +94,7 @@ fn attitude(pose: &Pose) -> [f64; 4] {
     [x, y, z, turned.w]
 }
 
-/// `foxglove.FrameTransforms`
+/// Returns `foxglove.FrameTransforms`.
 pub(super) fn message(time: u64, transforms: Vec<Transform>) -> FrameTransforms {
     let all = transforms.into_iter().map(|transform| FrameTransform {
         timestamp: Timestamp::of(time),

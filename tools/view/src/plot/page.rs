@@ -15,7 +15,7 @@ pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 type Failed<'a> = DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>;
 
-/// Whether it could be drawn.
+/// Result of drawing.
 pub(super) type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 const WIDTH: u32 = 960;
@@ -80,7 +80,7 @@ impl<'a> Page<'a> {
     }
 }
 
-/// What holds all values, with some room.
+/// Returns the range of all values, with some room.
 pub(super) fn padded(values: impl Iterator<Item = f64> + Clone) -> Span {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     let most = values.fold(f64::NEG_INFINITY, f64::max);
@@ -93,7 +93,7 @@ pub(super) fn padded(values: impl Iterator<Item = f64> + Clone) -> Span {
     }
 }
 
-/// Not empty, so that it can be an axis.
+/// Widens an empty range, so that it can be an axis.
 fn open((from, to): Span) -> std::ops::Range<f64> {
     from..if to > from { to } else { from + 1.0 }
 }
@@ -109,7 +109,7 @@ fn chart<'a, 'b>(area: &'b Area<'a>, title: &str) -> ChartBuilder<'b, 'b, SVGBac
     builder
 }
 
-/// A line for each leg.
+/// Draws a line for each leg.
 pub(super) fn lines(
     area: &Area<'_>,
     title: &str,
@@ -143,18 +143,18 @@ pub(super) fn lines(
     Ok(())
 }
 
-/// A number of an axis without the dust of its steps.
+/// Returns a number of an axis without the dust of its steps.
 fn rounded(value: f64) -> String {
     let value = (value * 1e6).round() / 1e6 + 0.0;
     value.to_string()
 }
 
-/// Paths in a plane: mm.
+/// Paths in a plane, mm.
 pub(super) struct View {
     pub(super) title: String,
-    /// Of its axes.
+    /// Names of its axes.
     pub(super) names: [&'static str; 2],
-    /// As long across as up.
+    /// True if a unit is as long across as up.
     pub(super) is_true: bool,
     pub(super) legs: Vec<Vec<(f64, f64)>>,
 }
@@ -191,7 +191,7 @@ fn true_to_scale(area: &Area<'_>, x: Span, y: Span) -> (Span, Span) {
     (wide(x, width), wide(y, height))
 }
 
-/// A row of bars for each leg, the first one on top, and a line at each mark.
+/// Draws a row of bars for each leg, the first one on top, and a line at each mark.
 pub(super) fn bars(
     area: &Area<'_>,
     title: &str,
@@ -241,7 +241,7 @@ pub(super) fn bars(
     Ok(())
 }
 
-/// On a light ground, and on a dark one.
+/// Colors on a light and on a dark background.
 type Pair = [u32; 2];
 
 const GROUND: Pair = [0xFFFFFF, 0x0D1117];
@@ -266,32 +266,33 @@ fn light([light, _]: Pair) -> RGBColor {
     RGBColor(red, green, blue)
 }
 
-/// Behind everything.
+/// Returns the color of the background.
 pub(super) fn ground() -> RGBColor {
     light(GROUND)
 }
 
-/// Of texts and axes.
+/// Returns the color of texts and axes.
 pub(super) fn ink() -> RGBColor {
     light(INK)
 }
 
-/// Of lines that only guide the eye.
+/// Returns the color of lines that only guide the eye.
 pub(super) fn grid() -> RGBColor {
     light(GRID)
 }
 
-/// Of falls.
+/// Returns the color of falls.
 pub(super) fn alarm() -> RGBColor {
     light(ALARM)
 }
 
-/// Of a leg, from 0.
+/// Returns the color of a leg, from 0.
 pub(super) fn leg(number: usize) -> RGBColor {
     LEGS.get(number).copied().map_or(ink(), light)
 }
 
-/// The drawing with a name for those who hear it, and other colours where the reader's ground is dark.
+/// Returns the drawing with a name for those who hear it, and other colours where the reader's
+/// ground is dark.
 pub(super) fn themed(svg: &str, name: &str) -> String {
     let rule = |[light, dark]: Pair| {
         format!(

@@ -142,7 +142,7 @@ fn turned(q: &[f64], v: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| v[i] + 2.0 * second[i])
 }
 
-/// Where a frame's origin is in the world, by the transforms of a moment: m.
+/// Returns the place of a frame's origin in the world, by the transforms of a moment, m.
 fn origin(all: &BTreeMap<String, (String, Vec<f64>, Vec<f64>)>, frame: &str) -> [f64; 3] {
     let (mut at, mut name) = ([0.0; 3], frame.to_owned());
     while let Some((parent, place, turn)) = all.get(&name) {
@@ -256,7 +256,7 @@ fn transforms_put_the_feet_where_the_run_has_them() {
     }
 }
 
-/// As a reader of ROS 2 decodes it.
+/// Decodes joint states as a reader of ROS 2 does.
 #[test]
 fn joint_states_are_those_of_the_run() {
     let robot = hand();

@@ -1,4 +1,4 @@
-//! What a page holds.
+//! Contents of a page.
 
 use base64::Engine as _;
 use serde_json::Value;

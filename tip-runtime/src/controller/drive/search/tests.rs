@@ -20,7 +20,7 @@ impl Dice {
 /// 400 pieces each, 9 solutions before.
 const LONGEST: usize = (18 * 414 + 60 + 2 * 4 * 414) / A_CYCLE + 1;
 
-/// What became of a search, in how many cycles; each is compared with as many steps.
+/// Returns the result of a search and its number of cycles; each is compared with as many steps.
 fn searched(
     point: LegPoint,
     start: [f64; 3],

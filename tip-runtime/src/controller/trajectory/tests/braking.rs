@@ -1,4 +1,4 @@
-//! Where a moving set point comes to rest, and how far it swings to the side of its line.
+//! The place where a moving set point comes to rest, and its swing to the side of its line.
 
 use super::{ORIGIN, Track, limits, to, vector};
 

@@ -2,7 +2,7 @@
 
 use tip_runtime::command::Port;
 use tip_runtime::program::VariableError;
-use tip_sim::debug::{Hits, Refused};
+use tip_sim::debug::{DebugError, Hits};
 use tipc::message::Lang;
 
 #[test]
@@ -42,22 +42,22 @@ fn a_refusal_is_said_in_both_languages() {
     let name = || "HEIGHT".to_owned();
     for (refused, english, japanese) in [
         (
-            Refused::NoStep(7),
+            DebugError::NoStep(7),
             "no step is on line 7 or after it",
             "7行目以降にステップがありません",
         ),
         (
-            Refused::NoVariable(name(), VariableError::Unknown),
+            DebugError::NoVariable(name(), VariableError::Unknown),
             "HEIGHT: the program has no variable of that name",
             "HEIGHT: この名前の変数はプログラムにありません",
         ),
         (
-            Refused::Hits("five".parse::<Hits>().unwrap_err()),
+            DebugError::Hits("five".parse::<Hits>().unwrap_err()),
             "'five' is not a count of hits, such as 5, >= 5 or % 5",
             "'five' は通過回数の指定ではありません。5、>= 5、% 5 のように書いてください",
         ),
         (
-            Refused::Event(tip_sim::Refused::NoInput(Port::Knob(9))),
+            DebugError::Event(tip_sim::Refused::NoInput(Port::Knob(9))),
             "the robot has no input VR9",
             "このロボットに入力 VR9 はありません",
         ),

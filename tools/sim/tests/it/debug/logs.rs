@@ -2,7 +2,7 @@
 
 use super::{Outcome, debugger, titan};
 use tip_runtime::program::End;
-use tip_sim::debug::{Debugger, Move, Reason, Refused, When};
+use tip_sim::debug::{DebugError, Debugger, Move, Reason, When};
 
 const LOOP: &str = "3.1
 log
@@ -86,7 +86,7 @@ fn what_cannot_be_calculated_is_refused_and_places_nothing() -> Outcome {
     for text in ["{HEIGHT}", "{N = 3}", "{N} and {1 +}"] {
         let refused = debugger.log_at(7, 1, &When::default(), text);
         assert!(
-            matches!(refused, Err(Refused::Wrong(_))),
+            matches!(refused, Err(DebugError::Wrong(_))),
             "{text}: {refused:?}"
         );
     }

@@ -1,10 +1,10 @@
-//! Where movements and breakpoints stop.
+//! The places where movements and breakpoints stop.
 
 use super::{Outcome, debugger, titan};
 use tip_runtime::fault::Fault;
 use tip_runtime::program::End;
 use tip_sim::Robot;
-use tip_sim::debug::{Debugger, Discard, Move, Reason, Refused, Value, When};
+use tip_sim::debug::{DebugError, Debugger, Discard, Move, Reason, Value, When};
 
 /// A routine in a routine, called from a loop. Each step is on a line of its own, from line 4 on.
 const CALLS: &str = "3.1
@@ -181,11 +181,11 @@ fn conditions_know_cycle_and_time() -> Outcome {
     assert_eq!(debugger.evaluate("n + 1")?, debugger.evaluate("1 + N")?);
     assert!(matches!(
         debugger.evaluate("HEIGHT"),
-        Err(Refused::Wrong(_))
+        Err(DebugError::Wrong(_))
     ));
     assert_eq!(
         debugger.evaluate("1 / 0"),
-        Err(Refused::Fault(Fault::Domain))
+        Err(DebugError::Fault(Fault::Domain))
     );
     let wrong = When {
         condition: Some("N = 3"),
@@ -193,7 +193,7 @@ fn conditions_know_cycle_and_time() -> Outcome {
     };
     assert!(matches!(
         debugger.break_at_line(14, &wrong),
-        Err(Refused::Wrong(_))
+        Err(DebugError::Wrong(_))
     ));
     let wrong = When {
         condition: None,
@@ -201,11 +201,11 @@ fn conditions_know_cycle_and_time() -> Outcome {
     };
     assert!(matches!(
         debugger.break_at_line(14, &wrong),
-        Err(Refused::Hits(_))
+        Err(DebugError::Hits(_))
     ));
     assert_eq!(
         debugger.break_at_line(99, &When::default()),
-        Err(Refused::NoStep(99))
+        Err(DebugError::NoStep(99))
     );
     Ok(())
 }
@@ -220,7 +220,7 @@ fn breakpoints_by_name_are_at_routines_labels_and_words() -> Outcome {
     debugger.go(Move::Continue);
     assert_eq!(debugger.line(), 11);
     let error = debugger.break_at_name("PTP", &When::default());
-    assert_eq!(error, Err(Refused::NoName("PTP".to_owned())));
+    assert_eq!(error, Err(DebugError::NoName("PTP".to_owned())));
     assert!(debugger.break_at_name("", &When::default()).is_err());
     Ok(())
 }
@@ -238,7 +238,7 @@ fn an_emergency_stops_the_run_and_is_gone_back_from() -> Outcome {
     assert_eq!(debugger.go(Move::Continue), stop);
     assert_eq!(
         debugger.happens("set A=2".parse()?, Discard::Later),
-        Err(Refused::Ended)
+        Err(DebugError::Ended)
     );
     // A step that fails assigns nothing: nobody ever set B.
     assert_eq!(debugger.go(Move::ReverseContinue).reason, Reason::Start);
@@ -289,7 +289,7 @@ fn messages_and_variables_are_those_of_the_position() -> Outcome {
     };
     debugger.go(Move::Continue);
     assert_eq!(said(&debugger), ["one", "2", ""]);
-    let news = |debugger: &mut Debugger| debugger.news().len();
+    let news = |debugger: &mut Debugger| debugger.take_messages().len();
     assert_eq!((news(&mut debugger), news(&mut debugger)), (3, 0));
     debugger.go(Move::To(2));
     debugger.go(Move::Continue);

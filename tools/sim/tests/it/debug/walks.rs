@@ -36,7 +36,7 @@ END
 
 const EVENTS: &str = "20:key a, 25:VR1=4, 133:key b, 133:key c, 447:VR1=2, 460:key d, 700:set N=39";
 
-/// How many cycles the reference has.
+/// Number of cycles of the reference.
 const CYCLES: u64 = 2600;
 
 /// A generator of numbers that are the same everywhere.
@@ -72,7 +72,8 @@ fn sight(run: &Run) -> Sight {
     }
 }
 
-/// What a run without a debugger shows before each cycle. Values that events set show in the cycle after.
+/// Returns the state before each cycle of a run without a debugger. Values that events set show in
+/// the cycle after.
 fn reference(robot: &Robot, events: &Events) -> Result<Vec<Sight>, Box<dyn std::error::Error>> {
     let program: Interpreter = load("debugged.prg", BUSY, robot)?;
     let mut run = Run::new(program, robot.clone())?.with_events(events)?;
@@ -84,7 +85,7 @@ fn reference(robot: &Robot, events: &Events) -> Result<Vec<Sight>, Box<dyn std::
     Ok(sights)
 }
 
-/// How many walks: all of them take a while.
+/// Returns the number of walks: all of them take a while.
 fn walks() -> u64 {
     let asked = env::var("TIP_WALKS")
         .ok()

@@ -1,8 +1,8 @@
-//! Where watches stop: who assigns a variable.
+//! Stops at watches: the step or event that assigns a variable.
 
 use super::{Outcome, debugger, titan};
 use tip_runtime::program::End;
-use tip_sim::debug::{By, Debugger, Move, Reason, Refused, When};
+use tip_sim::debug::{By, DebugError, Debugger, Move, Reason, When};
 
 /// A variable that a step, a key, a loop and the host assign.
 const WATCHED: &str = "3.1
@@ -108,6 +108,9 @@ fn loops_and_members_are_watched() -> Outcome {
     debugger.watch("P.Z")?;
     debugger.go(Move::Continue);
     assert_eq!((debugger.line(), debugger.value("P.Z")?), (12, Some(1.0)));
-    assert!(matches!(debugger.watch("C"), Err(Refused::NoVariable(..))));
+    assert!(matches!(
+        debugger.watch("C"),
+        Err(DebugError::NoVariable(..))
+    ));
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! What is understood of an answer, and what is not.
+//! Answers that are accepted, and those that are not.
 
 use super::peer::{
     ANGLES, ECHO, NOD, Outcome, PATIENCE, in_cycle_3, peer, ready, run, run_on, stopped,
@@ -40,7 +40,7 @@ fn the_example_of_the_guide_simulates() -> Outcome {
     let (_, script) = guide.split_once("```sh\nwhile").ok_or("no script")?;
     let (script, _) = script.split_once("```\n").ok_or("no end")?;
     let script = format!("while{script}");
-    let plant = ExternalPlant::new("sh", ["-c", script.as_str()]).with_patience(PATIENCE);
+    let plant = ExternalPlant::new("sh", ["-c", script.as_str()]).with_time_limits(PATIENCE);
     let as_ever = trace(run(NOD, &peer(&ready(), ECHO))?)?;
     assert_eq!(trace(run(NOD, &plant)?)?, as_ever);
     Ok(())

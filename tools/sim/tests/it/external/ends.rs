@@ -7,13 +7,13 @@ use std::time::{Duration, Instant};
 use tip_runtime::fault::Fault;
 use tip_runtime::machine::Status;
 use tip_runtime::record::Ending;
-use tip_sim::external::{Ended, Head, NotStarted, Patience, PlantError};
+use tip_sim::external::{Ended, Head, PlantError, StartError, TimeLimits};
 use tip_sim::{ExternalPlant, Limit, Observer, Robot, Run, load};
 
 const TO: Head = Head::Cycle(3);
 
 /// Much shorter than what these processes sleep.
-const SHORT: Patience = Patience {
+const SHORT: TimeLimits = TimeLimits {
     first: Duration::from_secs(20),
     later: Duration::from_secs(1),
 };
@@ -24,7 +24,7 @@ fn what_is_not_there_does_not_start() -> Outcome {
     let program = load("p.prg", "3.1\nt\nEND\n", &robot)?;
     let none = ExternalPlant::new("/no/such/simulator", [""; 0]);
     let refused = Run::external(program, &robot, &none).expect_err("it is not there");
-    assert!(matches!(refused, NotStarted::Process { .. }));
+    assert!(matches!(refused, StartError::Process { .. }));
     assert!(
         refused
             .to_string()
@@ -39,7 +39,7 @@ fn a_program_of_another_robot_does_not_start() -> Outcome {
     let program = load("p.prg", "3.1\nt\nEND\n", &hand)?;
     let refused = Run::external(program, &Robot::named("titan8")?, &peer(&ready(), ECHO));
     assert!(
-        matches!(refused, Err(NotStarted::Mismatch(_))),
+        matches!(refused, Err(StartError::Mismatch(_))),
         "{refused:?}"
     );
     Ok(())
@@ -94,7 +94,7 @@ fn it_ends_in_the_middle() -> Outcome {
 fn it_takes_too_long() -> Outcome {
     let begin = Instant::now();
     let within = SHORT.later;
-    let (word, cycle, trouble) = stopped(&in_cycle_3("sleep 60").with_patience(SHORT))?;
+    let (word, cycle, trouble) = stopped(&in_cycle_3("sleep 60").with_time_limits(SHORT))?;
     assert_eq!((word, cycle), ("plant: no answer", 4));
     assert_eq!(trouble, PlantError::NoAnswer { to: TO, within });
     assert_eq!(
@@ -103,8 +103,8 @@ fn it_takes_too_long() -> Outcome {
     );
     // The first answer has its own time.
     let first = Duration::from_millis(400);
-    let impatient = Patience { first, ..PATIENCE };
-    let (_, cycle, trouble) = stopped(&peer("sleep 60", ECHO).with_patience(impatient))?;
+    let impatient = TimeLimits { first, ..PATIENCE };
+    let (_, cycle, trouble) = stopped(&peer("sleep 60", ECHO).with_time_limits(impatient))?;
     assert_eq!(
         (cycle, trouble),
         (
@@ -119,11 +119,11 @@ fn it_takes_too_long() -> Outcome {
         begin.elapsed() < Duration::from_secs(30),
         "they were not waited for"
     );
-    let patient = Patience {
+    let patient = TimeLimits {
         later: SHORT.later,
         ..PATIENCE
     };
-    let slow = peer(&format!("sleep 1.5; {}", ready()), ECHO).with_patience(patient);
+    let slow = peer(&format!("sleep 1.5; {}", ready()), ECHO).with_time_limits(patient);
     run(NOD, &slow)?.to_end(Limit::cycles(1));
     Ok(())
 }
@@ -132,18 +132,18 @@ fn it_takes_too_long() -> Outcome {
 fn it_does_not_read() -> Outcome {
     // Answers for ever, without looking: the first is right, the others are not.
     let answers = format!("{}; while :; do echo state n=0 angles=1; done", ready());
-    let plant = ExternalPlant::new("sh", ["-c", answers.as_str()]).with_patience(SHORT);
+    let plant = ExternalPlant::new("sh", ["-c", answers.as_str()]).with_time_limits(SHORT);
     let (word, _, _) = stopped(&plant)?;
     assert_eq!(word, "plant: wrong answer");
     // Its input is full, and it says nothing.
     let deaf = ExternalPlant::new("sh", ["-c", "exec sleep 60"]);
     let first = Duration::from_millis(300);
-    let (word, _, _) = stopped(&deaf.with_patience(Patience { first, ..PATIENCE }))?;
+    let (word, _, _) = stopped(&deaf.with_time_limits(TimeLimits { first, ..PATIENCE }))?;
     assert_eq!(word, "plant: no answer");
     Ok(())
 }
 
-/// Whether a process is there.
+/// Returns true if a process is there.
 fn lives(process: &str) -> bool {
     let asked = Command::new("kill").args(["-0", process]).output();
     asked.is_ok_and(|asked| asked.status.success())
@@ -173,7 +173,7 @@ fn what_it_started_is_not_left_behind() -> Outcome {
         "sleep 300 & echo $! >&2; wait",
         "sleep 300 & echo $! >&2; exit 1",
     ] {
-        let (plant, lines) = heard(in_cycle_3(does).with_patience(SHORT));
+        let (plant, lines) = heard(in_cycle_3(does).with_time_limits(SHORT));
         let mut run = run(NOD, &plant)?;
         run.to_end(Limit::cycles(4));
         let process = said_first(&lines);
@@ -183,7 +183,7 @@ fn what_it_started_is_not_left_behind() -> Outcome {
     Ok(())
 }
 
-/// What it says on its standard error.
+/// Collects the output on its standard error.
 fn heard(plant: ExternalPlant) -> (ExternalPlant, Arc<Mutex<Vec<String>>>) {
     let lines = Arc::new(Mutex::new(Vec::new()));
     let into = lines.clone();
@@ -213,7 +213,7 @@ fn nothing_is_left_behind() -> Outcome {
         (format!("{ECHO}; {stuck}"), 8),
     ] {
         let each = format!("if [ $n = 3 ]; then {does}; else {ECHO}; fi");
-        let plant = peer(&format!("echo $$ >&2; {}", ready()), &each).with_patience(SHORT);
+        let plant = peer(&format!("echo $$ >&2; {}", ready()), &each).with_time_limits(SHORT);
         let (plant, lines) = heard(plant);
         let mut run = run(NOD, &plant)?;
         run.to_end(Limit::cycles(4));

@@ -16,7 +16,7 @@ fn lines(
 ) -> Result<Vec<String>, Box<dyn Error>> {
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("lines-{robot}"));
     let keeps = format!("tee '{}' | {}", file.display(), script(ready, each));
-    let plant = ExternalPlant::new("sh", ["-c", &keeps]).with_patience(PATIENCE);
+    let plant = ExternalPlant::new("sh", ["-c", &keeps]).with_time_limits(PATIENCE);
     let mut run = run_on(robot, statements, &plant)?;
     run.to_end(Limit::cycles(100));
     assert_eq!(run.plant_error(), None);

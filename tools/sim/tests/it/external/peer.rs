@@ -4,7 +4,7 @@ use std::error::Error;
 use std::time::Duration;
 use tip_runtime::fault::Fault;
 use tip_runtime::record::Ending;
-use tip_sim::external::{Patience, PlantError};
+use tip_sim::external::{PlantError, TimeLimits};
 use tip_sim::{ExternalPlant, Limit, Robot, Run, load};
 
 pub(crate) type Outcome = Result<(), Box<dyn Error>>;
@@ -29,23 +29,23 @@ pub(crate) fn script(ready: &str, each: &str) -> String {
     )
 }
 
-/// What it does with `hello`.
+/// Returns its reaction to `hello`.
 pub(crate) fn ready() -> String {
     format!("echo \"ready version=1 {ANGLES}\"")
 }
 
-/// What it does in a cycle.
+/// Its reaction to a cycle.
 pub(crate) const ECHO: &str = "echo \"state n=$n angles=$targets\"";
 
 /// So much time as a test has.
-pub(crate) const PATIENCE: Patience = Patience {
+pub(crate) const PATIENCE: TimeLimits = TimeLimits {
     first: Duration::from_secs(20),
     later: Duration::from_secs(20),
 };
 
 /// A process of a shell.
 pub(crate) fn peer(ready: &str, each: &str) -> ExternalPlant {
-    ExternalPlant::new("sh", ["-c", &script(ready, each)]).with_patience(PATIENCE)
+    ExternalPlant::new("sh", ["-c", &script(ready, each)]).with_time_limits(PATIENCE)
 }
 
 /// A process that does something else in cycle 3.

@@ -12,7 +12,7 @@ use tipc::program::{Flag, Port, Target, Teach};
 #[derive(Default)]
 pub(super) struct Script {
     pub(super) keys: VecDeque<u8>,
-    /// How often the next command answers that it is pending.
+    /// Number of times that the next command answers that it is pending.
     pub(super) pending: u32,
     pub(super) flags: bool,
     pub(super) fault: Option<Fault>,

@@ -4,7 +4,7 @@ use crate::live::bench::{COUNTS, Memory, answer, ask, does, refuses, session_of}
 use crate::live::page::Page;
 use serde_json::json;
 use tip_sim::Robot;
-use tip_view::live::{Asked, MOST_BYTES, NoFile, Reader, Session, Setup};
+use tip_view::live::{ClientRequest, MOST_BYTES, NoFile, Session, Setup, TextChecker};
 
 #[test]
 fn an_error_is_found_where_it_is_and_goes_when_it_is_put_right() {
@@ -260,27 +260,27 @@ fn what_is_no_request_is_refused() {
 #[test]
 fn a_text_is_checked_apart_from_the_run() {
     let mut session = session_of(COUNTS);
-    let mut reader = Reader::new(Robot::named("titan8").expect("it has a name"));
+    let mut checker = TextChecker::new(Robot::named("titan8").expect("it has a name"));
     session.hand_over();
     let mut check = |session: &mut Session| {
-        let unread = session.unread().expect("a text");
-        assert!(session.unread().is_none(), "once");
-        session.checked(reader.read(unread));
-        let hover = Asked::read(r#"{"do":"hover","at":[4,1]}"#);
-        reader.answer(&hover).expect("it knows")
+        let unchecked = session.unchecked().expect("a text");
+        assert!(session.unchecked().is_none(), "once");
+        session.checked(checker.read(unchecked));
+        let hover = ClientRequest::read(r#"{"do":"hover","at":[4,1]}"#);
+        checker.answer(&hover).expect("it knows")
     };
-    assert!(check(&mut session).contains("MESSAGE") || session.unread().is_none());
+    assert!(check(&mut session).contains("MESSAGE") || session.unchecked().is_none());
     let edit =
         json!({"do": "edit", "text": "3.1\nother\nREM\nSLEEP 20\nEND\n", "base": 1, "by": "me"});
     does(&mut session, edit);
     session.advance(0.0, || true);
-    let restart = Asked::read(r#"{"do":"restart"}"#);
+    let restart = ClientRequest::read(r#"{"do":"restart"}"#);
     assert_eq!(
         session.ask(&restart, &mut NoFile),
         None,
         "it is not checked"
     );
-    let stop = Asked::read(r#"{"do":"event","event":"key 0x0D"}"#);
+    let stop = ClientRequest::read(r#"{"do":"event","event":"key 0x0D"}"#);
     assert!(stop.is_stop() && !restart.is_stop());
     let done = json!({"type": "answer", "ok": true}).to_string();
     let answer: serde_json::Value =
@@ -300,10 +300,10 @@ fn a_text_is_checked_apart_from_the_run() {
 fn a_file_that_changed_before_a_stop_does_not_run_after_it() {
     let mut session = session_of(COUNTS);
     session.hand_over();
-    let mut reader = Reader::new(Robot::named("titan8").expect("it has a name"));
+    let mut checker = TextChecker::new(Robot::named("titan8").expect("it has a name"));
     let mut next = |session: &mut Session| {
-        let unread = session.unread().expect("a text");
-        session.checked(reader.read(unread));
+        let unchecked = session.unchecked().expect("a text");
+        session.checked(checker.read(unchecked));
     };
     next(&mut session);
     session.file_changed(b"3.1\nother\nREM\nSLEEP 20\nEND\n");

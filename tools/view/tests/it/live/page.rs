@@ -1,4 +1,4 @@
-//! What stands for the page: a viewer that keeps what it receives.
+//! A viewer in place of the page, which keeps what it receives.
 
 use serde_json::Value;
 use std::collections::BTreeMap;

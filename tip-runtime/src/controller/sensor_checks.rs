@@ -1,4 +1,4 @@
-//! What is measured at the start of a cycle, and what is wrong with it.
+//! The readings at the start of a cycle, and the checks of them.
 
 use super::{ControllerView, targets};
 use crate::command::Port;
@@ -7,8 +7,9 @@ use crate::hardware::SensorsView;
 use crate::kinematics::ROUNDING;
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// As [`sense`](super::Controller::sense) of a controller of any size.
-    pub(crate) fn take_in(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
+    /// Takes in the readings, like [`sense`](super::Controller::sense), for a controller of any
+    /// size.
+    pub(crate) fn sense_view(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
         let read = self.measure(sensors).and(self.check_sensors());
         for leg in &mut self.legs {
             leg.drive.follow(&leg.angles, leg.model);

@@ -1,15 +1,15 @@
 //! A recorder that is taken back, and one that forgets.
 
-use super::{Recorder, Slips};
+use super::{Recorder, SlipDetector};
 use crate::recording::{At, Recording, Tick};
 use std::collections::HashSet;
 use std::hash::Hash;
 
-/// What a recorder knows beside its recording.
+/// State of a recorder besides its recording.
 #[derive(Clone, Debug)]
 pub(crate) struct Checkpoint {
     cycle: u64,
-    slips: Slips,
+    slips: SlipDetector,
     falls: u32,
 }
 
@@ -23,7 +23,7 @@ impl Recorder {
         }
     }
 
-    /// Back to where a mark was made.
+    /// Returns to a checkpoint.
     pub(crate) fn take_back(&mut self, checkpoint: &Checkpoint) {
         self.slips = checkpoint.slips.clone();
         self.falls = checkpoint.falls;
@@ -88,7 +88,7 @@ fn cut<T>(list: &mut Vec<At<T>>, from: u64) {
     list.truncate(list.partition_point(|at| at.cycle < from));
 }
 
-/// Of what happened before a cycle, keeps the last of each key.
+/// Keeps the last value of each key of everything that happened before a cycle.
 fn keep_last<T, K: Eq + Hash>(list: &mut Vec<At<T>>, before: u64, key: impl Fn(&T) -> K) {
     let mut seen = HashSet::new();
     let later = list.partition_point(|at| at.cycle < before);

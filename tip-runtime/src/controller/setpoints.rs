@@ -1,4 +1,4 @@
-//! What a controller does with every leg, to be looked at.
+//! A readable view of the set points of every leg.
 
 use super::leg::LegState;
 use super::trajectory::{Goal, Track};
@@ -6,33 +6,33 @@ use super::{ControllerView, targets};
 use crate::command::Target;
 use crate::controller::drive::{Drive, THIRD};
 
-/// How a foot or joint is controlled.
+/// Control mode of a foot or joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Not at all: it stays where it is.
+    /// No control: it stays where it is.
     Rest,
-    /// It heads for a position or angle.
+    /// Control of position or angle: it heads for a target.
     Position,
     /// A spring pulls it to a position or angle.
     Compliance,
-    /// It keeps a velocity or angular velocity.
+    /// Control of velocity or angular velocity, which it keeps.
     Velocity,
-    /// It pushes with a force or torque.
+    /// Control of force or torque.
     Effort,
 }
 
-/// What a foot, a joint or the slider is to do.
+/// Control mode and target of a foot, a joint or the slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Aim {
-    /// Which one.
+pub struct Setpoint {
+    /// The foot, the joint or the slider.
     pub of: Target,
-    /// How it is controlled.
+    /// The control mode.
     pub mode: Mode,
     goal: [f64; 3],
     axes: usize,
 }
 
-impl Aim {
+impl Setpoint {
     fn of_track<const N: usize>(of: Target, track: &Track<N>) -> Self {
         let (mode, goal) = match track.goal() {
             Goal::Rest => (Mode::Rest, None),
@@ -41,16 +41,16 @@ impl Aim {
             Goal::Speed(velocity) => (Mode::Velocity, Some(velocity)),
             Goal::Effort(effort) => (Mode::Effort, Some(effort)),
         };
-        let mut aim = Aim {
+        let mut setpoint = Setpoint {
             of,
             mode,
             goal: [0.0; 3],
             axes: goal.map_or(0, |goal| goal.len().min(3)),
         };
-        for (place, value) in aim.goal.iter_mut().zip(goal.iter().flatten()) {
+        for (place, value) in setpoint.goal.iter_mut().zip(goal.iter().flatten()) {
             *place = *value;
         }
-        aim
+        setpoint
     }
 
     /// Its target: three numbers of a foot or the slider, one of a joint, none at rest. Positions are mm and deg, velocities
@@ -62,30 +62,30 @@ impl Aim {
 }
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// What every leg is to do, F1 first: its foot, if that is controlled, or else each of its joints; then the slider, if there
-    /// is one.
-    pub fn aims(&self) -> impl Iterator<Item = Aim> {
+    /// Iterates over the aims of every leg, F1 first: its foot, if that is controlled, or else each
+    /// of its joints; then the slider, if there is one.
+    pub fn setpoints(&self) -> impl Iterator<Item = Setpoint> {
         let legs = self.legs.iter().enumerate();
         let legs = legs.flat_map(|(index, leg)| of_leg(targets::number(index), leg));
         let slider = self.robot.slider.is_some();
-        let slider = slider.then(|| Aim::of_track(Target::Floor, &self.slider));
+        let slider = slider.then(|| Setpoint::of_track(Target::Floor, &self.slider));
         legs.chain(slider)
     }
 }
 
-fn of_leg<const J: usize>(n: u8, leg: &LegState<'_, J>) -> impl Iterator<Item = Aim> {
+fn of_leg<const J: usize>(n: u8, leg: &LegState<'_, J>) -> impl Iterator<Item = Setpoint> {
     let point = match &leg.drive.drive {
         Drive::Joints(_) => None,
-        Drive::Foot(foot) => Some(Aim::of_track(Target::Foot(n), foot)),
+        Drive::Foot(foot) => Some(Setpoint::of_track(Target::Foot(n), foot)),
         Drive::Third(third, _) => {
             let joint = Target::Joint(n, targets::number(THIRD));
-            Some(Aim::of_track(joint, third))
+            Some(Setpoint::of_track(joint, third))
         }
     };
     let (first, joints) = leg.drive.own_joints();
-    let joints = (first..)
-        .zip(joints)
-        .map(move |(index, joint)| Aim::of_track(Target::Joint(n, targets::number(index)), joint));
+    let joints = (first..).zip(joints).map(move |(index, joint)| {
+        Setpoint::of_track(Target::Joint(n, targets::number(index)), joint)
+    });
     point.into_iter().chain(joints)
 }
 
@@ -110,11 +110,11 @@ mod tests {
             ..Sensors::ZERO
         });
         assert_eq!(sensed, Ok(()));
-        assert_eq!(controller.aims().count(), 12);
+        assert_eq!(controller.setpoints().count(), 12);
         assert!(
             controller
-                .aims()
-                .all(|aim| aim.mode == Mode::Rest && aim.goal().is_empty())
+                .setpoints()
+                .all(|setpoint| setpoint.mode == Mode::Rest && setpoint.goal().is_empty())
         );
         for (op, target, values) in [
             (Op::PtpAngle, Target::Joint(1, 2), &[10.0][..]),
@@ -130,12 +130,12 @@ mod tests {
             });
             assert!(done.is_ok(), "{op:?}");
         }
-        let aims: Vec<_> = controller.aims().collect();
+        let setpoints: Vec<_> = controller.setpoints().collect();
         let shown = |place: usize| {
             (
-                aims[place].of,
-                aims[place].mode,
-                aims[place].goal().to_vec(),
+                setpoints[place].of,
+                setpoints[place].mode,
+                setpoints[place].goal().to_vec(),
             )
         };
         assert_eq!(shown(0), (Target::Joint(1, 1), Mode::Velocity, vec![-3.0]));
@@ -145,6 +145,6 @@ mod tests {
             shown(3),
             (Target::Foot(2), Mode::Velocity, vec![1.0, 2.0, 3.0])
         );
-        assert_eq!(aims.len(), 10);
+        assert_eq!(setpoints.len(), 10);
     }
 }

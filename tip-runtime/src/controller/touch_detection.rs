@@ -19,44 +19,48 @@ use crate::fault::Fault;
 use crate::kinematics::LegPoint;
 use crate::model::Forces;
 
-/// How long a joint that meets something stands still before that counts.
+/// Number of cycles that a joint has to stand still before contact counts.
 const STILL_CYCLES: u16 = 10;
 
-/// A joint that turns no faster stands still: deg/s.
+/// Rate up to which a joint stands still, deg/s.
 const STILL: f64 = 2.0;
 
-/// Of a fingertip's place, the height.
+/// Index of the height in a fingertip's place.
 const HEIGHT: usize = 1;
 
-/// A lever that is shorter gets less than the search torque, or a finger that is nearly straight would
-/// push without bound: mm.
+/// Shortest lever that gets all of the search torque, mm: a finger that is nearly straight would
+/// push without bound.
 const LEAST_LEVER: f64 = 20.0;
 
-/// How many joints push a fingertip down.
-const BOTH: usize = 2;
+/// Number of joints that push a fingertip down.
+const PUSHING_JOINTS: usize = 2;
 
-/// How far from its limit such a joint stays: deg.
-const KEEPS_OFF: f64 = 1.0;
+/// Distance that such a joint keeps from its limit, deg.
+const LIMIT_MARGIN: f64 = 1.0;
 
-/// It is stopped so many cycles before it would be there.
-const LOOKS_AHEAD: f64 = 2.0;
+/// Number of cycles by which it is stopped before it would be there.
+const LOOKAHEAD_CYCLES: f64 = 2.0;
 
 impl<const J: usize> ControllerView<'_, J> {
     /// Starts a search, or goes on with it.
-    pub(super) fn feel(
+    pub(super) fn detect_touch(
         &mut self,
         command: &Command<'_>,
         start: fn(&mut Self, &Command<'_>, &Forces) -> Result<(), Fault>,
     ) -> Result<Poll, Fault> {
         let forces = self.robot.forces.ok_or(Fault::Domain)?;
-        if self.task != Task::Feel {
+        if self.task != Task::DetectTouch {
             start(self, command, forces)?;
-            self.task = Task::Feel;
+            self.task = Task::DetectTouch;
             self.press_floor(command, forces);
             return Ok(Poll::Pending);
         }
         self.press_floor(command, forces);
-        let pressing = if is_downward(command) { BOTH } else { 1 };
+        let pressing = if is_downward(command) {
+            PUSHING_JOINTS
+        } else {
+            1
+        };
         for leg in &mut self.legs {
             let mut torques = leg.torques.iter().take(pressing);
             let presses = torques.any(|torque| libm::fabs(*torque) >= forces.contact_torque);
@@ -72,14 +76,14 @@ impl<const J: usize> ControllerView<'_, J> {
         let mut searching = self.legs.iter().filter_map(|leg| leg.search);
         if searching.all(|still| still >= STILL_CYCLES) {
             self.task = Task::Idle;
-            self.stop_where_felt();
+            self.hold_where_stopped();
             return Ok(Poll::Done);
         }
         Ok(Poll::Pending)
     }
 
-    /// Every finger that searched holds the angles that are measured.
-    fn stop_where_felt(&mut self) {
+    /// Lets every finger that searched hold the angles that are measured.
+    fn hold_where_stopped(&mut self) {
         for leg in &mut self.legs {
             if leg.search.is_some() {
                 leg.drive.drive = Drive::Joints(leg.stays().map(held));
@@ -87,8 +91,8 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// DETECT_FLOOR: joint 1 closes by torque (type 1), or joints 1 and 2 press down (type 2); the others
-    /// hold their angles.
+    /// Starts DETECT_FLOOR: joint 1 closes by torque (type 1), or joints 1 and 2 press down (type
+    /// 2); the others hold their angles.
     pub(super) fn floor_search(
         &mut self,
         command: &Command<'_>,
@@ -110,19 +114,20 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// DETECT_FLOOR 2: the torques of this cycle.
+    /// Sets the torques of this cycle for DETECT_FLOOR 2.
     fn press_floor(&mut self, command: &Command<'_>, forces: &Forces) {
         if !is_downward(command) {
             return;
         }
-        let look = LOOKS_AHEAD * self.params.period / 1000.0;
+        let look = LOOKAHEAD_CYCLES * self.params.period / 1000.0;
         for leg in self.legs.iter_mut().filter(|leg| leg.search.is_some()) {
             leg.press_down(forces, look);
         }
     }
 
-    /// DETECT_OBJECT: fingertips (type 1) or third joints (type 2) close along x by force, which the
-    /// fingers of one side share; in type 3 a spring draws the fingertips, and keeps their height.
+    /// Starts DETECT_OBJECT: fingertips (type 1) or third joints (type 2) close along x by force,
+    /// which the fingers of one side share; in type 3 a spring draws the fingertips, and keeps
+    /// their height.
     pub(super) fn object_search(
         &mut self,
         command: &Command<'_>,
@@ -151,7 +156,7 @@ impl<const J: usize> ControllerView<'_, J> {
         self.mark_searching(Target::All)
     }
 
-    /// A spring that draws a fingertip to the middle of the palm, at the height that it has.
+    /// Draws a fingertip by a spring to the middle of the palm, at the height that it has.
     fn draw_inward(&mut self, n: u8) -> Result<(), Fault> {
         let from = self.measured_point(n, LegPoint::Tip)?;
         let target = [0.0, from[1], from[2]];
@@ -161,9 +166,9 @@ impl<const J: usize> ControllerView<'_, J> {
 }
 
 impl<const J: usize> LegState<'_, J> {
-    /// Joints 1 and 2 push the fingertip straight down. The one with the longer lever has the search
-    /// torque. A joint that comes near its limit within `look` seconds stays there while it is pushed
-    /// farther.
+    /// Pushes the fingertip straight down by joints 1 and 2. The one with the longer lever has the
+    /// search torque. A joint that comes near its limit within `look` seconds stays there while it
+    /// is pushed farther.
     fn press_down(&mut self, forces: &Forces, look: f64) {
         let Drive::Joints(mut tracks) = self.drive.drive else {
             return;
@@ -171,15 +176,15 @@ impl<const J: usize> LegState<'_, J> {
         let levers = self.levers();
         let longest = levers
             .iter()
-            .take(BOTH)
+            .take(PUSHING_JOINTS)
             .fold(LEAST_LEVER, |most, lever| most.max(libm::fabs(*lever)));
         let states = levers.iter().zip(self.angles.iter().zip(&self.rates));
         let joints = tracks.iter_mut().zip(&self.model.joints).zip(states);
-        for ((track, joint), (lever, (angle, rate))) in joints.take(BOTH) {
+        for ((track, joint), (lever, (angle, rate))) in joints.take(PUSHING_JOINTS) {
             let torque = -forces.search_torque * lever / longest;
             let ahead = angle + look * rate;
-            let near = (torque > 0.0 && angle.max(ahead) > joint.limits.max - KEEPS_OFF)
-                || (torque < 0.0 && angle.min(ahead) < joint.limits.min + KEEPS_OFF);
+            let near = (torque > 0.0 && angle.max(ahead) > joint.limits.max - LIMIT_MARGIN)
+                || (torque < 0.0 && angle.min(ahead) < joint.limits.min + LIMIT_MARGIN);
             *track = match track.goal() {
                 _ if !near => track.towards(Goal::Effort([torque])),
                 Goal::Effort(_) => held(joint.limits.nearest(*angle)),
@@ -189,14 +194,14 @@ impl<const J: usize> LegState<'_, J> {
         self.drive.drive = Drive::Joints(tracks);
     }
 
-    /// How fast each joint raises the fingertip: mm/rad.
+    /// Returns the rise of the fingertip for each joint, mm/rad.
     fn levers(&self) -> [f64; J] {
         let columns = self.chain().foot_jacobian();
         columns.map(|column| column.get(HEIGHT).copied().unwrap_or_default())
     }
 }
 
-/// Whether it is DETECT_FLOOR 2.
+/// Returns true if the command is DETECT_FLOOR 2.
 fn is_downward(command: &Command<'_>) -> bool {
     command.op == Op::DetectFloor && kind(command) == Ok(2)
 }
@@ -205,7 +210,7 @@ fn is_left(base: [f64; 3]) -> bool {
     base[0].is_sign_negative()
 }
 
-/// Angle control at rest.
+/// Returns angle control at rest.
 fn held(angle: f64) -> Track<1> {
     Track::resting([angle]).towards(Goal::Point {
         target: [angle],
@@ -213,7 +218,8 @@ fn held(angle: f64) -> Track<1> {
     })
 }
 
-/// The type that a search is given, truncated; 0, which is none, for what is below 1 or no number.
+/// Returns the type that a search is given, truncated; 0, which is none, for what is below 1 or no
+/// number.
 fn kind(command: &Command<'_>) -> Result<u8, Fault> {
     match command.values {
         [value] => Ok(value.number() as u8),

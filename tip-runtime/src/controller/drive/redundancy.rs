@@ -1,4 +1,4 @@
-//! What joints to spare do while a point goes straight to its target.
+//! Motion of redundant joints while a point goes straight to its target.
 //!
 //! A leg with more joints than its point needs goes through the postures between the one that it has
 //! and one in which its point is at the target. Resolved rate puts the point on its line and leaves the
@@ -6,7 +6,7 @@
 //! limit, another one is tried. If that takes more than one cycle, the leg waits, or brakes first.
 
 use super::bend::Bend;
-use super::guide::{Guide, Line};
+use super::posture_path::{Line, PosturePath};
 use super::reach::has_few_joints;
 use super::search::{Outcome, Search};
 use super::trial::PointOfLeg;
@@ -14,23 +14,23 @@ use crate::controller::trajectory::{Limits, Track};
 use crate::kinematics::{self, LegPoint};
 use crate::model::{Inverse, Leg};
 
-/// Who decides about joints to spare.
+/// The rule that redundant joints follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::controller) enum Lead<const J: usize> {
+pub(in crate::controller) enum Redundancy<const J: usize> {
     /// Nobody: there are none, or no postures lead to the target.
     None,
-    /// Every joint for itself, as it brakes from these rates before the point sets off: deg/s.
+    /// Every joint for itself, braking from these rates, deg/s, before the point sets off.
     Brakes([f64; J]),
     /// Postures that are yet to be found.
     Sought(Search<J>),
     /// The leg bends, and follows its line then.
     Bends(Bend<J>),
     /// Postures that lead to the target.
-    Found(Guide<J>),
+    Found(PosturePath<J>),
 }
 
-impl<const J: usize> Lead<J> {
-    /// On the path of a point along `line`, for a leg at the angles `from`.
+impl<const J: usize> Redundancy<J> {
+    /// Starts a motion on the path of a point along `line`, for a leg at the angles `from`.
     pub(in crate::controller) fn to_place(
         inverse: Inverse,
         leg: &Leg<J>,
@@ -41,13 +41,14 @@ impl<const J: usize> Lead<J> {
         if has_choice::<J>(inverse, point) {
             let axes = inverse.axes();
             let point = PointOfLeg { leg, point, axes };
-            Lead::Sought(Search::new(&point, *from, line, None))
+            Redundancy::Sought(Search::new(&point, *from, line, None))
         } else {
-            Lead::None
+            Redundancy::None
         }
     }
 
-    /// On the path of the foot along `line` to its initial posture, for a leg at the angles `from`.
+    /// Starts a motion on the path of the foot along `line` to its initial posture, for a leg at
+    /// the angles `from`.
     pub(in crate::controller) fn to_initial(
         inverse: Inverse,
         leg: &Leg<J>,
@@ -57,9 +58,9 @@ impl<const J: usize> Lead<J> {
         if has_choice::<J>(inverse, LegPoint::Tip) {
             let (point, axes) = (LegPoint::Tip, inverse.axes());
             let point = PointOfLeg { leg, point, axes };
-            Lead::Sought(Search::new(&point, *from, line, Some(leg.initial)))
+            Redundancy::Sought(Search::new(&point, *from, line, Some(leg.initial)))
         } else {
-            Lead::None
+            Redundancy::None
         }
     }
 
@@ -72,12 +73,12 @@ impl<const J: usize> Lead<J> {
         track: &Track<3>,
         limits: Limits,
     ) {
-        if let Lead::Bends(bend) = self
+        if let Redundancy::Bends(bend) = self
             && let Some(guide) = bend.done(from)
         {
-            *self = Lead::Found(guide);
+            *self = Redundancy::Found(guide);
         }
-        let Lead::Sought(search) = self else {
+        let Redundancy::Sought(search) = self else {
             return;
         };
         let reaches =
@@ -87,50 +88,50 @@ impl<const J: usize> Lead<J> {
         }
         match search.advance(point, from, track.position()) {
             None => {}
-            Some(Outcome::Nothing) => *self = Lead::None,
-            Some(Outcome::Found(guide)) => *self = Lead::Found(guide),
-            Some(Outcome::Bends(bend)) => *self = Lead::Bends(bend),
+            Some(Outcome::Nothing) => *self = Redundancy::None,
+            Some(Outcome::Found(guide)) => *self = Redundancy::Found(guide),
+            Some(Outcome::Bends(bend)) => *self = Redundancy::Bends(bend),
         }
     }
 
-    /// Whether the point has to wait.
+    /// Returns true if the point has to wait.
     pub(super) fn waits(&self) -> bool {
-        matches!(self, Lead::Sought(_) | Lead::Bends(_))
+        matches!(self, Redundancy::Sought(_) | Redundancy::Bends(_))
     }
 
     pub(super) fn is_none(&self) -> bool {
-        matches!(self, Lead::None)
+        matches!(self, Redundancy::None)
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
     pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
         match self {
-            Lead::None | Lead::Brakes(_) | Lead::Sought(_) => {}
-            Lead::Bends(bend) => bend.advance(dt, held),
-            Lead::Found(guide) => guide.advance(line, dt, held),
+            Redundancy::None | Redundancy::Brakes(_) | Redundancy::Sought(_) => {}
+            Redundancy::Bends(bend) => bend.advance(dt, held),
+            Redundancy::Found(guide) => guide.advance(line, dt, held),
         }
     }
 
     pub(super) fn is_at_rest(&self) -> bool {
         match self {
-            Lead::None | Lead::Sought(_) => true,
-            Lead::Brakes(_) | Lead::Bends(_) => false,
-            Lead::Found(guide) => guide.is_at_rest(),
+            Redundancy::None | Redundancy::Sought(_) => true,
+            Redundancy::Brakes(_) | Redundancy::Bends(_) => false,
+            Redundancy::Found(guide) => guide.is_at_rest(),
         }
     }
 
-    /// The posture that the joints at `angles` turn towards, for a point on `line`.
+    /// Returns the posture that the joints at `angles` turn towards, for a point on `line`.
     pub(super) fn posture(&self, angles: &[f64; J], line: Line) -> Option<[f64; J]> {
         match self {
-            Lead::None | Lead::Brakes(_) => None,
-            Lead::Sought(_) => Some(*angles),
-            Lead::Bends(bend) => Some(bend.posture(angles)),
-            Lead::Found(guide) => Some(guide.posture(line.0, line.1)),
+            Redundancy::None | Redundancy::Brakes(_) => None,
+            Redundancy::Sought(_) => Some(*angles),
+            Redundancy::Bends(bend) => Some(bend.posture(angles)),
+            Redundancy::Found(guide) => Some(guide.posture(line.0, line.1)),
         }
     }
 }
 
-/// Whether enough joints move a point for every direction, and a closed form does not decide.
+/// Returns true if enough joints move a point for every direction, and no closed form decides.
 pub(super) fn has_choice<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
     !inverse.is_closed() && !has_few_joints::<J>(inverse, point)
 }

@@ -1,4 +1,4 @@
-//! What a program waits for while its robot rests.
+//! Waits of a program while its robot rests.
 
 use crate::interp::Interpreter;
 use crate::message::Awaited;
@@ -7,7 +7,7 @@ use tip_runtime::command::{Flag, Op};
 use tip_runtime::hardware::JointCommand;
 use tipc::program::{Action, Condition, Operand, Program, Step};
 
-/// Joints that move slowly and variables are looked at so often: ms.
+/// Time between two checks of joints that move slowly, and of variables, ms.
 const OFTEN: f64 = 1000.0;
 /// A joint that is this much from where it was has moved: deg. Fingers that press on something tremble by some tenths, which moves
 /// nothing.
@@ -18,24 +18,24 @@ const MOVED: f64 = 1.0;
 pub struct Wait {
     /// The lines that run meanwhile: the first and the last one of a loop, or twice the same.
     pub lines: [u32; 2],
-    /// What ends it; none for a loop without conditions.
+    /// The condition that ends it; none for a loop without conditions.
     pub on: Option<Awaited>,
-    /// When it began: ms.
+    /// Time at which it began, ms.
     pub since: f64,
-    /// How long it has lasted: ms.
+    /// Present length, ms.
     pub time: f64,
 }
 
 /// Watches a run for waits. A robot whose commanded angles change moves; a program that comes to a step for the first time
 /// since then, that changes variables or switches lamps, does something.
 #[derive(Clone, Debug, Default)]
-pub struct Waits {
+pub struct WaitDetector {
     /// The cycle after which each step was the next one, the last time.
     visited: Vec<u64>,
     /// The step that is next, and since when.
     step: u32,
     entered: f64,
-    /// Whether nothing came before it again.
+    /// True if nothing came before it again.
     is_first: bool,
     /// Steps that were next before this cycle count as new ones.
     effect: u64,
@@ -43,13 +43,13 @@ pub struct Waits {
     done: u64,
     rests_since: f64,
     commands: Vec<JointCommand>,
-    /// When joints and variables were looked at last, and how they were.
+    /// Time of the last check of joints and variables.
     looked: f64,
     angles: Vec<f64>,
     values: Vec<Option<u64>>,
 }
 
-impl Waits {
+impl WaitDetector {
     /// Looks at a run after each of its cycles.
     pub fn after(&mut self, run: &Run) {
         let (cycle, now, step) = (run.cycles(), run.time(), run.program().at());
@@ -82,7 +82,7 @@ impl Waits {
         (self.done, self.rests_since) = (cycle, now);
     }
 
-    /// Whether robot or variables have changed.
+    /// Returns true if robot or variables have changed.
     fn moves(&mut self, run: &Run, now: f64) -> bool {
         let is_first = self.commands.is_empty();
         let mut moves = self.commands != run.commands();
@@ -107,7 +107,7 @@ impl Waits {
         moves
     }
 
-    /// Returns for how long nothing has moved and nothing was done: ms.
+    /// Returns the time for which nothing has moved and nothing was done, ms.
     pub fn rest(&self, run: &Run) -> f64 {
         run.time() - self.rests_since
     }
@@ -139,7 +139,7 @@ impl Waits {
     }
 }
 
-/// What ends the wait of a step that may take any time.
+/// Returns the condition that ends the wait of a step that may take any time.
 fn awaited(action: &Action) -> Option<Awaited> {
     let flag = |flag: Flag| Awaited::Flags {
         names: flag.to_string().into(),
@@ -158,7 +158,7 @@ fn awaited(action: &Action) -> Option<Awaited> {
     }
 }
 
-/// Whether a step does what can be seen without a motion.
+/// Returns true if a step does what can be seen without a motion.
 fn switches(action: &Action) -> bool {
     matches!(
         action,
@@ -169,7 +169,7 @@ fn switches(action: &Action) -> bool {
     )
 }
 
-/// What the steps of a loop ask for: flags, inputs and variables.
+/// Returns the flags, inputs and variables that the steps of a loop read.
 fn conditions(program: &Program, steps: &[&Step]) -> Option<Awaited> {
     let mut names: Vec<String> = Vec::new();
     let mut add = |name: String| {

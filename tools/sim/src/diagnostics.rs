@@ -1,13 +1,14 @@
-//! What is wrong with a file, as text.
+//! Diagnostics of a file, as text.
 
 use std::fmt;
 use tipc::message::Lang;
 use tipc::{Loaded, render};
 
-/// One line for each finding.
+/// Writes one line for each diagnostic.
 pub(crate) fn write(loaded: &Loaded, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let findings = loaded.diagnostics.iter();
-    let lines = findings.map(|finding| render::short(&loaded.source, finding, Lang::English));
+    let diagnostics = loaded.diagnostics.iter();
+    let lines =
+        diagnostics.map(|diagnostic| render::short(&loaded.source, diagnostic, Lang::English));
     let lines: Vec<String> = lines.map(|line| line.trim_end().to_owned()).collect();
     f.write_str(&lines.join("\n"))
 }

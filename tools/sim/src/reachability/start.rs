@@ -1,4 +1,4 @@
-//! Where each foot is known to start, on the first pass through a program.
+//! Known start of each foot, on the first pass through a program.
 
 use super::constants;
 use crate::Robot;
@@ -6,23 +6,24 @@ use tip_runtime::command::{Op, Target};
 use tip_runtime::model::Point;
 use tipc::program::{Action, Step};
 
-/// What is known of a foot.
+/// Knowledge of a foot.
 #[derive(Clone, Copy, Default)]
 struct Foot {
-    /// Where it rests.
+    /// Place of rest.
     rests: Option<Point>,
-    /// Where it goes.
+    /// Place of its target.
     goes: Option<Point>,
 }
 
-/// What is known of all feet before a step.
+/// Knowledge of all feet before a step.
 pub(super) struct Starts {
     /// None after the first question, or a command that may move anything.
     feet: Option<Vec<Foot>>,
 }
 
 impl Starts {
-    /// A robot in its initial posture. Of legs without a closed form nothing is known: they choose postures on their way.
+    /// Creates a robot in its initial posture. Of legs without a closed form nothing is known: they
+    /// choose postures on their way.
     pub(super) fn of(robot: &Robot) -> Self {
         let anatomy = robot.anatomy();
         if !anatomy.inverse.is_closed() {
@@ -38,7 +39,8 @@ impl Starts {
         }
     }
 
-    /// Where the foot that a step moves starts, if that is known; what the step does is known afterwards.
+    /// Returns the start of the foot that a step moves, if that is known; afterwards the effect of
+    /// the step is known.
     pub(super) fn before(&mut self, step: &Step) -> Option<Point> {
         let feet = self.feet.as_mut()?;
         let Action::Command {
@@ -88,7 +90,7 @@ impl Starts {
 }
 
 impl Foot {
-    /// It has come to where it was going.
+    /// Moves its place of rest to its target.
     fn arrive(&mut self) {
         self.rests = self.rests.or(self.goes.take());
     }

@@ -5,13 +5,13 @@
 //! reach is looked at where it is known to start: on the first pass, up to the first question.
 //!
 //! ```
-//! use tip_sim::{Robot, reach};
+//! use tip_sim::{Robot, reachability};
 //! use tipc::code::Code;
 //!
 //! let robot = Robot::named("titan8").expect("it has a name");
 //! let program = b"3.1\nToo far\nPTP F1 -2000 200 -200\nEND\n";
 //! let mut loaded = tip_lint::load("far.prg", program, &robot.options());
-//! reach::warn(&mut loaded, &robot);
+//! reachability::warn(&mut loaded, &robot);
 //! assert_eq!(loaded.diagnostics[0].code, Code::OutOfReach);
 //! ```
 
@@ -58,13 +58,13 @@ impl Robot {
     }
 }
 
-/// Whether a joint at its limit is always an emergency.
+/// Returns true if a joint at its limit is always an emergency.
 fn stops_at_limits(program: &Program) -> bool {
     let clips = |step: &Step| matches!(step.action, Action::Command { op: Op::EmgOff, .. });
     !program.steps().iter().any(clips)
 }
 
-/// The numbers of a command's target, if all are constants and absolute.
+/// Returns the numbers of a command's target, if all are constants and absolute.
 fn constants(arguments: &[Argument]) -> Option<Vec<f64>> {
     let constant = |argument: &Argument| match (argument.operand, argument.mark) {
         (Operand::Constant(number), Mark::None) => Some(number),
@@ -73,7 +73,7 @@ fn constants(arguments: &[Argument]) -> Option<Vec<f64>> {
     arguments.iter().map(constant).collect()
 }
 
-/// What targets miss: a program may go to the same one again and again.
+/// Misses by target: a program may go to the same one again and again.
 struct Misses<'a> {
     robot: &'a Robot,
     known: Vec<Known>,
@@ -87,7 +87,7 @@ struct Known {
     miss: Option<Miss>,
 }
 
-/// So many targets are remembered.
+/// Maximum number of targets that are remembered.
 const REMEMBERED: usize = 100;
 
 impl<'a> Misses<'a> {
@@ -119,7 +119,7 @@ impl<'a> Misses<'a> {
     }
 }
 
-/// What is wrong with a target, or with the straight path that leads there from `start`.
+/// Returns the warning on a target, or on the straight path that leads there from `start`.
 fn warning(
     statement: &Statement,
     step: &Step,
@@ -170,10 +170,10 @@ fn warning(
     Some(Diagnostic::new(Code::OutOfReach, place, reason).help(help))
 }
 
-/// In how many pieces a straight path is looked at.
+/// Number of pieces in which a straight path is checked.
 const PIECES: u32 = 100;
 
-/// The first place of a straight path that is clearly out of reach.
+/// Returns the first place of a straight path that is clearly out of reach.
 fn on_the_path(
     statement: &Statement,
     robot: &Robot,
@@ -194,7 +194,7 @@ fn on_the_path(
     Some(finding.help(Linting::GoAround))
 }
 
-/// Whether a target is missed by more than the inexact start of a path explains.
+/// Returns true if a target is missed by more than the inexact start of a path explains.
 fn is_clear(miss: Miss) -> bool {
     match miss {
         Miss::Turns { by, .. } => by.abs() > 2.0,
@@ -203,7 +203,8 @@ fn is_clear(miss: Miss) -> bool {
     }
 }
 
-/// The number of the joint that misses its limit, if there is one for each joint; else all numbers.
+/// Returns the number of the joint that misses its limit, if there is one for each joint; else all
+/// numbers.
 fn place(statement: &Statement, miss: Miss) -> Span {
     let StatementKind::Command { arguments, .. } = &statement.kind else {
         return statement.span;
@@ -228,7 +229,7 @@ fn place(statement: &Statement, miss: Miss) -> Span {
     }
 }
 
-/// Rounded to a tenth, as people read it.
+/// Rounds to a tenth, as people read it.
 fn tenths(number: f64) -> f64 {
     (number * 10.0).round() / 10.0
 }

@@ -1,6 +1,6 @@
-//! What is asked of a run in the program's own language, what log points say, and what a debugger shows where it stands.
+//! Expressions in the program's own language, log points, and the values that a debugger shows.
 
-use super::{Debugger, Refused};
+use super::{DebugError, Debugger};
 use crate::interp::Interpreter;
 use crate::message::Debugging;
 use crate::run::Run;
@@ -10,22 +10,22 @@ use tip_runtime::controller::Mode;
 use tip_runtime::fault::Fault;
 use tipc::program::{Action, Condition, Operand, Program, ScalarExpression, VariableKind};
 
-/// The names that only a debugger knows: the cycle that comes next, and when it begins, in ms.
-pub(super) const OWN: &[&str] = &["CYCLE", "TIME"];
+/// Names that the debugger adds: the next cycle, and its time, ms.
+pub(super) const OWN_NAMES: &[&str] = &["CYCLE", "TIME"];
 
 /// A condition of a breakpoint.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub struct BreakCondition {
     text: String,
     condition: Condition,
 }
 
-/// What an expression comes to.
+/// The value of an expression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// Of an equation's right side.
+    /// The value of an equation's right side.
     Number(f64),
-    /// Of a condition.
+    /// The value of a condition.
     Truth(bool),
 }
 
@@ -40,42 +40,42 @@ impl fmt::Display for Value {
 
 /// A number or a condition that is asked for.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Question {
+pub(super) enum Expression {
     Number(ScalarExpression),
     Truth(Condition),
 }
 
-impl Question {
-    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, Refused> {
+impl Expression {
+    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, DebugError> {
         match (asker.number(text), asker.condition(text)) {
-            (Ok(value), _) => Ok(Question::Number(value)),
-            (Err(_), Ok(condition)) => Ok(Question::Truth(condition)),
+            (Ok(value), _) => Ok(Expression::Number(value)),
+            (Err(_), Ok(condition)) => Ok(Expression::Truth(condition)),
             (Err(error), Err(_)) => Err(error.into()),
         }
     }
 
-    pub(super) fn answer(self, now: &Now<'_>) -> Result<Value, Fault> {
+    pub(super) fn evaluate(self, now: &Now<'_>) -> Result<Value, Fault> {
         Ok(match self {
-            Question::Number(value) => Value::Number(now.number(value)?),
-            Question::Truth(condition) => Value::Truth(now.holds(condition)?),
+            Expression::Number(value) => Value::Number(now.number(value)?),
+            Expression::Truth(condition) => Value::Truth(now.holds(condition)?),
         })
     }
 }
 
-impl Asked {
-    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, Refused> {
-        Ok(Asked {
+impl BreakCondition {
+    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, DebugError> {
+        Ok(BreakCondition {
             text: text.to_owned(),
             condition: asker.condition(text)?,
         })
     }
 
-    /// As it was written.
+    /// Returns the text as it was written.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Whether it holds at a position; it does not where it reads what is not assigned.
+    /// Returns true if it holds at a position; it does not where it reads what is not assigned.
     pub(super) fn holds(&self, now: &Now<'_>) -> bool {
         now.holds(self.condition).unwrap_or(false)
     }
@@ -100,9 +100,9 @@ impl Now<'_> {
                 relation,
                 right,
             } => Condition::Compare {
-                left: self.known(left),
+                left: self.resolve_own_names(left),
                 relation,
-                right: self.known(right),
+                right: self.resolve_own_names(right),
             },
             flag @ Condition::Flag { .. } => flag,
         };
@@ -113,31 +113,31 @@ impl Now<'_> {
     fn number(&self, value: ScalarExpression) -> Result<f64, Fault> {
         use ScalarExpression as E;
         let value = match value {
-            E::Operand(operand) => E::Operand(self.known(operand)),
+            E::Operand(operand) => E::Operand(self.resolve_own_names(operand)),
             E::Binary {
                 left,
                 operation,
                 right,
             } => E::Binary {
-                left: self.known(left),
+                left: self.resolve_own_names(left),
                 operation,
-                right: self.known(right),
+                right: self.resolve_own_names(right),
             },
             E::Function { function, operand } => E::Function {
                 function,
-                operand: self.known(operand),
+                operand: self.resolve_own_names(operand),
             },
             E::Atan2 { y, x } => E::Atan2 {
-                y: self.known(y),
-                x: self.known(x),
+                y: self.resolve_own_names(y),
+                x: self.resolve_own_names(x),
             },
             norm @ E::Norm(_) => norm,
         };
         self.interpreter()?.scalar_expression(value)
     }
 
-    /// An operand without the debugger's own names.
-    fn known(&self, operand: Operand) -> Operand {
+    /// Replaces the debugger's own names by their values in an operand.
+    fn resolve_own_names(&self, operand: Operand) -> Operand {
         let Operand::Scalar { scalar, negative } = operand else {
             return operand;
         };
@@ -153,23 +153,23 @@ impl Now<'_> {
 }
 
 impl Debugger {
-    /// What a condition, or the right side of an equation, comes to where the debugger stands.
+    /// Evaluates a condition, or the right side of an equation, at the present position.
     ///
     /// # Errors
     /// It is neither, or it cannot be calculated.
-    pub fn evaluate(&self, text: &str) -> Result<Value, Refused> {
-        let question = Question::new(text, &self.asker)?;
-        Ok(question.answer(&self.here())?)
+    pub fn evaluate(&self, text: &str) -> Result<Value, DebugError> {
+        let expression = Expression::new(text, &self.asker)?;
+        Ok(expression.evaluate(&self.here())?)
     }
 
-    /// The value of a variable or of a member such as `P.X`; none while unassigned.
+    /// Returns the value of a variable or of a member such as `P.X`; none while unassigned.
     ///
     /// # Errors
     /// The program has no such variable.
-    pub fn value(&self, name: &str) -> Result<Option<f64>, Refused> {
+    pub fn value(&self, name: &str) -> Result<Option<f64>, DebugError> {
         let name = name.trim().to_ascii_uppercase();
         let value = self.run().program().get(&name);
-        value.map_err(|error| Refused::NoVariable(name, error))
+        value.map_err(|error| DebugError::NoVariable(name, error))
     }
 
     pub(super) fn here(&self) -> Now<'_> {
@@ -183,19 +183,19 @@ impl Debugger {
 
 /// A text with expressions in braces: `stride {N} at {P}`.
 #[derive(Debug)]
-pub(super) struct Words(Vec<Part>);
+pub(super) struct LogText(Vec<Part>);
 
 #[derive(Debug)]
 enum Part {
     Text(String),
-    One(Question),
+    One(Expression),
     /// The members of a POS or JOINT.
-    Members(Vec<Question>),
+    Members(Vec<Expression>),
 }
 
-impl Words {
+impl LogText {
     /// Braces that hold nothing, or are not closed, are text.
-    pub(super) fn new(text: &str, program: &Program, asker: &Asker) -> Result<Self, Refused> {
+    pub(super) fn new(text: &str, program: &Program, asker: &Asker) -> Result<Self, DebugError> {
         let mut parts = Vec::new();
         let mut rest = text;
         while let Some((before, after)) = rest.split_once('{') {
@@ -210,42 +210,42 @@ impl Words {
             rest = next;
         }
         parts.push(Part::Text(rest.to_owned()));
-        Ok(Words(parts))
+        Ok(LogText(parts))
     }
 
-    /// What it says at a position.
+    /// Returns its text at a position.
     pub(super) fn at(&self, now: &Now<'_>) -> String {
         self.0.iter().map(|part| part.at(now)).collect()
     }
 }
 
 impl Part {
-    fn asked(text: &str, program: &Program, asker: &Asker) -> Result<Self, Refused> {
+    fn asked(text: &str, program: &Program, asker: &Asker) -> Result<Self, DebugError> {
         let is_it = |name: &str| name.eq_ignore_ascii_case(text);
         let mut variables = program.variables().iter();
         let structure = variables.find(|it| is_it(&it.name) && it.size() > 1);
         let Some(structure) = structure else {
-            return Question::new(text, asker).map(Part::One);
+            return Expression::new(text, asker).map(Part::One);
         };
         let members = structure.scalar_names();
-        let members = members.map(|name| Question::new(&name, asker));
+        let members = members.map(|name| Expression::new(&name, asker));
         members.collect::<Result<_, _>>().map(Part::Members)
     }
 
     fn at(&self, now: &Now<'_>) -> String {
         match self {
             Part::Text(text) => text.clone(),
-            Part::One(question) => said(*question, now),
+            Part::One(expression) => said(*expression, now),
             Part::Members(members) => {
-                let members = members.iter().map(|question| said(*question, now));
+                let members = members.iter().map(|expression| said(*expression, now));
                 format!("({})", members.collect::<Vec<_>>().join(", "))
             }
         }
     }
 }
 
-fn said(question: Question, now: &Now<'_>) -> String {
-    match question.answer(now) {
+fn said(expression: Expression, now: &Now<'_>) -> String {
+    match expression.evaluate(now) {
         Ok(value) => value.to_string(),
         Err(Fault::Unassigned(_)) => "unassigned".to_owned(),
         Err(fault) => fault.to_string(),
@@ -276,7 +276,7 @@ pub struct Frame {
     pub column: u32,
 }
 
-/// What a way of controlling a leg or joint is called.
+/// Returns the name of a control mode of a leg or joint.
 pub fn control(mode: Mode) -> Debugging {
     match mode {
         Mode::Rest => Debugging::AtRest,
@@ -288,7 +288,7 @@ pub fn control(mode: Mode) -> Debugging {
 }
 
 impl Debugger {
-    /// The step that comes next.
+    /// Returns the step that comes next.
     pub fn step(&self) -> u32 {
         self.run().program().at()
     }
@@ -298,7 +298,7 @@ impl Debugger {
         self.run().program().line(self.step())
     }
 
-    /// All variables, `VAR_KEY` first.
+    /// Returns all variables, `VAR_KEY` first.
     pub fn variables(&self) -> Vec<Variable> {
         let engine = self.run().program();
         let scalar = |place| {
@@ -317,7 +317,7 @@ impl Debugger {
         shown.collect()
     }
 
-    /// The open calls, the innermost first, the program itself last.
+    /// Returns the open calls, the innermost first, the program itself last.
     pub fn frames(&self) -> Vec<Frame> {
         let returns = Self::interpreter(self.run()).map_or(&[][..], |engine| engine.calls());
         let calls: Vec<u32> = returns.iter().map(|step| step.saturating_sub(1)).collect();
@@ -342,7 +342,7 @@ impl Debugger {
         }
     }
 
-    /// What a step calls.
+    /// Returns the name of the label that a step calls.
     fn called_by(&self, step: u32) -> Option<String> {
         let to = match &self.program.steps().get(step as usize)?.action {
             Action::Gosub { to } | Action::IfGosub { to, .. } => *to,
@@ -352,16 +352,17 @@ impl Debugger {
         label.map(|label| label.name.clone())
     }
 
-    /// What the program has said up to here: the cycle and the text of each message. Of very many only the last are kept.
+    /// Returns the cycle and the text of each message up to here. Of very many only the last are
+    /// kept.
     pub fn messages(&self) -> &[(u64, String)] {
         let until = self.said.partition_point(|(at, _)| *at < self.now());
         self.said.get(..until).unwrap_or_default()
     }
 
-    /// The messages that the program said for the first time since this was asked last.
-    pub fn news(&mut self) -> Vec<(u64, String)> {
-        let news = self.said.get(self.taken..).unwrap_or_default().to_vec();
+    /// Takes the messages that the program said for the first time since the last call.
+    pub fn take_messages(&mut self) -> Vec<(u64, String)> {
+        let messages = self.said.get(self.taken..).unwrap_or_default().to_vec();
         self.taken = self.said.len();
-        news
+        messages
     }
 }

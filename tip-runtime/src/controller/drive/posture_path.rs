@@ -4,10 +4,10 @@
 
 use crate::controller::trajectory::{Goal, Limits, Track};
 
-/// How long the return to the initial angles takes, at least: s.
+/// Shortest time of the return to the initial angles, s.
 const RETURN: f64 = 0.8;
 
-/// It speeds up in the first half of that time and slows down in the second.
+/// Limits of the pace, which speeds up in the first half of that time and slows down in the second.
 const PACE: Limits = Limits {
     speed: 2.0 / RETURN,
     acceleration: 4.0 / (RETURN * RETURN),
@@ -21,12 +21,12 @@ pub(super) type Line = ([f64; 3], [f64; 3]);
 
 /// Postures between two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::controller) struct Guide<const J: usize> {
+pub(in crate::controller) struct PosturePath<const J: usize> {
     from: [f64; J],
     to: [f64; J],
-    /// From where the point was to its target: mm.
+    /// Distance of the point from its target at the start, mm.
     length: f64,
-    /// What is left of the path to the posture, where time decides as well.
+    /// Rest of the path to the posture, where time decides as well.
     ease: Option<Track<1>>,
     /// The posture to be taken once the point is at its target, if it is not `to`.
     home: Option<[f64; J]>,
@@ -34,10 +34,10 @@ pub(in crate::controller) struct Guide<const J: usize> {
     bow: Option<[f64; J]>,
 }
 
-impl<const J: usize> Guide<J> {
+impl<const J: usize> PosturePath<J> {
     /// Postures for a point on `line`, in step with it.
     pub(super) fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
-        Guide {
+        PosturePath {
             from,
             to,
             length: distance(line.0, line.1),
@@ -47,26 +47,26 @@ impl<const J: usize> Guide<J> {
         }
     }
 
-    /// The same, but no faster than in [`RETURN`].
+    /// Limits the motion to the speed that [`RETURN`] allows.
     pub(super) fn eased(self) -> Self {
         let ease = Track::resting([1.0]).towards(Goal::Point {
             target: [0.0],
             hs: false,
         });
-        Guide {
+        PosturePath {
             ease: Some(ease),
             ..self
         }
     }
 
-    /// The same, and then on to a posture, with the point at its target.
+    /// Adds a motion to a posture afterwards, with the point at its target.
     pub(super) fn and_home(self, home: Option<[f64; J]>) -> Self {
-        Guide { home, ..self }
+        PosturePath { home, ..self }
     }
 
-    /// The same, but bowed towards a posture within the limits.
+    /// Bows the path towards a posture within the limits.
     pub(super) fn bowed(self, bow: Option<[f64; J]>) -> Self {
-        Guide { bow, ..self }
+        PosturePath { bow, ..self }
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
@@ -77,7 +77,7 @@ impl<const J: usize> Guide<J> {
         if line.0 == line.1
             && let Some(home) = self.home
         {
-            *self = Guide::between(self.to, home, line).eased();
+            *self = PosturePath::between(self.to, home, line).eased();
         }
     }
 
@@ -85,7 +85,7 @@ impl<const J: usize> Guide<J> {
         self.ease.as_ref().is_none_or(Track::is_at_rest)
     }
 
-    /// The posture for a point that is at `place` and goes to `target`.
+    /// Returns the posture for a point that is at `place` and goes to `target`.
     pub(super) fn posture(&self, place: [f64; 3], target: [f64; 3]) -> [f64; J] {
         let line = if self.length > 0.0 {
             (distance(place, target) / self.length).min(1.0)
@@ -96,7 +96,7 @@ impl<const J: usize> Guide<J> {
         self.with_left(line.max(time))
     }
 
-    /// The posture with a share `left` of the way to go.
+    /// Returns the posture with a share `left` of the way to go.
     pub(super) fn with_left(&self, left: f64) -> [f64; J] {
         let mut posture = self.to;
         for (angle, from) in posture.iter_mut().zip(self.from) {

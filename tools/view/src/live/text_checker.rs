@@ -1,56 +1,56 @@
-//! Checks the text of the editor and answers questions about it: what takes long in a long text, apart from the run.
+//! Checks of the editor's text and answers about it, which may take long and so are kept out of the run.
 
-use super::language_service::{self, Finding, Known, findings};
-use super::request::{Answer, Asked, Request};
+use super::language_service::{self, LanguageAnswer, PageDiagnostic, findings};
+use super::request::{Answer, ClientRequest, Request};
 use tip_ide::Document;
 use tip_sim::Robot;
 use tipc::{Loaded, Options};
 
-/// A text that nobody has checked yet.
+/// A text that is still to be checked.
 #[derive(Debug)]
-pub struct Unread {
+pub struct UncheckedText {
     pub(super) version: u64,
     pub(super) name: String,
     pub(super) bytes: Vec<u8>,
     pub(super) options: Options,
 }
 
-/// What was found in a text.
+/// Result of reading a text.
 #[derive(Debug, Default)]
-pub struct Reading {
+pub struct CheckedText {
     pub(super) version: u64,
-    pub(super) findings: Vec<Finding>,
+    pub(super) findings: Vec<PageDiagnostic>,
     /// None if there are errors in it.
     pub(super) program: Option<Box<Loaded>>,
 }
 
-/// Checks texts, and knows the last one.
+/// A checker of texts, which keeps the last one.
 #[derive(Debug)]
-pub struct Reader {
+pub struct TextChecker {
     robot: Robot,
     document: Option<Document>,
 }
 
-impl Reader {
-    /// One for programs of a robot.
+impl TextChecker {
+    /// Creates a checker for programs of a robot.
     pub fn new(robot: Robot) -> Self {
-        Reader {
+        TextChecker {
             robot,
             document: None,
         }
     }
 
     /// Checks a text.
-    pub fn read(&mut self, unread: Unread) -> Reading {
-        let Unread {
+    pub fn read(&mut self, unchecked: UncheckedText) -> CheckedText {
+        let UncheckedText {
             version,
             name,
             bytes,
             options,
-        } = unread;
+        } = unchecked;
         let mut loaded = tip_lint::load(&name, &bytes, &options);
         self.robot.warn(&mut loaded);
-        let reading = Reading {
+        let reading = CheckedText {
             version,
             findings: findings(&loaded),
             program: loaded.program.is_some().then(|| Box::new(loaded.clone())),
@@ -60,11 +60,13 @@ impl Reader {
     }
 
     /// Answers what an editor asks about the last text; none if something else is asked.
-    pub fn answer(&self, asked: &Asked) -> Option<String> {
+    pub fn answer(&self, asked: &ClientRequest) -> Option<String> {
         let document = self.document.as_ref();
-        let known: Option<Known> = match &asked.request {
+        let known: Option<LanguageAnswer> = match &asked.request {
             Ok(Request::Hover { at }) => document.map(|it| language_service::hover(it, *at)),
-            Ok(Request::Complete { at }) => document.map(|it| language_service::offers(it, *at)),
+            Ok(Request::Complete { at }) => {
+                document.map(|it| language_service::completions(it, *at))
+            }
             _ => return None,
         };
         Some(Answer::new(asked.id, Ok(known)).text())

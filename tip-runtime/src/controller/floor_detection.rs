@@ -1,7 +1,7 @@
 //! DETECT_FLOOR of TITAN VIII (T.I.P. 3.1 §7-11-3): feet move until their soles touch the floor,
 //! or leave it.
 
-use super::task::{Search, Task};
+use super::task::{FloorSearch, Task};
 use super::trajectory::Goal;
 use super::{ControllerView, targets};
 use crate::command::{Command, Poll, Port, Target};
@@ -11,12 +11,12 @@ use crate::kinematics::LegPoint;
 /// The speed of a searching foot, as a share of the standard V_MAX (SLOW).
 const SLOW: f64 = 0.5;
 
-impl Search {
+impl FloorSearch {
     fn new(operand: f64) -> Result<Self, Fault> {
         match libm::trunc(operand) {
-            1.0 => Ok(Search::DownInTurn),
-            2.0 => Ok(Search::DownTogether),
-            3.0 => Ok(Search::Up),
+            1.0 => Ok(FloorSearch::DownInTurn),
+            2.0 => Ok(FloorSearch::DownTogether),
+            3.0 => Ok(FloorSearch::Up),
             _ => Err(Fault::Domain),
         }
     }
@@ -25,26 +25,26 @@ impl Search {
 impl<const J: usize> ControllerView<'_, J> {
     pub(super) fn detect_floor_by_soles(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let search = match self.task {
-            Task::Detect(search) => search,
+            Task::DetectFloor(search) => search,
             _ => self.new_search(command)?,
         };
         for n in 1..=self.count() {
             if self.leg(n)?.search.is_none() {
                 continue;
             }
-            if self.touches(n)? != (search == Search::Up) {
+            if self.touches(n)? != (search == FloorSearch::Up) {
                 // The floor has stopped the foot already: its set point follows at once.
                 self.send_foot(n, self.measured_point(n, LegPoint::Tip)?, true)?;
                 targets::leg_mut(&mut self.legs, n)?.search = None;
             } else {
                 self.set_off(n, search)?;
-                if search == Search::DownInTurn {
+                if search == FloorSearch::DownInTurn {
                     break;
                 }
             }
         }
         if self.legs.iter().any(|leg| leg.search.is_some()) {
-            self.task = Task::Detect(search);
+            self.task = Task::DetectFloor(search);
             Ok(Poll::Pending)
         } else {
             self.task = Task::Idle;
@@ -52,11 +52,11 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    fn new_search(&mut self, command: &Command<'_>) -> Result<Search, Fault> {
+    fn new_search(&mut self, command: &Command<'_>) -> Result<FloorSearch, Fault> {
         let [operand] = command.values else {
             return Err(Fault::Domain);
         };
-        let search = Search::new(operand.number())?;
+        let search = FloorSearch::new(operand.number())?;
         self.mark_searching(command.target)?;
         Ok(search)
     }
@@ -72,7 +72,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// Whether the sole of leg `n` feels the floor.
+    /// Returns true if the sole of leg `n` senses the floor.
     fn touches(&self, n: u8) -> Result<bool, Fault> {
         let volts = self.leg(n)?.paw;
         if volts.is_finite() {
@@ -82,11 +82,11 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    fn set_off(&mut self, n: u8, search: Search) -> Result<(), Fault> {
+    fn set_off(&mut self, n: u8, search: FloorSearch) -> Result<(), Fault> {
         let slow = SLOW * self.robot.standards.v_max;
         let velocity = match search {
-            Search::DownInTurn | Search::DownTogether => [0.0, 0.0, -slow],
-            Search::Up => [0.0, 0.0, slow],
+            FloorSearch::DownInTurn | FloorSearch::DownTogether => [0.0, 0.0, -slow],
+            FloorSearch::Up => [0.0, 0.0, slow],
         };
         let foot = self.foot_track(n)?.towards(Goal::Speed(velocity));
         self.take_point(n, LegPoint::Tip, foot)

@@ -1,6 +1,6 @@
 //! Robots from descriptions.
 
-use crate::findings;
+use crate::diagnostics;
 use crate::robot::Robot;
 use std::fmt;
 use tip_runtime::model::Model;
@@ -8,34 +8,35 @@ use tipc::description::{self, Description, WithModel};
 use tipc::{Loaded, published};
 
 impl Robot {
-    /// A walking robot from the text of its description (`docs/robots.md`). It stays in memory for good.
+    /// Returns a walking robot from the text of its description (`docs/robots.md`). It stays in
+    /// memory for good.
     ///
     /// # Errors
     /// Everything that is wrong with the text.
-    pub fn description(toml: &str) -> Result<Self, NotDescribed> {
+    pub fn description(toml: &str) -> Result<Self, DescriptionError> {
         let parsed = description::parse("robot.toml", toml.as_bytes());
         parsed
             .map(|robot| Self::described(&robot))
-            .map_err(NotDescribed)
+            .map_err(DescriptionError)
     }
 
-    /// One of the robots that are published.
+    /// Returns one of the robots that are published.
     pub(crate) fn published(name: &str) -> Option<Self> {
         let description = published::find(name)?.read().ok()?;
         Some(Self::described(&description))
     }
 
-    /// A walking robot from a description that was read. It stays in memory for good.
+    /// Returns a walking robot from a description that was read. It stays in memory for good.
     pub fn described(description: &Description) -> Self {
-        let robot = description.with_model(Made);
+        let robot = description.with_model(BuildRobot);
         robot.with_shapes(description.shapes())
     }
 }
 
 /// Makes a robot of a model of any size.
-struct Made;
+struct BuildRobot;
 
-impl WithModel for Made {
+impl WithModel for BuildRobot {
     type Output = Robot;
 
     fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Robot {
@@ -45,19 +46,19 @@ impl WithModel for Made {
 
 /// A text that describes no robot. Shown, it is one line for each fault.
 #[derive(Debug)]
-pub struct NotDescribed(Box<Loaded>);
+pub struct DescriptionError(Box<Loaded>);
 
-impl NotDescribed {
-    /// The faults, each at its place in the text.
+impl DescriptionError {
+    /// Returns the faults, each at its place in the text.
     pub fn loaded(&self) -> &Loaded {
         &self.0
     }
 }
 
-impl fmt::Display for NotDescribed {
+impl fmt::Display for DescriptionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        findings::write(&self.0, f)
+        diagnostics::write(&self.0, f)
     }
 }
 
-impl std::error::Error for NotDescribed {}
+impl std::error::Error for DescriptionError {}

@@ -1,43 +1,46 @@
-//! What a run says about the motion of its robot.
+//! Figures of a run on the motion of its robot.
 
 use crate::motion::{Fall, Grasp, Limbs};
 use crate::run::Run;
-use tip_runtime::controller::Aim;
+use tip_runtime::controller::Setpoint;
 use tip_runtime::plant::{Motion, Pose, Travel};
 
 impl Run {
-    /// How the body moves; none for a robot that stays where it is, or that another process simulates.
+    /// Returns the motion of the body; none for a robot that stays where it is, or that another
+    /// process simulates.
     pub fn motion(&self) -> Option<Motion> {
         self.machine.hardware().motion()
     }
 
-    /// Where the body is; none for a robot that stays where it is, or that another process simulates without saying so.
+    /// Returns the pose of the body; none for a robot that stays where it is, or that another
+    /// process simulates without giving it.
     pub fn pose(&self) -> Option<Pose> {
         self.machine.hardware().pose()
     }
 
-    /// How far the body has come; none for a robot that stays where it is, or that another process simulates without saying
-    /// where it is.
+    /// Returns the distance that the body has come; none for a robot that stays where it is, or
+    /// that another process simulates without giving the pose.
     pub fn travel(&self) -> Option<Travel> {
         self.machine.hardware().travel()
     }
 
-    /// When and where the robot first fell, if it did.
+    /// Returns time and place of the robot's first fall, if it fell.
     pub fn first_fall(&self) -> Option<Fall> {
         self.fall
     }
 
-    /// The legs or fingers as they are after the last cycle; none if nothing but joints is simulated.
+    /// Returns the legs or fingers as they are after the last cycle; none if nothing but joints is
+    /// simulated.
     pub fn limbs(&self) -> Option<Limbs> {
         self.machine.hardware().limbs()
     }
 
-    /// What every leg or finger is to do, foot by foot or joint by joint.
-    pub fn aims(&self) -> Vec<Aim> {
-        self.machine.aims()
+    /// Returns the aims of every leg or finger, foot by foot or joint by joint.
+    pub fn setpoints(&self) -> Vec<Setpoint> {
+        self.machine.setpoints()
     }
 
-    /// What the robot grasps; none if it is not a hand.
+    /// Returns the robot's grasp; none if it is not a hand.
     pub fn grasp(&self) -> Option<Grasp> {
         self.machine.hardware().grasp()
     }
