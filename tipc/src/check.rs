@@ -34,10 +34,10 @@ pub(crate) use resolved::{
     Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
 };
 
-/// What the passes found out about a module.
+/// Results of the passes over a module.
 #[derive(Debug)]
 pub(crate) struct Checked<'m> {
-    /// What the program names.
+    /// Definitions and uses of names.
     pub(crate) symbols: Symbols,
     /// The module with all that its words stand for, unless a statement of it could not be resolved.
     pub(crate) resolved: Option<ResolvedModule<'m>>,

@@ -9,7 +9,7 @@ use crate::language::Edition;
 use crate::message::Lang;
 use tip_runtime::fault::{Fault, Kind, UNASSIGNED};
 
-/// How grave a diagnostic is.
+/// Severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Level {
@@ -31,7 +31,7 @@ impl Level {
 
 macro_rules! codes {
     ($( $(#[$doc:meta])* $variant:ident $id:literal $kind:expr, $message:expr $(, $japanese:literal)?; )*) => {
-        /// What a diagnostic is about. `{}` in a message stands for the diagnostic's subject.
+        /// Subject of a diagnostic. `{}` in a message stands for the name that the diagnostic is about.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Code {
@@ -223,7 +223,7 @@ codes! {
 }
 
 impl Code {
-    /// How grave a diagnostic with this code is, by the rules of an edition. So far they are alike.
+    /// Returns the severity of a diagnostic with this code, by the rules of an edition. So far they are alike.
     pub const fn level(self, edition: Edition) -> Level {
         match (self.kind(), edition) {
             (Some(_), _) => Level::Error,

@@ -71,7 +71,7 @@ pub struct Description {
     lamps: u8,
     forces: Option<Forces>,
     slider: Option<Slider>,
-    /// Of the body.
+    /// Shapes of the body.
     shapes: Vec<Shape>,
 }
 
@@ -81,7 +81,7 @@ struct Leg {
     base: Point,
     joints: Vec<Joint>,
     initial: Vec<f64>,
-    /// Of the link after each joint.
+    /// Shapes of the link after each joint.
     shapes: Vec<Vec<Shape>>,
 }
 

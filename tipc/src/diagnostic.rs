@@ -15,14 +15,14 @@ pub use findings::{Findings, MOST, Omitted};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Label {
-    /// Where.
+    /// Location of the label.
     pub span: Span,
-    /// What is there.
+    /// Text of the label.
     pub text: Message,
 }
 
 impl Label {
-    /// Whether the same mistake shows again here, as at each other use of a name that is not declared.
+    /// Returns true if the same mistake shows again here, as at each other use of a name that is not declared.
     pub const fn is_again(&self) -> bool {
         matches!(
             self.text,
@@ -39,7 +39,7 @@ pub struct Diagnostic {
     pub code: Code,
     /// The name or file that the message's `{}` stands for.
     pub subject: Option<String>,
-    /// Where.
+    /// Location in the source.
     pub span: Span,
     /// The reason: of an error, its headline; of a warning, what is said at the place.
     pub reason: Message,
@@ -108,7 +108,7 @@ impl Diagnostic {
         mistake.map_or(self.code.id(), |mistake| mistake.id)
     }
 
-    /// How grave it is.
+    /// Returns its severity.
     pub fn level(&self) -> Level {
         self.code.level(self.edition)
     }
@@ -127,7 +127,7 @@ impl Diagnostic {
         }
     }
 
-    /// What people read first: of an error its reason, of a warning its message.
+    /// Returns what people read first: of an error its reason, of a warning its message.
     pub fn headline(&self, lang: Lang) -> String {
         match self.level() {
             Level::Error => self.reason.in_lang(lang).to_string(),
@@ -135,7 +135,7 @@ impl Diagnostic {
         }
     }
 
-    /// What is printed of it in one line (T.I.P. 3.1 §9): `TIP_ERR:<message> (<kind>)`; of a warning, its message.
+    /// Returns the title line (T.I.P. 3.1 §9): `TIP_ERR:<message> (<kind>)`; of a warning, its message.
     pub fn title(&self) -> String {
         match self.code.kind() {
             Some(kind) => format!("TIP_ERR:{} ({kind})", self.message()),
@@ -144,7 +144,7 @@ impl Diagnostic {
     }
 }
 
-/// How sure it is that a fix is what was meant.
+/// Certainty that a fix is what was meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Applicability {
     /// Every reader would mean exactly this.
@@ -166,9 +166,9 @@ impl Applicability {
 /// One change of the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// What goes; empty where something is only put in.
+    /// Replaced text; empty where something is only put in.
     pub span: Span,
-    /// What comes in its place: ASCII, which every encoding spells alike.
+    /// Replacement: ASCII, which has the same bytes in every encoding.
     pub text: String,
 }
 
@@ -193,16 +193,16 @@ impl Edit {
 /// A way to put a finding right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fix {
-    /// What it does.
+    /// Description of the change.
     pub title: Message,
-    /// How sure it is.
+    /// Certainty of the fix.
     pub applicability: Applicability,
     /// The changes, which belong together and do not overlap.
     pub edits: Vec<Edit>,
 }
 
 impl Fix {
-    /// What every reader would mean.
+    /// Creates a fix that every reader would mean.
     pub fn certain(title: impl Into<Message>, edits: impl Into<Vec<Edit>>) -> Self {
         Fix {
             title: title.into(),
@@ -211,7 +211,7 @@ impl Fix {
         }
     }
 
-    /// What most readers would mean.
+    /// Creates a fix that most readers would mean.
     pub fn likely(title: impl Into<Message>, edits: impl Into<Vec<Edit>>) -> Self {
         Fix {
             applicability: Applicability::Likely,

@@ -1,4 +1,4 @@
-//! How Rust spells a [`Program`]: a struct that holds its variables and one state for each step.
+//! Rust tokens of a [`Program`]: a struct that holds its variables and one state for each step.
 //!
 //! Each state is a row of a table: a command of constants, a move to another step, or else a function, which
 //! costs one indirect call however long the program is. A row costs rustc next to nothing; functions make up its
@@ -36,7 +36,7 @@ use quote::quote;
 use table::States;
 use tip_runtime::program::Signature;
 
-/// How the generated type is called and what it refers to.
+/// Name of the generated type, and paths that it refers to.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The type's name; [`type_name`] of the source if absent.
@@ -79,7 +79,7 @@ pub(crate) fn header_of(source: &str, hash: u64) -> String {
 }
 
 /// Spells a program as Rust items: the version lock, the type and its implementations.
-/// The same program and options give the same tokens, always.
+/// Equal programs and options give equal tokens.
 pub fn emit(program: &Program, options: &Options) -> TokenStream {
     let emitter = Emitter::new(program, options);
     emitter.items(&emitter.states())

@@ -41,7 +41,7 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
     }
 }
 
-/// The same program with labels.
+/// Adds labels to a program.
 pub(crate) fn labelled(mut program: Program, labels: &[(&str, StepId)]) -> Program {
     program.labels = labels
         .iter()

@@ -15,7 +15,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 use tip_runtime::function::Function;
 
-/// What a first word of another language was going to be, so that one mistake does not lead to others.
+/// Role of an unknown first word among the blocks, so that one mistake does not lead to others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Means {
     /// This keyword.
@@ -89,7 +89,7 @@ const ROWS: &[Row] = &[
     row("INCLUDE IMPORT USE REQUIRE #INCLUDE", Means::Statement, Habit::OneFile),
 ];
 
-/// What the first word of a statement is in another language.
+/// Returns the row of a statement's first word in another language.
 pub fn statement(word: &str) -> Option<&'static Row> {
     row_of(word).or_else(|| part_of(word))
 }
@@ -123,13 +123,13 @@ const PARTS: &[Row] = &[
     row(LOOP, Means::Statement, Habit::LoopLabel),
 ];
 
-/// Whether a routine of another language is where its programs begin, or what they do all the time.
+/// Returns true if a routine of another language is its entry point or main loop.
 pub fn is_main(name: &str) -> bool {
     const NAMES: &str = "MAIN SETUP LOOP";
     NAMES.split(' ').any(|one| one.eq_ignore_ascii_case(name))
 }
 
-/// Whether a word goes on with what the word `first` began in another language.
+/// Returns true if a word goes on with what the word `first` began in another language.
 pub fn goes_on(first: &str, word: &str) -> bool {
     let (begun, part) = (row_of(first), part_of(word));
     begun.zip(part).is_some_and(|(begun, part)| {
@@ -140,18 +140,18 @@ pub fn goes_on(first: &str, word: &str) -> bool {
         || first.eq_ignore_ascii_case(LOOP) && part.is_some_and(|part| part.habit == Habit::Loops)
 }
 
-/// Whether a word ends the routine that another one begins: `PROC` … `ENDPROC`.
+/// Returns true if a word ends the routine that another one begins: `PROC` … `ENDPROC`.
 fn ends_routine(first: &str, word: &str) -> bool {
     let begins = row_of(first).is_some_and(|row| row.habit == Habit::Subroutine);
     begins && row_of(word).is_some_and(|row| row.habit == Habit::SubEnd)
 }
 
-/// Whether a word ends a loop in another language, whatever began it.
+/// Returns true if a word ends a loop in another language, whatever began it.
 pub fn ends_loop(word: &str) -> bool {
     part_of(word).is_some_and(|row| matches!(row.habit, Habit::Loops | Habit::LoopLabel))
 }
 
-/// Whether a word begins the cases of a value; a `BREAK` ends each of them.
+/// Returns true if a word begins the cases of a value; a `BREAK` ends each of them.
 fn begins_cases(word: &str) -> bool {
     row_of(word).is_some_and(|row| row.habit == Habit::Cases)
 }
@@ -164,13 +164,13 @@ pub fn ends(word: &str) -> Option<Keyword> {
     }
 }
 
-/// Whether a word begins the line of a label.
+/// Returns true if a word begins the line of a label.
 pub fn begins_label(word: &str) -> bool {
     const WORDS: &str = "LABEL LBL";
     WORDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
-/// Whether a word opens the block of a condition in another language.
+/// Returns true if a word opens the block of a condition in another language.
 pub fn opens_block(word: &str) -> bool {
     ["DO", "BEGIN", ":"]
         .iter()
@@ -221,18 +221,18 @@ pub fn relation(word: &str) -> Option<&'static str> {
     })
 }
 
-/// Whether a word is a type, which stands before or after a name in declarations of other languages.
+/// Returns true if a word is a type, which stands before or after a name in declarations of other languages.
 pub fn is_type(word: &str) -> bool {
     const TYPES: &str = "INT INTEGER FLOAT DOUBLE";
     TYPES.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
-/// Whether a character takes up no room, so that nobody sees it.
+/// Returns true if a character has no width, so that nobody sees it.
 pub fn is_invisible(char: char) -> bool {
     matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
 }
 
-/// Whether a word is a unit, which no number has.
+/// Returns true if a word is a unit, which no number has.
 pub fn is_unit(word: &str) -> bool {
     const UNITS: &str =
         "% MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ ° 度 ㎜ ㎝ 秒 ミリ ミリ秒 ℃ ％";
@@ -245,7 +245,7 @@ pub fn name(word: &str) -> &str {
     &word[..end.unwrap_or(word.len())]
 }
 
-/// Whether a statement that begins with this word was to show a text.
+/// Returns true if a statement that begins with this word was to show a text.
 pub fn shows_text(word: &str) -> bool {
     let name = name(word);
     let is_message = name.eq_ignore_ascii_case(Keyword::Message.word());
@@ -257,10 +257,10 @@ const COMMENTS: &[&str] = &[
     "#", "'", "/*", "*/", "--", "%", "(*", "\"\"\"", "\\\\", "・・", "／／", "※", "＃", "’",
 ];
 
-/// What opens a comment of several lines, and what closes it.
+/// Openers and closers of comments of several lines.
 const OF_LINES: &[[&str; 2]] = &[["/*", "*/"], ["\"\"\"", "\"\"\""], ["'''", "'''"]];
 
-/// What opens a comment of several lines that begins a statement, and what closes it.
+/// Returns opener and closer of a comment of several lines that begins a statement.
 pub fn comment_of_lines(statement: &str) -> Option<[&'static str; 2]> {
     let mut marks = OF_LINES.iter().copied();
     marks.find(|[opens, _]| statement.starts_with(opens))
@@ -269,7 +269,7 @@ pub fn comment_of_lines(statement: &str) -> Option<[&'static str; 2]> {
 /// The mark of comments in Fortran and Modula; the language negates flags with it.
 const BANG: &str = "!";
 
-/// Whether a statement is a comment in another language.
+/// Returns true if a statement is a comment in another language.
 pub fn is_comment(statement: &str) -> bool {
     // Nearly all statements begin with a word.
     if statement.starts_with(|first: char| first.is_ascii_alphanumeric()) {
@@ -301,13 +301,13 @@ fn is_in_parentheses(statement: &str) -> bool {
     })
 }
 
-/// Whether a comment of another language, or what is taken for one, begins where this part of a line ends.
+/// Returns true if a comment of another language, or what is taken for one, begins where this part of a line ends.
 pub fn ends_in_comment_mark(part: &str) -> bool {
     let part = part.trim_end();
     part.ends_with(';') || COMMENTS.iter().any(|mark| part.ends_with(mark))
 }
 
-/// What is written for a character of typesetting.
+/// Returns the plain spelling of a typographic character.
 pub fn plain(typeset: char) -> Option<&'static str> {
     Some(match typeset {
         '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
@@ -324,7 +324,7 @@ pub fn plain(typeset: char) -> Option<&'static str> {
     })
 }
 
-/// Whether a text stands between the ends of a range: `1〜10`.
+/// Returns true if a text stands between the ends of a range: `1〜10`.
 pub fn is_range(text: &str) -> bool {
     matches!(text, "〜" | "～" | "~")
 }
@@ -335,7 +335,7 @@ pub fn comment_mark(comment: &str) -> Option<&'static str> {
     marks.find(|mark| comment.starts_with(mark))
 }
 
-/// Where a comment of another language begins after a statement, if one does.
+/// Returns the start of a comment of another language after a statement, if there is one.
 pub fn comment_after(line: &str) -> Option<usize> {
     let marks = ["#", "'", "／／", "※", "＃", "’"];
     let starts = |at: &usize| marks.iter().any(|mark| line[*at..].starts_with(mark));
@@ -353,14 +353,14 @@ pub fn constant(word: &str) -> Option<&'static str> {
     })
 }
 
-/// Whether a word joins two conditions in another language.
+/// Returns true if a word joins two conditions in another language.
 pub fn joins_conditions(word: &str) -> bool {
     ["AND", "OR", "XOR", "&&", "||", "&", "|"]
         .iter()
         .any(|one| one.eq_ignore_ascii_case(word))
 }
 
-/// Whether a word negates in another language.
+/// Returns true if a word negates in another language.
 pub fn negates(word: &str) -> bool {
     word.eq_ignore_ascii_case("NOT")
 }

@@ -122,7 +122,7 @@ impl Config {
         self
     }
 
-    /// How sources are encoded; found out by looking if not called.
+    /// Sets the encoding of sources; detected if not called.
     pub fn encoding(&mut self, encoding: Encoding) -> &mut Self {
         self.load.encoding = encoding;
         self
@@ -213,7 +213,7 @@ impl Config {
         report.outcome()
     }
 
-    /// What programs are loaded for: with the robot that the file describes, if there is one.
+    /// Returns the options for loading programs: with the robot that the file describes, if there is one.
     #[cfg(feature = "robot-files")]
     fn load(&self, report: &mut Report) -> Result<load::Options, BuildError> {
         let mut load = self.load;
@@ -271,7 +271,7 @@ fn describe(path: &Path, report: &mut Report) -> Result<Option<Description>, Bui
     Ok(described.map_err(|loaded| report.add_all(&loaded)).ok())
 }
 
-/// What is reported to Cargo.
+/// Report to Cargo.
 #[derive(Default)]
 struct Report {
     lang: Lang,
@@ -385,7 +385,7 @@ fn unreadable(name: &str, reason: Reading) -> Loaded {
     Loaded::refused(source, vec![finding.about(name)])
 }
 
-/// Why nothing could be generated. It displays every error with its place in the source.
+/// Error of a failed generation. It displays every error with its location in the source.
 pub struct BuildError {
     message: String,
 }
@@ -412,7 +412,7 @@ impl fmt::Display for BuildError {
     }
 }
 
-/// As displayed: a build script that returns the error prints its `Debug`.
+/// Formats like `Display`: a build script that returns the error prints its `Debug`.
 impl fmt::Debug for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

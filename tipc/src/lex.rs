@@ -9,7 +9,7 @@ pub use pieces::{Piece, Pieces, split_comment};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Relation};
 
-/// What a token is.
+/// Kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A name, a number or anything else between delimiters and operators.
@@ -29,9 +29,9 @@ pub enum Kind {
 /// A word or operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// What it is.
+    /// Kind of the token.
     pub kind: Kind,
-    /// Where it is.
+    /// Location in the source.
     pub span: Span,
     /// A delimiter precedes it.
     pub spaced: bool,
@@ -47,7 +47,7 @@ pub const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
 
 /// Reads the tokens of `span` into `tokens` and returns the first characters that no statement may hold.
 ///
-/// Those characters become part of words, so that the tokens around them stay usable.
+/// Such characters become part of words, so that the tokens around them stay usable.
 pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     let bytes = &text.as_bytes()[..span.end];
     // Nearly no statement holds one.
@@ -83,7 +83,7 @@ pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
     at
 }
 
-/// Where the delimiters begin that end a stretch of text.
+/// Returns the start of the delimiters that end a stretch of text.
 pub(crate) fn trim_delimiters(bytes: &[u8]) -> usize {
     let mut end = bytes.len();
     loop {
@@ -95,7 +95,7 @@ pub(crate) fn trim_delimiters(bytes: &[u8]) -> usize {
     }
 }
 
-/// How long the delimiter at `at` is; 0 if there is none.
+/// Returns the length of the delimiter at `at`; 0 if there is none.
 pub(crate) fn delimiter(bytes: &[u8], at: usize) -> usize {
     match bytes.get(at) {
         Some(b' ' | b'\t' | b',') => 1,
@@ -129,7 +129,7 @@ fn plain_word_end(bytes: &[u8], start: usize) -> usize {
     at
 }
 
-/// Whether `word` is a number up to its `E` and `rest` goes on with the exponent's sign and digits.
+/// Returns true if `word` is a number up to its `E` and `rest` goes on with the exponent's sign and digits.
 fn is_open_exponent(word: &[u8], rest: &[u8]) -> bool {
     let [b'+' | b'-', b'0'..=b'9', ..] = rest else {
         return false;
@@ -168,7 +168,7 @@ fn operator(bytes: &[u8], at: usize) -> Option<(Kind, usize)> {
     Some((kind, at + length))
 }
 
-/// Whether a byte is of such a character.
+/// Returns true if a byte is of such a character.
 const fn is_foreign(byte: u8) -> bool {
     !byte.is_ascii() || byte.is_ascii_control()
 }

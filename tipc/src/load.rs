@@ -16,7 +16,7 @@ use crate::source::{Encoding, Source, looks_like};
 use crate::symbols::Symbols;
 use crate::syntax::Module;
 
-/// What a program is read and checked for.
+/// Options for reading and checking a program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// The robot.
@@ -37,7 +37,7 @@ impl Default for Options {
     }
 }
 
-/// What came of a file.
+/// Result of loading a file.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Loaded {
@@ -45,7 +45,7 @@ pub struct Loaded {
     pub source: Source,
     /// The statements, as far as the text could be read.
     pub module: Module,
-    /// What the program names, and where; as far as it is understood.
+    /// Names in the program and their locations; as far as it is understood.
     pub symbols: Symbols,
     /// The program, unless there is an error among the diagnostics.
     pub program: Option<Program>,
@@ -58,7 +58,7 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// What came of a file that was not read as a program.
+    /// Creates the result for a file that was not read as a program.
     pub fn refused(source: Source, diagnostics: Vec<Diagnostic>) -> Self {
         Loaded {
             source,

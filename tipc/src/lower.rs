@@ -66,7 +66,7 @@ struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// What a statement does; a declaration is not a step.
+    /// Returns the action of a statement; `None` for a declaration, which is not a step.
     fn action(&self, resolved: Resolved) -> Option<Action> {
         Some(match resolved {
             Resolved::Define => return None,

@@ -83,7 +83,7 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
     None
 }
 
-/// What is at the end of a piece of text.
+/// End of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flow {
     /// The program goes on.
@@ -102,7 +102,7 @@ struct Parser<'a> {
     step: StepId,
     /// The current statement's tokens; kept to use its memory again.
     tokens: Vec<Token>,
-    /// What ends the comment of another language that has begun.
+    /// End mark of the comment of another language that has begun.
     in_comment: Option<&'static str>,
     /// The braces that are open, which are reported: whether each begins a block.
     braces: Vec<bool>,
@@ -157,7 +157,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether the line belongs to a comment of another language, `/* … */`, whose start is reported.
+    /// Returns true if the line belongs to a comment of another language, `/* … */`, whose start is reported.
     fn is_in_comment(&mut self) -> bool {
         let Some(closes) = self.in_comment else {
             return false;
@@ -186,7 +186,7 @@ impl Parser<'_> {
         self.report(missing.help(Parsing::PutEnd));
     }
 
-    /// Whether a statement after END, on the line that was read last, is more than the words of a note.
+    /// Returns true if a statement after END, on the line that was read last, is more than the words of a note.
     fn is_meant(&self, statement: &Statement) -> bool {
         let span = statement.span;
         let is_wrong = |it: &Diagnostic| {

@@ -101,12 +101,12 @@ pub struct Variable {
     pub kind: VariableKind,
     /// The place of its first scalar among all scalars.
     pub first: usize,
-    /// How many members a JOINT has on this robot.
+    /// Number of members of a JOINT on this robot.
     pub joints: usize,
 }
 
 impl Variable {
-    /// How many scalars it holds.
+    /// Returns the number of scalars it holds.
     pub fn size(&self) -> usize {
         match self.kind {
             VariableKind::Var => 1,
@@ -139,7 +139,7 @@ pub struct Label {
 /// One step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// What it does.
+    /// Action of the step.
     pub action: Action,
     /// Its source line, from 1.
     pub line: u32,

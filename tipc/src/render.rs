@@ -31,7 +31,7 @@ fn shown(line: &str) -> &str {
     &line[..end]
 }
 
-/// As it can be shown: what could act on a terminal is an escape.
+/// Formats a text for display: what could act on a terminal is escaped.
 fn printable(text: impl Display) -> String {
     Printable::line(text).to_string()
 }

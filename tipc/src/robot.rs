@@ -18,25 +18,25 @@ pub enum Robot {
     Described(Facts),
 }
 
-/// What a program can meet on a robot: all that checking needs of a model or a description.
+/// Properties of a robot that a program can meet: all that checking needs of a model or a description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facts {
-    /// What a program for it must state.
+    /// Robot statement that its programs need.
     pub signature: Signature,
     /// The sampling time that programs begin with: ms.
     pub period: f64,
     /// The sampling times that it accepts: ms.
     pub periods: Range,
-    /// How many lamps and relays it has.
+    /// Number of lamps and relays.
     pub lamps: u8,
-    /// Whether it senses and gives torques.
+    /// True if it senses and gives torques.
     pub has_forces: bool,
-    /// Whether it has a slider (`FLOOR`).
+    /// True if it has a slider (`FLOOR`).
     pub has_slider: bool,
 }
 
 impl Facts {
-    /// Those of a model.
+    /// Returns the facts of a model.
     pub const fn of<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
         Facts {
             signature: model.signature(),
@@ -66,12 +66,12 @@ impl Robot {
         self.signature().robot
     }
 
-    /// What a program for it must state.
+    /// Returns the robot statement that its programs need.
     pub const fn signature(self) -> Signature {
         self.facts().signature
     }
 
-    /// What a program can meet on it.
+    /// Returns what a program can meet on it.
     pub const fn facts(self) -> Facts {
         match self {
             Robot::Titan8 => Facts::of(&titan8::MODEL),
@@ -81,12 +81,12 @@ impl Robot {
         }
     }
 
-    /// Whether it has the commands and inputs of the Hiroshima Hand.
+    /// Returns true if it has the commands and inputs of the Hiroshima Hand.
     pub(crate) fn is_hand(self) -> bool {
         self.signature().family == Family::Hand
     }
 
-    /// Whether the robot has the leg, joint or slider.
+    /// Returns true if the robot has the leg, joint or slider.
     pub(crate) fn has(self, target: Target) -> bool {
         let Signature { legs, joints, .. } = self.signature();
         match target {

@@ -34,11 +34,11 @@ pub use position::byte_length;
 pub(crate) use position::first_beyond;
 pub use position::{Position, Unit};
 
-/// What DOS puts after the last line of a text file.
+/// Byte that DOS puts after the last line of a text file.
 const TAIL: &[u8] = b"\x1A";
 
-/// How many bytes of text an index counts together. A search looks at no more, and a line of the longest length that is
-/// allowed costs the index of lines one byte.
+/// Number of bytes of text that an index counts together. A search looks at no more, and a line of the longest length
+/// that is allowed costs the index of lines one byte.
 const STRETCH: usize = 4096;
 
 /// A decoded source file.
@@ -57,7 +57,7 @@ pub struct Source {
 impl Source {
     /// Decodes a file (T.I.P. 3.1 §3).
     ///
-    /// Of bytes that are not text, the first ones are returned; the text then has replacement characters, good enough
+    /// If bytes are not text, the first ones are returned; the text then has replacement characters, good enough
     /// to show the place but not to be compiled.
     pub fn decode(
         name: impl Into<String>,
@@ -101,7 +101,7 @@ impl Source {
         fnv1a(pieces.into_iter().flatten())
     }
 
-    /// How the file spells its text.
+    /// Returns the character set of the file.
     pub fn charset(&self) -> Charset {
         self.charset
     }

@@ -1,6 +1,6 @@
 //! The nearest known name for a misspelt one.
 
-/// How many candidates are looked at: a suggestion must not cost more than the check.
+/// Maximum number of candidates: a suggestion must not cost more than the check.
 const CANDIDATES: usize = 500;
 
 /// The longest word that something is suggested for: the time grows with the square of the length.
@@ -28,12 +28,12 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
-/// Whether a word differs from another one in one letter, or in the order of two.
+/// Returns true if a word differs from another one in one letter, or in the order of two.
 pub(crate) fn is_near(word: &str, other: &str) -> bool {
     word.len().abs_diff(other.len()) <= 1 && distance(word.as_bytes(), other.as_bytes()) == 1
 }
 
-/// Whether two names differ only in letters that look like digits: `L1` and `LI`, `NO` and `N0`.
+/// Returns true if two names differ only in letters that look like digits: `L1` and `LI`, `NO` and `N0`.
 fn looks_like(a: &str, b: &str) -> bool {
     let shape = |byte: u8| match byte {
         b'O' => b'0',
@@ -44,7 +44,7 @@ fn looks_like(a: &str, b: &str) -> bool {
     a != b && a.len() == b.len() && a.len() <= LONGEST && same()
 }
 
-/// How many letters are in only one of the words: a cheap lower bound of twice their distance.
+/// Counts the letters that are in only one of the words: a cheap lower bound of twice their distance.
 fn differing(a: &str, b: &str) -> u32 {
     (letters(a) ^ letters(b)).count_ones()
 }

@@ -21,13 +21,13 @@ pub struct DefinitionId(u32);
 pub struct Definition {
     /// Its name, upper case.
     pub name: SmolStr,
-    /// What it is.
+    /// Kind of the definition.
     pub kind: DefinitionKind,
     /// The name where it is defined; `VAR_KEY` is defined nowhere.
     pub place: Option<Span>,
 }
 
-/// What a name stands for.
+/// Kind of a definition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DefinitionKind {
     /// A variable of this type.
@@ -43,9 +43,9 @@ pub enum DefinitionKind {
 pub struct Use {
     /// The name alone, without sign, member and colon. It is empty where the name is left out, after KEY_IN, NEXT and GOTO.
     pub place: Span,
-    /// What it names.
+    /// Definition that it names.
     pub definition: DefinitionId,
-    /// What the statement does with it.
+    /// Access by the statement.
     pub access: Access,
     /// The member of a POS or JOINT that is meant, from 0; none means the whole.
     pub member: Option<u8>,
@@ -53,7 +53,7 @@ pub struct Use {
     pub negative: bool,
 }
 
-/// What a statement does with what it names.
+/// Access of a statement to what it names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {
     /// Defines it; a second time, which is refused.
@@ -123,7 +123,7 @@ impl Symbols {
         self.uses.iter().filter(move |it| it.definition == id)
     }
 
-    /// What is named at a byte of the text, in the name, in the member after it, or right after them.
+    /// Returns the use at a byte of the text: in the name, in the member after it, or right after them.
     pub fn at(&self, offset: usize) -> Option<&Use> {
         let behind = self.uses.partition_point(|it| it.place.start <= offset);
         let last = self.uses[..behind].last()?;
@@ -138,7 +138,7 @@ impl Symbols {
         &rest[..rest.partition_point(|it| it.place.end <= span.end)]
     }
 
-    /// Where a name ends, with its member.
+    /// Returns the end of a name, with its member.
     fn end(&self, named: &Use) -> usize {
         let point_and_member = match (named.member, self.definition(named.definition).kind) {
             (None, _) => 0,

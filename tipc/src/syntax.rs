@@ -16,7 +16,7 @@ use smol_str::{SmolStr, StrExt};
 pub struct Spanned<T> {
     /// The thing.
     pub node: T,
-    /// Where it is.
+    /// Location in the source.
     pub span: Span,
 }
 
@@ -48,7 +48,7 @@ pub enum VariableKind {
 /// An operand or argument as written: `-12.5`, `A`, `-P.X`, `F1`, `ALL`, `HS`, `J11`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operand {
-    /// What it is.
+    /// Kind of the operand.
     pub kind: OperandKind,
     /// A minus precedes a name (a constant holds its own sign).
     pub negative: bool,
@@ -56,7 +56,7 @@ pub struct Operand {
     pub span: Span,
 }
 
-/// What an operand is.
+/// Kind of an operand.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OperandKind {
     /// A constant with its sign.

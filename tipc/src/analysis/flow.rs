@@ -9,7 +9,7 @@ use std::ops::Deref;
 /// The place of a node in its flow. Nodes come in the order of their steps.
 pub type NodeId = usize;
 
-/// What a cycle may run next without a call or return: two nodes at most.
+/// Nodes that a cycle may run next without a call or return: two at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Next {
     nodes: [NodeId; 2],
@@ -42,7 +42,7 @@ pub struct Node {
     pub step: StepId,
     /// An ELSEIF or ELSE that is reached from the branch above it: passed, its condition is not read.
     pub is_passed: bool,
-    /// What the next cycle may run without a call or return.
+    /// Nodes that the next cycle may run without a call or return.
     pub next: Next,
     /// The call that it may make.
     pub call: Option<Call>,
@@ -53,9 +53,9 @@ pub struct Node {
 /// A call of a subroutine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Call {
-    /// Where the subroutine begins.
+    /// First node of the subroutine.
     pub entry: NodeId,
-    /// Where it comes back.
+    /// Node to which it returns.
     pub back: NodeId,
 }
 
@@ -122,7 +122,7 @@ impl Flow {
     }
 }
 
-/// Where steps lead.
+/// Targets of steps.
 struct Ways {
     /// The first node of each step, and one past the last.
     first: Vec<NodeId>,
@@ -241,7 +241,7 @@ fn chosen(always: Option<bool>, yes: Option<NodeId>, no: Option<NodeId>) -> [Opt
     }
 }
 
-/// What a condition always is, if that is known: two constants compared.
+/// Returns the constant result of a condition, if it is known: two constants compared.
 pub fn always(condition: Condition) -> Option<bool> {
     match condition {
         Condition::Compare {
@@ -260,7 +260,7 @@ pub fn always(condition: Condition) -> Option<bool> {
     }
 }
 
-/// What is known of FOR's first test.
+/// Knowledge of FOR's first test.
 pub enum Entry {
     /// A step of zero: the program stops.
     Fails,
@@ -270,7 +270,7 @@ pub enum Entry {
     Open,
 }
 
-/// What FOR's first test comes to.
+/// Evaluates FOR's first test as far as it is known.
 pub fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
     match (from, to, step) {
         (_, _, Operand::Constant(0.0)) => Entry::Fails,

@@ -95,7 +95,7 @@ impl Resolver<'_> {
         Some(command)
     }
 
-    /// What to use instead of a command that the robot lacks.
+    /// Returns a replacement for a command that the robot lacks.
     fn who_has(&self, command: &Command) -> Commanding {
         let name = command.name;
         match self.robot {
@@ -136,7 +136,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// Whether a `;` ended a text of MESSAGE or REM right before this place.
+    /// Returns true if a `;` ended a text of MESSAGE or REM right before this place.
     fn is_after_text(&self, place: Span) -> bool {
         let before = self.source_before(place).map(str::trim_end);
         let Some(before) = before.and_then(|before| before.strip_suffix(';')) else {

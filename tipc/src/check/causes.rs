@@ -297,7 +297,7 @@ fn broken_lines(source: &Source, found: &mut Findings) {
     **found = kept;
 }
 
-/// Whether a statement at this place is this word alone.
+/// Returns true if a statement at this place is this word alone.
 fn is_alone(module: &Module, place: Span) -> bool {
     let statement = module
         .statement_at(place.start)
@@ -385,17 +385,18 @@ fn repeated(found: &mut Findings) {
     **found = kept;
 }
 
-/// Whether a help leaves the type open.
+/// Returns true if a help leaves the type open.
 fn is_open(help: Option<&Message>) -> bool {
     matches!(help, Some(Message::Naming(Naming::Declare { .. })))
 }
 
-/// Whether a help names one type.
+/// Returns true if a help names one type.
 fn is_guess(help: Option<&Message>) -> bool {
     matches!(help, Some(Message::Naming(Naming::DeclareAs { .. })))
 }
 
-/// What follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses mean.
+/// Removes what follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses
+/// mean.
 pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findings) {
     let is_again =
         |it: &&Diagnostic| matches!(it.reason, Message::Naming(Naming::DeclaredAgain { .. }));

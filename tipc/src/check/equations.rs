@@ -278,7 +278,7 @@ impl Resolver<'_> {
     }
 }
 
-/// How a function is written.
+/// Returns how a function is written.
 fn usage(operation: Operation) -> Calculating {
     let function = operation.word();
     match operation {

@@ -1,4 +1,4 @@
-//! Where jumps lead, and where they may not (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
+//! Targets of jumps, and targets that are not allowed (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
 use super::blocks::{BlockKind, Blocks, Tree};
 use super::labels::Labels;

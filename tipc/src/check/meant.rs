@@ -1,4 +1,4 @@
-//! What the first word of a statement was meant to be, if the language lacks it.
+//! Suggestions for an unknown first word of a statement.
 
 use super::resolve::Resolver;
 use crate::foreign;

@@ -28,10 +28,10 @@ pub(super) const VAR_KEY_ID: VariableId = 0;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {
     pub(crate) variables: Vec<Variable>,
-    /// Where each variable is declared; `None` for VAR_KEY.
+    /// Declaration of each variable; `None` for VAR_KEY.
     pub(crate) declared: Vec<Option<Span>>,
     ids: HashMap<String, VariableId>,
-    /// What unknown names were near to, so that each is compared once.
+    /// Known names nearest to unknown ones, so that each is compared once.
     near: RefCell<HashMap<String, Option<String>>>,
     /// Names whose declaration was refused: their uses are not reported again.
     refused: HashSet<String>,
@@ -40,7 +40,7 @@ pub(crate) struct Names {
     pub(crate) edition: Edition,
 }
 
-/// What an operand stands for.
+/// Meaning of an operand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Meant {
     Constant(f64),
@@ -166,7 +166,7 @@ impl Names {
         self.ids.get(name).copied()
     }
 
-    /// What an operand stands for. `shape` is the code of a member that the variable lacks, `guess` the type that an
+    /// Resolves an operand. `shape` is the code of a member that the variable lacks, `guess` the type that an
     /// unknown variable is used as.
     ///
     /// `None` if the name's declaration was refused, which is reported already.
@@ -265,7 +265,7 @@ impl Names {
             .help(help)
     }
 
-    /// What to write in place of a word of the language where a number belongs.
+    /// Returns what to write in place of a word of the language where a number belongs.
     fn instead_of(&self, word: &str) -> Message {
         if flags::find(word, self.edition).is_some() {
             return Habit::FlagAlone { flag: word.into() }.into();
@@ -372,7 +372,7 @@ fn type_with(member: &str) -> Option<VariableKind> {
     joint.map(|_| VariableKind::Joint)
 }
 
-/// How a variable is declared, of one type if that is known.
+/// Returns the declaration of a variable, of one type if that is known.
 fn declare(name: &str, kind: Option<VariableKind>) -> Naming {
     let keyword = match kind {
         Some(VariableKind::Var) => Keyword::DefVar,
@@ -384,7 +384,7 @@ fn declare(name: &str, kind: Option<VariableKind>) -> Naming {
     Naming::DeclareAs { declaration }
 }
 
-/// Where a motion command has a word first.
+/// Finds a motion command that has the word first.
 fn used_in_motion(module: &Module, word: &str) -> Option<Span> {
     let motions = module.statements.iter().filter_map(motion_arguments);
     let is_word =

@@ -53,7 +53,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Where such a constant is, why it has no result, and what to write instead.
+/// Finds such a constant: its location, why it has no result, and what to write instead.
 fn impossible(equation: &Equation, edition: Edition) -> Option<(Span, Calculating, Calculating)> {
     match &equation.value {
         Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {

@@ -1,4 +1,4 @@
-//! What the operands of every statement stand for.
+//! Resolution of the operands of every statement.
 
 use super::blocks::Blocks;
 use super::labels::Labels;
@@ -18,7 +18,7 @@ use crate::syntax::{
 };
 use std::collections::HashMap;
 
-/// What the passes before know.
+/// Results of earlier passes.
 #[derive(Clone, Copy)]
 pub(super) struct Known<'a> {
     pub(super) source: &'a Source,
@@ -27,11 +27,11 @@ pub(super) struct Known<'a> {
     pub(super) names: &'a Names,
     pub(super) labels: &'a Labels<'a>,
     pub(super) blocks: &'a Blocks,
-    /// Where each jump leads.
+    /// Target of each jump.
     pub(super) jumps: &'a [Option<StatementId>],
 }
 
-/// Why a statement is not resolved.
+/// Reasons why a statement is not resolved.
 enum Unresolved {
     /// It is wrong in itself: reported when it was read, or here.
     Wrong,
@@ -76,7 +76,7 @@ pub(super) struct Resolver<'a> {
     pub(super) names: &'a Names,
     known: &'a Known<'a>,
     pub(super) uses: Uses<'a>,
-    /// What each FOR counts.
+    /// Counter of each FOR.
     counted: HashMap<StatementId, Counting>,
     pub(super) found: &'a mut Findings,
 }
@@ -264,12 +264,12 @@ impl Resolver<'_> {
         }
     }
 
-    /// What an operand stands for.
+    /// Resolves an operand.
     pub(super) fn meant(&mut self, operand: &Operand, shape: Code) -> Option<Meant> {
         self.meant_as(operand, shape, None)
     }
 
-    /// What an operand stands for, which is used as a variable of this type.
+    /// Resolves an operand that is used as a variable of this type.
     pub(super) fn meant_as(
         &mut self,
         operand: &Operand,
@@ -305,7 +305,7 @@ impl Resolver<'_> {
         self.known.source.slice(span)
     }
 
-    /// What follows a place in its statement.
+    /// Returns the rest of the statement after a location.
     pub(super) fn rest_of_statement(&self, span: Span) -> &str {
         let rest = &self.known.source.text()[span.end..];
         let end = rest.find([';', '\n', '\r']).unwrap_or(rest.len());
@@ -313,13 +313,13 @@ impl Resolver<'_> {
         &rest[..code.end]
     }
 
-    /// Whether a label of that name is a SUBROUTINE, if there is one.
+    /// Returns whether a label of that name is a SUBROUTINE, if there is one.
     pub(super) fn is_subroutine(&self, name: &str) -> Option<bool> {
         let label = self.known.labels.find(name)?;
         Some(self.known.labels.all[label].subroutine)
     }
 
-    /// What stands before a place on its line.
+    /// Returns the text before a location on its line.
     pub(super) fn source_before(&self, span: Span) -> Option<&str> {
         let start = self.known.source.start_of_line_at(span.start);
         self.known.source.text().get(start..span.start)

@@ -12,7 +12,7 @@ use std::ops::Deref;
 
 mod other;
 
-/// How far the end of a block is looked for, and the block that an end names.
+/// Longest distance at which the end of a block, and the block that an end names, is searched.
 const FAR: usize = 1_000;
 
 /// Ties every control word to its partner and reports those without one.
@@ -53,7 +53,7 @@ struct Open {
     first: usize,
     /// The latest branch of an IF, whose link is still to be set.
     branch: usize,
-    /// Whether its ELSE was read.
+    /// True if its ELSE was read.
     has_else: bool,
     /// The block of the current branch.
     block: usize,
@@ -80,7 +80,7 @@ impl Stack {
         Some(open)
     }
 
-    /// Those of a kind in the innermost SUBROUTINE, or that one itself.
+    /// Returns the open blocks of a kind in the innermost SUBROUTINE, or that one itself.
     fn within(&self, kind: BlockKind) -> &[usize] {
         let of_kind = &self.of_kind[kind as usize];
         let routine = self.of_kind[BlockKind::Subroutine as usize].last();
@@ -101,7 +101,7 @@ impl Deref for Stack {
 #[derive(Default)]
 struct AllOwed {
     all: Vec<Owed>,
-    /// How many of them may have other branches.
+    /// Number of them that may have other branches.
     branches: usize,
 }
 
@@ -109,7 +109,7 @@ struct AllOwed {
 struct Owed {
     /// The diagnostic of the construct, if it was cut off.
     fault: Option<usize>,
-    /// Whether other branches may come as well.
+    /// True if other branches may come as well.
     branches: bool,
 }
 
@@ -119,9 +119,9 @@ struct Matcher<'a> {
     open: Stack,
     /// By the kinds of the constructs.
     owed: [AllOwed; 5],
-    /// Where words stand that were to close another block: that they are not alone on their lines does not matter.
+    /// Starts of words that were to close another block: that they are not alone on their lines does not matter.
     closes_more: HashSet<usize>,
-    /// Where statements start that are those of another language, which is reported.
+    /// Starts of statements of another language, which is reported.
     foreign: HashSet<usize>,
     found: &'a mut Findings,
 }
@@ -303,7 +303,7 @@ impl Matcher<'_> {
         open
     }
 
-    /// Whether a construct that was cut off waits for this word. It closes only that.
+    /// Returns true if a construct that was cut off waits for this word. It closes only that.
     fn is_owed(&mut self, index: usize, kind: BlockKind, name: Keyword) -> bool {
         let owed = &mut self.owed[kind as usize];
         if name != kind.closer() {
@@ -382,13 +382,13 @@ impl Matcher<'_> {
         }
     }
 
-    /// Whether a statement is wrong in itself, which is reported.
+    /// Returns true if a statement is wrong in itself, which is reported.
     fn is_reported(&self, index: usize) -> bool {
         let statement = &self.module.statements[index];
         matches!(statement.kind, StatementKind::Broken(_)) || self.is_foreign(index)
     }
 
-    /// Whether a statement is one of another language, which is reported.
+    /// Returns true if a statement is one of another language, which is reported.
     fn is_foreign(&self, index: usize) -> bool {
         let start = self.module.statements[index].span.start;
         self.foreign.contains(&start)
@@ -399,7 +399,7 @@ impl Matcher<'_> {
     }
 }
 
-/// Where statements start whose first word the language lacks, or that open a block as another one does.
+/// Finds the starts of statements whose first word the language lacks, or that open a block as another one does.
 fn foreign_statements(module: &Module, found: &[Diagnostic]) -> HashSet<usize> {
     let starts = found.iter().filter_map(|it| {
         let opens = [Habit::NoColon, Habit::NoBraces].map(Message::from);

@@ -25,7 +25,8 @@ pub(super) fn word(operand: &Operand) -> Option<&str> {
 }
 
 impl Resolver<'_> {
-    /// What to write in place of a command for feet: the statement if it has one number, else the forms of the other command.
+    /// Suggests a replacement for a command for feet: the statement if it has one number, else the forms of the other
+    /// command.
     fn for_joint(&self, command: &Word, other: &'static str, arguments: &[Operand]) -> Message {
         if let [_, _] = arguments {
             let rest = self.rest_of_statement(command.span).trim_end();

@@ -14,7 +14,7 @@ use crate::symbols::{Access, Definition, DefinitionId, DefinitionKind, Symbols, 
 use crate::syntax::{Jump, Operand, OperandKind, VariableKind, Word};
 use std::collections::HashSet;
 
-/// What the statements name, so far.
+/// Names that the statements use, so far.
 pub(super) struct Uses<'a> {
     names: &'a Names,
     labels: &'a Labels<'a>,
@@ -54,7 +54,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// What follows is about the next statement.
+    /// Goes on to the next statement.
     pub(super) fn enter(&mut self) {
         self.first = self.all.len();
     }
@@ -282,7 +282,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
     }
 }
 
-/// Whether a statement lacks the variable that it assigns: `FOR 1 TO 4`, `AD_IN VR1`.
+/// Returns true if a statement lacks the variable that it assigns: `FOR 1 TO 4`, `AD_IN VR1`.
 fn lacks_name(finding: &Diagnostic) -> bool {
     let missing = |what| Message::from(Commanding::Missing { what });
     finding.reason == Parsing::VariableBelongsHere.into()
@@ -291,7 +291,7 @@ fn lacks_name(finding: &Diagnostic) -> bool {
             .any(|what| finding.reason == missing(what))
 }
 
-/// What a program does with a variable.
+/// Use of a variable by a program.
 #[derive(Clone, Copy, Default)]
 struct Service<'a> {
     /// The first read.

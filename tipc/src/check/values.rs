@@ -94,7 +94,7 @@ impl Resolver<'_> {
         Some(resolved::Arguments::Whole { variable: id, mark })
     }
 
-    /// So many scalars, each with its flag.
+    /// Reads `count` scalars, each with its flag.
     fn scalars(
         &mut self,
         name: &Word,
@@ -159,7 +159,7 @@ impl Resolver<'_> {
         true
     }
 
-    /// So many constants or VARs.
+    /// Reads `count` constants or VARs.
     fn plain_values(
         &mut self,
         name: &Word,
@@ -265,7 +265,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// What an argument too many is.
+    /// Returns the foreign spelling that an argument too many is, if it is one.
     fn extra_word(&self, name: &Word, operand: &Operand, has_more: bool) -> Option<Habit> {
         match word(operand) {
             Some(word)
@@ -310,7 +310,7 @@ impl Resolver<'_> {
         (form.motion && (name == RELATIVE || name == ABSOLUTE)).then_some(name)
     }
 
-    /// What precedes the next operand; refuses flags where the command takes none.
+    /// Reads the flag before the next operand; refuses flags where the command takes none.
     fn mark(&mut self, form: Arguments, operands: &[Operand]) -> Option<Mark> {
         match self.flag_of(form, operands) {
             None => Some(Mark::None),
@@ -325,7 +325,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Whether a motion command reads this word as its flag.
+/// Returns true if a motion command reads this word as its flag.
 fn is_flag(form: Arguments, word: &str) -> bool {
     form.motion && [RELATIVE, ABSOLUTE, FAST].contains(&word)
 }

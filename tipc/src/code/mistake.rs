@@ -18,12 +18,12 @@ pub struct Mistake {
 }
 
 impl Mistake {
-    /// What it is, in a few words.
+    /// Returns a title of a few words.
     pub const fn title(&self, lang: Lang) -> &'static str {
         lang.pick(self.english, self.japanese)
     }
 
-    /// Those that a code covers; none of a code that covers one kind only.
+    /// Returns the kinds that a code covers; none of a code that covers one kind only.
     pub fn of_class(class: Code) -> impl Iterator<Item = &'static Mistake> {
         Self::ALL
             .iter()

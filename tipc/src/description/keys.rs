@@ -78,7 +78,7 @@ impl Part {
         }
     }
 
-    /// What messages call it.
+    /// Returns its name in messages.
     pub(super) fn table(self) -> Table {
         match self {
             Part::Robot => Table::Robot,
@@ -88,7 +88,7 @@ impl Part {
         }
     }
 
-    /// How the file spells it; nothing for what is above the first table.
+    /// Returns its name in the file; nothing for what is above the first table.
     pub const fn name(self) -> &'static str {
         match self {
             Part::Robot | Part::Scene | Part::Project => "",
@@ -120,15 +120,15 @@ impl Part {
 /// A key of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key {
-    /// Where it may appear.
+    /// Part of the file where it may appear.
     pub part: Part,
     /// Its name.
     pub name: &'static str,
-    /// How its value is written.
+    /// Form of its value.
     pub form: Bilingual,
-    /// What it is without the key; `None` if it is required.
+    /// Default value; `None` if the key is required.
     pub default: Option<&'static str>,
-    /// What it says.
+    /// Meaning of the key.
     pub meaning: Bilingual,
 }
 

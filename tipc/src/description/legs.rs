@@ -11,7 +11,7 @@ use crate::source::Span;
 use tip_runtime::command::MAX;
 use tip_runtime::model::{Joint, Range, Spread};
 
-/// How far the potentiometers go beyond the working limits, unless the file says so: deg.
+/// Distance from the working limits to those of the potentiometers, unless the file says so: deg.
 const OUTER: f64 = 5.0;
 
 /// A joint as the file draws it, and the shapes of the link after it.
@@ -56,7 +56,7 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
     (whole && same_size(&sections, &legs, found)).then_some(legs)
 }
 
-/// Whether each leg has as many joints as the first one.
+/// Returns true if each leg has as many joints as the first one.
 fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool {
     let first = legs.first().map_or(0, |leg| leg.joints.len());
     let mut same = true;
@@ -145,7 +145,7 @@ fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
 }
 
 impl Leg {
-    /// Whether its foot cannot be anywhere but at its base.
+    /// Returns true if its foot cannot be anywhere but at its base.
     fn is_point(&self) -> bool {
         self.joints.iter().all(|joint| {
             let squares = joint.link.map(|part| part * part);

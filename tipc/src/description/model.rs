@@ -1,4 +1,4 @@
-//! What a description is turned into: what programs are checked for, and a model of the runtime.
+//! Results of a description: facts that programs are checked against, and a model of the runtime.
 
 use super::section::{Found, Section};
 use super::{Description, Leg, Shapes};
@@ -7,7 +7,7 @@ use crate::robot::{Facts, Robot};
 use tip_runtime::model::{self, Family, Inverse, Model};
 use tip_runtime::program::Signature;
 
-/// What is to be done with the model of a robot, whatever the number of its legs and joints.
+/// Action on the model of a robot, whatever the number of its legs and joints.
 pub trait WithModel {
     /// The result.
     type Output;
@@ -36,7 +36,7 @@ macro_rules! any_size {
 }
 
 impl Description {
-    /// What the robot is called.
+    /// Returns the robot's name.
     pub fn name(&self) -> &'static str {
         self.name
     }
@@ -106,7 +106,7 @@ impl Description {
         Some(())
     }
 
-    /// What its links and its body look like; no model holds it.
+    /// Returns the shapes of its links and its body; no model holds them.
     pub fn shapes(&self) -> Shapes {
         Shapes {
             body: self.shapes.clone(),

@@ -1,4 +1,4 @@
-//! What the robot is called.
+//! Name of the robot.
 
 use super::section::{Found, Section};
 use crate::message::{Describing, Letter};

@@ -11,7 +11,7 @@ use crate::source::Encoding;
 use glob::{MatchOptions, Pattern};
 use tip_runtime::scene::Scene;
 
-/// What a `tip.toml` says of the programs in its folder and below.
+/// Settings of a `tip.toml` for the programs in its folder and below.
 ///
 /// ```
 /// let text = b"robot = \"hand\"\n[[programs]]\nfiles = \"old/*.prg\"\nencoding = \"shift_jis\"\n";
@@ -33,14 +33,14 @@ struct Said {
     scene: Option<String>,
 }
 
-/// What is said of one program.
+/// Settings of one program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings<'a> {
     /// The robot: a name, or a description by its path from the folder of `tip.toml`.
     pub robot: Option<&'a str>,
-    /// How the file spells its text.
+    /// Encoding of the file.
     pub encoding: Option<Encoding>,
-    /// What surrounds the robot: a name, or a file by its path from that folder.
+    /// Surroundings of the robot: a name, or a file by its path from that folder.
     pub scene: Option<&'a str>,
 }
 
@@ -116,8 +116,8 @@ fn named(
 }
 
 impl Project {
-    /// What it says of a program, by its path from the folder of `tip.toml`, with `/` between folders. Of several parts
-    /// that mean the program the last one counts.
+    /// Returns the settings of a program, by its path from the folder of `tip.toml`, with `/` between folders. If
+    /// several parts match, the last one counts.
     pub fn of(&self, path: &str) -> Settings<'_> {
         let meant = self.some.iter();
         let meant = meant.filter(|(files, _)| files.matches_with(path, AS_IN_SHELLS));
@@ -133,7 +133,7 @@ impl Project {
     }
 }
 
-/// As in shells: `?` is a character of a name, `*` any characters of one, `**` any folders.
+/// Glob rules of shells: `?` is a character of a name, `*` any characters of one, `**` any folders.
 const AS_IN_SHELLS: MatchOptions = MatchOptions {
     case_sensitive: true,
     require_literal_separator: true,
@@ -202,12 +202,12 @@ mod tests {
         assert_eq!(empty.of("walk.prg"), Settings::default());
     }
 
-    /// Whether a file is beside the wrong ones.
+    /// Returns true if a file is beside the wrong ones.
     fn is_there(file: &str) -> bool {
         file == "robots/six.toml"
     }
 
-    /// What is said of a wrong one.
+    /// Checks what is reported about a wrong one.
     #[track_caller]
     fn check(text: &str, expected: &[&str]) {
         let loaded = parse_project("tip.toml", text.as_bytes(), is_there).expect_err("it is wrong");

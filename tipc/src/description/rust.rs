@@ -1,4 +1,4 @@
-//! How Rust spells a robot: a constant that holds its model.
+//! Rust tokens of a robot: a constant that holds its model.
 
 use super::{Description, Leg};
 #[cfg(feature = "build")]
@@ -12,7 +12,7 @@ use tip_runtime::model::{
 
 impl Description {
     /// The robot as a `const` of the runtime's `Model`. Its name is `options.name`, else [`const_name`] of the file.
-    /// The same description and options give the same tokens, always.
+    /// Equal descriptions and options give equal tokens.
     pub fn to_rust(&self, options: &Options) -> TokenStream {
         let Options {
             name,

@@ -108,7 +108,7 @@ fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
     }
 }
 
-/// What the plant cannot simulate.
+/// Reports what the plant cannot simulate.
 fn refused(section: Section<'_>, error: SceneError) -> crate::diagnostic::Diagnostic {
     let (key, help) = match error {
         SceneError::Full | SceneError::Blocks => ("", Describing::TakeOneAway),

@@ -16,7 +16,7 @@ const LARGEST: f64 = 1e6;
 /// No size is smaller: programs that read exported robots take it for nothing.
 pub(super) const SMALLEST: f64 = 1e-6;
 
-/// What a number must be.
+/// Range that a number must lie in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sign {
     Any,
@@ -34,7 +34,7 @@ pub(super) struct Section<'a> {
     table: &'a DeTable<'a>,
 }
 
-/// Where faults are collected.
+/// Faults found so far.
 pub(super) type Found = Vec<Diagnostic>;
 
 /// A finding about the file that a table is of.
@@ -131,7 +131,7 @@ impl<'a> Section<'a> {
         self.sound(key, place, value, sign, found)
     }
 
-    /// As many numbers as there are places in the array.
+    /// Reads an array of `N` numbers.
     pub(super) fn numbers<const N: usize>(
         self,
         key: &str,
@@ -236,12 +236,12 @@ impl<'a> Section<'a> {
         None
     }
 
-    /// Whether the key is there at all.
+    /// Returns true if the key is there at all.
     pub(super) fn has(self, key: &str) -> bool {
         self.table.contains_key(key)
     }
 
-    /// Whether the value is text.
+    /// Returns true if the value is text.
     pub(super) fn is_text(self, key: &str) -> bool {
         self.table
             .get(key)
@@ -331,7 +331,7 @@ impl<'a> Section<'a> {
     }
 }
 
-/// Where a key or value is.
+/// Returns the location of a key or value.
 fn span<T>(spanned: &Spanned<T>) -> Span {
     let range = spanned.span();
     Span::new(range.start, range.end)

@@ -1,4 +1,4 @@
-//! What a description says besides its legs; everything has a default.
+//! Settings of a description besides its legs; everything has a default.
 
 use super::Leg;
 use super::keys::Part;
@@ -57,7 +57,7 @@ pub(super) fn contact(robot: Section<'_>, found: &mut Found) -> f64 {
     contact.unwrap_or(generic::MODEL.contact)
 }
 
-/// How many lamps there are.
+/// Returns the number of lamps.
 pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
     let standard = generic::MODEL.lamps;
     let Some(number) = robot.number("lamps", Sign::NotNegative, found) else {
@@ -91,7 +91,7 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<S
     Some((body, shapes))
 }
 
-/// What torques the robot senses and gives, if it does. The search commands of the hand are none of its.
+/// Reads the torques that the robot senses and gives, if it does. Such a robot lacks the search commands of the hand.
 pub(super) fn forces(robot: Section<'_>, legs: &[Leg], found: &mut Found) -> Option<Forces> {
     let section = robot.table("forces", Part::Forces, found)?;
     let units = TorqueUnit::ALL.map(|unit| (unit.symbol(), unit));

@@ -51,7 +51,7 @@ impl Findings {
         kept.count() + self.omitted.of_level(Level::Error, edition)
     }
 
-    /// Whether there is an error by the rules of an edition, kept or not.
+    /// Returns true if there is an error by the rules of an edition, kept or not.
     pub fn have_error(&self, edition: Edition) -> bool {
         let is_error = |code: Code| code.level(edition) == Level::Error;
         self.kept.iter().any(|it| is_error(it.code))
@@ -106,17 +106,17 @@ impl IntoIterator for Findings {
 pub struct Omitted(BTreeMap<Code, usize>);
 
 impl Omitted {
-    /// Whether all findings are reported.
+    /// Returns true if there are none, neither kept nor omitted.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// How many there are.
+    /// Returns the number of diagnostics.
     pub fn count(&self) -> usize {
         self.0.values().sum()
     }
 
-    /// How many there are of a level, by the rules of an edition.
+    /// Returns the number of diagnostics of a level, by the rules of an edition.
     pub fn of_level(&self, level: Level, edition: Edition) -> usize {
         let of_level = self.0.iter();
         let of_level = of_level.filter(|(code, _)| code.level(edition) == level);

@@ -1,4 +1,4 @@
-//! How Rust spells what commands and messages are given.
+//! Rust tokens of the arguments of commands and messages.
 
 use super::expression::Values;
 use super::ident;

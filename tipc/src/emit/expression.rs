@@ -1,4 +1,4 @@
-//! How Rust spells operands, equations and conditions. Evaluation order is that of the tokens:
+//! Rust tokens of operands, equations and conditions. Evaluation order is that of the tokens:
 //! operands left to right, then the operation, then the left side of `op=`, then the result.
 
 use super::ident;
@@ -11,7 +11,7 @@ use crate::program::{
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// What one step reads and assigns.
+/// Reads and assignments of one step.
 pub(super) struct Values<'a> {
     pub(super) program: &'a Program,
     /// Which reads need no test.
@@ -74,7 +74,7 @@ impl Values<'_> {
         }
     }
 
-    /// What comes before an assignment, and the value to assign or its fault: a `Result`.
+    /// Returns the code before an assignment, and the value to assign or its fault: a `Result`.
     pub(super) fn update(
         &self,
         target: Scalar,

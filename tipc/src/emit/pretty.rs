@@ -10,7 +10,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
 
-/// How many steps are in memory at once. The tables of a longer program fit on no line.
+/// Number of steps in memory at once. The tables of a longer program fit on no line.
 const STEPS: usize = 64;
 
 /// The columns of a line, and those before a number of a table in an `impl`.
@@ -61,7 +61,7 @@ fn piecewise(program: &Program, options: &Options) -> Result<String, syn::Error>
     Ok(out)
 }
 
-/// What stands before and after a line.
+/// Returns the text before and after a line.
 fn split<'a>(text: &'a str, line: &str) -> (&'a str, &'a str) {
     text.split_once(line).unwrap_or((text, ""))
 }

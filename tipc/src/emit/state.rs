@@ -1,4 +1,4 @@
-//! How Rust spells a program's state: the struct, its constructor and its implementations.
+//! Rust tokens of a program's state: the struct, its constructor and its implementations.
 
 use super::ident::field;
 use super::ident::in_comment;
@@ -121,7 +121,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What the rows that are data need of a program.
+    /// Implements the runtime's `State`, which rows of data need.
     pub(super) fn state_impl(&self, name: &TokenStream) -> TokenStream {
         let taken = self
             .has_taken_state

@@ -1,4 +1,4 @@
-//! How Rust spells a step: as a row of the table of states, or as a function that the row leads to.
+//! Rust tokens of a step: a row of the table of states, or a function that the row leads to.
 
 use super::expression::Values;
 use super::ident::field;
@@ -7,7 +7,7 @@ use crate::program::{Action, Argument, End, Operand, ScalarExpression, StepId};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// What a step becomes.
+/// The generated form of a step.
 pub(super) enum State {
     /// A row that needs no code.
     Row(TokenStream),
@@ -16,7 +16,7 @@ pub(super) enum State {
 }
 
 impl Emitter<'_> {
-    /// What a step with this action becomes.
+    /// Generates the form of a step with this action.
     pub(super) fn state(&self, step: StepId, action: &Action) -> State {
         let next = step + 1;
         let values = Values {

@@ -1,4 +1,4 @@
-//! How Rust spells the table of states: one row for each step, and a function for each row that needs code.
+//! Rust tokens of the table of states: one row for each step, and a function for each row that needs code.
 
 use super::Emitter;
 use super::ident::in_comment;
@@ -15,16 +15,16 @@ pub(super) struct States {
     /// The source line of each step.
     pub(super) lines: TokenStream,
     rows: TokenStream,
-    /// Those of the rows that need code, and what moves between states.
+    /// Functions of the rows that need code, and of what moves between states.
     functions: TokenStream,
     /// The words that rows and functions mention.
     pub(super) mentioned: BTreeSet<String>,
 }
 
-/// What a step becomes.
+/// Generated code of a step.
 pub(super) struct Spelled {
     pub(super) row: TokenStream,
-    /// What the row leads to, if it needs code.
+    /// Function that the row leads to, if it needs code.
     pub(super) function: TokenStream,
 }
 
@@ -66,7 +66,7 @@ impl Emitter<'_> {
         states
     }
 
-    /// What one step becomes.
+    /// Generates the code of one step.
     pub(super) fn spelled(&self, id: StepId) -> Spelled {
         let step = &self.program.steps[id as usize];
         let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
@@ -118,7 +118,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What the states mention: no name of the surrounding scope can get in between.
+    /// Imports what the states mention: no name of the surrounding scope can get in between.
     fn imports(&self, words: &BTreeSet<String>) -> TokenStream {
         let runtime = self.runtime;
         let option = import(quote!(::core::option::Option), words, &["Some"]);

@@ -1,6 +1,6 @@
 //! Texts of the tables.
 
-/// What a row says of its word, in each language that messages are written in.
+/// A text in each language that messages are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bilingual {
     /// In English.

@@ -35,7 +35,7 @@ pub struct Command {
     pub section: &'static str,
     /// The clause of the language reference.
     pub clause: &'static str,
-    /// What it does.
+    /// Effect of the command.
     pub meaning: Meaning,
     /// Its arguments.
     pub form: Form,
@@ -43,9 +43,9 @@ pub struct Command {
     pub robots: Robots,
     /// The unit of its values, empty if they have none; `torque` is the robot's torque unit.
     pub unit: &'static str,
-    /// What it brings under control.
+    /// Parts that it brings under control.
     pub moves: Moves,
-    /// How many control cycles it takes.
+    /// Number of control cycles it takes.
     pub cycles: Cycles,
     /// The runtime errors of its own step, besides those of its operands.
     pub failures: &'static [Failure],
@@ -53,7 +53,7 @@ pub struct Command {
     pub description: Bilingual,
 }
 
-/// What a command does.
+/// Effect of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
     /// The robot carries it out.
@@ -175,7 +175,7 @@ impl Command {
         }
     }
 
-    /// What it does, in one line.
+    /// Sets the description, one line.
     const fn does(self, english: &'static str, japanese: &'static str) -> Self {
         Command {
             description: Bilingual { english, japanese },
@@ -211,7 +211,7 @@ impl Command {
         Command { unit, ..self }
     }
 
-    /// What it brings under control.
+    /// Sets what it brings under control.
     const fn moves(self, moves: Moves) -> Self {
         Command { moves, ..self }
     }
@@ -243,7 +243,7 @@ impl Command {
     }
 }
 
-/// Whether a command of the robot can take more than one control cycle.
+/// Returns true if a command of the robot can take more than one control cycle.
 pub fn waits(op: Op) -> bool {
     let mut rows = COMMANDS.iter();
     rows.any(|command| {
@@ -271,7 +271,7 @@ pub fn of_joints(word: &str) -> Option<&'static str> {
     Some(other.name())
 }
 
-/// What an older version's command is called now (T.I.P. 3.1 §1-1).
+/// Returns the present name of an older version's command (T.I.P. 3.1 §1-1).
 pub fn renamed(word: &str) -> Option<&'static str> {
     let bare = word.strip_prefix("SET_").unwrap_or(word);
     let name = match word {

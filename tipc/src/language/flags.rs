@@ -14,7 +14,7 @@ pub struct Row {
     pub since: Edition,
     /// The robots that have it.
     pub robots: Robots,
-    /// What from outside makes it true.
+    /// Outside cause that makes it true.
     pub cause: Cause,
     /// The section of T.I.P. that describes it.
     pub section: &'static str,
@@ -24,7 +24,7 @@ pub struct Row {
     pub description: Bilingual,
 }
 
-/// What makes a flag true.
+/// Cause that makes a flag true.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
     /// Someone asks the program to stop.
@@ -102,7 +102,7 @@ impl Row {
         self.flag.stem()
     }
 
-    /// Whether a target or a number follows its word.
+    /// Returns true if a target or a number follows its word.
     pub fn is_family(&self) -> bool {
         self.flag.to_string() != self.word()
     }
@@ -126,7 +126,7 @@ pub fn words() -> impl Iterator<Item = &'static str> {
     FLAGS.iter().filter(|row| !row.is_family()).map(Row::word)
 }
 
-/// What the words of each family begin with.
+/// Returns the first letters of the words of each family.
 pub fn families() -> impl Iterator<Item = &'static str> {
     FLAGS.iter().filter(|row| row.is_family()).map(Row::word)
 }

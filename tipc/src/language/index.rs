@@ -7,7 +7,7 @@ const LONGEST: usize = 32;
 pub(super) struct Index<const N: usize> {
     /// Each word and the number of its row.
     words: [(&'static str, u8); N],
-    /// Where the words of each length begin.
+    /// Start of the words of each length.
     starts: [u8; LONGEST + 2],
 }
 

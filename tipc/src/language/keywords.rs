@@ -10,7 +10,7 @@ use std::fmt;
 pub struct Row {
     /// Which keyword.
     pub keyword: Keyword,
-    /// How it is written.
+    /// Spelling of the word.
     pub word: &'static str,
     /// The first edition that has it.
     pub since: Edition,
@@ -242,12 +242,12 @@ impl Keyword {
         &KEYWORDS[self as usize]
     }
 
-    /// Whether it is allowed only after another one.
+    /// Returns true if it is allowed only after another one.
     pub const fn is_particle(self) -> bool {
         matches!(self, Keyword::Then | Keyword::To | Keyword::Step)
     }
 
-    /// How it is written.
+    /// Returns its spelling.
     pub const fn word(self) -> &'static str {
         self.row().word
     }

@@ -8,7 +8,7 @@ use tip_runtime::command::{self, CONSTANT, Target};
 pub struct Row {
     /// The word; of a family, what its words begin with.
     pub word: &'static str,
-    /// What it is.
+    /// Kind of the word.
     pub kind: Kind,
     /// The first edition that has it.
     pub since: Edition,
@@ -20,10 +20,10 @@ pub struct Row {
     pub description: Bilingual,
 }
 
-/// What such a word is.
+/// Kind of a word of the language.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// What a command acts on; of feet and joints, one of them.
+    /// A target of commands; of feet and joints, one of them.
     Target(Target),
     /// A variable that every program has.
     Variable,
@@ -48,7 +48,7 @@ pub const LOOP: &str = "LOOP";
 /// The members of a POS.
 pub const POSITION: [&str; 3] = ["X", "Y", "Z"];
 
-/// What the members of a JOINT begin with; a number follows.
+/// First letter of the members of a JOINT; a number follows.
 pub const JOINT: &str = "J";
 
 /// Every such word.
@@ -185,7 +185,7 @@ impl Row {
         Row::new(target.stem(), kind, "§4-4", "3.2", english, japanese)
     }
 
-    /// Whether it says what this word is, and nothing may have the word as a name.
+    /// Returns true if the row describes this word and reserves it, so that nothing may have it as a name.
     fn reserves(&self, word: &str) -> bool {
         match self.kind {
             Kind::Target(_) => {
@@ -229,12 +229,13 @@ pub fn motion_flags() -> impl Iterator<Item = &'static str> {
     flags.map(|row| row.word)
 }
 
-/// Whether motions read this word as their flag.
+/// Returns true if motions read this word as their flag.
 pub fn is_motion_flag(word: &str, edition: Edition) -> bool {
     rows(edition).any(|row| row.kind == Kind::MotionFlag && row.word == word)
 }
 
-/// Whether an edition's word, in capital letters, belongs to the language, so that nothing may have it as a name.
+/// Returns true if an edition's word, in capital letters, belongs to the language, so that nothing may have it as a
+/// name.
 pub fn is_reserved(word: &str, edition: Edition) -> bool {
     commands::find(word).is_some_and(|command| command.since <= edition)
         || keywords::find(word, edition).is_some()

@@ -1,9 +1,9 @@
-//! What is said to build scripts.
+//! Messages to build scripts.
 
 use super::Text;
 
 messages! {
-    /// What a compilation in a build script says, beside what is wrong with the program.
+    /// Messages of a compilation in a build script, besides what is wrong with the program.
     Building;
 
     Rust { error: Text } "{error}", "{error}";

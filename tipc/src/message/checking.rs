@@ -9,7 +9,7 @@ use smol_str::SmolStr;
 use tip_runtime::command::Target;
 
 messages! {
-    /// What is said of commands.
+    /// Messages about commands.
     Commanding;
 
     // Which command.
@@ -168,7 +168,7 @@ messages! {
 }
 
 messages! {
-    /// What is said of equations.
+    /// Messages about equations.
     Calculating;
 
     // The left side.
@@ -256,7 +256,7 @@ messages! {
 }
 
 messages! {
-    /// What is said of names.
+    /// Messages about names.
     Naming;
 
     // Labels and variables.
@@ -357,7 +357,7 @@ messages! {
 }
 
 messages! {
-    /// What is said of blocks and jumps.
+    /// Messages about blocks and jumps.
     Structuring;
 
     // Openers and closers.

@@ -1,4 +1,4 @@
-//! What is said of descriptions of robots, and of scenes.
+//! Messages about descriptions of robots, and about scenes.
 
 use super::Text;
 use super::list::List;
@@ -7,7 +7,7 @@ use super::say::Letter;
 use crate::language::Bilingual;
 
 messages! {
-    /// What the reader of descriptions and scenes says.
+    /// Messages of the reader of descriptions and scenes.
     Describing;
 
     // Any table of the file.

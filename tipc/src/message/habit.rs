@@ -1,4 +1,4 @@
-//! What is said of words and spellings that people bring along from other languages.
+//! Messages about words and spellings of other languages.
 
 use super::list::List;
 use super::say::Decimal;

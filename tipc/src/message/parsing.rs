@@ -6,7 +6,7 @@ use super::say::Decimal;
 use smol_str::SmolStr;
 
 messages! {
-    /// What parsing says.
+    /// Messages of the parser.
     Parsing;
 
     // Lines 1 and 2.
@@ -285,7 +285,7 @@ messages! {
 }
 
 messages! {
-    /// What reading says.
+    /// Messages about reading files.
     Reading;
 
     System { error: Text } "{error}", "{error}";
@@ -328,7 +328,7 @@ messages! {
 }
 
 messages! {
-    /// What a suggestion says.
+    /// Suggestions.
     Suggesting;
 
     DidYouMean { near: SmolStr }

@@ -1,4 +1,4 @@
-//! How a message is put into words, in one language or another.
+//! Messages in words, in one language or another.
 
 use super::Message;
 use crate::language::{Bilingual, Keyword};
@@ -37,7 +37,7 @@ impl Lang {
     }
 }
 
-/// What a message is made of: each table of messages, and each argument.
+/// Part of a message that has a text: each table of messages, and each argument.
 pub trait Say {
     /// Writes it in a language.
     fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result;
@@ -124,7 +124,7 @@ pub fn fill(
     f.write_str(rest)
 }
 
-/// Whether every hole of a text names an argument, and every argument has a hole.
+/// Returns true if every hole of a text names an argument, and every argument has a hole.
 pub const fn fits(text: &str, arguments: &[&str]) -> bool {
     let mut used = 0;
     let mut at = 0;

@@ -1,4 +1,4 @@
-//! How tables of messages are written.
+//! Macros for tables of messages.
 
 /// Defines an enum of messages in the crate that calls it, which any [`Message`](crate::message::Message) can hold.
 ///

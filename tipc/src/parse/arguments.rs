@@ -143,7 +143,7 @@ impl Parser<'_> {
     }
 }
 
-/// Where `\n` is; a backslash (or yen sign) and the character after it are read as one.
+/// Returns the location of `\n`; a backslash (or yen sign) and the character after it are read as one.
 fn line_break(text: &str) -> Option<usize> {
     let mut chars = text.char_indices();
     while let Some((at, char)) = chars.next() {

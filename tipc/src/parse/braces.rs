@@ -152,7 +152,7 @@ impl Parser<'_> {
         Flow::NextLine
     }
 
-    /// Whether the line of a FOR is that of C.
+    /// Returns true if the line of a FOR is that of C.
     pub(super) fn is_for_of_c(&self, word: Span, span: Span) -> bool {
         let rest = self.source.slice(Span::new(word.end, span.end));
         let line = self.source.slice(Span::new(span.end, self.line.span.end));

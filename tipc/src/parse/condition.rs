@@ -146,7 +146,7 @@ impl Reader<'_> {
         Some((next, whole))
     }
 
-    /// What is wrong after a condition, if it goes on as in another language.
+    /// Returns the fault after a condition that goes on as in another language.
     pub(super) fn joined(&self) -> Option<Fault> {
         let next = self.peek()?;
         let before = self
@@ -247,7 +247,7 @@ impl Reader<'_> {
         Some(Instead::OpenBlock { written, closer }.into())
     }
 
-    /// What is wrong after a condition that opens a block as in another language: `WHILE A < 3 DO`.
+    /// Returns the fault after a condition that opens a block as in another language: `WHILE A < 3 DO`.
     pub(super) fn opened(&self) -> Option<Fault> {
         let word = self.peek().filter(|_| self.left() == 1)?;
         let text = self.slice(word.span);
@@ -280,7 +280,7 @@ fn as_in_condition(mut fault: Fault) -> Fault {
     fault
 }
 
-/// Whether what follows a condition goes on with its IF.
+/// Returns true if what follows a condition goes on with its IF.
 fn jumps(rest: &str) -> bool {
     let first = rest.split([' ', '\t']).next().unwrap_or_default();
     let words = [Keyword::Then, Keyword::Goto, Keyword::Gosub, Keyword::Call];

@@ -369,7 +369,7 @@ impl Reader<'_> {
         Ok((kind, end))
     }
 
-    /// What was meant by words after one that is alone: `EXIT FOR`, `EXIT SUB`, `RETURN 0`.
+    /// Suggests a replacement for words after one that is alone: `EXIT FOR`, `EXIT SUB`, `RETURN 0`.
     fn alone_help(&self, name: Keyword) -> Option<Message> {
         let next = upper_case(self.slice(self.here()));
         let keyword = keywords::find(&next, Edition::default());

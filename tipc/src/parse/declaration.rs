@@ -71,7 +71,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Where another declaration begins in one: `DEF_VAR A, DEF_POS P`.
+    /// Finds another declaration inside one: `DEF_VAR A, DEF_POS P`.
     fn declares_again(&self, tokens: &[Token]) -> Option<usize> {
         let declares = |token: &Token| {
             let word = self.source.slice(token.span);
@@ -151,7 +151,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether the statement contains a name with a `-`, whose declaration is reported.
+    /// Returns true if the statement contains a name with a `-`, whose declaration is reported.
     pub(super) fn names_hyphened(&self, tokens: &[Token]) -> bool {
         let (false, [first, .., last]) = (self.hyphened.is_empty(), tokens) else {
             return false;
@@ -188,7 +188,7 @@ fn hyphened(tokens: &[Token]) -> Vec<Span> {
     .collect()
 }
 
-/// What may be a name: a value is not, nor is a number in the declaration of another language.
+/// Returns the possible names: a value is not one, nor is a number in the declaration of another language.
 fn names_in<'t>(text: &str, tokens: &'t [Token], foreign: bool) -> impl Iterator<Item = &'t Token> {
     let is_assignment = |token: &Token| matches!(token.kind, Kind::Assign(_));
     let no_digit = foreign || tokens.iter().any(is_assignment);
@@ -202,7 +202,7 @@ fn names_in<'t>(text: &str, tokens: &'t [Token], foreign: bool) -> impl Iterator
         .map(|at| &tokens[at])
 }
 
-/// What is wrong with the token at `odd`, which is not a name.
+/// Reports the token at `odd`, which is not a name.
 fn odd_in_declaration(
     reader: &Reader<'_>,
     kind: VariableKind,

@@ -11,7 +11,7 @@ use crate::message::{Habit, Instead, Message, Parsing};
 use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, upper_case};
 
-/// Whether the tokens are meant as an equation: an assignment follows the first word, or a non-word starts it.
+/// Returns true if the tokens are meant as an equation: an assignment follows the first word, or a non-word starts it.
 pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
     let is_assignment = |token: &Token| matches!(token.kind, Kind::Assign(_));
     match tokens {
@@ -132,7 +132,7 @@ fn unknown_function(reader: &Reader<'_>, left: &Operand, next: Token) -> Option<
     })
 }
 
-/// What to write in place of what follows the first operand.
+/// Suggests a replacement for what follows the first operand.
 fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     let word = upper_case(reader.slice(token.span));
     let first = upper_case(reader.slice(left.span));

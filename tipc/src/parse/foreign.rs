@@ -23,7 +23,7 @@ use smol_str::SmolStr;
 /// The most statements of a line that may show parts of one text.
 const SHOWN: usize = 16;
 
-/// What a misspelt word is to the statements around it, if it is anything to them.
+/// Returns the role of a misspelt word for the statements around it, if it has one.
 fn means(command: &str) -> Option<Means> {
     let keyword = keywords::find(command, Edition::default())?;
     Some(match keyword {
@@ -46,7 +46,7 @@ fn means(command: &str) -> Option<Means> {
     })
 }
 
-/// Whether the rest of a statement is that of its misspelt keyword.
+/// Returns true if the rest of a statement is that of its misspelt keyword.
 fn fits(means: &Means, text: &str, tokens: &[Token]) -> bool {
     let Means::Keyword(keyword) = means else {
         return true;
@@ -481,13 +481,13 @@ impl Parser<'_> {
     }
 }
 
-/// Whether several values follow the `=`.
+/// Returns true if several values follow the `=`.
 fn is_list_after(tokens: &[Token], equals: usize) -> bool {
     let after = tokens[equals + 1..].iter();
     after.filter(|it| it.kind == Kind::Word).count() > 1
 }
 
-/// Whether a word is a member of a POS or JOINT.
+/// Returns true if a word is a member of a POS or JOINT.
 fn is_member(word: &str) -> bool {
     let is_joint = |rest: &str| rest.len() == 1 && rest.bytes().all(|it| it.is_ascii_digit());
     POSITION.contains(&word) || word.strip_prefix(JOINT).is_some_and(is_joint)

@@ -10,7 +10,7 @@ use crate::source::{Source, Span};
 /// The versions that `migrate` reads; some programs of the time of 2.1 say 4.0 (T.I.P. 3.1 §1-1).
 const OLDER: &[f64] = &[1.0, 1.1, 2.0, 2.1, 3.0, 4.0];
 
-/// Whether line 1 names `wanted`, compared as numbers.
+/// Returns true if line 1 names `wanted`, compared as numbers.
 pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     let span = version_word(source);
     let word = source.slice(span);

@@ -42,7 +42,7 @@ pub(super) fn joined(written: &str) -> SmolStr {
     words.join("_").into()
 }
 
-/// Where the name of a label ends that has blanks or a `-` in it: the tokens after its first word, up to a colon.
+/// Finds the end of a label's name that has blanks or a `-` in it: the tokens after its first word, up to a colon.
 pub(super) fn spread(text: &str, first: Span, rest: &[Token]) -> Option<Span> {
     let colon = rest.iter().position(|token| token.kind == Kind::Colon)?;
     let (between, colon) = (&rest[..colon], rest[colon]);
@@ -179,7 +179,7 @@ impl Parser<'_> {
             || name.contains('(') && self.names_main(tokens)
     }
 
-    /// Whether a routine is the program itself in another language.
+    /// Returns true if a routine is the program itself in another language.
     pub(super) fn names_main(&self, tokens: &[Token]) -> bool {
         let name = tokens.get(1).map_or("", |it| self.source.slice(it.span));
         let (name, called) = name.split_once('(').unwrap_or((name, ""));

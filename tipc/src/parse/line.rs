@@ -12,7 +12,7 @@ use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
 
-/// What an IME may type for a minus.
+/// Character that an IME may type for a minus.
 pub const LONG_VOWEL: &str = "ー";
 
 /// The longest statement that is shown whole.
@@ -71,7 +71,7 @@ impl Parser<'_> {
         flow
     }
 
-    /// What to write in place of a command with a colon, if its arguments follow: `SLEEP: 100`, `GOTO :L1`.
+    /// Suggests a replacement for a command with a colon, if its arguments follow: `SLEEP: 100`, `GOTO :L1`.
     fn after_colon(&self, word: Span, span: Span) -> Option<Message> {
         let text = self.source.slice(word);
         let command = commands::find(text)?;
@@ -222,7 +222,7 @@ impl Parser<'_> {
         before.ends_with(is_digit) && foreign::is_unit(self.source.slice(place))
     }
 
-    /// Whether a colon or `=` follows a place: it is a label, or is assigned.
+    /// Returns true if a colon or `=` follows: the name is a label, or is assigned.
     fn is_named(&self, place: Span) -> bool {
         let rest = self.text[place.end..].trim_start();
         rest.starts_with([':', '='])
@@ -237,7 +237,7 @@ impl Parser<'_> {
         is_key.then(|| SmolStr::from_iter([key.to_ascii_uppercase()]))
     }
 
-    /// Whether a comment of another language begins before a place on its line.
+    /// Returns true if a comment of another language begins before a place on its line.
     fn is_in_foreign_comment(&self, place: Span) -> bool {
         let line = self.line.span;
         let before = self.source.slice(Span::new(line.start, place.start));
@@ -319,18 +319,18 @@ pub fn narrow(text: &str) -> String {
         .collect()
 }
 
-/// The same characters half-width, if they are full-width letters, digits or signs.
+/// Converts full-width letters, digits or signs to half-width; `None` if there are others.
 fn half_width(text: &str) -> Option<String> {
     text.chars().map(narrow_char).collect()
 }
 
-/// Whether a text is rather a remark in Japanese than a name: it has letters of the kind that joins words.
+/// Returns true if a text is rather a remark in Japanese than a name: it has letters of the kind that joins words.
 fn is_sentence(text: &str) -> bool {
     let is_hiragana = |char: char| matches!(char, '\u{3041}'..='\u{3096}');
     text.chars().any(is_hiragana)
 }
 
-/// Whether a place is inside a number.
+/// Returns true if a place is inside a number.
 fn is_between_digits(before: &str, after: &str) -> bool {
     before.ends_with(is_digit) && after.starts_with(is_digit)
 }

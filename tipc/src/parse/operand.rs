@@ -234,7 +234,7 @@ impl Reader<'_> {
     }
 }
 
-/// What to write in place of a word that starts as a number.
+/// Suggests a replacement for a word that starts as a number.
 fn meant_by_number(word: &str) -> Message {
     let digits = word.find(|c: char| !(c.is_ascii_digit() || c == '.'));
     let (number, unit) = word.split_at(digits.unwrap_or(word.len()));
@@ -269,7 +269,7 @@ fn misread(word: &str) -> Option<SmolStr> {
     (is_plain && number.parse::<f64>().is_ok()).then(|| number.into())
 }
 
-/// What to write in place of a word with characters that no name has.
+/// Suggests a replacement for a word with characters that no name has.
 fn meant_by_name(word: &str) -> Message {
     let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
     if word.strip_prefix(['(', '[']).is_some_and(is_number) || word.starts_with('{') {
@@ -349,7 +349,7 @@ fn meant_by_name(word: &str) -> Message {
     }
 }
 
-/// What is said of a function that the language lacks.
+/// Returns reason and help for a function that the language lacks.
 pub(super) fn no_function(word: &str) -> (Message, Message) {
     let near = foreign::function(word).or_else(|| nearest(word, functions::words()));
     let help = match near {

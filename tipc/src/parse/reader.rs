@@ -10,7 +10,7 @@ use crate::source::Span;
 use crate::syntax::{Word, upper_case};
 use smol_str::SmolStr;
 
-/// What is wrong with a statement.
+/// Fault of a statement.
 pub(super) type Fault = Box<Diagnostic>;
 /// A piece of a statement, or what is wrong with it.
 pub(super) type Parsed<T> = Result<T, Fault>;
@@ -34,7 +34,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether this reads an equation, whose rules differ from those of arguments.
+    /// Returns true if this reads an equation, whose rules differ from those of arguments.
     pub(super) fn is_equation(&self) -> bool {
         self.code == Code::Equation
     }
@@ -69,7 +69,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether the next token is the keyword `word`.
+    /// Returns true if the next token is the keyword `word`.
     pub(super) fn at_word(&self, word: Keyword) -> bool {
         self.peek().is_some_and(|token| {
             token.kind == Kind::Word && self.slice(token.span).eq_ignore_ascii_case(word.word())
@@ -97,7 +97,7 @@ impl<'a> Reader<'a> {
         &self.tokens[self.at..]
     }
 
-    /// How many tokens are left.
+    /// Returns the number of tokens left.
     pub(super) fn left(&self) -> usize {
         self.tokens.len() - self.at
     }

@@ -88,7 +88,7 @@ impl Parser<'_> {
         self.tokens = tokens;
     }
 
-    /// Whether more than one name follows a word, and nothing else.
+    /// Returns true if more than one name follows a word, and nothing else.
     fn names_several(&self, tokens: &[Token]) -> bool {
         let is_name = |token: &Token| {
             let word = self.source.slice(token.span);
@@ -180,7 +180,7 @@ impl Parser<'_> {
         tokens.len() == 1
     }
 
-    /// Whether the statement before is an IF without its THEN, which is reported.
+    /// Returns true if the statement before is an IF without its THEN, which is reported.
     fn follows_broken_if(&self) -> bool {
         let before = self.module.statements.last();
         before.is_some_and(|it| it.kind == StatementKind::Broken(Shape::If))
@@ -234,7 +234,7 @@ impl Parser<'_> {
     }
 }
 
-/// What is known of a statement from its keyword alone.
+/// Knowledge of a statement from its keyword alone.
 enum Start {
     /// It is this one, even if something follows its keyword.
     Lone(StatementKind),

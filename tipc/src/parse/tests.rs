@@ -19,7 +19,7 @@ fn check(body: &str, expected: &[&str]) {
     );
 }
 
-/// As [`check`], without the END added.
+/// Like [`check`], without the END added.
 #[track_caller]
 fn check_whole(body: &str, expected: &[&str]) {
     assert_eq!(outcome(body), expected, "program: {body}");

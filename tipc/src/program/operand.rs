@@ -1,4 +1,4 @@
-//! What steps read, compare and calculate.
+//! Operands, conditions and expressions of steps.
 
 use super::{Arithmetic, Axis, Flag, Function, Relation};
 
@@ -35,7 +35,7 @@ pub enum Condition {
     Compare {
         /// The left one.
         left: Operand,
-        /// How.
+        /// Relation between the sides.
         relation: Relation,
         /// The right one.
         right: Operand,
@@ -101,7 +101,7 @@ pub enum StructExpression {
     Rotate {
         /// The axis.
         axis: Axis,
-        /// What is turned.
+        /// Turned variable.
         operand: VariableId,
         /// By how many degrees.
         angle: Operand,

@@ -49,7 +49,7 @@ impl Window {
         window
     }
 
-    /// Where a span of the source, cut to its first line, is in the window; `None` if elsewhere.
+    /// Returns the range of a span in the window, cut to its first line; `None` if elsewhere.
     fn range(&self, source: &Source, span: Span) -> Option<Range<usize>> {
         let after = self.lines.partition_point(|it| it.span.start <= span.start);
         let line = &self.lines[after.checked_sub(1)?];
@@ -64,7 +64,7 @@ impl Window {
     }
 }
 
-/// How many bytes of a window the first `bytes` of a line take; as many as there are beyond its shown part.
+/// Returns how many bytes of a window the first `bytes` of a line take; as many as there are beyond its shown part.
 fn width(line: &str, bytes: usize) -> usize {
     let line = shown(line);
     match line.get(..bytes) {
@@ -134,7 +134,7 @@ fn before_headline(diagnostic: &Diagnostic, lang: Lang) -> usize {
     columns(level) + "[]: ".len() + diagnostic.id().len()
 }
 
-/// How wide a name is that is half-width or full-width.
+/// Returns the width in columns of a name in half-width and full-width characters.
 fn columns(name: &str) -> usize {
     let columns = if name.is_ascii() { 1 } else { 2 };
     columns * name.chars().count()
@@ -159,7 +159,7 @@ fn note(lang: Lang) -> Title<'static> {
     Title::NOTE.with_name(lang.pick("note", "注"))
 }
 
-/// What is said at the place itself: nothing of an error, whose reason is the headline.
+/// Returns the text at the location itself: nothing for an error, whose reason is the headline.
 fn at_place(diagnostic: &Diagnostic, lang: Lang) -> Option<String> {
     let is_warning = diagnostic.level() == Level::Warning;
     is_warning.then(|| printable(diagnostic.reason.in_lang(lang)))
@@ -224,7 +224,7 @@ fn snippet<'a>(
 pub struct Style {
     /// The language of reasons and helps.
     pub lang: Lang,
-    /// Whether there are colours, for a terminal.
+    /// True if colours are used, for a terminal.
     pub colour: bool,
     /// The columns that a line may fill, if there is a limit.
     pub width: Option<usize>,
@@ -276,7 +276,7 @@ pub(super) fn wrapped(text: &str, width: Option<usize>, used: usize) -> String {
     out + rest
 }
 
-/// Whether a line may end before the byte `at`.
+/// Returns true if a line may end before the byte `at`.
 fn may_break(text: &str, at: usize) -> bool {
     let (line, rest) = text.split_at(at);
     let is_in_code = line.matches('`').count() % 2 == 1;

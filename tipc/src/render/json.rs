@@ -112,7 +112,7 @@ fn push_fixes(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: 
     out.push(']');
 }
 
-/// Where a span begins and ends.
+/// Writes the start and end of a span.
 fn push_range(out: &mut String, source: &Source, span: Span) {
     out.push_str("{\"start\":");
     push_position(out, source, span.start);

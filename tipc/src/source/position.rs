@@ -5,7 +5,7 @@ use super::{STRETCH, Source, boundary, next_boundary};
 use encoding_rs::SHIFT_JIS;
 use std::sync::LazyLock;
 
-/// What columns count.
+/// Unit of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// Bytes of the file, as it is encoded.
@@ -27,11 +27,11 @@ pub struct Position {
     pub column: u32,
 }
 
-/// How many units precede each multiple of [`STRETCH`] bytes; empty if the text is ASCII, where all units are one.
+/// Numbers of units before each multiple of [`STRETCH`] bytes; empty if the text is ASCII, where all units are one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ColumnIndex(Vec<Counts>);
 
-/// How many units precede some byte of the text, other than bytes of UTF-8.
+/// Numbers of units before some byte of the text, other than bytes of UTF-8.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Counts {
     bytes: usize,
@@ -148,7 +148,7 @@ impl Source {
         }
     }
 
-    /// How many units precede a byte of the text.
+    /// Returns the number of units before a byte of the text.
     pub(super) fn units_before(&self, offset: usize, unit: Unit) -> usize {
         let offset = offset.min(self.text.len());
         let unit = self.unit(unit);
@@ -165,13 +165,13 @@ impl Source {
     }
 }
 
-/// How many characters start in a stretch of text.
+/// Counts the characters that start in a stretch of text.
 fn characters(text: &str, start: usize, end: usize) -> usize {
     let (start, end) = (next_boundary(text, start), next_boundary(text, end));
     text[start..end].chars().count()
 }
 
-/// How many units of UTF-16 the characters are that start in a stretch of text: four bytes are two units.
+/// Counts the units of UTF-16 of the characters that start in a stretch of text: four bytes are two units.
 fn utf16_units(text: &str, start: usize, end: usize) -> usize {
     let bytes = &text.as_bytes()[start..end];
     characters(text, start, end) + bytes.iter().filter(|byte| **byte >= 0xF0).count()
@@ -195,7 +195,7 @@ static DOUBLE_BYTE: LazyLock<DoubleByte> = LazyLock::new(|| {
     set
 });
 
-/// Where in `text` the first character is that does not fit into `limit` bytes of code page 932: half-width 1,
+/// Finds the first character in `text` that does not fit into `limit` bytes of code page 932: half-width 1,
 /// full-width 2; a character outside it counts its UTF-8 bytes.
 pub(crate) fn first_beyond(text: &str, limit: usize) -> Option<usize> {
     // No character is longer in code page 932 than in UTF-8.
@@ -212,7 +212,7 @@ pub(crate) fn first_beyond(text: &str, limit: usize) -> Option<usize> {
     None
 }
 
-/// How many bytes of code page 932 spell `text`; on a terminal, how many columns it takes.
+/// Returns the number of bytes of `text` in code page 932; on a terminal, the number of columns.
 pub fn byte_length(text: &str) -> usize {
     match text.is_ascii() {
         true => text.len(),

@@ -121,7 +121,7 @@ fn the_hash_is_fnv1a_of_the_bytes() {
     }
 }
 
-/// How many bytes of code page 932 spell each character that it has.
+/// Returns the number of bytes of each character of code page 932.
 fn code_page() -> BTreeMap<char, usize> {
     let singles = (0..=0xFF_u8).map(|byte| vec![byte]);
     let pairs =

@@ -13,7 +13,7 @@ pub struct Module {
     pub title: String,
     /// The statements up to and including the first END.
     pub statements: Vec<Statement>,
-    /// What follows END on its line, which is not part of the program.
+    /// Text after END on its line, which is not part of the program.
     pub after_end: Option<Word>,
 }
 
@@ -45,7 +45,7 @@ impl Module {
 /// One statement. Each but a declaration is one step; `L1: CMD` is two statements, `SUBROUTINE NAME:` one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// What it is.
+    /// Kind of the statement.
     pub kind: StatementKind,
     /// The whole statement.
     pub span: Span,
@@ -56,7 +56,7 @@ pub struct Statement {
 }
 
 impl Statement {
-    /// Whether it is a step: everything but a declaration.
+    /// Returns true if it is a step: everything but a declaration.
     pub const fn is_step(&self) -> bool {
         !matches!(self.kind, StatementKind::Define { .. })
     }

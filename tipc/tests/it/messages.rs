@@ -1,4 +1,4 @@
-//! What MESSAGE shows, piece by piece (T.I.P. 3.1 §7-9-4).
+//! Display of MESSAGE, piece by piece (T.I.P. 3.1 §7-9-4).
 
 use tipc::program::{Action, MessagePart, Scalar};
 use tipc::{Options, load};

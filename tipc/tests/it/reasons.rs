@@ -1,4 +1,4 @@
-//! What people read: the places that a mistake points at, the reason and the help.
+//! Text of diagnostics: the locations that a mistake points at, the reason and the help.
 
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Message;

@@ -1,4 +1,5 @@
-//! What version 3.1 refuses of its predecessors and of its announced successor, and what it fixes for both.
+//! Differences between versions: what 3.1 refuses of its predecessors and of its announced successor, and fixes for
+//! both.
 
 use tipc::code::Code;
 use tipc::language::Edition;

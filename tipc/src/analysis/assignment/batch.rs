@@ -6,7 +6,7 @@ use crate::analysis::flow::{Flow, NodeId};
 use crate::program::Program;
 use std::collections::BinaryHeap;
 
-/// What happens to unassigned scalars on the path through something.
+/// Effect of the path through something on unassigned scalars.
 #[derive(Clone, Copy, PartialEq)]
 struct Effect {
     /// The scalars that it neither reads nor assigns.
@@ -37,7 +37,7 @@ impl Effect {
     }
 }
 
-/// What happens to unassigned scalars on the paths from a block to the return of the call that it is in:
+/// Effect of the paths from a block to the return of the call that it is in on unassigned scalars:
 /// a scalar is in a set if some path belongs there. `None` if there is no path.
 type Passage = Option<Effect>;
 
@@ -51,7 +51,7 @@ fn either(a: Passage, b: Passage) -> Passage {
     }
 }
 
-/// How runs can reach a place. A scalar that may be neither is one with which no run gets there.
+/// Possible ways to reach a location. A scalar that may be neither is one with which no run gets there.
 #[derive(Clone, Copy, Default, PartialEq)]
 struct State {
     /// The scalars that may be unassigned.
@@ -110,7 +110,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// What each node that reads finds, and for each block whether a run can come to it.
+    /// Returns what each node that reads finds, and for each block whether a run can come to it.
     pub(super) fn found(&self) -> (Vec<Found>, Vec<bool>) {
         let states = self.states();
         let mut found = Vec::new();
@@ -166,14 +166,14 @@ impl<'a> Batch<'a> {
         states
     }
 
-    /// Whether a node neither reads nor assigns any of the scalars.
+    /// Returns true if a node neither reads nor assigns any of the scalars.
     pub(super) fn is_untouched(&self, node: NodeId) -> bool {
         self.touches
             .binary_search_by_key(&node, |touch| touch.node)
             .is_err()
     }
 
-    /// Whether some path through the subroutine at a node leaves the scalar at bit 0 alone.
+    /// Returns a test: true if some path through the subroutine at a node leaves the scalar at bit 0 alone.
     pub(super) fn passes(&self) -> impl Fn(NodeId) -> bool {
         let passages = self.passages();
         move |entry| {
@@ -223,10 +223,10 @@ pub(super) type Scalars = u64;
 
 /// The bit of a scalar that nothing touches: wherever a run comes, it comes there unassigned.
 pub(super) const UNTOUCHED: Scalars = 1 << 63;
-/// How many others a batch has room for.
+/// Number of others that a batch has room for.
 const ROOM: usize = 63;
 
-/// What a node does with the scalars of a batch.
+/// Accesses of a node to the scalars of a batch.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Touch {
     /// The node.
@@ -260,7 +260,7 @@ pub(super) struct Sorted {
 }
 
 impl Touches {
-    /// What the nodes of a program's flow read and assign.
+    /// Collects what the nodes of a program's flow read and assign.
     pub(super) fn of(program: &Program, flow: &Flow) -> Self {
         let mut all = Vec::with_capacity(2 * flow.nodes().len());
         for (node, content) in flow.nodes().iter().enumerate() {
@@ -363,9 +363,9 @@ impl Sorted {
 /// Which nodes come first.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
-    /// Those of early steps.
+    /// From early steps on.
     Forward,
-    /// Those of late steps.
+    /// From late steps back.
     Backward,
 }
 

@@ -5,10 +5,10 @@ use crate::analysis::flow::{Flow, Next, NodeId};
 /// The place of a block. Blocks come in the order of their nodes.
 pub(super) type BlockId = usize;
 
-/// What the last node of a block does.
+/// Ways out of the last node of a block.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
-    /// What may follow without a call or return.
+    /// Blocks that may follow without a call or return.
     pub(super) next: Next,
     /// The block of a subroutine that it may call, and the one where that comes back.
     pub(super) call: Option<(BlockId, BlockId)>,

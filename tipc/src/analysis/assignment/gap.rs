@@ -1,4 +1,4 @@
-//! Where a variable lacks a value, and a path that leads there.
+//! Locations where a variable lacks a value, and a path that leads there.
 
 use super::batch::Batch;
 use super::batch::Touches;

@@ -88,7 +88,7 @@ impl Matcher<'_> {
         true
     }
 
-    /// How many ends of blocks of this kind that are open now come after a statement.
+    /// Returns the number of ends of blocks of this kind that are open now and come after a statement.
     pub(super) fn later(&self, index: usize, kind: BlockKind) -> usize {
         let (mut inside, mut later) = (0, 0);
         for statement in self.module.statements[index + 1..].iter().take(FAR) {

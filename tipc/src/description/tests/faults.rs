@@ -22,7 +22,7 @@ pub(super) fn with(more: &str) -> String {
     )
 }
 
-/// The same with these keys in its joint as well, from column 42 on.
+/// Like [`with`], with these keys in its joint as well, from column 42 on.
 pub(super) fn with_joint(keys: &str) -> String {
     with("").replace("9] }", &format!("9], {keys} }}"))
 }

@@ -1,4 +1,4 @@
-//! How a command is written, in the words of an example for the robot at hand.
+//! Syntax of a command, shown by an example for the robot at hand.
 
 use super::{Arguments, Command, Form, Joints, Meaning, Targets, Values};
 use crate::robot::Robot;

@@ -150,7 +150,8 @@ fn program(example: &str) -> String {
     read(&format!("{EXAMPLES}/{example}"))
 }
 
-/// What the case says after this word: `# args:` are the options that it runs with, `# try:` what a reader adds to see more.
+/// Returns the header line of a case after this word: `# args:` has the options that it runs with, `# try:` what a
+/// reader adds to see more.
 fn header(example: &str, word: &str) -> String {
     let case = workspace().join(EXAMPLES).join(example);
     let expectation = fs::read_to_string(case.with_extension("trace"));

@@ -23,7 +23,7 @@ fn links_lead_to_files_and_headings() {
     }
 }
 
-/// What is between `](` and `)`, without addresses.
+/// Returns what is between `](` and `)`, without addresses.
 fn links(text: &str) -> impl Iterator<Item = &str> {
     let targets = text.split("](").skip(1);
     targets

@@ -58,7 +58,7 @@ const ARGUMENT: &str = "Wrong argument";
 const EQUATION: &str = "Wrong equation format";
 const VERSION: &str = "Wrong version number";
 
-/// What is wrong with the line, on a robot.
+/// Returns the diagnostics of the line, on a robot.
 fn findings(line: &str, finding: &str, robot: Robot) -> Vec<String> {
     let text = match finding {
         VERSION => format!("{line}\nan example\nEND\n"),

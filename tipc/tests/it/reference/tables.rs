@@ -13,7 +13,7 @@ use tipc::language::keywords::KEYWORDS;
 use tipc::language::reserved::RESERVED;
 use tipc::message::Lang;
 
-/// How many clauses each chapter has.
+/// Number of clauses of each chapter.
 const CLAUSES: [usize; 11] = [12, 25, 6, 9, 1, 7, 48, 1, 5, 1, 1];
 
 fn reference() -> String {
@@ -72,7 +72,7 @@ fn clause_of<'a>(text: &'a str, clause: &str) -> &'a str {
     &text[..end]
 }
 
-/// Whether a clause names a command, possibly as `…_SLOW` for a family that shares its endings.
+/// Returns true if a clause names a command, possibly as `…_SLOW` for a family that shares its endings.
 fn describes(clause: &str, name: &str) -> bool {
     let endings = [
         "_SLOW",

@@ -36,7 +36,7 @@ const UTF8: &[Piece] = &[
     &[('\u{FFFD}', b"\xEF\xBF\xBD")],
 ];
 
-/// What is not UTF-8: what can go on with the next byte is followed by one that ends it.
+/// Bytes that are not UTF-8: what can go on with the next byte is followed by one that ends it.
 const NOT_UTF8: &[Piece] = &[
     &[('\u{FFFD}', b"\xFF")],
     &[('\u{FFFD}', b"\x80")],
@@ -68,7 +68,7 @@ const SHIFT_JIS: &[Piece] = &[
     &[('\u{80}', b"\x80")],
 ];
 
-/// What is not Shift_JIS: a lead byte takes the next one with it only if that is not ASCII.
+/// Bytes that are not Shift_JIS: a lead byte takes the next one with it only if that is not ASCII.
 const NOT_SHIFT_JIS: &[Piece] = &[
     &[('\u{FFFD}', b"\xFF")],
     &[('\u{FFFD}', b"\xA0")],

@@ -1,4 +1,4 @@
-//! What a file asks of memory: its text, and next to nothing for its lines.
+//! Memory use of a file: its text, and next to nothing for its lines.
 
 use allocation_counter::measure;
 use tipc::source::{Encoding, Source};

@@ -6,14 +6,14 @@ use tipc::source::{Encoding, Position, Source, Unit};
 
 const UNITS: [Unit; 4] = [Unit::Byte, Unit::Utf8, Unit::Utf16, Unit::Character];
 
-/// Where a character starts.
+/// Start of a character.
 struct Place {
     offset: usize,
     /// The line, and the column in each of [`UNITS`].
     position: (u32, [u32; 4]),
     /// Line and column as reports give them: what is behind a line counts on.
     reported: (u32, u32),
-    /// How many of each unit it is.
+    /// Width in each unit.
     width: [u32; 4],
     /// It is part of a line's end.
     ends: bool,

@@ -118,7 +118,7 @@ fn words<'a>(text: &'a str, statement: Span, found: &mut Vec<Token<'a>>) {
     }
 }
 
-/// Whether a definition has the name of a token.
+/// Returns true if a definition has the name of a token.
 fn is_declared(symbols: &Symbols, token: &Token<'_>) -> bool {
     symbols.definitions().iter().any(|definition| {
         let fits = match definition.kind {
@@ -137,7 +137,7 @@ fn is_flag(token: &Token<'_>) -> bool {
             .any(|flag| token.text.eq_ignore_ascii_case(flag))
 }
 
-/// What is true of every table, also of a program that is refused.
+/// Checks what is true of every table, also of a program that is refused.
 fn check_places(loaded: &Loaded, case: &Path) {
     let symbols = &loaded.symbols;
     let mut last = 0;

@@ -44,7 +44,7 @@ fn rename(loaded: &Loaded, names: &[Option<String>]) -> String {
     renamed + &text[copied..]
 }
 
-/// What a program does, without its texts and names.
+/// Formats what a program does, without its texts and names.
 fn meaning(program: &Program) -> String {
     let actions: Vec<_> = program
         .steps()
