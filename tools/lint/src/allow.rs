@@ -12,13 +12,13 @@ use tipc::lex::split_comment;
 use tipc::source::{Source, Span, Unit};
 use tipc::syntax::Module;
 
-/// What the comments of a program silence.
+/// Comments of a program that silence warnings.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Allows {
     allows: Vec<Allow>,
     /// The comments for each code on each line, or on every line, by their places among all.
     by_line: HashMap<(Code, Option<u32>), Vec<usize>>,
-    /// What is wrong with the comments themselves.
+    /// Faults of the comments themselves.
     faults: Vec<Diagnostic>,
 }
 
@@ -35,7 +35,7 @@ const START: &str = "tip:";
 const WORD: &str = "allow";
 
 impl Allows {
-    /// Those of a program.
+    /// Collects the comments of a program.
     pub(crate) fn of(source: &Source, module: &Module) -> Self {
         let mut allows = Allows::default();
         let text = source.text();
@@ -156,7 +156,8 @@ impl Allows {
     }
 }
 
-/// What is between the parentheses of such a comment, or the comment if there are none; nothing of any other comment.
+/// Returns what is between the parentheses of such a comment, or the comment if there are none; nothing of any other
+/// comment.
 fn list(text: &str, comment: Span) -> Option<Result<Span, Span>> {
     let after = |from: usize, word: &str| {
         let rest = text.get(from..comment.end)?;
@@ -175,7 +176,7 @@ fn list(text: &str, comment: Span) -> Option<Result<Span, Span>> {
     })
 }
 
-/// Whether it is found after a program is loaded, by whoever knows the robot's geometry or the crate.
+/// Returns true if it is found after a program is loaded, where the robot's geometry or the crate is known.
 const fn is_found_later(code: Code) -> bool {
     matches!(
         code,

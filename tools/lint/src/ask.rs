@@ -1,7 +1,7 @@
 //! Conditions and equations that someone asks of a program while it runs, in the program's own language.
 //!
-//! What is asked is read and checked as a line of a program that has the same variables, so that whoever knows the language
-//! knows how to ask.
+//! A question is read and checked as a line of a program that has the same variables, so that whoever knows the
+//! language knows how to ask.
 
 use crate::Options;
 use std::fmt::Write;
@@ -30,8 +30,8 @@ pub struct Asker {
 }
 
 impl Asker {
-    /// Of a program that was loaded with these options. Each name of `more` that the program does not declare is a VAR as
-    /// well; its number is that of the program's variables, and so on.
+    /// Creates a context from a program that was loaded with these options. Each name of `more` that the program does
+    /// not declare is a VAR as well; its number is that of the program's variables, and so on.
     pub fn new(program: &Program, options: Options, more: &[&str]) -> Self {
         let variables = program.variables();
         let is_free = |name: &str| variables.iter().all(|variable| variable.name != name);
@@ -67,7 +67,7 @@ impl Asker {
         }
     }
 
-    /// How many variables the program has; those from there on are the asker's own.
+    /// Returns the number of the program's variables; those from there on are the asker's own.
     pub fn own(&self) -> usize {
         self.own
     }
@@ -80,7 +80,7 @@ impl Asker {
     /// The condition that a text is, as it follows IF.
     ///
     /// # Errors
-    /// What is wrong with it, placed in the text.
+    /// Returns what is wrong with it, located in the text.
     pub fn condition(&self, text: &str) -> Result<Condition, Box<Diagnostic>> {
         let [r#if, then, end_if, end] =
             [Keyword::If, Keyword::Then, Keyword::EndIf, Keyword::End].map(Keyword::word);
@@ -99,7 +99,7 @@ impl Asker {
     /// The number that a text stands for, as it follows `=`.
     ///
     /// # Errors
-    /// What is wrong with it, placed in the text.
+    /// Returns what is wrong with it, located in the text.
     pub fn number(&self, text: &str) -> Result<ScalarExpression, Box<Diagnostic>> {
         let rest = format!("\n{}\n", Keyword::End.word());
         let lines = [&self.answer, " = ", text, &rest];
@@ -116,7 +116,7 @@ impl Asker {
         }
     }
 
-    /// What the steps of a program with these lines do.
+    /// Returns the actions of the steps of a program with these lines.
     fn steps(&self, text: &str, lines: &[&str]) -> Result<Vec<Action>, Box<Diagnostic>> {
         if text.contains(char::is_control) {
             return Err(refused(text));

@@ -15,7 +15,7 @@ use tipc::diagnostic::{Diagnostic, Edit, Fix};
 use tipc::source::Source;
 use tipc::syntax::Module;
 
-/// What may know a fix. The first that does is asked.
+/// Sources of fixes, asked in this order. The first answer counts.
 const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     characters::fix,
     texts::fix,
@@ -39,7 +39,7 @@ pub(crate) fn attach(source: &Source, module: &Module, diagnostics: &mut [Diagno
     }
 }
 
-/// Whether its edits change the text, follow each other, and write what every encoding spells alike.
+/// Returns true if its edits change the text, follow each other, and write only what every encoding has alike.
 fn is_sound(source: &Source, fix: &Fix) -> bool {
     let is_change = |edit: &Edit| source.slice(edit.span) != edit.text && edit.text.is_ascii();
     let follows = |pair: &[Edit]| pair[0].span.end <= pair[1].span.start;

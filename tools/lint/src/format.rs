@@ -24,7 +24,7 @@ use crate::{Loaded, Options, load};
 use tipc::Robot;
 use tipc::load::{Parsed, parsed};
 
-/// Why a file is left as it is.
+/// Reasons why a file is left as it is.
 #[derive(Clone, Debug)]
 pub enum Refusal {
     /// It does not load; what is wrong with it.

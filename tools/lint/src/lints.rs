@@ -96,7 +96,7 @@ impl Judged<'_> {
         found
     }
 
-    /// What statements by themselves, and the values that they read, give reason for.
+    /// Returns warnings about statements by themselves, and the values that they read.
     fn of_statements(&self) -> Findings {
         let mut found = Findings::default();
         assignment::warn(self, &mut found);
@@ -106,7 +106,7 @@ impl Judged<'_> {
         found
     }
 
-    /// What conditions and jumps give reason for.
+    /// Returns warnings about conditions and jumps.
     fn of_flow(&self) -> Findings {
         let mut found = Findings::default();
         let constant = conditions::constant(self);

@@ -28,7 +28,7 @@ use near::Moves;
 use tipc::Robot;
 use tipc::source::{Encoding, Source, Span};
 
-/// Whether something was changed or has to be asked.
+/// Kind of a note: a change or a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NoteKind {
     /// A change that was made.
@@ -56,7 +56,7 @@ pub struct Note {
     pub line: u32,
     /// The column on that line in characters, from 1.
     pub column: u32,
-    /// What was changed and why, or what is asked.
+    /// The change and its reason, or the question.
     pub text: Migrating,
 }
 
@@ -85,12 +85,12 @@ impl Migration {
         &self.notes
     }
 
-    /// What was changed.
+    /// Returns the changes.
     pub fn changes(&self) -> impl Iterator<Item = &Note> {
         self.of_kind(NoteKind::Change)
     }
 
-    /// What has to be decided first.
+    /// Returns the questions to decide first.
     pub fn questions(&self) -> impl Iterator<Item = &Note> {
         self.of_kind(NoteKind::Question)
     }

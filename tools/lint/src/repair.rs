@@ -34,7 +34,7 @@ const READINGS: usize = 200;
 /// The most bytes that are read again to try the fixes of a file: what is not tried is not offered.
 const READ: usize = 1 << 18;
 
-/// How many times a file is read again, whatever its length, if its fixes are asked for.
+/// Number of times that a file is read again, whatever its length, if its fixes are asked for.
 const FEW: usize = 8;
 
 /// The most mistakes of one line that are put right one after the other.
@@ -47,16 +47,16 @@ pub struct Applied {
     pub line: u32,
     /// Its column in characters from 1.
     pub column: u32,
-    /// What was found.
+    /// The diagnostic that was fixed.
     pub finding: Diagnostic,
-    /// What put it right.
+    /// The fix that removed it.
     pub fix: Fix,
 }
 
 /// A file after its fixes.
 #[derive(Clone, Debug)]
 pub struct Repaired {
-    /// What was put right, in order.
+    /// Applied fixes, in order.
     pub applied: Vec<Applied>,
     /// The file as it is then, and what is left to say of it.
     pub loaded: Loaded,
@@ -67,7 +67,7 @@ pub fn repair(loaded: Loaded, options: &Options, least: Applicability) -> Repair
     apply(loaded, options, least, FEW)
 }
 
-/// The same, as far as it takes little time, to say what [`repair`] would do at least.
+/// Returns what [`repair`] would do at least, as far as it takes little time.
 pub fn preview(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
     apply(loaded, options, least, 1)
 }
@@ -126,10 +126,10 @@ pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
 struct Repair<'a> {
     options: &'a Options,
     least: Applicability,
-    /// Whether what another mistake hid on its line may be put right along with it.
+    /// True if what another mistake hid on its line may be fixed along with it.
     follows: bool,
     readings: usize,
-    /// How many bytes may still be read again.
+    /// Number of bytes that may still be read again.
     bytes: Cell<usize>,
     applied: Vec<Applied>,
     loaded: Loaded,
@@ -138,7 +138,7 @@ struct Repair<'a> {
 /// The findings that are put right together, and what comes of the file.
 struct Accepted {
     findings: Vec<usize>,
-    /// What they hid, which is put right as well.
+    /// Hidden mistakes, which are fixed as well.
     hidden: Vec<Applied>,
     loaded: Loaded,
 }
@@ -159,7 +159,7 @@ impl Repair<'_> {
         true
     }
 
-    /// What is put right by the fixes of these findings.
+    /// Returns what the fixes of these diagnostics remove.
     fn applied(&self, before: &Loaded, findings: &[usize]) -> Vec<Applied> {
         let applied = findings.iter().filter_map(|index| {
             let finding = &before.diagnostics[*index];
@@ -227,7 +227,7 @@ impl Repair<'_> {
     }
 
     /// The file with the fixes of these findings, if it is better; else the changed lines on which something new is found.
-    /// What the findings hid on their lines is put right, too.
+    /// Mistakes hidden by these on their lines are fixed, too.
     fn attempt(&self, findings: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
         let (mut loaded, mut new) = self.changed(&self.loaded, &findings)?;
         let mut hidden = Vec::new();
@@ -302,7 +302,7 @@ fn spliced<'a>(text: &str, changes: impl Iterator<Item = (Span, &'a str)>) -> St
     out + &text[at..]
 }
 
-/// What stands for the level of a finding.
+/// Label in place of the level of a diagnostic.
 const LEVEL: &str = "fixed";
 
 /// `FILE:LINE:COLUMN: fixed[CODE]: <what was done>`, one line each.

@@ -1,4 +1,4 @@
-//! What runs of a program can reach: its steps, and the edges that leave steps with several of them.
+//! Coverage points of programs: the steps, and the edges that leave steps with several of them.
 
 use std::collections::{BTreeSet, HashMap};
 use tipc::analysis::flow::{Flow, Node, NodeId};
@@ -13,7 +13,7 @@ pub struct Spot {
     pub way: Option<&'static str>,
 }
 
-/// Where a run is.
+/// Location of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The step that runs next.
@@ -30,14 +30,14 @@ pub struct Spots {
     spots: Vec<Spot>,
     /// The spots of the steps that can be reached.
     steps: HashMap<StepId, usize>,
-    /// Where edges lead from a node, and their spots.
+    /// Edges of a node, and their points.
     edges: HashMap<NodeId, Vec<(NodeId, usize)>>,
     /// The spots of the returns, by the nodes that they come back to.
     returns: HashMap<NodeId, usize>,
 }
 
 impl Spots {
-    /// Those of a program: the steps in their order, then the edges in the order of theirs.
+    /// Collects the points of a program: the steps in their order, then the edges in the order of theirs.
     pub fn of(program: &Program) -> Self {
         let mut spots = Spots {
             flow: Flow::of(program),
@@ -105,7 +105,7 @@ impl Spots {
         &self.spots
     }
 
-    /// Whether some path leads to a step.
+    /// Returns true if some path leads to a step.
     pub fn can_reach(&self, step: StepId) -> bool {
         self.steps.contains_key(&step)
     }

@@ -1,11 +1,11 @@
-//! What steps cost by themselves.
+//! Costs of single steps.
 
 use super::Sampling;
 use super::count::Count;
 use tipc::language::commands;
 use tipc::program::{Action, Op, Operand, Program};
 
-/// What a step costs by itself: one cycle, or the least of a step that waits.
+/// Returns the cost of a single step: one cycle, or the least of a step that waits.
 pub(super) fn cost(action: &Action, longest_sampling: f64) -> Count {
     let least = match action {
         Action::KeyIn { .. } => 1,

@@ -1,6 +1,6 @@
 //! Numbers of control cycles, from the least to the most.
 
-/// How many cycles a part of a program takes.
+/// Number of cycles that a part of a program takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
     /// The least.
@@ -12,7 +12,7 @@ pub struct Count {
 }
 
 impl Count {
-    /// That many.
+    /// Creates an exact number.
     pub(super) const fn exactly(cycles: u64) -> Self {
         Count {
             min: cycles,

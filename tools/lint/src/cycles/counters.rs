@@ -7,13 +7,13 @@ use tipc::analysis::access;
 use tipc::analysis::flow::{Flow, NodeId};
 use tipc::program::Program;
 
-/// How many counters a machine word takes.
+/// Number of counters in a machine word.
 const BATCH: usize = u64::BITS as usize;
 
 /// The most counters of loops with calls that are looked for in what is called. Of others a call counts as assigning them.
 const FOLLOWED: usize = 16 * BATCH;
 
-/// Where the counters of some loops are assigned.
+/// Assignments to the counters of some loops.
 pub(super) struct Counters {
     /// The scalar of each FOR.
     scalars: BTreeMap<NodeId, usize>,
@@ -21,12 +21,12 @@ pub(super) struct Counters {
     assigning: BTreeMap<usize, Vec<NodeId>>,
     /// The nodes whose calls assign it, in order.
     calling: BTreeMap<usize, Vec<NodeId>>,
-    /// Those that may be assigned by any call.
+    /// Counters that may be assigned by any call.
     unknown: BTreeSet<usize>,
 }
 
 impl Counters {
-    /// Those of loops, whose bodies up to their NEXTs are given by the nodes of their FORs.
+    /// Collects the counters of loops, whose bodies up to their NEXTs are given by the nodes of their FORs.
     pub(super) fn new(
         program: &Program,
         flow: &Flow,
@@ -61,7 +61,7 @@ impl Counters {
         counters
     }
 
-    /// Whether the body, or what it calls, assigns the counter.
+    /// Returns true if the body, or what it calls, assigns the counter.
     pub(super) fn are_set_in(&self, head: NodeId, body: &Range<NodeId>) -> bool {
         let scalar = &self.scalars[&head];
         let holds = |nodes: Option<&Vec<NodeId>>| {

@@ -1,4 +1,4 @@
-//! What the steps of a program cost, and where they lead: calls and loops inside as one edge.
+//! Costs of a program's steps, and edges between them: calls and loops inside as one edge.
 
 use super::Sampling;
 use super::costs::{cost, longest_sampling};
@@ -16,23 +16,23 @@ use tipc::program::{Action, Program};
 pub(super) struct Graph<'a> {
     program: &'a Program,
     flow: &'a Flow,
-    /// What a node costs by itself.
+    /// Cost of each node by itself.
     costs: Vec<Count>,
     counted: BTreeMap<NodeId, Counted>,
-    /// What a call costs from its entry to its return; `None` if it never comes back.
+    /// Cost of a call from its entry to its return; `None` if it never comes back.
     routines: BTreeMap<NodeId, Option<Count>>,
-    /// What a counted loop costs from its FOR to where it is left, once all calls are counted.
+    /// Cost of a counted loop from its FOR to where it is left, once all calls are counted.
     passed: RefCell<BTreeMap<NodeId, Vec<Edge>>>,
     searches: RefCell<Vec<Search>>,
 }
 
-/// Where paths end, apart from the end of their frame, and what counts as one edge.
+/// Ends of paths, besides the end of their frame, and parts that count as one edge.
 pub(super) struct Limits<'a> {
     /// A node that is not passed.
     pub(super) stops: &'a dyn Fn(NodeId) -> bool,
     /// A counted loop that cannot count as one edge, because paths end inside.
     pub(super) opens: &'a dyn Fn(&Counted) -> bool,
-    /// What it costs to leave the loop that begins at a node, if that counts as one edge.
+    /// Returns the cost to leave the loop that begins at a node, if that counts as one edge.
     pub(super) closed: &'a dyn Fn(NodeId) -> Option<&'a [Edge]>,
 }
 
@@ -72,7 +72,7 @@ impl<'a> Graph<'a> {
         Loops::new(next.collect(), entries.chain([0]))
     }
 
-    /// How often a counted loop runs its body that begins here.
+    /// Returns the number of runs of the body, which begins here, of a counted loop.
     pub(super) fn turns_from(&self, body: NodeId) -> Option<u64> {
         let head = body.checked_sub(1)?;
         self.counted.get(&head).map(|counted| counted.turns)

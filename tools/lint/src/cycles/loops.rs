@@ -4,7 +4,7 @@ use super::distance::Work;
 use super::rings::rings;
 use tipc::analysis::flow::NodeId;
 
-/// Where nodes lead in their own frame, and which of them a run can come back to.
+/// Edges of nodes in their own frame, and nodes that a run can come back to.
 pub(super) struct Loops {
     next: Vec<Vec<NodeId>>,
     before: Vec<Vec<NodeId>>,
@@ -69,12 +69,12 @@ impl Loops {
         }
     }
 
-    /// Whether the node is in the loop that [`body`](Self::body) found last.
+    /// Returns true if the node is in the loop that [`body`](Self::body) found last.
     pub(super) fn holds(&self, id: NodeId) -> bool {
         self.held_by[id] == self.search
     }
 
-    /// Whether a closed loop holds a node beside its head.
+    /// Returns true if a closed loop holds a node besides its head.
     pub(super) fn is_inside(&self, id: NodeId, closed: NodeId) -> bool {
         let mut at = id;
         while self.around[at] != at {

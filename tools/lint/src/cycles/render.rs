@@ -7,7 +7,7 @@ use tipc::language::Keyword;
 use tipc::program::{Action, Op, Program, StepId};
 use tipc::render::{push_member, push_number, push_string};
 
-/// What is said where counting ended early.
+/// Note that counting ended early.
 const MORE: &str = "further parts are not counted: their paths cross too often";
 
 /// A table: part, lines, cycles, ms at the robot's standard sampling time.
@@ -186,7 +186,7 @@ fn line_of(program: &Program, step: StepId) -> u32 {
     program.steps()[step as usize].line
 }
 
-/// What a part is called: the label at its first step, else the statement.
+/// Returns the name of a part: the label at its first step, else the statement.
 fn begin(program: &Program, span: &Span) -> String {
     let step = first_step(program, span);
     match (label(program, step), span) {

@@ -14,7 +14,7 @@ pub(super) struct Calls {
 }
 
 impl Calls {
-    /// Those of a flow; `None` if they share more steps than there is work left for.
+    /// Finds the routines of a flow; `None` if they share more steps than there is work left for.
     pub(super) fn new(flow: &Flow, work: &Work) -> Option<Self> {
         let entries: BTreeSet<NodeId> = flow.calls().map(|call| call.entry).collect();
         let numbers: BTreeMap<NodeId, usize> = entries.iter().copied().zip(0..).collect();
@@ -57,17 +57,17 @@ impl Calls {
         })
     }
 
-    /// How many there are.
+    /// Returns the number of routines.
     pub(super) fn count(&self) -> usize {
         self.entries.len()
     }
 
-    /// Where the one at a place begins.
+    /// Returns the entry of the routine with this index.
     pub(super) fn entry(&self, place: usize) -> NodeId {
         self.entries[place]
     }
 
-    /// Whether it calls itself, at any depth.
+    /// Returns true if the routine calls itself, at any depth.
     pub(super) fn is_recursive(&self, place: usize) -> bool {
         self.is_recursive[place]
     }

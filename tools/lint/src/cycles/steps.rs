@@ -26,12 +26,12 @@ impl Steps {
         Steps(runs)
     }
 
-    /// How many runs of neighbours they are.
+    /// Returns the number of runs of neighbours.
     pub(super) fn pieces(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether a step is one of them.
+    /// Returns true if a step is one of them.
     pub fn contains(&self, step: StepId) -> bool {
         let behind = self.0.partition_point(|(first, _)| *first <= step);
         let run = behind.checked_sub(1).map(|place| self.0[place]);

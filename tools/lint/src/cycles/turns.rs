@@ -12,7 +12,7 @@ use tipc::analysis::flow::{Flow, NodeId};
 /// A loop, by its head.
 struct Found {
     steps: Steps,
-    /// What it costs to leave it, if its head is the only way in.
+    /// Cost to leave it, if its head is the only way in.
     left: Option<Vec<Edge>>,
 }
 

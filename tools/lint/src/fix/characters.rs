@@ -10,10 +10,10 @@ use tipc::message::{Habit, Instead, Message, Naming, Parsing};
 use tipc::parse::{LONG_VOWEL, narrow};
 use tipc::source::Span;
 
-/// What a comment begins with here.
+/// Start of a comment in this language.
 const COMMENT: &str = "//";
 
-/// What a comment of C begins and ends with.
+/// Opener of a comment of C.
 const OPENS: &str = "/*";
 const CLOSES: &str = "*/";
 
@@ -73,7 +73,7 @@ fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
     edits
 }
 
-/// What is typed for characters that are wide, or of typesetting.
+/// Returns the plain spelling of characters that are wide, or of typesetting.
 fn plain(text: &str) -> String {
     if text == LONG_VOWEL {
         return "-".to_owned();
@@ -117,7 +117,7 @@ fn comment(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// Whether a comment of another language can be nothing else: `#define` and `--N` do something.
+/// Returns true if a comment of another language can be nothing else: `#define` and `--N` do something.
 fn surely_comments(comment: &str) -> bool {
     let directives = ["define", "if", "else", "endif", "undef", "pragma"];
     let rest = comment.trim_start_matches('#');

@@ -64,7 +64,7 @@ fn comma(site: &Site<'_>, whole: &str, point: &str) -> Option<Fix> {
     Some(Fix::likely(fix.title, fix.edits))
 }
 
-/// What other languages write for a relation, and what is written here.
+/// Relations of other languages, and their spelling here.
 const RELATIONS: &[(&str, &str)] = &[
     ("===", "=="),
     ("!==", "<>"),
@@ -136,7 +136,8 @@ fn parentheses(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::RemoveParentheses, edits))
 }
 
-/// Whether parentheses hold a calculation that would be another one without them: all but the whole right side.
+/// Returns true if parentheses hold a calculation that would be another one without them: all but the whole right
+/// side.
 fn calculates(site: &Site<'_>, statement: Span, inside: Span) -> bool {
     let (before, tokens, after) = (
         site.tokens_of(Span::new(statement.start, inside.start - 1)),

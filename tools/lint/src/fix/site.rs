@@ -15,7 +15,7 @@ use tipc::syntax::{Module, Shape, Statement, StatementKind, upper_case};
 /// The most bytes of a statement whose findings are put right: what each of many findings looks at must not be long.
 const LONGEST: usize = 4 * LINE_LIMIT;
 
-/// What is looked up once for all findings of a file.
+/// Facts that are looked up once for all diagnostics of a file.
 #[derive(Debug, Default)]
 pub(super) struct Shared {
     /// The names that something jumps to, or was going to.
@@ -93,12 +93,12 @@ impl<'a> Site<'a> {
         tokens
     }
 
-    /// Whether a token is a keyword.
+    /// Returns true if a token is a keyword.
     pub(super) fn is(&self, token: &Token, keyword: Keyword) -> bool {
         token.kind == Kind::Word && self.is_word(token.span, keyword)
     }
 
-    /// Whether there is a keyword at a place.
+    /// Returns true if there is a keyword at a location.
     pub(super) fn is_word(&self, span: Span, keyword: Keyword) -> bool {
         self.slice(span).eq_ignore_ascii_case(keyword.word())
     }
@@ -109,7 +109,7 @@ impl<'a> Site<'a> {
         self.source.line(line)
     }
 
-    /// How the lines of the file end.
+    /// Returns the line end of the file.
     pub(super) fn line_end(&self) -> &'a str {
         match self.slice(self.source.line(1).end) {
             "" => "\n",
@@ -150,7 +150,7 @@ impl<'a> Site<'a> {
         Edit::insert(at, format!(" {}", self.like(word)))
     }
 
-    /// Whether something jumps to a label, or was going to.
+    /// Returns true if something jumps to a label, or was going to.
     pub(super) fn is_target(&self, name: &str) -> bool {
         let targets = || {
             self.module

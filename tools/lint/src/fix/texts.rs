@@ -10,9 +10,9 @@ use tipc::message::{Habit, Message, Parsing};
 use tipc::source::Span;
 use tipc::syntax::StatementKind;
 
-/// What a text of C ends its line with.
+/// Line end in a text of C.
 const BREAK: &str = "\\n";
-/// What begins a placeholder or an escape: other languages mean something else by them.
+/// Starts of placeholders and escapes: other languages mean something else by them.
 const SPECIAL: &[char] = &['%', '\\', '\u{A5}', '{'];
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
@@ -56,7 +56,7 @@ fn glued(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::Show, edits))
 }
 
-/// What opens and closes the one text that stands there: quotes, perhaps in parentheses.
+/// Returns opener and closer of the one text that stands there: quotes, perhaps in parentheses.
 fn quotes(site: &Site<'_>, place: Span) -> Option<[Span; 2]> {
     let place = trimmed(site, place);
     let mut inside = place;

@@ -88,7 +88,7 @@ fn closer(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
     stands_for_it(site).then(|| certain(site, site.span(), keyword.word()))
 }
 
-/// Whether the place of the finding is the word itself, spelled otherwise.
+/// Returns true if the location of the diagnostic is the word itself in another spelling.
 fn stands_for_it(site: &Site<'_>) -> bool {
     matches!(
         site.reason(),

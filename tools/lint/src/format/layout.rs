@@ -1,4 +1,4 @@
-//! What the style makes of each line: its statements, and how deep it is indented.
+//! Layout of each line: its statements, and their indentation.
 
 use super::rows::{Row, Rows};
 use crate::listing::formal;
@@ -9,7 +9,7 @@ use tipc::syntax::{Module, Shape, Statement, StatementKind};
 
 /// The blanks of each open block.
 const INDENT: usize = 2;
-/// What parts statements on one line.
+/// Separator between statements on one line.
 const SEPARATOR: &str = " ; ";
 
 /// The lines of a program that loads, in the style and without blank ones at its end.
@@ -46,7 +46,7 @@ struct Layout<'a> {
     source: &'a Source,
     rows: Vec<Row>,
     code: Vec<u8>,
-    /// How many blocks are open.
+    /// Number of open blocks.
     depth: usize,
     /// END is passed.
     ended: bool,
@@ -102,7 +102,7 @@ impl Layout<'_> {
         });
     }
 
-    /// Whether more than a comment follows END on its line.
+    /// Returns true if more than a comment follows END on its line.
     fn says_more(&self, statements: &[Statement], code: Span) -> bool {
         let Some(end) = statements.last() else {
             return false;
@@ -209,7 +209,7 @@ impl Layout<'_> {
     }
 }
 
-/// What a statement is to the depth of blocks.
+/// Effect of a statement on the depth of blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Edge {
     Opens,

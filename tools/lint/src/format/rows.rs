@@ -5,7 +5,7 @@ use std::ops::Range;
 use tipc::parse::LINE_LIMIT;
 use tipc::source::{Source, Span, byte_length};
 
-/// What is between code and its comment, at least.
+/// Minimum space between code and its comment, columns.
 const GAP: usize = 2;
 
 /// A line: indentation, code, comment, any of which may be empty.
@@ -17,7 +17,7 @@ pub(super) struct Row {
     pub(super) indent: usize,
     /// Its code among the bytes of all code.
     pub(super) code: Range<usize>,
-    /// How many columns the code takes.
+    /// Width of the code, columns.
     pub(super) length: usize,
     pub(super) comment: Span,
     pub(super) end: Span,
@@ -34,7 +34,7 @@ impl Row {
         self.comment.start < self.comment.end
     }
 
-    /// Whether a comment follows code here.
+    /// Returns true if a comment follows code here.
     fn is_commented(&self) -> bool {
         !self.code.is_empty() && self.has_comment()
     }
@@ -102,7 +102,7 @@ impl Rows {
         Ok(())
     }
 
-    /// How a line ends: as it did. The last line ends as the one before it, if it did not end.
+    /// Returns the line end of a row, unchanged. The last line ends like the one before it, if it did not end.
     fn end<'a>(&self, row: &Row, source: &'a Source, out: &[u8]) -> &'a [u8] {
         match source.original(row.end) {
             // Together with the end before it, this would be one.

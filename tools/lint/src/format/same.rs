@@ -1,5 +1,5 @@
-//! Whether a formatted program is the one that it was. The passes after the parser see the fields of statements and not how
-//! they are laid out, so equal fields make an equal program.
+//! Comparison of a formatted program with the original. The passes after the parser see the fields of statements and
+//! not how they are laid out, so equal fields make an equal program.
 
 use crate::Options;
 use crate::listing::formal;

@@ -32,7 +32,7 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     }
 }
 
-/// Whether the robot's standard sampling time may not be the one in force.
+/// Returns true if the robot's standard sampling time may not be the one in force.
 fn sets_period(action: &Action) -> bool {
     let Action::Command { op, .. } = action else {
         return false;

@@ -17,7 +17,7 @@ use tipc::syntax::{Statement, StatementKind};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constant {
     pub(super) step: StepId,
-    /// Whether there is a warning about that here.
+    /// Presence of a warning about it.
     outcome: Outcome,
 }
 
@@ -65,7 +65,7 @@ fn outcome(action: &Action) -> Option<Outcome> {
     (!is_endless).then_some(Outcome::Is(is))
 }
 
-/// What a condition always is: two constants compared, or a variable with itself.
+/// Returns the constant result of a condition: two constants compared, or a variable with itself.
 fn settled(condition: Condition) -> Option<bool> {
     use tipc::program::Relation::{Eq, Ge, Gt, Le, Lt, Ne};
     match condition {
@@ -126,7 +126,7 @@ impl Deeds {
         Deeds(deeds)
     }
 
-    /// Whether something depends on a step: a block without any action is a sketch.
+    /// Returns true if something depends on a step: a block without any action is a sketch.
     fn depend_on(&self, program: &Program, step: StepId) -> bool {
         match &program.steps()[step as usize].action {
             Action::If { otherwise: end, .. }
@@ -140,7 +140,7 @@ impl Deeds {
     }
 }
 
-/// Whether a step in a block goes elsewhere.
+/// Returns true if a step in a block goes elsewhere.
 fn leads_on(action: &Action) -> bool {
     matches!(
         action,
@@ -185,7 +185,7 @@ fn never_ends(statement: &Statement) -> Diagnostic {
     Diagnostic::new(Code::EndlessLoop, place, Linting::NothingChanges).help(Linting::ChangeOrLoop)
 }
 
-/// Where a condition is.
+/// Returns the location of a condition.
 pub(super) fn condition(statement: &Statement) -> Span {
     use tipc::syntax::Condition::{Compare, Flag};
     match &statement.kind {
@@ -214,7 +214,7 @@ fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
         .collect()
 }
 
-/// Where a loop goes on to turn, if a step decides that by comparing variables.
+/// Returns the node where a loop goes on to turn, if a step decides that by comparing variables.
 fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
     let (condition, turn) = match action {
         Action::While { condition, .. } => (condition, step + 1),
@@ -225,7 +225,7 @@ fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
     matches!(condition, Condition::Compare { .. }).then(|| flow.first(turn))
 }
 
-/// Whether the loop cannot end; `None` if it is too large to say.
+/// Returns whether the loop cannot end; `None` if it is too large to say.
 fn is_stuck(
     program: &Program,
     flow: &Flow,

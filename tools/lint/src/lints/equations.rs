@@ -28,7 +28,7 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     }
 }
 
-/// Where the plus is.
+/// Returns the location of the plus.
 fn swapped(text: &str, equation: &Equation) -> Option<usize> {
     let Expression::Operand(value) = &equation.value else {
         return None;

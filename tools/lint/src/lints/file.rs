@@ -65,7 +65,7 @@ pub(super) fn title(loaded: &Loaded, options: &Options) -> Option<Diagnostic> {
     Some(finding.help(Habit::Title))
 }
 
-/// Whether these words begin as a statement, and no title of one word.
+/// Returns true if these words begin a statement, and no title of one word.
 fn is_statement(loaded: &Loaded, tokens: &[Token]) -> bool {
     let Some(first) = tokens.first() else {
         return false;

@@ -19,7 +19,7 @@ use tipc::syntax::{StatementKind, upper_case};
 struct Names<'a> {
     variables: &'a [Variable],
     ids: HashMap<&'a str, VariableId>,
-    /// Whether something reads each definition.
+    /// True if something reads each definition.
     is_read: Vec<bool>,
 }
 
@@ -46,7 +46,7 @@ impl<'a> Names<'a> {
         self.ids.get(name).map(|id| &self.variables[*id])
     }
 
-    /// Whether the name is that of a VAR, in letters of any case.
+    /// Returns true if the name is that of a VAR, in letters of any case.
     fn is_var(&self, name: &str) -> bool {
         let variable = self.find(&upper_case(name));
         variable.is_some_and(|one| one.kind == VariableKind::Var)
@@ -105,7 +105,7 @@ fn is_unread_var(names: &Names<'_>, text: &str) -> bool {
     names.is_var(text) && id.is_some_and(|id| !is_read(*id))
 }
 
-/// What may stand before a percent sign that is one: `50%`, `%A%`.
+/// Returns true if the character may stand before a percent sign that is one: `50%`, `%A%`.
 fn is_word_end(char: char) -> bool {
     char.is_ascii_alphanumeric() || char == '_' || char == '%'
 }
@@ -178,7 +178,7 @@ fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut
     }
 }
 
-/// Whether that is shown as a value.
+/// Returns true if the text between percent signs is shown as a value.
 fn is_placeholder(names: &Names<'_>, inner: &str) -> bool {
     split(inner).is_some() && fault(names, inner).is_none()
 }
@@ -197,7 +197,7 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     (starts && is_word(name) && rest.is_none_or(is_word)).then_some((name, rest))
 }
 
-/// Why what looks like a placeholder stands for nothing, and what to write.
+/// Returns why what looks like a placeholder stands for nothing, and what to write.
 fn fault(names: &Names<'_>, inner: &str) -> Option<(Linting, Linting)> {
     let (name, rest) = split(inner)?;
     let name = || upper_case(name);
@@ -226,7 +226,7 @@ fn fault(names: &Names<'_>, inner: &str) -> Option<(Linting, Linting)> {
     Some((reason, Linting::ShowCopy { member }))
 }
 
-/// What to write for a name that is not declared.
+/// Returns what to write for a name that is not declared.
 fn declare(names: &Names<'_>, name: SmolStr) -> Linting {
     if let Some(near) = numbered(&name).filter(|near| names.is_var(near)) {
         return Linting::MeantPlaceholder { near };
@@ -246,7 +246,7 @@ fn numbered(name: &str) -> Option<SmolStr> {
     is_number.then(|| format!("VAR{number}").into())
 }
 
-/// Whether a value was to be shown, and nothing says of which variable.
+/// Returns true if a value was to be shown, and nothing says of which variable.
 pub(super) fn means_any(found: &[Diagnostic]) -> bool {
     let any = Some(Linting::ShowAnyValue.into());
     found.iter().any(|finding| finding.help == any)

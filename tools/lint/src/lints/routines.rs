@@ -52,7 +52,7 @@ fn never_returns(judged: &Judged<'_>, entry: StepId, call: StepId) -> Option<Dia
     )
 }
 
-/// What does not match.
+/// Routines whose calls and returns do not match.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Mismatches {
     /// Routines that cannot come back, although they do not end the program by EXIT.
@@ -64,7 +64,7 @@ struct Mismatches {
 /// A routine that cannot come back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct OneWay {
-    /// Where it begins.
+    /// First step of the routine.
     entry: StepId,
     /// The first step that calls it.
     call: StepId,
@@ -115,7 +115,8 @@ fn one_way(program: &Program, flow: &Flow) -> Vec<OneWay> {
         .collect()
 }
 
-/// Whether the routine does something, and then runs to the end of the source or into a call of itself, but never returns;
+/// Returns whether the routine does something, and then runs to the end of the source or into a call of itself, but
+/// never returns;
 /// `None` if it is too long to say.
 fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
     let path = walk.from(&[call.entry], None, Into::Itself)?;

@@ -100,7 +100,7 @@ fn warning(
     )
 }
 
-/// Whether a step only closes a block.
+/// Returns true if a step only closes a block.
 fn closes(kind: &StatementKind) -> bool {
     matches!(
         kind,
@@ -137,7 +137,7 @@ fn dead(program: &Program, flow: &Flow, open: &[StepId]) -> Vec<StepId> {
     steps.filter(is_dead).collect()
 }
 
-/// Where a step with two branches leads.
+/// Returns the targets of a step with two branches.
 fn branches(flow: &Flow, step: StepId, action: &Action) -> [NodeId; 2] {
     let other = match action {
         Action::If { otherwise, .. } | Action::ElseIf { otherwise, .. } => flow.last(*otherwise),

@@ -48,7 +48,7 @@ fn calls_native_code(step: &Step) -> bool {
     )
 }
 
-/// What a step brings under control, if it moves anything.
+/// Returns what a step brings under control, if it moves anything.
 fn moves(step: &Step) -> Option<Target> {
     let Action::Command { op, target, .. } = step.action else {
         return None;
@@ -60,7 +60,7 @@ fn moves(step: &Step) -> Option<Target> {
     }
 }
 
-/// Why a step waits for nothing.
+/// Returns why a step waits for nothing.
 fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Linting> {
     let is_one = |target: Target| !matches!(target, Target::All | Target::None);
     // A program in which nothing moves at all is a sketch.
@@ -95,7 +95,7 @@ fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Linting> {
     }
 }
 
-/// Whether two targets have a joint in common.
+/// Returns true if two targets have a joint in common.
 fn meets(one: Target, other: Target) -> bool {
     match (one, other) {
         (Target::All, _) | (_, Target::All) => true,

@@ -1,16 +1,16 @@
-//! Where paths lead from a node.
+//! Paths that leave a node.
 
 use tipc::analysis::flow::{Flow, NodeId};
 
-/// How far a path is followed: the time stays in proportion to the program.
+/// Maximum number of nodes on a path that is followed: the time stays in proportion to the program.
 const FARTHEST: usize = 1_000;
 
 /// Which nodes of a path count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Into {
-    /// Those of its own routine: a call is passed.
+    /// Nodes of its own routine: a call is passed.
     Itself,
-    /// Those of called routines too.
+    /// Nodes of called routines too.
     Calls,
 }
 

@@ -36,10 +36,10 @@ pub fn object(source: &Source, module: &Module, program: &Program) -> String {
         .collect()
 }
 
-/// What the records so far mean for the next ones.
+/// State of the listing after the records so far.
 struct Listing<'a> {
     variables: Variables<'a>,
-    /// How many MESSAGE texts there were.
+    /// Number of MESSAGE texts so far.
     texts: u32,
 }
 
@@ -253,7 +253,7 @@ fn label(step: StepId) -> Slot {
     Slot::new("LABEL", f64::from(step))
 }
 
-/// How the right side meets the left one.
+/// Returns the name of the update: how the right side meets the left one.
 fn left_name(update: Option<Arithmetic>) -> String {
     let name = match update {
         None => return target_name(Target::None),
@@ -308,12 +308,12 @@ impl Record {
         }
     }
 
-    /// The same with this target.
+    /// Sets the target.
     pub(super) fn to(self, target: String) -> Self {
         Record { target, ..self }
     }
 
-    /// The same with another argument after the others.
+    /// Adds an argument after the others.
     pub(super) fn with(mut self, argument: Slot) -> Self {
         self.arguments.push(argument);
         self
@@ -364,7 +364,7 @@ impl Slot {
         Slot::new("CONSTANT", value)
     }
 
-    /// The same after a mark, of which `R` alone shows.
+    /// Adds a mark, of which `R` alone shows.
     pub(super) fn marked(self, mark: Mark) -> Self {
         match mark {
             Mark::None | Mark::Absolute => self,

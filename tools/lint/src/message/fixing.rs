@@ -1,4 +1,4 @@
-//! What a fix does.
+//! Titles of fixes.
 
 use super::Findings;
 use smol_str::SmolStr;

@@ -176,7 +176,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What a variable lacks.
+    /// Missing part of a variable.
     Lack;
 
     Value "no value here", "ここではまだ値がありません";
@@ -192,7 +192,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What is said of comments that silence warnings.
+    /// Messages about comments that silence warnings.
     Allowing;
 
     NoList

@@ -1,10 +1,10 @@
-//! What is said of programs of older versions.
+//! Messages about programs of older versions.
 
 use super::{Changes, Declared, Loads, Questions};
 use tipc::message::{Message, Text};
 
 tipc::message_table! {
-    /// What the migration of a program says.
+    /// Messages of the migration of a program.
     Migrating;
 
     // Lines 1 and 2.

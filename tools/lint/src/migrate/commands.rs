@@ -8,7 +8,7 @@ use tipc::lex::Kind;
 use tipc::source::Span;
 use tipc::syntax::Arithmetic;
 
-/// What follows the name of a parameter.
+/// Suffixes after the name of a parameter.
 const SUFFIXES: &[&str] = &["_RATE", "_SLOW", "_FAST", "_NORMAL", "_FIRMLY", "_SOFT"];
 
 /// The parameters, as old programs call them and as they are called now.
@@ -32,7 +32,7 @@ fn parameter_command(keyword: &str) -> Option<String> {
     (name != keyword && find(&name).is_some()).then_some(name)
 }
 
-/// Whether an old statement may start with this word.
+/// Returns true if an old statement may start with this word.
 pub(super) fn is_statement_word(keyword: &str) -> bool {
     let renamed = ["COMPLIANCE", "SET_INPOS", "SET_NEAR"];
     COMMANDS

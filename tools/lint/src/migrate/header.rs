@@ -15,7 +15,7 @@ const TITLED: f64 = 1.1;
 /// A version that older programs name, although the language never came so far.
 const ODD: f64 = 4.0;
 
-/// How a program is written.
+/// Style of a program's version.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Style {
     /// Variables typed by their names, one statement a line: before 3.0.
@@ -25,18 +25,18 @@ pub(super) enum Style {
 }
 
 impl Style {
-    /// Whether `VAR01` and its like need no declaration.
+    /// Returns true if variables like `VAR01` need no declaration.
     pub(super) fn typed(self) -> bool {
         self == Style::Typed
     }
 
-    /// Whether `;` is an ordinary character of texts.
+    /// Returns true if `;` is an ordinary character of texts.
     pub(super) fn single(self) -> bool {
         self.typed()
     }
 }
 
-/// What is in line 2.
+/// Title in line 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Title {
     /// The title.
@@ -55,7 +55,7 @@ impl Title {
     }
 }
 
-/// What line 1 says.
+/// Contents of line 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Header {
     pub(super) style: Style,

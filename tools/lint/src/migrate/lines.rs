@@ -46,12 +46,12 @@ pub(super) struct Statement {
     pub(super) word: Span,
     /// Everything, the first word included.
     pub(super) tokens: Vec<Token>,
-    /// What follows the first word.
+    /// Text after the first word.
     pub(super) text: Span,
 }
 
 impl Statement {
-    /// Whether an assignment operator follows the first word.
+    /// Returns true if an assignment operator follows the first word.
     pub(super) fn is_equation(&self) -> bool {
         matches!(self.tokens.get(1), Some(token) if matches!(token.kind, Kind::Assign(_)))
     }
@@ -74,7 +74,7 @@ impl Statement {
             .map(|pair| pair[0].span)
     }
 
-    /// Where it ends.
+    /// Returns its end.
     pub(super) fn end(&self) -> usize {
         self.tokens
             .last()

@@ -7,7 +7,7 @@ use super::variables::Variables;
 use crate::message::Migrating;
 use tipc::source::Span;
 
-/// How many decimals `%fnn%` shows: as C's `%f`, whose letter it is.
+/// Number of decimals of `%fnn%`: as C's `%f`, whose letter it is.
 const DECIMALS: u8 = 6;
 
 impl Migrator<'_> {

@@ -26,7 +26,7 @@ const ANGLES: &[&str] = &[
     "REL_COMPLIANCE_ANGLE",
 ];
 
-/// What a tolerance is measured in.
+/// Unit of a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Measure {
     /// mm
@@ -101,7 +101,7 @@ impl Migrator<'_> {
     }
 }
 
-/// What the commands of a program move, and how.
+/// Targets that the commands of a program move, and how.
 #[derive(Debug, Default)]
 pub(super) struct Moves {
     /// The words behind commands of [`POSITIONS`].
@@ -113,7 +113,7 @@ pub(super) struct Moves {
 }
 
 impl Moves {
-    /// Those of a program.
+    /// Collects the moves of a program.
     pub(super) fn of(source: &Source, pieces: &[Piece]) -> Self {
         let mut moves = Moves::default();
         for statement in pieces.iter().filter_map(Piece::statement) {
@@ -128,7 +128,7 @@ impl Moves {
         moves
     }
 
-    /// How the program moves what WAIT_NEAR waits for; where it does not, by the kind of the target.
+    /// Returns how the program moves what WAIT_NEAR waits for; where it does not, the kind of the target decides.
     fn measure(&self, target: &str) -> Measure {
         let is_joint = target.starts_with('J');
         let moves = |words: &BTreeSet<String>| match target {
@@ -158,7 +158,7 @@ fn leg_of_joint(target: &str) -> Option<&str> {
     target.strip_prefix('J')?.get(..1)
 }
 
-/// Whether WAIT_NEAR can wait for this.
+/// Returns true if WAIT_NEAR can wait for this.
 fn is_target(name: &str) -> bool {
     let is_number = |digits: &str| digits.bytes().all(|byte| matches!(byte, b'1'..=b'9'));
     match (name.strip_prefix('F'), name.strip_prefix('J')) {

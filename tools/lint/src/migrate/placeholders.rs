@@ -3,9 +3,9 @@
 /// `%fnn%` or `%dnn%`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Placeholder {
-    /// Where it starts in the text.
+    /// Start in the text.
     pub(super) start: usize,
-    /// Where it ends.
+    /// End in the text.
     pub(super) end: usize,
     /// With decimals.
     pub(super) real: bool,

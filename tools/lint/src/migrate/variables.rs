@@ -46,15 +46,15 @@ type Key = (Prefix, usize, String);
 /// Every old variable of a program.
 #[derive(Debug, Default)]
 pub(super) struct Variables {
-    /// How each is spelt where it first appears.
+    /// Spelling of each where it first appears.
     spelling: BTreeMap<Key, String>,
     /// Names that stand for a variable spelt otherwise.
     respelt: Vec<(Span, String)>,
     /// Type names without a number.
     numberless: Vec<Span>,
-    /// Where names first appear that are too long for a declaration.
+    /// First locations of names that are too long for a declaration.
     too_long: Vec<(Span, String)>,
-    /// How VARs are spelt.
+    /// Spellings of VARs.
     vars: HashSet<String>,
     /// Names that the program declares itself.
     declared: HashSet<String>,
@@ -105,7 +105,7 @@ impl Variables {
         }
     }
 
-    /// How the variable at `place` is spelt, now known if it was not.
+    /// Returns the spelling of the variable at `place`, and records it if it is new.
     fn name_of(&mut self, prefix: Prefix, digits: &str, place: Span) -> String {
         let entry = match self.spelling.entry(key(prefix, digits)) {
             Entry::Occupied(known) => return known.get().clone(),
@@ -122,7 +122,7 @@ impl Variables {
         entry.insert(name).clone()
     }
 
-    /// How the VAR of that number is spelt.
+    /// Returns the spelling of the VAR of that number.
     pub(super) fn var(&self, digits: &str) -> Option<&str> {
         let name = self.spelling.get(&key(Prefix::Var, digits));
         name.map(String::as_str)
@@ -150,7 +150,7 @@ impl Variables {
             .collect()
     }
 
-    /// Whether a placeholder of today would name it.
+    /// Returns true if a placeholder of today would name it.
     pub(super) fn is_var(&self, name: &str) -> bool {
         self.vars.contains(name) || self.declared.contains(name)
     }

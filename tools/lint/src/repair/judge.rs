@@ -1,5 +1,5 @@
-//! Whether a changed text is better: what was to be put right is gone, and nothing else is wrong that could be seen before.
-//! A statement has one finding at most, so that a second mistake shows when the first is put right.
+//! Judgement of a changed text. It is better if the mistake is gone, and nothing else is wrong that could be seen
+//! before. A statement has one diagnostic at most, so that a second mistake shows when the first is fixed.
 
 use crate::Loaded;
 use std::collections::{HashMap, HashSet};
@@ -51,11 +51,11 @@ fn takes<K: Hash + Eq>(left: &mut HashMap<K, usize>, key: &K) -> bool {
     }
 }
 
-/// Where edits end, in the text before and in the changed one.
+/// Ends of edits, in the text before and in the changed one.
 struct Ends(Vec<(usize, usize)>);
 
 impl Ends {
-    /// Of edits in their order.
+    /// Computes the ends of edits in their order.
     fn of(edits: &[&Edit]) -> Ends {
         let (mut gone, mut new) = (0, 0);
         let ends = edits.iter().map(|edit| {
@@ -66,7 +66,7 @@ impl Ends {
         Ends(ends.collect())
     }
 
-    /// Where a place of the text is after the change.
+    /// Returns the offset after the change.
     fn moved(&self, at: usize) -> usize {
         let passed = self.0.partition_point(|(end, _)| *end <= at);
         let last = passed.checked_sub(1).map(|last| self.0[last]);
@@ -74,7 +74,7 @@ impl Ends {
     }
 }
 
-/// Of some findings those that stand on no line that was changed: no mistake before may have hidden them.
+/// Returns the diagnostics on lines that were not changed: no mistake before may have hidden them.
 pub(super) fn not_hidden(
     before: &Loaded,
     after: &Loaded,
@@ -118,22 +118,22 @@ pub(super) fn lines(
         .collect()
 }
 
-/// What makes two findings the same, wherever they are.
+/// Key by which two diagnostics are the same, wherever they are.
 type Key = (Code, String);
 
 fn key(finding: &Diagnostic) -> Key {
     (finding.code, finding.reason.to_string())
 }
 
-/// What was looked at before the change.
+/// Facts of the text before the change.
 struct Seen {
-    /// How far the text was read, as a place of the changed text.
+    /// End of the text that was read, as an offset of the changed text.
     read: usize,
     /// The blocks were whole, so that the use of variables was judged.
     usage: bool,
     /// There was a program, so that its warnings were known.
     program: bool,
-    /// Where the last error and the last warning was reported, as places of the changed text, if further ones were omitted.
+    /// Offsets, in the changed text, of the last reported error and warning, if further ones were omitted.
     last: [Option<usize>; 2],
 }
 
@@ -170,7 +170,7 @@ impl Seen {
         }
     }
 
-    /// Whether a finding of the changed text would have been reported before.
+    /// Returns true if a diagnostic of the changed text would have been reported before.
     fn would_show(&self, finding: &Diagnostic) -> bool {
         let is_usage = matches!(
             finding.code,

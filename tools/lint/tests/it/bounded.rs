@@ -1,4 +1,4 @@
-//! What a program costs to look at grows with its length, not with its square. Work is counted in bytes taken from the heap:
+//! Analysis cost grows with a program's length, not with its square. Work is counted in bytes taken from the heap:
 //! each search takes what it comes to, and the count is the same on every machine.
 
 use allocation_counter::{AllocationInfo, measure};
@@ -168,7 +168,7 @@ fn a_count_that_ends_early_says_so() {
     assert_eq!(object, Some(expected));
 }
 
-/// What everything costs that is found of a program.
+/// Counts the cost of all diagnostics of a program.
 fn check(statements: &str) -> u64 {
     let text = format!("3.1\ntest\n{statements}\nEND\n");
     let options = Options::default();

@@ -23,7 +23,7 @@ fn result(text: &str) -> String {
     String::from_utf8(bytes.to_vec()).expect("the encoding is kept")
 }
 
-/// What a line of a program of `version` becomes, without the declarations.
+/// Returns a line of a program of `version` after migration, without the declarations.
 fn line_of(version: &str, line: &str) -> String {
     let new = result(&format!("{version}\ntitle\n{line}\nEND\n"));
     let lines = new.lines().filter(|line| !line.starts_with("DEF_"));

@@ -3,7 +3,7 @@
 use tip_lint::{Options, load};
 use tipc::source::{Encoding, Unit};
 
-/// What is said of a file, each as code, line and column.
+/// Returns the diagnostics of a file, each as code, line and column.
 fn found(bytes: &[u8], options: &Options) -> Vec<String> {
     let loaded = load("misread.prg", bytes, options);
     let place = |start| loaded.source.position(start, Unit::Character);

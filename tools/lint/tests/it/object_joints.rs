@@ -11,7 +11,7 @@ fn robot<const J: usize>() -> Robot {
     Robot::Described(Facts::of(&model))
 }
 
-/// What follows `=` in the first record that is not an equation.
+/// Returns what follows `=` in the first record that is not an equation.
 fn fields(robot: Robot, statement: &str) -> Vec<String> {
     let options = Options {
         robot,

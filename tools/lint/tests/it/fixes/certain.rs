@@ -1,4 +1,4 @@
-//! What every reader means.
+//! Fixes that every reader means.
 
 use super::{Certain, check_certain, check_kept, repaired};
 

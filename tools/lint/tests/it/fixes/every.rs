@@ -40,7 +40,7 @@ fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// How often each error is found.
+/// Counts each error.
 fn errors(loaded: &Loaded) -> HashMap<String, usize> {
     let mut errors = HashMap::new();
     for finding in &loaded.diagnostics {

@@ -1,4 +1,4 @@
-//! What most readers mean.
+//! Fixes that most readers mean.
 
 use super::check_likely;
 

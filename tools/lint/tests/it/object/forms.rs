@@ -9,7 +9,7 @@ use tipc::language::commands::{COMMANDS, Command, Cycles, Form, Meaning, Values}
 const DECLARATIONS: &str = "DEF_VAR N, B\nDEF_POS P\nDEF_JOINT U\n";
 const GIVEN: &str = "N = 1\nP.X = 1\nU.J1 = 1\n";
 
-/// What stands for a number.
+/// Forms of a number.
 const CONSTANTS_AND_VARS: &[&str] = &["2.5", "N", "-N"];
 const SCALARS: &[&str] = &["-3", "-N", "P.X", "-U.J2"];
 
