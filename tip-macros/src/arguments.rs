@@ -145,7 +145,7 @@ fn runtime(option: &Ident, value: Vec<TokenTree>) -> Result<TokenStream, Misuse>
     }
 }
 
-/// The path of a description, or the name of a robot that has one here.
+/// Returns the path of a description, or the name of a robot that has one here.
 fn description(value: &[TokenTree]) -> Option<Text> {
     let [token] = value else {
         return None;
@@ -184,7 +184,7 @@ impl Input {
         }
     }
 
-    /// The invocation does not have its form, here.
+    /// Returns the error that the invocation does not have its form, here.
     fn misuse<T>(&mut self) -> Result<T, Misuse> {
         let span = self
             .tokens
@@ -279,7 +279,7 @@ fn is_punct(token: &TokenTree, c: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == c)
 }
 
-/// The tokens without the invisible groups that surround what another macro passes on.
+/// Returns the tokens without the invisible groups that surround what another macro passes on.
 fn ungrouped(input: TokenStream) -> TokenStream {
     input
         .into_iter()

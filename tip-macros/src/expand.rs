@@ -76,7 +76,8 @@ pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> Toke
 const NO_ROBOT_FILES: &str = "robots from description files need the feature `robot-files` of tip-macros: \
                               `tip-macros = { version = \"…\", features = [\"robot-files\"] }`";
 
-/// The macro exists without its feature as well, so that a crate that uses it learns what is missing.
+/// Reports the missing feature: the macro exists without it as well, so that a crate that uses it learns what is
+/// missing.
 #[cfg(not(feature = "robot-files"))]
 pub(crate) fn include_robot(_: TokenStream, _: Option<&Path>) -> TokenStream {
     error(proc_macro2::Span::call_site(), NO_ROBOT_FILES)
@@ -105,7 +106,7 @@ impl Failure {
         }
     }
 
-    /// The errors, and what replaces the item that could not be made.
+    /// Returns the errors, and what replaces the item that could not be made.
     fn beside(&self, skeleton: TokenStream) -> TokenStream {
         let errors = self.errors.iter();
         let errors = errors.map(|text| error(self.span, text));
@@ -156,7 +157,7 @@ fn find(path: &Text, invoking: Option<&Path>) -> Result<Found, Failure> {
     })
 }
 
-/// The items of a program, checked for the robot that its options name.
+/// Returns the items of a program, checked for the robot that its options name.
 fn compiled(
     name: &str,
     bytes: &[u8],
@@ -191,7 +192,7 @@ fn described(path: &Text, _: &[u8]) -> Result<tipc::Robot, Failure> {
     Err(Failure::at(path, NO_ROBOT_FILES))
 }
 
-/// The language that errors of programs are in.
+/// Returns the language that errors of programs are in.
 fn lang() -> Lang {
     let asked = env::var(embed::LANG).unwrap_or_default();
     Lang::of(&asked)
@@ -201,7 +202,7 @@ fn complaint(misuse: &Misuse) -> TokenStream {
     error(misuse.span, &misuse.message)
 }
 
-/// An error at `span`.
+/// Returns an error at `span`.
 fn error(span: proc_macro2::Span, text: &str) -> TokenStream {
     let text = text.trim_end();
     quote_spanned!(span=> ::core::compile_error! { #text })
@@ -225,7 +226,7 @@ mod tests {
         assert!(!items.contains("compile_error"), "{items}");
     }
 
-    /// The tokens as a formatted file.
+    /// Returns the tokens as a formatted file.
     fn formatted(tokens: TokenStream) -> String {
         prettyplease::unparse(&syn::parse2(tokens).unwrap())
     }

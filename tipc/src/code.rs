@@ -42,22 +42,22 @@ macro_rules! codes {
             /// Every code.
             pub const ALL: &'static [Code] = &[$( Code::$variant, )*];
 
-            /// The stable identifier: `E…` for errors, `W…` for warnings.
+            /// Returns the stable identifier: `E…` for errors, `W…` for warnings.
             pub const fn id(self) -> &'static str {
                 match self { $( Code::$variant => $id, )* }
             }
 
-            /// The class of an error; `None` for a warning.
+            /// Returns the class of an error; `None` for a warning.
             pub const fn kind(self) -> Option<Kind> {
                 match self { $( Code::$variant => $kind, )* }
             }
 
-            /// The classical message (T.I.P. 3.1 §9); of a warning, ours.
+            /// Returns the classical message (T.I.P. 3.1 §9); of a warning, ours.
             pub const fn template(self) -> &'static str {
                 match self { $( Code::$variant => $message, )* }
             }
 
-            /// The message in a language; the classical ones are English.
+            /// Returns the message in a language; the classical ones are English.
             pub const fn template_in(self, lang: Lang) -> &'static str {
                 match (self, lang) {
                     $( $( (Code::$variant, Lang::Japanese) => $japanese, )? )*
@@ -231,7 +231,7 @@ impl Code {
         }
     }
 
-    /// The code of what ended a run. Its message is the fault's, its `{}` stands for what the fault names.
+    /// Returns the code of what ended a run. Its message is the fault's, its `{}` stands for what the fault names.
     pub const fn of_fault(fault: &Fault) -> Code {
         match fault {
             Fault::Domain => Code::Domain,

@@ -145,7 +145,7 @@ fn read<T>(
     }
 }
 
-/// A place where the text is not even TOML.
+/// Reports the location where the text is not even TOML.
 fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
     let place = error.span().unwrap_or_default();
     let reason = Describing::NotToml {

@@ -56,7 +56,7 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// A finding of `code` at `span`, with the reason in this case.
+    /// Creates a diagnostic of `code` at `span`, with the reason in this case.
     pub fn new(code: Code, span: Span, reason: impl Into<Message>) -> Self {
         Diagnostic {
             code,
@@ -102,7 +102,8 @@ impl Diagnostic {
         self
     }
 
-    /// Its finest code: that of its kind of mistake, as `E205-03`, or that of its class if this covers one kind only.
+    /// Returns its finest code: that of its kind of mistake, as `E205-03`, or that of its class if this covers one
+    /// kind only.
     pub fn id(&self) -> &'static str {
         let mistake = Mistake::of(self.code, &self.reason);
         mistake.map_or(self.code.id(), |mistake| mistake.id)
@@ -113,12 +114,12 @@ impl Diagnostic {
         self.code.level(self.edition)
     }
 
-    /// The classical message, its subject filled in.
+    /// Returns the classical message, its subject filled in.
     pub fn message(&self) -> String {
         self.filled(self.code.template())
     }
 
-    /// A template with the subject in it: a path whole, of a name as much as is shown.
+    /// Fills the subject into a template: a path whole, of a name as much as is shown.
     fn filled(&self, template: &str) -> String {
         let subject = self.subject.as_deref().unwrap_or_default();
         match self.code {
@@ -154,7 +155,7 @@ pub enum Applicability {
 }
 
 impl Applicability {
-    /// Its name for tools.
+    /// Returns its name for tools.
     pub const fn name(self) -> &'static str {
         match self {
             Applicability::Certain => "certain",

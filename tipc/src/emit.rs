@@ -58,7 +58,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The name of the generated type for a source of this name.
+    /// Returns the name of the generated type for a source of this name.
     pub fn name_for(&self, source_name: &str) -> Ident {
         self.name
             .clone()
@@ -66,12 +66,12 @@ impl Options {
     }
 }
 
-/// The line that marks generated code: the tool, its version, the source and its hash.
+/// Returns the line that marks generated code: the tool, its version, the source and its hash.
 pub fn header(program: &Program) -> String {
     header_of(&program.source_name, program.source_hash)
 }
 
-/// The line that marks what was generated from a source of this name and hash.
+/// Returns the line that marks what was generated from a source of this name and hash.
 pub(crate) fn header_of(source: &str, hash: u64) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let source = ident::in_comment(source);
@@ -85,7 +85,7 @@ pub fn emit(program: &Program, options: &Options) -> TokenStream {
     emitter.items(&emitter.states())
 }
 
-/// A type of the program's name that causes no further errors: it implements the trait and does
+/// Returns a type of the program's name that causes no further errors: it implements the trait and does
 /// nothing. It stands in for a program for `robot` that does not load, so that only the program is reported.
 pub fn skeleton(source_name: &str, robot: Robot, options: &Options) -> TokenStream {
     let Options {

@@ -102,13 +102,13 @@ fn index(rows: &'static [Row]) -> HashMap<&'static str, &'static Row> {
     rows.iter().flat_map(words).collect()
 }
 
-/// The row of [`ROWS`] with a word, whatever its case.
+/// Returns the row of [`ROWS`] with a word, whatever its case.
 fn row_of(word: &str) -> Option<&'static Row> {
     static INDEX: Index = LazyLock::new(|| index(ROWS));
     INDEX.get(upper_case(word).as_str()).copied()
 }
 
-/// The row of [`PARTS`] with a word, whatever its case.
+/// Returns the row of [`PARTS`] with a word, whatever its case.
 fn part_of(word: &str) -> Option<&'static Row> {
     static INDEX: Index = LazyLock::new(|| index(PARTS));
     INDEX.get(upper_case(word).as_str()).copied()
@@ -156,7 +156,7 @@ fn begins_cases(word: &str) -> bool {
     row_of(word).is_some_and(|row| row.habit == Habit::Cases)
 }
 
-/// The words of other languages for the end of a block, after END, and what ends it here.
+/// Returns the words of other languages for the end of a block, after END, and what ends it here.
 pub fn ends(word: &str) -> Option<Keyword> {
     match row_of(word)?.means {
         Means::Keyword(Keyword::Subroutine) => Some(Keyword::SubEnd),
@@ -177,7 +177,7 @@ pub fn opens_block(word: &str) -> bool {
         .any(|one| one.eq_ignore_ascii_case(word))
 }
 
-/// A function of other languages.
+/// Returns true if a word is a function of other languages.
 pub fn is_function(word: &str) -> bool {
     const FUNCTIONS: &str =
         "MAX MIN MOD RND RAND RANDOM POW EXP LOG LOG10 LN SGN SIGN FLOOR CEIL ROUND FIX SQR HYPOT";
@@ -186,7 +186,7 @@ pub fn is_function(word: &str) -> bool {
         .any(|one| one.eq_ignore_ascii_case(word))
 }
 
-/// The function that another language calls otherwise.
+/// Returns the function that another language calls otherwise.
 pub fn function(word: &str) -> Option<&'static str> {
     const CALLED: &[(&str, Operation)] = &[
         ("ARCTAN ATN", Operation::Scalar(Function::Atan)),
@@ -208,7 +208,7 @@ pub fn function(word: &str) -> Option<&'static str> {
     CALLED.iter().find(is_it).map(|row| row.1.word())
 }
 
-/// The relation that other languages write as a word or with other signs.
+/// Returns the relation that other languages write as a word or with other signs.
 pub fn relation(word: &str) -> Option<&'static str> {
     Some(match word {
         "EQ" | "IS" | "EQUALS" => "==",
@@ -239,7 +239,7 @@ pub fn is_unit(word: &str) -> bool {
     UNITS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
-/// The name that a word begins with: `PRINT` of `PRINT("…")`, `time.sleep` of `time.sleep(1)`.
+/// Returns the name that a word begins with: `PRINT` of `PRINT("…")`, `time.sleep` of `time.sleep(1)`.
 pub fn name(word: &str) -> &str {
     let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
     &word[..end.unwrap_or(word.len())]
@@ -329,7 +329,7 @@ pub fn is_range(text: &str) -> bool {
     matches!(text, "〜" | "～" | "~")
 }
 
-/// The mark that a comment of another language begins with.
+/// Returns the mark that a comment of another language begins with.
 pub fn comment_mark(comment: &str) -> Option<&'static str> {
     let mut marks = COMMENTS.iter().copied().chain([BANG]);
     marks.find(|mark| comment.starts_with(mark))
@@ -343,7 +343,7 @@ pub fn comment_after(line: &str) -> Option<usize> {
     after_blank.into_iter().find(starts)
 }
 
-/// The number to write in place of a constant of another language.
+/// Returns the number to write in place of a constant of another language.
 pub fn constant(word: &str) -> Option<&'static str> {
     Some(match word {
         "TRUE" | "ON" | "YES" | "HIGH" => "1",

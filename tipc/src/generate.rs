@@ -91,18 +91,18 @@ impl Default for Config {
 }
 
 impl Config {
-    /// The standard settings.
+    /// Creates the standard settings.
     pub fn new() -> Self {
         Config::default()
     }
 
-    /// The robot that programs are checked for; TITAN VIII if not called.
+    /// Sets the robot that programs are checked for; TITAN VIII if not called.
     pub fn robot(&mut self, robot: Robot) -> &mut Self {
         self.load.robot = robot;
         self
     }
 
-    /// The robot that programs are checked for, as a file describes it, or one of those that are
+    /// Sets the robot that programs are checked for, as a file describes it, or one of those that are
     /// [`published`], by its name; it takes the place of [`robot`](Self::robot).
     #[cfg(feature = "robot-files")]
     pub fn robot_file(&mut self, path: impl Into<PathBuf>) -> &mut Self {
@@ -110,13 +110,13 @@ impl Config {
         self
     }
 
-    /// The folder for generated files; Cargo's `OUT_DIR` if not called.
+    /// Sets the folder for generated files; Cargo's `OUT_DIR` if not called.
     pub fn out_dir(&mut self, folder: impl Into<PathBuf>) -> &mut Self {
         self.out_dir = Some(folder.into());
         self
     }
 
-    /// The version number that programs must have on their first line; 3.1 if not called.
+    /// Sets the version number that programs must have on their first line; 3.1 if not called.
     pub fn tip_version(&mut self, version: f64) -> &mut Self {
         self.load.tip_version = version;
         self
@@ -128,19 +128,19 @@ impl Config {
         self
     }
 
-    /// The path under which generated code finds the crate `tip-runtime`; `::tip_runtime` if not called.
+    /// Sets the path under which generated code finds the crate `tip-runtime`; `::tip_runtime` if not called.
     pub fn runtime_path(&mut self, path: impl Into<String>) -> &mut Self {
         self.runtime_path = path.into();
         self
     }
 
-    /// The name of the generated type; the file's name in UpperCamelCase if not called. For one program only.
+    /// Sets the name of the generated type; the file's name in UpperCamelCase if not called. For one program only.
     pub fn type_name(&mut self, name: impl Into<String>) -> &mut Self {
         self.type_name = Some(name.into());
         self
     }
 
-    /// The visibility of the generated type, such as `pub(crate)` or nothing; `pub` if not called.
+    /// Sets the visibility of the generated type, such as `pub(crate)` or nothing; `pub` if not called.
     pub fn visibility(&mut self, visibility: impl Into<String>) -> &mut Self {
         self.visibility = visibility.into();
         self
@@ -330,7 +330,7 @@ impl Report {
     }
 }
 
-/// Each program with the file that it compiles to.
+/// Returns each program with the file that it compiles to.
 fn outputs<'a>(
     paths: &[&'a Path],
     folder: &Path,
@@ -354,13 +354,13 @@ fn same_output(one: &Path, other: &Path) -> BuildError {
     })
 }
 
-/// The tokens of a setting that must be a `T`.
+/// Returns the tokens of a setting that must be a `T`.
 fn tokens<T: syn::parse::Parse>(text: &str) -> Result<TokenStream, BuildError> {
     syn::parse_str::<T>(text).map_err(|error| no_such_rust(text, &error))?;
     text.parse().map_err(|error| no_such_rust(text, &error))
 }
 
-/// A setting that is not Rust.
+/// Creates the error for a setting that is not Rust.
 fn no_such_rust(text: &str, error: &dyn Display) -> BuildError {
     BuildError::setting(Building::NoRust {
         text: text.to_owned(),
@@ -391,7 +391,7 @@ pub struct BuildError {
 }
 
 impl BuildError {
-    /// A setting of [`Config`](self::Config) that makes no sense.
+    /// Creates the error for a setting of [`Config`](self::Config) that makes no sense.
     pub(super) fn setting(message: Building) -> Self {
         BuildError {
             message: message.to_string(),

@@ -75,7 +75,7 @@ pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     }
 }
 
-/// The first place from `at` on without a delimiter.
+/// Returns the first place from `at` on without a delimiter.
 pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
     while let length @ 1.. = delimiter(bytes, at) {
         at += length;
@@ -104,7 +104,7 @@ pub(crate) fn delimiter(bytes: &[u8], at: usize) -> usize {
     }
 }
 
-/// The end of the word that starts at `start`.
+/// Returns the end of the word that starts at `start`.
 pub fn word_end(bytes: &[u8], start: usize) -> usize {
     let end = plain_word_end(bytes, start);
     if is_open_exponent(&bytes[start..end], &bytes[end..]) {
@@ -173,7 +173,7 @@ const fn is_foreign(byte: u8) -> bool {
     !byte.is_ascii() || byte.is_ascii_control()
 }
 
-/// The first run of characters in `span` that only comments and texts may hold.
+/// Returns the first run of characters in `span` that only comments and texts may hold.
 pub fn foreign_run(text: &str, span: Span) -> Option<Span> {
     let word = &text[span.start..span.end];
     let start = word.bytes().position(is_foreign)?;

@@ -153,7 +153,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A struct is given as its members.
+    /// Returns the members of a struct as arguments.
     fn members(&self, variable: VariableId, mark: Mark) -> Vec<Argument> {
         let members = 0..self.variables[variable].size();
         let argument = |member| Argument {
@@ -199,7 +199,7 @@ fn increment(counting: Counting) -> Operand {
     counting.step.unwrap_or(Operand::Constant(1.0))
 }
 
-/// The number of the native command comes before its values.
+/// Puts the number of the native command before its values.
 fn special(number: f64, values: Vec<Operand>) -> Action {
     let operands = std::iter::once(Operand::Constant(number)).chain(values);
     let argument = |operand| Argument {

@@ -59,7 +59,7 @@ impl Message {
         }
     }
 
-    /// Its text in a language.
+    /// Returns its text in a language.
     pub fn in_lang(&self, lang: Lang) -> impl Display {
         say::Said(self, lang)
     }

@@ -30,7 +30,7 @@ macro_rules! published {
 
 published! { "a1" "phantomx" "solo12" "spotmicro" "trifinger" }
 
-/// The robot of that name.
+/// Returns the robot of that name.
 pub fn find(name: &str) -> Option<&'static Published> {
     ALL.iter().find(|robot| robot.name == name)
 }

@@ -22,7 +22,7 @@ use tip_runtime::printable::Printable;
 /// The most bytes of a line that are shown.
 const SHOWN: usize = 4096;
 
-/// The part of a line that is shown.
+/// Returns the part of a line that is shown.
 fn shown(line: &str) -> &str {
     let mut end = line.len().min(SHOWN);
     while !line.is_char_boundary(end) {

@@ -53,7 +53,7 @@ impl Robot {
     /// Every robot that has a name of its own.
     pub const ALL: &'static [Robot] = &[Robot::Titan8, Robot::Hand, Robot::Generic];
 
-    /// The robot of that name.
+    /// Returns the robot of that name.
     pub fn from_name(name: &str) -> Option<Robot> {
         Robot::ALL
             .iter()
@@ -61,7 +61,7 @@ impl Robot {
             .find(|robot| robot.name() == name)
     }
 
-    /// The name that options and messages use.
+    /// Returns the name that options and messages use.
     pub const fn name(self) -> &'static str {
         self.signature().robot
     }
@@ -97,7 +97,7 @@ impl Robot {
         }
     }
 
-    /// Its targets, in rows: `F1…F4`, `J11…J43`, `FLOOR`.
+    /// Returns its targets, in rows: `F1…F4`, `J11…J43`, `FLOOR`.
     pub(crate) fn inventory(self) -> Vec<String> {
         let Facts {
             signature,

@@ -89,7 +89,7 @@ impl Source {
         (source, bad)
     }
 
-    /// The file's name as the user gave it.
+    /// Returns the file's name as the user gave it.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -106,40 +106,40 @@ impl Source {
         self.charset
     }
 
-    /// The whole text: neither byte order mark nor DOS end of file is part of it.
+    /// Returns the whole text: neither byte order mark nor DOS end of file is part of it.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The text at `span`; empty if the span is not of this source.
+    /// Returns the text at `span`; empty if the span is not of this source.
     pub fn slice(&self, span: Span) -> &str {
         self.text.get(span.start..span.end).unwrap_or_default()
     }
 
-    /// The byte order mark before the text of the file, if there is one.
+    /// Returns the byte order mark before the text of the file, if there is one.
     pub fn mark(&self) -> &[u8] {
         self.mark
     }
 
-    /// The bytes of the file that spell the text at `span`, even if they spell it badly. Spans that follow each other
-    /// give bytes that follow each other; characters that begin in a span are given back completely.
+    /// Returns the bytes of the file that spell the text at `span`, even if they spell it badly. Spans that follow
+    /// each other give bytes that follow each other; characters that begin in a span are given back completely.
     pub fn original(&self, span: Span) -> &[u8] {
         let at = |offset| self.units_before(next_boundary(&self.text, offset), Unit::Byte);
         self.original.get(&self.text, at(span.start), at(span.end))
     }
 
-    /// The byte of the file at which a byte of the text is spelled.
+    /// Returns the byte of the file at which a byte of the text is spelled.
     pub fn file_offset(&self, offset: usize) -> usize {
         self.mark.len() + self.units_before(offset, Unit::Byte)
     }
 
-    /// The bytes of the file.
+    /// Returns the bytes of the file.
     pub fn bytes(&self) -> Vec<u8> {
         self.changed(std::iter::empty())
     }
 
-    /// The bytes of the file with other texts in the place of some spans, which follow each other and do not overlap. The
-    /// texts are ASCII, so they are the same in every encoding; all other bytes are those of the file.
+    /// Returns the bytes of the file with other texts in the place of some spans, which follow each other and do not
+    /// overlap. The texts are ASCII, so they are the same in every encoding; all other bytes are those of the file.
     pub fn changed<'a>(&self, changes: impl Iterator<Item = (Span, &'a str)>) -> Vec<u8> {
         let mut out = self.mark().to_vec();
         let mut at = 0;
@@ -153,13 +153,13 @@ impl Source {
         out
     }
 
-    /// The DOS end of file that follows the text in the file, if one does.
+    /// Returns the DOS end of file that follows the text in the file, if one does.
     pub fn tail(&self) -> &[u8] {
         self.tail
     }
 }
 
-/// The start of the character that holds a byte of the text; its end, if there is no such byte.
+/// Returns the start of the character that holds a byte of the text; its end, if there is no such byte.
 fn boundary(text: &str, offset: usize) -> usize {
     let mut at = offset.min(text.len());
     while !text.is_char_boundary(at) {
@@ -168,7 +168,7 @@ fn boundary(text: &str, offset: usize) -> usize {
     at
 }
 
-/// The first start of a character from a byte of the text on, or its end.
+/// Returns the first start of a character from a byte of the text on, or its end.
 fn next_boundary(text: &str, offset: usize) -> usize {
     let mut at = offset.min(text.len());
     while !text.is_char_boundary(at) {

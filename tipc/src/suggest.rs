@@ -6,7 +6,7 @@ const CANDIDATES: usize = 500;
 /// The longest word that something is suggested for: the time grows with the square of the length.
 const LONGEST: usize = 80;
 
-/// The candidate nearest to `word`, if it is near enough to be meant.
+/// Returns the candidate nearest to `word`, if it is near enough to be meant.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().take(CANDIDATES).collect();
     let mut alike = candidates.iter().copied().filter(|it| looks_like(word, it));
@@ -53,7 +53,7 @@ fn letters(word: &str) -> u64 {
     word.bytes().fold(0, |set, byte| set | 1 << (byte % 64))
 }
 
-/// The Levenshtein distance, an exchange of neighbours counted once.
+/// Returns the Levenshtein distance, an exchange of neighbours counted once.
 fn distance(a: &[u8], b: &[u8]) -> usize {
     let mut before = vec![0; b.len() + 1];
     let mut last: Vec<usize> = (0..=b.len()).collect();

@@ -75,41 +75,41 @@ pub enum Access {
 }
 
 impl DefinitionId {
-    /// The place among [`Symbols::definitions`].
+    /// Returns the index among [`Symbols::definitions`].
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// The definition of a variable: they come first.
+    /// Creates the definition of a variable: they come first.
     pub const fn of_variable(variable: VariableId) -> Self {
         DefinitionId(variable as u32)
     }
 
-    /// The definition of a label, by its place among all labels. They come after all variables.
+    /// Creates the definition of a label, by its index among all labels. They come after all variables.
     pub(crate) const fn of_label(label: usize, variables: usize) -> Self {
         DefinitionId((variables + label) as u32)
     }
 }
 
 impl Symbols {
-    /// The uses have to be in the order of their places.
+    /// Creates the table. The uses have to be in the order of their locations.
     pub(crate) const fn new(definitions: Vec<Definition>, uses: Vec<Use>) -> Self {
         Symbols { definitions, uses }
     }
 
-    /// The variables, `VAR_KEY` first, as [`Program::variables`](crate::program::Program::variables) has them; then the
-    /// labels, as [`Program::labels`](crate::program::Program::labels) has them. Of several of one name only the first is
-    /// here; but each LOOP is a label of its own.
+    /// Returns the variables, `VAR_KEY` first, as [`Program::variables`](crate::program::Program::variables) has them;
+    /// then the labels, as [`Program::labels`](crate::program::Program::labels) has them. Of several of one name only
+    /// the first is here; but each LOOP is a label of its own.
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions
     }
 
-    /// Every place that names one of the definitions, and every definition, in the order of the text.
+    /// Returns every place that names one of the definitions, and every definition, in the order of the text.
     pub fn all_uses(&self) -> &[Use] {
         &self.uses
     }
 
-    /// One of the definitions.
+    /// Returns one of the definitions.
     ///
     /// # Panics
     ///
@@ -118,7 +118,7 @@ impl Symbols {
         &self.definitions[id.index()]
     }
 
-    /// The places that name a definition, itself among them.
+    /// Returns the places that name a definition, itself among them.
     pub fn uses(&self, id: DefinitionId) -> impl Iterator<Item = &Use> {
         self.uses.iter().filter(move |it| it.definition == id)
     }
@@ -131,7 +131,7 @@ impl Symbols {
         (is_named && offset <= self.end(last)).then_some(last)
     }
 
-    /// The uses inside a stretch of the text, such as a statement.
+    /// Returns the uses inside a stretch of the text, such as a statement.
     pub fn within(&self, span: Span) -> &[Use] {
         let start = self.uses.partition_point(|it| it.place.start < span.start);
         let rest = &self.uses[start..];
@@ -150,7 +150,8 @@ impl Symbols {
 }
 
 impl Use {
-    /// The operand that the name is part of: with its sign and member, and in a MESSAGE with its percent signs.
+    /// Returns the operand that the name is part of: with its sign and member, and in a MESSAGE with its percent
+    /// signs.
     pub fn operand(&self, source: &Source) -> Span {
         let Span { start, end } = self.place;
         let text = source.text();

@@ -26,7 +26,7 @@ pub type StepId = u32;
 /// A word, upper-cased.
 pub type Word = Spanned<SmolStr>;
 
-/// A piece of the source in capital letters, as it is usually written.
+/// Returns a piece of the source in capital letters, as it is usually written.
 pub fn upper_case(text: &str) -> SmolStr {
     match text.bytes().any(|byte| byte.is_ascii_lowercase()) {
         true => text.to_ascii_uppercase_smolstr(),

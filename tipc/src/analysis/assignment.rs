@@ -93,8 +93,8 @@ impl Assignment {
         Assignment { reads }
     }
 
-    /// The reads, by step, then by scalar; a scalar that a step reads twice is one. Some are left out of a long program in
-    /// which blocks read thousands of scalars that others assign.
+    /// Returns the reads, by step, then by scalar; a scalar that a step reads twice is one. Some are left out of a
+    /// long program in which blocks read thousands of scalars that others assign.
     pub fn reads(&self) -> &[Read] {
         &self.reads
     }

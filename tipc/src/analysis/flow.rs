@@ -66,7 +66,7 @@ pub struct Flow {
 }
 
 impl Flow {
-    /// The flow of a program. Takes time and memory linear in its length.
+    /// Computes the flow of a program. Takes time and memory linear in its length.
     pub fn of(program: &Program) -> Self {
         let ways = Ways::new(program);
         let mut nodes = Vec::new();
@@ -85,26 +85,26 @@ impl Flow {
         Flow { nodes }
     }
 
-    /// The nodes in the order of their steps.
+    /// Returns the nodes in the order of their steps.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 }
 
 impl Flow {
-    /// The first node of a step; the number of nodes for one past the last.
+    /// Returns the first node of a step; the number of nodes for one past the last.
     pub fn first(&self, step: StepId) -> NodeId {
         self.nodes.partition_point(|node| node.step < step)
     }
 
-    /// The last node of a step: what a false IF or ELSEIF leads to.
+    /// Returns the last node of a step: what a false IF or ELSEIF leads to.
     pub fn last(&self, step: StepId) -> NodeId {
         self.first(step + 1).saturating_sub(1)
     }
 }
 
 impl Flow {
-    /// Every call.
+    /// Returns every call.
     pub fn calls(&self) -> impl Iterator<Item = Call> {
         self.nodes.iter().filter_map(|node| node.call)
     }
@@ -146,17 +146,17 @@ impl Ways {
         ways
     }
 
-    /// A step reached "taken"; none past the last.
+    /// Returns the node of a step reached "taken"; none past the last.
     fn to(&self, step: StepId) -> Option<NodeId> {
         self.first.get(step as usize).copied()
     }
 
-    /// A step reached "not taken".
+    /// Returns the node of a step reached "not taken".
     fn otherwise(&self, step: StepId) -> Option<NodeId> {
         self.last.get(step as usize).copied()
     }
 
-    /// A step, ELSEIF and ELSE as reached "not taken".
+    /// Returns the node of a step, ELSEIF and ELSE as reached "not taken".
     fn node(&self, step: StepId, action: &Action) -> Node {
         let on = self.to(step + 1);
         let mut call = None;

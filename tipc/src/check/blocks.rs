@@ -116,8 +116,8 @@ impl<'a> Tree<'a> {
         Tree { blocks, nodes }
     }
 
-    /// The outermost sound FOR, and the outermost other sound block, that are around a statement or the block `inner`
-    /// itself, but not around the statement `from`.
+    /// Returns the outermost sound FOR, and the outermost other sound block, that are around a statement or the block
+    /// `inner` itself, but not around the statement `from`.
     pub(super) fn entered(&self, inner: Option<usize>, from: usize) -> [Option<usize>; 2] {
         let inner = inner.map_or(0, |block| block + 1);
         let holds_from = |at: usize| at == 0 || self.blocks[at - 1].contains(from);
@@ -132,7 +132,8 @@ impl<'a> Tree<'a> {
         })
     }
 
-    /// The outermost node from one up of which something holds: of that node it does, and of the program it does not.
+    /// Returns the outermost node from one up of which something holds: of that node it does, and of the program it
+    /// does not.
     fn climb(&self, from: usize, holds: impl Fn(usize) -> bool) -> usize {
         let mut at = from;
         loop {

@@ -118,7 +118,7 @@ fn labels_after_end(source: &Source, module: &Module, found: &mut Findings) {
     in_place(found);
 }
 
-/// The labels and the names of SUBROUTINEs in a part of the text, each at its first place.
+/// Returns the labels and the names of SUBROUTINEs in a part of the text, each at its first place.
 fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
     let mut all = HashMap::new();
     let mut tokens = Vec::new();
@@ -449,7 +449,7 @@ pub(super) fn with_sign(source: &Source, found: &mut Findings) {
     **found = kept;
 }
 
-/// The name that a sign ends.
+/// Returns the name that a sign ends.
 fn word_at(source: &Source, sign: Span) -> Span {
     let before = &source.text()[..sign.start];
     let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';

@@ -80,7 +80,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// The type of an equation, as far as something in it shows it: all of its operands are of one, but those of functions.
+    /// Returns the type of an equation, as far as something in it shows it: all of its operands are of one, but those
+    /// of functions.
     fn type_in(&self, equation: &Equation) -> Option<VariableKind> {
         let known = |operand: &Operand| match &operand.kind {
             OperandKind::Number(_) | OperandKind::Member(_) => Some(VariableKind::Var),
@@ -104,7 +105,8 @@ impl Resolver<'_> {
         .or_else(|| known(&equation.target))
     }
 
-    /// The right side; `target` is the left one, if it is known, and `guess` the type of what is not declared.
+    /// Resolves the right side; `target` is the left one, if it is known, and `guess` the type of what is not
+    /// declared.
     fn expression(
         &mut self,
         expression: &Expression,
@@ -245,7 +247,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// A whole struct, of one kind if `kind` says so.
+    /// Resolves a whole struct, of one kind if `kind` says so.
     fn structure(
         &mut self,
         operand: &Operand,
@@ -265,7 +267,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// An operand that the equation reads, as a variable of this type; a struct has no sign.
+    /// Resolves an operand that the equation reads, as a variable of this type; a struct has no sign.
     fn value(&mut self, operand: &Operand, guess: Option<VariableKind>) -> Option<Meant> {
         let meant = self.meant_as(operand, Code::Equation, guess)?;
         self.uses.operand(operand, meant, Access::Read);
@@ -306,7 +308,7 @@ fn kind_of(meant: Meant) -> Option<VariableKind> {
     }
 }
 
-/// The type of an operand; `None` is a number.
+/// Returns the type of an operand; `None` is a number.
 pub(super) fn type_of(kind: Option<VariableKind>) -> Type {
     match kind {
         Some(VariableKind::Pos) => Type::Pos,

@@ -158,7 +158,7 @@ impl Resolver<'_> {
         Some(Resolved::Special(code + 0.0, values))
     }
 
-    /// A VAR without sign, which a command fills.
+    /// Resolves a VAR without sign, which a command fills.
     fn receiver(&mut self, operand: &Operand) -> Option<Scalar> {
         let meant = self.meant_as(operand, Code::Argument, Some(VariableKind::Var))?;
         match meant {

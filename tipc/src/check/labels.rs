@@ -88,19 +88,19 @@ impl<'m> Labels<'m> {
         self.all.push(label);
     }
 
-    /// A label other than LOOP, by its place among all.
+    /// Returns the index of a label other than LOOP.
     pub(crate) fn find(&self, name: &str) -> Option<usize> {
         self.by_name.get(name).copied()
     }
 
-    /// The nearest LOOP above a statement, by its place among all.
+    /// Returns the index of the nearest LOOP above a statement.
     pub(crate) fn loop_above(&self, statement: usize) -> Option<usize> {
         let is_above = |label: &usize| self.all[*label].statement < statement;
         let above = self.loops.partition_point(is_above);
         above.checked_sub(1).map(|last| self.loops[last])
     }
 
-    /// The label that a jump in a statement names, by its place among all.
+    /// Returns the index of the label that a jump in a statement names.
     pub(crate) fn meant(&self, statement: usize, jump: &Jump) -> Option<usize> {
         match &jump.label {
             Some(label) if label.node != LOOP => self.find(&label.node),
@@ -108,7 +108,7 @@ impl<'m> Labels<'m> {
         }
     }
 
-    /// The names that a jump may have meant.
+    /// Returns the names that a jump may have meant.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.all.iter().map(|label| label.name.node.as_str())
     }

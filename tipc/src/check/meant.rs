@@ -80,7 +80,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// A SUBROUTINE or label of that name, which was to be called.
+    /// Suggests a CALL or GOTO to a SUBROUTINE or label of that name.
     fn call_of(&self, word: &str) -> Option<Message> {
         let name = word.strip_suffix("()").unwrap_or(word);
         let is_subroutine = self.is_subroutine(name)?;
@@ -92,7 +92,7 @@ impl Resolver<'_> {
     }
 }
 
-/// The command that a word calls as another language does: `PTP(F1`, `MESSAGE"…"`, `robot.ptp(1`.
+/// Returns the command that a word calls as another language does: `PTP(F1`, `MESSAGE"…"`, `robot.ptp(1`.
 fn called(word: &str, name: &str) -> Option<&'static str> {
     let command = commands::find(name).filter(|_| name.len() < word.len())?;
     Some(command.name)
@@ -104,14 +104,14 @@ fn is_called(word: &str) -> bool {
     names::is_variable(name) && !rest.is_empty()
 }
 
-/// The command that the first parts of a word are: `TORQUE_CONTROL`.
+/// Returns the command that the first parts of a word are: `TORQUE_CONTROL`.
 fn begun(word: &str) -> Option<&'static str> {
     let ends = word.match_indices('_').map(|(at, _)| at);
     let mut parts = ends.rev().filter_map(|end| commands::find(&word[..end]));
     parts.next().map(|command| command.name)
 }
 
-/// The only command that a word is the first part of: `SIT`.
+/// Returns the only command that a word is the first part of: `SIT`.
 fn cut_short(word: &str) -> Option<&'static str> {
     let goes_on = |name: &&str| {
         name.strip_prefix(word)
@@ -121,7 +121,7 @@ fn cut_short(word: &str) -> Option<&'static str> {
     longer.next().filter(|_| longer.next().is_none())
 }
 
-/// The command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.
+/// Returns the command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.
 fn glued(word: &str) -> Option<&'static str> {
     let is_argument = |rest: &str| {
         let is_number = !rest.is_empty() && rest.bytes().all(|it| it.is_ascii_digit());

@@ -57,7 +57,7 @@ pub(crate) enum Meant {
 }
 
 impl Meant {
-    /// The number, unless this is a struct.
+    /// Returns the number, unless this is a struct.
     pub(crate) fn number(self) -> Option<program::Operand> {
         match self {
             Meant::Constant(value) => Some(program::Operand::Constant(value)),
@@ -161,7 +161,7 @@ impl Names {
         })
     }
 
-    /// The variable of that name.
+    /// Returns the variable of that name.
     pub(crate) fn find(&self, name: &str) -> Option<VariableId> {
         self.ids.get(name).copied()
     }
@@ -300,7 +300,7 @@ impl Names {
             .map(|_| format!("{base}.{member}"))
     }
 
-    /// The declared name that is nearest to an unknown one.
+    /// Returns the declared name that is nearest to an unknown one.
     fn nearest(&self, name: &str) -> Option<String> {
         let mut near = self.near.borrow_mut();
         if near.len() >= COMPARED && !near.contains_key(name) {
@@ -362,7 +362,7 @@ fn digits(name: &str) -> Option<SmolStr> {
     (is_number && ends).then(|| name.chars().map(digit).collect())
 }
 
-/// The type that has a member of this name.
+/// Returns the type that has a member of this name.
 fn type_with(member: &str) -> Option<VariableKind> {
     let is_joint = |rest: &str| rest.parse::<u8>().is_ok();
     if POSITION.contains(&member) {

@@ -76,7 +76,7 @@ fn division(divisor: &syntax::Operand) -> Option<(Span, Calculating, Calculating
     (constant(divisor)? == 0.0).then_some((divisor.span, reason, help))
 }
 
-/// A constant outside the domain of a function.
+/// Finds a constant outside the domain of a function.
 fn outside(
     operation: Operation,
     operands: &[syntax::Operand],
@@ -118,7 +118,7 @@ fn constant(operand: &syntax::Operand) -> Option<f64> {
     }
 }
 
-/// The range that a value leaves.
+/// Returns the range that a value leaves.
 fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
     let from_to = |Range { min, max }: Range| Bounds::FromTo { min, max };
     let outside = |range: Range| (!range.contains(value)).then(|| from_to(range));

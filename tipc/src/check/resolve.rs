@@ -201,13 +201,13 @@ impl Resolver<'_> {
         Ok(Resolved::Next(counting.ok_or(Unresolved::Untied)?, opener?))
     }
 
-    /// The statement that a control word is tied to.
+    /// Returns the statement that a control word is tied to.
     fn partner(&self, index: StatementId) -> Result<StatementId, Unresolved> {
         let link = self.known.blocks.links[index];
         link.partner.ok_or(Unresolved::Untied)
     }
 
-    /// The statement that a jump leads to.
+    /// Resolves the statement that a jump leads to.
     fn jump(
         &mut self,
         index: StatementId,
@@ -285,7 +285,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// A number that the statement reads. `shape` is the code of a struct in its place.
+    /// Resolves a number that the statement reads. `shape` is the code of a struct in its place.
     pub(super) fn number(&mut self, operand: &Operand, shape: Code) -> Option<program::Operand> {
         let meant = self.meant_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
@@ -300,7 +300,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// The text at a place.
+    /// Returns the text at a span.
     pub(super) fn slice(&self, span: Span) -> &str {
         self.known.source.slice(span)
     }
@@ -341,7 +341,7 @@ impl Resolver<'_> {
     }
 }
 
-/// An operand that could not be resolved is wrong.
+/// Requires an operand to be resolved.
 fn whole<T>(resolved: Option<T>) -> Result<T, Unresolved> {
     resolved.ok_or(Unresolved::Wrong)
 }

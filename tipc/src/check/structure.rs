@@ -363,7 +363,7 @@ impl Matcher<'_> {
         self.found.push(fault);
     }
 
-    /// The RETURN that was to close a SUBROUTINE.
+    /// Returns the RETURN that was to close a SUBROUTINE.
     fn return_in(&self, open: &Open) -> Option<Span> {
         if open.kind != BlockKind::Subroutine {
             return None;
@@ -427,7 +427,7 @@ impl Matcher<'_> {
         is_outer.then(|| fors[fors.len() - 1 - place])
     }
 
-    /// The variable of a FOR.
+    /// Returns the variable of a FOR.
     fn counter(&self, index: usize) -> Option<&str> {
         match &self.module.statements[index].kind {
             StatementKind::For { counting, .. } => name_of(&counting.variable),
@@ -435,7 +435,7 @@ impl Matcher<'_> {
         }
     }
 
-    /// The variable that a NEXT names.
+    /// Returns the variable that a NEXT names.
     fn named(&self, index: usize) -> Option<&str> {
         match &self.module.statements[index].kind {
             StatementKind::Next { variable, .. } => name_of(variable.as_ref()?),

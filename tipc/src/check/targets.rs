@@ -16,7 +16,7 @@ use crate::suggest::nearest;
 use crate::syntax::{Operand, OperandKind, Word, upper_case};
 use tip_runtime::command::{CONSTANT, Flag, Target};
 
-/// The word that an operand is, if it is one without sign and member.
+/// Returns the word that an operand is, if it is one without sign and member.
 pub(super) fn word(operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) if !operand.negative => Some(name),
@@ -38,7 +38,7 @@ impl Resolver<'_> {
         Commanding::Write { forms }.into()
     }
 
-    /// The target, which is the first of a command's arguments.
+    /// Resolves the target, which is the first of a command's arguments.
     pub(super) fn target(
         &mut self,
         command: &Word,
@@ -173,7 +173,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// The event flag of a condition.
+    /// Resolves the event flag of a condition.
     pub(super) fn flag(&mut self, name: &Word) -> Option<Flag> {
         let named = flags::find(&name.node, self.names.edition);
         let found = named.filter(|(flag, row)| {
@@ -236,7 +236,7 @@ fn is_joint_of_no_leg(word: &str) -> bool {
     number.len() == 1 && number.starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// The event flags of a robot.
+/// Returns the event flags of a robot.
 fn flags_of(robot: Robot) -> Commanding {
     let inventory = inventory(robot);
     match robot.is_hand() {
@@ -248,7 +248,7 @@ fn flags_of(robot: Robot) -> Commanding {
     }
 }
 
-/// The targets that a robot has.
+/// Returns the targets that a robot has.
 pub(super) fn inventory(robot: Robot) -> Inventory {
     Inventory::Has {
         robot: robot.name(),

@@ -9,7 +9,7 @@ use crate::source::{Source, Span};
 use crate::syntax::{Module, upper_case};
 use std::collections::HashMap;
 
-/// The words of the title; none if it holds what no statement may hold.
+/// Returns the words of the title; none if it holds what no statement may hold.
 fn tokens(source: &Source, module: &Module) -> Vec<Token> {
     let mut tokens = Vec::new();
     match module.title.is_empty() {
@@ -43,7 +43,7 @@ pub(super) fn blame(source: &Source, module: &Module, found: &mut [Diagnostic]) 
     }
 }
 
-/// The names that line 2 would declare, if it were not the title.
+/// Returns the names that line 2 would declare, if it were not the title.
 pub(super) fn declared(source: &Source, module: &Module) -> HashMap<String, Span> {
     let tokens = tokens(source, module);
     let word = |span: Span| upper_case(source.slice(span));

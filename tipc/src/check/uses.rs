@@ -59,7 +59,7 @@ impl<'a> Uses<'a> {
         self.first = self.all.len();
     }
 
-    /// All of them.
+    /// Returns all uses.
     pub(super) fn finish(self) -> Named {
         Named {
             symbols: Symbols::new(definitions(self.names, self.labels), self.all),
@@ -198,7 +198,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// The variable of that name, else the label.
+    /// Returns the variable of that name, else the label.
     fn named(&self, name: &str) -> Option<DefinitionId> {
         let variable = self.names.find(name).map(DefinitionId::of_variable);
         variable.or_else(|| self.labels.find(name).map(|label| self.label(label)))

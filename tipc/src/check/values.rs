@@ -221,7 +221,7 @@ impl Resolver<'_> {
         self.refuse(Code::Argument, place, reason)
     }
 
-    /// A constant or VAR; a member is neither.
+    /// Resolves a constant or VAR; a member is neither.
     pub(super) fn variable_or_constant(
         &mut self,
         operand: &Operand,
@@ -347,7 +347,7 @@ fn glued_flag(form: Arguments, word: &str) -> Option<Habit> {
     })
 }
 
-/// The flag in the place of a number, even after a sign.
+/// Returns the flag in the place of a number, even after a sign.
 fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) if is_flag(form, name) => Some(name),

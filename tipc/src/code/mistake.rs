@@ -45,7 +45,7 @@ macro_rules! mistakes {
                 japanese: $japanese,
             }, )*];
 
-            /// The kind that a reason is of.
+            /// Returns the kind that a reason is of.
             pub const fn of(class: Code, reason: &Message) -> Option<&'static Mistake> {
                 match (class, reason) {
                     $( $(

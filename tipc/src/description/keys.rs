@@ -56,7 +56,7 @@ impl Part {
     /// Every table of `tip.toml`, in the order of the documentation.
     pub const PROJECT: &'static [Part] = &[Part::Project, Part::Programs];
 
-    /// The tables of the same file.
+    /// Returns the tables of the same file.
     pub(super) fn beside(self) -> &'static [Part] {
         if Part::SCENE.contains(&self) {
             Part::SCENE
@@ -67,7 +67,7 @@ impl Part {
         }
     }
 
-    /// The code of what is wrong with its file.
+    /// Returns the code of what is wrong with its file.
     pub(super) fn code(self) -> Code {
         if Part::SCENE.contains(&self) {
             Code::Scene
@@ -106,12 +106,12 @@ impl Part {
         }
     }
 
-    /// Its keys.
+    /// Returns its keys.
     pub fn keys(self) -> impl Iterator<Item = &'static Key> {
         KEYS.iter().filter(move |key| key.part == self)
     }
 
-    /// The key of that name.
+    /// Returns the key of that name.
     pub(super) fn key(self, name: &str) -> Option<&'static Key> {
         self.keys().find(|key| key.name == name)
     }

@@ -20,7 +20,7 @@ struct Drawn {
     shapes: Vec<Shape>,
 }
 
-/// Every leg of the robot, F1 first; `None` after a fault that leaves none.
+/// Reads every leg of the robot, F1 first; `None` after a fault that leaves none.
 pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
     let common = joints(robot, found);
     let sections = robot.tables("leg", Part::Leg, found)?;
@@ -76,7 +76,7 @@ fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool 
     same
 }
 
-/// The `joint` tables of a leg, or of all legs; `None` if there are none, or none that can be used.
+/// Reads the `joint` tables of a leg, or of all legs; `None` if there are none, or none that can be used.
 fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Drawn>> {
     let sections = section.tables("joint", Part::Joint, found)?;
     if !(1..=MAX).contains(&sections.len()) {
@@ -122,7 +122,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     Some(Drawn { joint, shapes })
 }
 
-/// A unit vector: `"z"`, `"-y"` or any direction.
+/// Reads a unit vector: `"z"`, `"-y"` or any direction.
 fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
     if section.is_text("axis") {
         let words = [
@@ -154,7 +154,7 @@ impl Leg {
     }
 }
 
-/// A leg whose joints are those of `drawn`, turned and mirrored as the leg says.
+/// Creates a leg with the joints of `drawn`, turned and mirrored as the leg's table demands.
 fn leg(
     section: Section<'_>,
     drawn: Option<&[Drawn]>,
@@ -195,7 +195,7 @@ fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
     (joint, shapes.collect())
 }
 
-/// The sign that a mirror gives each coordinate.
+/// Reads the sign that a mirror gives each coordinate.
 fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
     let (place, letters) = section.text("mirror", found)?;
     let mut signs = [1.0; 3];
@@ -214,7 +214,7 @@ fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
     Some(signs)
 }
 
-/// The leg's own initial posture, that of all legs, or the middle of all limits.
+/// Reads the leg's own initial posture, that of all legs, or the middle of all limits.
 fn initial(
     section: Section<'_>,
     joints: &[Drawn],

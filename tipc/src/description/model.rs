@@ -41,17 +41,17 @@ impl Description {
         self.name
     }
 
-    /// The number of joints on each leg.
+    /// Returns the number of joints on each leg.
     pub(super) fn joints(&self) -> usize {
         self.legs.first().map_or(0, |leg| leg.joints.len())
     }
 
-    /// The robot that programs are checked for.
+    /// Returns the robot that programs are checked for.
     pub fn robot(&self) -> Robot {
         Robot::Described(self.facts())
     }
 
-    /// All that checking needs of it.
+    /// Returns all that checking needs of it.
     pub fn facts(&self) -> Facts {
         Facts {
             signature: Signature {
@@ -68,7 +68,7 @@ impl Description {
         }
     }
 
-    /// The robot as the runtime knows it; `None` unless it has `L` legs with `J` joints each.
+    /// Returns the robot as the runtime knows it; `None` unless it has `L` legs with `J` joints each.
     pub fn model<const L: usize, const J: usize>(&self) -> Option<Model<L, J>> {
         let one = self.with_one_leg::<J>()?;
         let mut model = one.with_legs([one.legs[0]; L]);
@@ -133,7 +133,7 @@ impl Leg {
     }
 }
 
-/// The inverse kinematics: as `chosen`, if every leg is such a chain; else the first that fits all legs.
+/// Reads the inverse kinematics: as `chosen`, if every leg is such a chain; else the first that fits all legs.
 pub(super) fn inverse(
     robot: Section<'_>,
     chosen: Option<Inverse>,

@@ -7,7 +7,7 @@ use crate::robot::Robot;
 /// The longest name, in characters.
 const LONGEST: usize = 40;
 
-/// The robot's name, if it is one.
+/// Reads the robot's name, if it is one.
 pub(super) fn read<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str> {
     let (place, name) = robot.text("name", found)?;
     let allowed = |c: char| c.is_alphanumeric() || " -_.".contains(c);

@@ -95,7 +95,7 @@ fn said(section: Section<'_>, is_there: &dyn Fn(&str) -> bool, found: &mut Found
     }
 }
 
-/// A name that is known, or a file that is there.
+/// Reads a name that is known, or the path of a file that exists.
 fn named(
     section: Section<'_>,
     key: &str,

@@ -84,7 +84,7 @@ fn object(section: Section<'_>, found: &mut Found) -> Option<Object> {
     })
 }
 
-/// A box or a disc, as the one key or the other says.
+/// Reads a box or a disc, as the one key or the other says.
 fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
     match (section.has("size"), section.has("radius")) {
         (true, false) => {

@@ -37,7 +37,7 @@ pub(super) struct Section<'a> {
 /// Faults found so far.
 pub(super) type Found = Vec<Diagnostic>;
 
-/// A finding about the file that a table is of.
+/// Creates a diagnostic about the file that a table is of.
 pub(super) fn fault(
     part: Part,
     place: Span,
@@ -48,7 +48,7 @@ pub(super) fn fault(
 }
 
 impl<'a> Section<'a> {
-    /// The table; reports the keys that it cannot have and those that it lacks.
+    /// Wraps a table; reports the keys that it cannot have and those that it lacks.
     pub(super) fn new(part: Part, place: Span, table: &'a DeTable<'a>, found: &mut Found) -> Self {
         let section = Section { part, place, table };
         for key in table.keys() {
@@ -101,7 +101,7 @@ impl<'a> Section<'a> {
         Some((span(value), value.get_ref()))
     }
 
-    /// The place of a key's value, else of the table.
+    /// Returns the place of a key's value, else of the table.
     pub(super) fn place_of(self, key: &str) -> Span {
         self.value(key).map_or(self.place, |(place, _)| place)
     }
@@ -125,7 +125,7 @@ impl<'a> Section<'a> {
         None
     }
 
-    /// A number; `None` if there is none or it was refused.
+    /// Reads a number; `None` if there is none or it was refused.
     pub(super) fn number(self, key: &str, sign: Sign, found: &mut Found) -> Option<f64> {
         let (place, value) = self.value(key)?;
         self.sound(key, place, value, sign, found)
@@ -152,7 +152,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// Any number of numbers, with the place of the list.
+    /// Reads a list of numbers, with its location.
     pub(super) fn list(self, key: &str, sign: Sign, found: &mut Found) -> Option<(Span, Vec<f64>)> {
         let (place, value) = self.value(key)?;
         let DeValue::Array(items) = value else {
@@ -191,7 +191,7 @@ impl<'a> Section<'a> {
         self.refuse(key, self.place_of(key), reason, found)
     }
 
-    /// Text with its place.
+    /// Reads a text, with its location.
     pub(super) fn text(self, key: &str, found: &mut Found) -> Option<(Span, &'a str)> {
         let (place, value) = self.value(key)?;
         match value {
@@ -200,7 +200,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// One of some words.
+    /// Reads one of some words.
     pub(super) fn choice<T: Copy>(
         self,
         key: &str,
@@ -248,7 +248,7 @@ impl<'a> Section<'a> {
             .is_some_and(|value| value.get_ref().is_str())
     }
 
-    /// A table.
+    /// Reads a table.
     pub(super) fn table(self, key: &str, part: Part, found: &mut Found) -> Option<Section<'a>> {
         let (place, value) = self.value(key)?;
         match value {

@@ -45,13 +45,13 @@ pub(super) fn standards(robot: Section<'_>, periods: Range, found: &mut Found) -
     standards
 }
 
-/// The sampling times that the robot accepts.
+/// Reads the sampling times that the robot accepts.
 pub(super) fn periods(robot: Section<'_>, found: &mut Found) -> Range {
     let periods = robot.range("periods", Sign::Positive, found);
     periods.unwrap_or(generic::MODEL.periods)
 }
 
-/// The voltage of a sole that stands on something.
+/// Reads the voltage of a sole that stands on something.
 pub(super) fn contact(robot: Section<'_>, found: &mut Found) -> f64 {
     let contact = robot.number("contact", Sign::Positive, found);
     contact.unwrap_or(generic::MODEL.contact)
@@ -71,7 +71,7 @@ pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
     number as u8
 }
 
-/// The body and its shapes, if the robot walks.
+/// Reads the body and its shapes, if the robot walks.
 pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<Shape>)> {
     let section = robot.table("body", Part::Body, found)?;
     let [x, y, z] = ["x", "y", "z"].map(|key| section.extent(key, found));
@@ -116,7 +116,7 @@ pub(super) fn forces(robot: Section<'_>, legs: &[Leg], found: &mut Found) -> Opt
     })
 }
 
-/// The slider that carries the floor, if there is one.
+/// Reads the slider that carries the floor, if there is one.
 pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
     let section = robot.table("slider", Part::Slider, found)?;
     let initial: [f64; 3] = section.numbers("initial", Sign::Any, found)?;
@@ -134,7 +134,7 @@ pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
     Some(Slider { initial, travel })
 }
 
-/// The inverse kinematics that the file asks for.
+/// Reads the inverse kinematics that the file asks for.
 pub(super) fn inverse(robot: Section<'_>, found: &mut Found) -> Option<Inverse> {
     let words = Inverse::ALL.map(|inverse| (inverse.name(), inverse));
     robot.choice("inverse", &words, found)

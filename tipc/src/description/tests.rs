@@ -16,7 +16,7 @@ joint = [
 ]
 "#;
 
-/// A robot with one leg at the origin.
+/// Returns a robot with one leg at the origin.
 fn one_leg(joints: &str) -> String {
     format!("name = \"test\"\nleg = [{{ base = [0, 0, 0] }}]\njoint = [{joints}]\n")
 }

@@ -58,7 +58,7 @@ impl Findings {
             || self.omitted.codes().any(|(code, _)| is_error(code))
     }
 
-    /// The findings that are kept, and how many others there were.
+    /// Returns the findings that are kept, and how many others there were.
     pub(crate) fn into_parts(self) -> (Vec<Diagnostic>, Omitted) {
         (self.kept, self.omitted)
     }

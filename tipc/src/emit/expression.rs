@@ -21,7 +21,7 @@ pub(super) struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// The place that holds a scalar.
+    /// Returns the place that holds a scalar.
     pub(super) fn place(&self, scalar: Scalar) -> TokenStream {
         let variable = &self.program.variables[scalar.variable];
         let name = field(variable);
@@ -34,7 +34,7 @@ impl Values<'_> {
         }
     }
 
-    /// The value of a scalar, or its fault where it may have none.
+    /// Returns the value of a scalar, or its fault where it may have none.
     pub(super) fn read(&self, scalar: Scalar) -> TokenStream {
         let place = self.place(scalar);
         let index = self.program.scalar_index(scalar);
@@ -45,7 +45,7 @@ impl Values<'_> {
         quote!(#place.get(#index)?)
     }
 
-    /// The members of a struct, or the fault of the first one without a value.
+    /// Returns the members of a struct, or the fault of the first one without a value.
     pub(super) fn read_struct(&self, variable: VariableId) -> TokenStream {
         let variable = &self.program.variables[variable];
         let name = field(variable);
@@ -99,7 +99,7 @@ impl Values<'_> {
         )
     }
 
-    /// The value of an expression or its fault: a `Result`.
+    /// Returns the value of an expression or its fault: a `Result`.
     pub(super) fn calculated(&self, value: ScalarExpression) -> TokenStream {
         match value {
             ScalarExpression::Operand(operand) => {

@@ -17,7 +17,7 @@ const STEPS: usize = 64;
 const COLUMNS: usize = 89;
 const INDENT: usize = 8;
 
-/// The items of [`emit`](super::emit) as formatted source text under a header comment.
+/// Returns the items of [`emit`](super::emit) as formatted source text under a header comment.
 ///
 /// # Errors
 /// They are not a Rust file; a visibility or runtime path that is none can cause it.
@@ -38,7 +38,7 @@ fn laid_out(tokens: TokenStream) -> Result<String, syn::Error> {
     Ok(prettyplease::unparse(&syn::parse2(tokens)?))
 }
 
-/// The outline of the program with its steps put in.
+/// Returns the outline of the program with its steps put in.
 fn piecewise(program: &Program, options: &Options) -> Result<String, syn::Error> {
     let emitter = Emitter::new(program, options);
     let outline = emitter.items(&emitter.outline(quote!(Step::run(Self::rows))));
@@ -67,7 +67,7 @@ fn split<'a>(text: &'a str, line: &str) -> (&'a str, &'a str) {
 }
 
 impl Emitter<'_> {
-    /// A part of each step, a few steps at a time.
+    /// Writes a part of each step, a few steps at a time.
     fn each(
         &self,
         out: &mut String,
@@ -142,7 +142,7 @@ mod tests {
     use crate::load::{self, load};
     use std::fmt::Write;
 
-    /// Every kind of row and function, in programs of such lengths.
+    /// Returns every kind of row and function, in programs of such lengths.
     fn program(steps: usize) -> Program {
         let mut text = "3.1\nlong\nDEF_VAR V W\nDEF_POS P\n".to_owned();
         for step in 0..steps / 8 {

@@ -199,7 +199,7 @@ impl Emitter<'_> {
         State::Function(body)
     }
 
-    /// Only on to a step.
+    /// Returns a row that only leads on to a step.
     fn row_of_move(&self, to: StepId) -> State {
         let to = self.step_number(to);
         State::Row(quote!(Step::go(#to)))
@@ -245,7 +245,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// A step's number, or the constant of the label that stands there.
+    /// Returns a step's number, or the constant of the label that stands there.
     fn step_number(&self, step: StepId) -> TokenStream {
         match self.labels.binary_search_by_key(&step, |(at, _)| *at) {
             Ok(label) => {

@@ -29,7 +29,7 @@ pub(super) struct Spelled {
 }
 
 impl Emitter<'_> {
-    /// The states, and what moves between them.
+    /// Returns the states, and what moves between them.
     pub(super) fn states(&self) -> States {
         let mut states = States::default();
         for (step, id) in self.program.steps.iter().zip(0..) {
@@ -43,7 +43,7 @@ impl Emitter<'_> {
         self.with_moves(states)
     }
 
-    /// The states with one row, no line and no function in the place of all.
+    /// Returns the states with one row, no line and no function in the place of all.
     #[cfg(feature = "build")]
     pub(super) fn outline(&self, row: TokenStream) -> States {
         let mut states = States {
@@ -86,7 +86,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The table and its functions, in a scope of their own for what they import.
+    /// Returns the table and its functions, in a scope of their own for what they import.
     pub(super) fn table(&self, states: &States) -> TokenStream {
         let States {
             rows,
@@ -174,7 +174,7 @@ fn function(name: &Ident, doc: &str, body: &TokenStream) -> TokenStream {
     }
 }
 
-/// A `use` of those candidates that are mentioned.
+/// Returns a `use` of those candidates that are mentioned.
 fn import(from: TokenStream, words: &BTreeSet<String>, candidates: &[&str]) -> TokenStream {
     let names: Vec<Ident> = candidates
         .iter()

@@ -3,7 +3,7 @@
 use crate::language::reserved::POSITION;
 use tip_runtime::command::Flag;
 
-/// The flag that another language asks a function for, and whether it is negated: `!kbhit()`.
+/// Returns the flag that another language asks a function for, and true if it is negated: `!kbhit()`.
 pub fn flag(text: &str) -> Option<(&'static str, bool)> {
     const KEYS: &str = "KBHIT _KBHIT KEYPRESSED KEY_PRESSED KEYHIT KEY_HIT";
     let (text, is_negated) = match text.strip_prefix('!') {

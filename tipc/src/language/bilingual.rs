@@ -13,7 +13,7 @@ impl Bilingual {
     /// Nothing to say.
     pub const EMPTY: Bilingual = Bilingual::new("", "");
 
-    /// A text in each language.
+    /// Creates a text in each language.
     pub(super) const fn new(english: &'static str, japanese: &'static str) -> Self {
         Bilingual { english, japanese }
     }

@@ -125,13 +125,13 @@ static INDEX: Index<{ 2 * COUNT }> = {
     Index::of(words)
 };
 
-/// The command of that name or alias, whatever the case.
+/// Returns the command of that name or alias, whatever the case.
 pub fn find(name: &str) -> Option<&'static Command> {
     ROWS.get(INDEX.find(name)?)
 }
 
 impl Command {
-    /// A command of 3.1 that every robot has, that takes no argument and one cycle, and that cannot fail.
+    /// Creates a command of 3.1 that every robot has, that takes no argument and one cycle, and that cannot fail.
     const fn new(name: &'static str, meaning: Meaning) -> Self {
         Command {
             name,
@@ -150,12 +150,12 @@ impl Command {
         }
     }
 
-    /// One that the robot carries out.
+    /// Creates a command that the robot carries out.
     const fn robot(op: Op) -> Self {
         Command::new(op.name(), Meaning::Robot(op))
     }
 
-    /// One that the parser reads, without arguments.
+    /// Creates a command that the parser reads, without arguments.
     const fn keyword(keyword: Keyword) -> Self {
         let row = keyword.row();
         Command {
@@ -166,7 +166,7 @@ impl Command {
         }
     }
 
-    /// Its section of T.I.P. 3.1 and its clause of the language reference.
+    /// Sets its section of T.I.P. 3.1 and its clause of the language reference.
     const fn place(self, section: &'static str, clause: &'static str) -> Self {
         Command {
             section,
@@ -183,7 +183,7 @@ impl Command {
         }
     }
 
-    /// Another name that older programs use.
+    /// Sets another name that older programs use.
     const fn alias(self, alias: &'static str) -> Self {
         Command {
             alias: Some(alias),
@@ -191,22 +191,22 @@ impl Command {
         }
     }
 
-    /// Its arguments.
+    /// Sets its arguments.
     const fn takes(self, arguments: Arguments) -> Self {
         self.form(Form::Robot(arguments))
     }
 
-    /// Its arguments, in a form of its own.
+    /// Sets its arguments, in a form of its own.
     const fn form(self, form: Form) -> Self {
         Command { form, ..self }
     }
 
-    /// Its arguments as the parser reads them.
+    /// Sets its arguments as the parser reads them.
     const fn words(self, text: &'static str) -> Self {
         self.form(Form::Words(text))
     }
 
-    /// The unit of its values.
+    /// Sets the unit of its values.
     const fn unit(self, unit: &'static str) -> Self {
         Command { unit, ..self }
     }
@@ -216,7 +216,7 @@ impl Command {
         Command { moves, ..self }
     }
 
-    /// The robots that have it.
+    /// Sets the robots that have it.
     const fn only(self, robots: Robots) -> Self {
         Command { robots, ..self }
     }
@@ -229,7 +229,7 @@ impl Command {
         }
     }
 
-    /// The program stays on it until this holds.
+    /// Sets the condition until which the program stays on it.
     const fn until(self, english: &'static str, japanese: &'static str) -> Self {
         Command {
             cycles: Cycles::Until(Bilingual { english, japanese }),
@@ -237,7 +237,7 @@ impl Command {
         }
     }
 
-    /// The runtime errors of its own step.
+    /// Sets the runtime errors of its own step.
     const fn fails(self, failures: &'static [Failure]) -> Self {
         Command { failures, ..self }
     }
@@ -251,7 +251,7 @@ pub fn waits(op: Op) -> bool {
     })
 }
 
-/// The command that does to joints what this one does to feet.
+/// Returns the command that does to joints what this one does to feet.
 pub fn of_joints(word: &str) -> Option<&'static str> {
     let op = Op::ALL.iter().find(|op| op.name() == word)?;
     let other = match op {

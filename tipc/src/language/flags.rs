@@ -76,7 +76,7 @@ pub const FLAGS: &[Row] = &[
 ];
 
 impl Row {
-    /// A flag of 3.1 that every robot has and sets itself.
+    /// Creates a flag of 3.1 that every robot has and sets itself.
     const fn new(flag: Flag, english: &'static str, japanese: &'static str) -> Self {
         Row {
             flag,
@@ -97,7 +97,7 @@ impl Row {
         Row { cause, ..self }
     }
 
-    /// Its word; of a family, what its words begin with.
+    /// Returns its word; of a family, what its words begin with.
     pub const fn word(&self) -> &'static str {
         self.flag.stem()
     }
@@ -108,20 +108,20 @@ impl Row {
     }
 }
 
-/// The row of a flag.
+/// Returns the row of a flag.
 pub fn row(flag: Flag) -> Option<&'static Row> {
     let mut rows = FLAGS.iter();
     rows.find(|row| discriminant(&row.flag) == discriminant(&flag))
 }
 
-/// The flag that an edition writes so, in capital letters, and its row.
+/// Returns the flag that an edition writes so, in capital letters, and its row.
 pub fn find(word: &str, edition: Edition) -> Option<(Flag, &'static Row)> {
     let flag = word.parse().ok()?;
     let row = row(flag).filter(|row| row.since <= edition)?;
     Some((flag, row))
 }
 
-/// The words that are not families.
+/// Returns the words that are not families.
 pub fn words() -> impl Iterator<Item = &'static str> {
     FLAGS.iter().filter(|row| !row.is_family()).map(Row::word)
 }

@@ -56,7 +56,7 @@ impl Operation {
         }
     }
 
-    /// The word that it is written by.
+    /// Returns the word that it is written by.
     pub fn word(self) -> &'static str {
         let row = FUNCTIONS.iter().find(|row| row.operation == self);
         row.map_or("", |row| row.word)
@@ -64,7 +64,7 @@ impl Operation {
 }
 
 impl Row {
-    /// A function of 3.1.
+    /// Creates a function of 3.1.
     const fn new(
         word: &'static str,
         operation: Operation,
@@ -82,7 +82,7 @@ impl Row {
         }
     }
 
-    /// A function of 3.1 from number to number.
+    /// Creates a function of 3.1 from number to number.
     const fn scalar(
         word: &'static str,
         function: Function,
@@ -210,7 +210,7 @@ static INDEX: Index<{ FUNCTIONS.len() }> = {
     Index::of(words)
 };
 
-/// The function that an edition writes so, whatever the case.
+/// Returns the function that an edition writes so, whatever the case.
 pub fn find(word: &str, edition: Edition) -> Option<Operation> {
     let row = &FUNCTIONS[INDEX.find(word)?];
     (row.since <= edition).then_some(row.operation)

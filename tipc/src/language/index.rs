@@ -40,7 +40,7 @@ impl<const N: usize> Index<N> {
         }
     }
 
-    /// The row of a word, whatever its case.
+    /// Returns the row of a word, whatever its case.
     pub(super) fn find(&self, word: &str) -> Option<usize> {
         let first = word.bytes().next()?;
         let start = *self.starts.get(word.len())?;

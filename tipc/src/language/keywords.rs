@@ -237,7 +237,7 @@ keywords! {
 }
 
 impl Keyword {
-    /// Its row.
+    /// Returns its row.
     pub const fn row(self) -> &'static Row {
         &KEYWORDS[self as usize]
     }
@@ -275,7 +275,7 @@ static INDEX: Index<{ KEYWORDS.len() }> = {
     Index::of(words)
 };
 
-/// The keyword that an edition writes so, whatever the case.
+/// Returns the keyword that an edition writes so, whatever the case.
 pub fn find(word: &str, edition: Edition) -> Option<Keyword> {
     let row = &KEYWORDS[INDEX.find(word)?];
     (row.since <= edition).then_some(row.keyword)

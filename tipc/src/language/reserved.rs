@@ -160,7 +160,7 @@ pub const RESERVED: &[Row] = &[
 ];
 
 impl Row {
-    /// A word of 3.1.
+    /// Creates a word of 3.1.
     const fn new(
         word: &'static str,
         kind: Kind,
@@ -179,7 +179,7 @@ impl Row {
         }
     }
 
-    /// A target of 3.1.
+    /// Creates a target of 3.1.
     const fn target(target: Target, english: &'static str, japanese: &'static str) -> Self {
         let kind = Kind::Target(target);
         Row::new(target.stem(), kind, "§4-4", "3.2", english, japanese)
@@ -201,7 +201,7 @@ impl Row {
     }
 }
 
-/// The digit or letter after what the names of such constants begin with.
+/// Returns the digit or letter after what the names of such constants begin with.
 fn character(word: &str, stem: &str) -> Option<u8> {
     match word.strip_prefix(stem)?.as_bytes() {
         [char @ (b'0'..=b'9' | b'A'..=b'Z')] => Some(*char),
@@ -209,12 +209,12 @@ fn character(word: &str, stem: &str) -> Option<u8> {
     }
 }
 
-/// The rows that an edition has.
+/// Returns the rows that an edition has.
 fn rows(edition: Edition) -> impl Iterator<Item = &'static Row> {
     RESERVED.iter().filter(move |row| row.since <= edition)
 }
 
-/// The value of a constant's name.
+/// Returns the value of a constant's name.
 pub fn constant(word: &str, edition: Edition) -> Option<f64> {
     rows(edition).find_map(|row| match row.kind {
         Kind::Constant(value) => (word == row.word).then_some(value),
@@ -223,7 +223,7 @@ pub fn constant(word: &str, edition: Edition) -> Option<f64> {
     })
 }
 
-/// The flags of motions.
+/// Returns the flags of motions.
 pub fn motion_flags() -> impl Iterator<Item = &'static str> {
     let flags = RESERVED.iter().filter(|row| row.kind == Kind::MotionFlag);
     flags.map(|row| row.word)

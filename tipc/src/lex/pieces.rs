@@ -78,7 +78,8 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// The place after the colon if `word` is a label. MESSAGE and REM may go on with a text that starts with one.
+    /// Returns the place after the colon if `word` is a label. MESSAGE and REM may go on with a text that starts with
+    /// one.
     fn label_end(&self, word: Span) -> Option<usize> {
         let bytes = &self.text.as_bytes()[..self.trimmed_end];
         let colon = skip_delimiters(bytes, word.end);
@@ -124,7 +125,7 @@ fn takes_text(word: &str) -> bool {
         .any(|text| word.eq_ignore_ascii_case(text.word()))
 }
 
-/// The code of a line, and its comment.
+/// Returns the code of a line, and its comment.
 pub fn split_comment(text: &str, line: Span) -> (Span, Option<Span>) {
     let bytes = &text.as_bytes()[line.start..line.end];
     match bytes.windows(2).position(|pair| pair == b"//") {

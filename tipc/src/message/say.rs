@@ -20,7 +20,8 @@ impl Lang {
     /// Every language.
     pub const ALL: &'static [Lang] = &[Lang::English, Lang::Japanese];
 
-    /// The language of a locale or of its language alone, as POSIX names them: `ja`, `ja_JP.UTF-8`; English for others.
+    /// Returns the language of a locale or of its language alone, as POSIX names them: `ja`, `ja_JP.UTF-8`; English
+    /// for others.
     pub fn of(locale: &str) -> Self {
         match locale.starts_with("ja") {
             true => Lang::Japanese,
@@ -28,7 +29,7 @@ impl Lang {
         }
     }
 
-    /// The text in this language.
+    /// Returns the text in this language.
     pub const fn pick<'a>(self, english: &'a str, japanese: &'a str) -> &'a str {
         match self {
             Lang::English => english,
@@ -66,7 +67,7 @@ macro_rules! alike {
 alike!(char, f64, u32, usize, &'static str, Keyword, Target);
 
 impl Bilingual {
-    /// The text in a language.
+    /// Returns the text in a language.
     pub const fn in_lang(self, lang: Lang) -> &'static str {
         lang.pick(self.english, self.japanese)
     }

@@ -58,7 +58,7 @@ impl Reader<'_> {
 }
 
 impl Parser<'_> {
-    /// A command word and its arguments. Whether the command exists is not known here, and a misspelt one is
+    /// Reads a command word and its arguments. Whether the command exists is not known here, and a misspelt one is
     /// reported as such, whatever follows it: so faults in its arguments travel with it.
     pub(super) fn command(&self, keyword: Span, tokens: &[Token]) -> StatementKind {
         let mut reader = Reader::new(self.text, tokens, 1, Code::Argument);
@@ -70,7 +70,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The command word; an operator in its place is shown as one.
+    /// Returns the command word; an operator in its place is shown as one.
     fn command_word(&self, keyword: Span, tokens: &[Token]) -> Word {
         let span = tokens.first().map(|token| token.span).unwrap_or_default();
         let node = match tokens.first() {

@@ -30,7 +30,7 @@ impl Parser<'_> {
         opens.then(|| tokens.pop())?
     }
 
-    /// A colon after a condition or THEN; one after the label of a jump is none of these.
+    /// Returns true for a colon after a condition or THEN; one after the label of a jump is none of these.
     fn opens_with_colon(&self, keyword: Keyword, tokens: &[Token]) -> bool {
         let ends_condition = || match tokens {
             [.., before, last, _] => {
@@ -83,7 +83,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A statement that begins with a brace.
+    /// Reads a statement that begins with a brace.
     pub(super) fn brace(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         let shape = match self.source.slice(word) {
             OPEN if tokens.len() == 1 => self.lone_brace(word),

@@ -274,7 +274,7 @@ impl Reader<'_> {
     }
 }
 
-/// A fault of an operand of a condition, which shows its forms.
+/// Adds the forms of conditions to the fault of an operand.
 fn as_in_condition(mut fault: Fault) -> Fault {
     fault.help.get_or_insert_with(|| Parsing::Conditions.into());
     fault
@@ -296,7 +296,8 @@ fn is_part_of_relation(token: &Token) -> bool {
     )
 }
 
-/// The tokens of a statement with the relation that was meant, if that is what is wrong with it: `IF A = 1 GOTO L1`.
+/// Returns the tokens of a statement with the relation that was meant, if that is what is wrong with it: `IF A = 1
+/// GOTO L1`.
 pub(super) fn meant(fault: &Diagnostic, tokens: &[Token]) -> Option<Vec<Token>> {
     let relation = match (&fault.reason, fault.help.as_ref()?) {
         (

@@ -48,7 +48,7 @@ impl Reader<'_> {
         Err(self.missing_then())
     }
 
-    /// A block follows THEN, on the next line. A jump in its place is read as if THEN were not there.
+    /// Reads what follows THEN: a block, on the next line. A jump in its place is read as if THEN were not there.
     fn after_then(&mut self) -> Parsed<(Then, Parsed<()>)> {
         let place = self.rest();
         for word in [Keyword::Goto, Keyword::Gosub] {
@@ -192,7 +192,7 @@ impl Reader<'_> {
         Ok((StatementKind::Until { keyword, condition }, end))
     }
 
-    /// A condition after which nothing may stand. In `INPOS ALL` half a flag is none.
+    /// Reads a condition after which nothing may stand. In `INPOS ALL` half a flag is none.
     fn last_condition(&mut self) -> Parsed<Condition> {
         let condition = self.condition()?;
         match self.flag_or_command() {
@@ -359,7 +359,7 @@ impl Reader<'_> {
         Ok((StatementKind::Goto(jump), self.expect_end(End::Label)))
     }
 
-    /// A word that is alone in its statement.
+    /// Reads a word that is alone in its statement.
     pub(super) fn alone(&mut self, name: Keyword, kind: StatementKind) -> Read {
         let end = self.expect_end(End::Word { word: name.into() });
         let end = end.map_err(|mut fault| {
@@ -388,7 +388,7 @@ impl Reader<'_> {
     }
 }
 
-/// A fault of an operand of FOR, which shows its form.
+/// Adds the form of FOR to the fault of an operand.
 fn as_in_for(mut fault: Fault) -> Fault {
     fault.help.get_or_insert_with(|| Parsing::WriteFor.into());
     fault

@@ -82,7 +82,7 @@ impl Parser<'_> {
         Some(again + 1)
     }
 
-    /// The second of two declarations on a line is read as what it was meant to be.
+    /// Reads the second of two declarations on a line as what it was meant to be.
     fn two_declarations(
         &mut self,
         kind: VariableKind,
@@ -102,7 +102,7 @@ impl Parser<'_> {
         self.define(kind, second, &tokens[at..], true)
     }
 
-    /// The types of other languages among names: `DEF_VAR INT N`, `DEF_VAR N AS INT`.
+    /// Returns the types of other languages among names: `DEF_VAR INT N`, `DEF_VAR N AS INT`.
     fn types(&self, tokens: &[Token]) -> Vec<Span> {
         let words = tokens.get(1..).unwrap_or_default();
         let text = |token: &Token| self.source.slice(token.span);
@@ -117,7 +117,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The names of a word, which full-width commas may separate: those are reported.
+    /// Returns the names of a word, which full-width commas may separate: those are reported.
     fn names_between_commas(&self, word: Span) -> Vec<Span> {
         let text = self.source.slice(word);
         if text.bytes().all(|it| it.is_ascii_graphic()) {
@@ -164,7 +164,7 @@ impl Parser<'_> {
     }
 }
 
-/// The type of variables that a keyword declares.
+/// Returns the type of variables that a keyword declares.
 fn declared_kind(keyword: Keyword) -> Option<VariableKind> {
     match keyword {
         Keyword::DefVar => Some(VariableKind::Var),
@@ -174,7 +174,7 @@ fn declared_kind(keyword: Keyword) -> Option<VariableKind> {
     }
 }
 
-/// The names with a `-`: `STEP-LENGTH`.
+/// Returns the names with a `-`: `STEP-LENGTH`.
 fn hyphened(tokens: &[Token]) -> Vec<Span> {
     let runs = tokens.chunk_by(|_, next| !next.spaced);
     runs.filter_map(|run| {

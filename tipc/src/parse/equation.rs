@@ -174,7 +174,7 @@ fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     }
 }
 
-/// A fault among the operands of a function: what looks like a sign there was to be a second operation.
+/// Adds a help to a fault among the operands of a function: what looks like a sign there was to be a second operation.
 fn with_help(mut fault: Fault) -> Fault {
     if fault.reason == Parsing::SignStandsBefore.into() {
         fault.reason = Parsing::EquationEnds.into();
@@ -191,7 +191,7 @@ fn is_function(reader: &Reader<'_>, token: Token, edition: Edition) -> bool {
     token.kind == Kind::Word && functions::find(word, edition).is_some()
 }
 
-/// A function is the whole right side; it appears nowhere else.
+/// Refuses a function among operands: it is the whole right side, and appears nowhere else.
 fn refuse_function(reader: &Reader<'_>, operand: &Operand, edition: Edition) -> Parsed<()> {
     match &operand.kind {
         OperandKind::Name(name) if functions::find(name, edition).is_some() => Err(reader

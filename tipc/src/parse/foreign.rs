@@ -102,7 +102,7 @@ impl Parser<'_> {
         self.push(StatementKind::Broken(Shape::Plain), span);
     }
 
-    /// A statement that begins with no word of the language, if it is known from other languages.
+    /// Reads a statement that begins with no word of the language, if it is known from other languages.
     pub(super) fn unknown(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         let other = self.assignment(tokens).or_else(|| self.brace(word, tokens));
         // Nearly all statements begin with a command: for those no other language is searched.
@@ -321,7 +321,7 @@ impl Parser<'_> {
         self.report(fault.about(word).help(help));
     }
 
-    /// The keyword that a first word in full-width letters is meant to be.
+    /// Returns the keyword that a first word in full-width letters is meant to be.
     pub(super) fn narrow_keyword(&self, word: Span) -> Option<Keyword> {
         let word = self.source.slice(word);
         let narrow = (!word.is_ascii()).then(|| narrow(word))?;
@@ -344,7 +344,7 @@ impl Parser<'_> {
         self.report(fault.help(Habit::InOneWord { word: word.into() }));
     }
 
-    /// The word after END on its line.
+    /// Returns the word after END on its line.
     pub(super) fn word_after(&self, word: Span, span: Span) -> Option<Word> {
         let mut tokens = Vec::new();
         lex(
@@ -361,7 +361,7 @@ impl Parser<'_> {
 }
 
 impl Parser<'_> {
-    /// An assignment with an operator of another language.
+    /// Reads an assignment with an operator of another language.
     pub(super) fn assignment(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let [name, operator, rest @ ..] = tokens else {
             return None;

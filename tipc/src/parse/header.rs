@@ -41,7 +41,7 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     ))
 }
 
-/// The place of the version number in line 1; blanks and a comment may surround it.
+/// Returns the place of the version number in line 1; blanks and a comment may surround it.
 pub fn version_word(source: &Source) -> Span {
     let (code, _) = split_comment(source.text(), source.line(1).span);
     let word = source.slice(code).trim_end_matches(BLANKS);
@@ -49,13 +49,13 @@ pub fn version_word(source: &Source) -> Span {
     Span::new(end - word.trim_start_matches(BLANKS).len(), end)
 }
 
-/// The number that a version word is, if it is one.
+/// Returns the number that a version word is, if it is one.
 pub fn version_number(word: &str) -> Option<f64> {
     let starts_like_one = word.starts_with(|first: char| first.is_ascii_digit() || first == '.');
     starts_like_one.then(|| word.parse().ok())?
 }
 
-/// Line 2, its full-width spaces as two half-width ones.
+/// Returns line 2, its full-width spaces as two half-width ones.
 pub(super) fn title(source: &Source) -> String {
     let line = source.line_text(2).trim_matches(BLANKS);
     line.replace('\u{3000}', "  ")

@@ -12,7 +12,7 @@ use crate::source::Span;
 use crate::syntax::{Arithmetic, Jump, Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
 
-/// A label's name without quotes, parentheses and other signs around it.
+/// Returns a label's name without quotes, parentheses and other signs around it.
 pub(super) fn bare(name: &str) -> SmolStr {
     let is_sign = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
     match name.trim_matches(is_sign) {
@@ -29,13 +29,13 @@ pub fn glued(word: &str) -> Option<(Keyword, &str)> {
     jumps.into_iter().filter_map(parts).find(is_label)
 }
 
-/// The name of a routine that another language gives arguments: `WALK` of `WALK(3)`.
+/// Returns the name of a routine that another language gives arguments: `WALK` of `WALK(3)`.
 pub(super) fn with_parameters(name: &str) -> Option<SmolStr> {
     let (name, rest) = name.split_once('(')?;
     (!name.is_empty() && rest != ")").then(|| name.into())
 }
 
-/// A name in one piece: `MAIN_LOOP` of `MAIN-LOOP` and `MAIN LOOP`.
+/// Returns a name in one piece: `MAIN_LOOP` of `MAIN-LOOP` and `MAIN LOOP`.
 pub(super) fn joined(written: &str) -> SmolStr {
     let words = written.split(['-', ' ', '\t', ',', '\u{3000}']);
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
@@ -84,7 +84,7 @@ pub(crate) fn label_of(name: &str) -> String {
 }
 
 impl Reader<'_> {
-    /// The whole name of a label that is not in one piece.
+    /// Returns the whole name of a label that is not in one piece.
     fn spread_label(&self, first: Span) -> Option<Span> {
         self.left_tokens()
             .split_last()
@@ -186,7 +186,7 @@ impl Parser<'_> {
         foreign::is_main(name) && (!called.is_empty() || name.eq_ignore_ascii_case("MAIN"))
     }
 
-    /// A routine that begins with another word: what calls it is not wrong.
+    /// Reads a routine that begins with another word: what calls it is not wrong.
     pub(super) fn subroutine_named(&self, word: Span, tokens: &[Token]) -> StatementKind {
         let name = tokens.get(1).filter(|token| token.kind == Kind::Word);
         let Some(name) = name.map(|name| self.narrow_word(name.span)) else {

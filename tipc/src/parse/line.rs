@@ -45,7 +45,7 @@ impl Parser<'_> {
         flow
     }
 
-    /// A label, or a word with a colon that it does not take.
+    /// Reads a label, or a word with a colon that it does not take.
     fn label_or_word(&mut self, word: Span, span: Span) -> Flow {
         let keyword = keywords::find(self.source.slice(word), self.module.edition);
         let (shape, flow) = match keyword {
@@ -130,7 +130,7 @@ impl Parser<'_> {
         Flow::Continue
     }
 
-    /// A colon without a name before it, or with one after it: `:L1`.
+    /// Reads a colon without a name before it, or with one after it: `:L1`.
     fn nameless(&mut self, colon: Span) -> Flow {
         let fault = Diagnostic::new(Code::Argument, colon, Parsing::LabelNameMissing);
         self.push(StatementKind::Broken(Shape::Plain), colon);
@@ -202,7 +202,7 @@ impl Parser<'_> {
         self.report(diagnostic);
     }
 
-    /// The statement around a place in half-width characters, if more than one of its words is full-width.
+    /// Returns the statement around a place in half-width characters, if more than one of its words is full-width.
     fn narrow_statement(&self, place: Span) -> Option<String> {
         let (code, _) = split_comment(self.text, self.line.span);
         let start = self.text[code.start..place.start].rfind(';');
@@ -228,7 +228,7 @@ impl Parser<'_> {
         rest.starts_with([':', '='])
     }
 
-    /// The key between quotes of typesetting that begin at a place.
+    /// Returns the key between quotes of typesetting that begin at a place.
     fn quoted_key(&self, place: Span) -> Option<SmolStr> {
         let mut chars = self.text[place.start..].chars();
         let is_quote = |char: char| matches!(char, '‘' | '’' | '“' | '”');
@@ -312,7 +312,7 @@ fn wide_name(narrow: &str) -> String {
     format!("{name} wide")
 }
 
-/// The text with half-width letters, digits and signs for full-width ones.
+/// Returns the text with half-width letters, digits and signs for full-width ones.
 pub fn narrow(text: &str) -> String {
     text.chars()
         .map(|char| narrow_char(char).unwrap_or(char))
@@ -339,7 +339,7 @@ fn is_digit(char: char) -> bool {
     char.is_ascii_digit()
 }
 
-/// The half-width form of a full-width letter, digit or sign.
+/// Returns the half-width form of a full-width letter, digit or sign.
 fn narrow_char(char: char) -> Option<char> {
     match char {
         '\u{FF01}'..='\u{FF5E}' => char::from_u32(char as u32 - 0xFEE0),
@@ -351,7 +351,7 @@ fn narrow_char(char: char) -> Option<char> {
 const COLON: char = '：';
 
 impl Parser<'_> {
-    /// A name as it was meant to be typed.
+    /// Reads a name as it was meant to be typed.
     pub(super) fn narrow_word(&self, span: Span) -> Word {
         let word = self.source.slice(span);
         Word {
@@ -372,7 +372,7 @@ impl Parser<'_> {
         is_name.then(|| Span::new(word.start, word.start + name.len()))
     }
 
-    /// A label with a full-width colon, and the statement after it.
+    /// Reads a label with a full-width colon, and the statement after it.
     pub(super) fn wide_label(
         &mut self,
         name: Span,

@@ -29,7 +29,7 @@ const STOPS: &[Keyword] = &[
 const EXACT: usize = 15;
 
 impl Reader<'_> {
-    /// An operand with its sign.
+    /// Reads an operand with its sign.
     pub(super) fn operand(&mut self) -> Parsed<Operand> {
         match self.peek() {
             Some(Token {
@@ -58,7 +58,8 @@ impl Reader<'_> {
         }
     }
 
-    /// An operator among the arguments of a command calculates nothing, or was to begin a comment.
+    /// Adds a help to the fault of an operator among the arguments of a command: it calculates nothing, or was to
+    /// begin a comment.
     fn with_argument_help(&self, mut fault: Fault, token: Token) -> Fault {
         let calculates = matches!(token.kind, Kind::Arithmetic(_)) && !self.is_equation();
         let rest = self.slice(self.rest());
@@ -83,7 +84,7 @@ impl Reader<'_> {
         Habit::WithoutEquals { written }
     }
 
-    /// An operand of a condition or of FOR.
+    /// Reads an operand of a condition or of FOR.
     pub(super) fn operand_before_keyword(&mut self) -> Parsed<Operand> {
         match STOPS.iter().find(|stop| self.at_word(**stop)) {
             Some(stop) => {
@@ -146,7 +147,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A word as constant, name or member.
+    /// Reads a word as constant, name or member.
     pub(super) fn value(&self, span: Span) -> Parsed<Operand> {
         let word = self.slice(span);
         let kind = match word.as_bytes().first() {

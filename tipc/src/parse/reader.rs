@@ -39,29 +39,29 @@ impl<'a> Reader<'a> {
         self.code == Code::Equation
     }
 
-    /// The next token, which stays.
+    /// Returns the next token, which stays.
     pub(super) fn peek(&self) -> Option<Token> {
         self.tokens.get(self.at).copied()
     }
 
-    /// The token after the next one.
+    /// Returns the token after the next one.
     pub(super) fn peek_second(&self) -> Option<Token> {
         self.tokens.get(self.at + 1).copied()
     }
 
-    /// The next token.
+    /// Takes the next token.
     pub(super) fn take(&mut self) -> Option<Token> {
         let token = self.peek()?;
         self.at += 1;
         Some(token)
     }
 
-    /// The text at a place.
+    /// Returns the text at a span.
     pub(super) fn slice(&self, span: Span) -> &'a str {
         &self.text[span.start..span.end]
     }
 
-    /// The word at a place, upper-cased.
+    /// Returns the word at a span, upper-cased.
     pub(super) fn word(&self, span: Span) -> Word {
         Word {
             node: upper_case(self.slice(span)),
@@ -82,17 +82,17 @@ impl<'a> Reader<'a> {
         token.map(|token| token.span)
     }
 
-    /// The token before the next one.
+    /// Returns the token before the next one.
     pub(super) fn before(&self) -> Option<Token> {
         self.tokens.get(self.at.checked_sub(1)?).copied()
     }
 
-    /// The text that this reads.
+    /// Returns the text that this reads.
     pub(super) fn text(&self) -> &'a str {
         self.text
     }
 
-    /// The tokens that are left.
+    /// Returns the tokens that are left.
     pub(super) fn left_tokens(&self) -> &'a [Token] {
         &self.tokens[self.at..]
     }
@@ -102,7 +102,7 @@ impl<'a> Reader<'a> {
         self.tokens.len() - self.at
     }
 
-    /// The next token's place, or the one right after the last token.
+    /// Returns the next token's place, or the one right after the last token.
     pub(super) fn here(&self) -> Span {
         match (self.peek(), self.tokens.last()) {
             (Some(token), _) => token.span,
@@ -111,7 +111,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The whole statement.
+    /// Returns the whole statement.
     pub(super) fn whole(&self) -> Span {
         match self.tokens {
             [first, .., last] => first.span.to(last.span),
@@ -119,13 +119,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The first word of the statement, upper-cased.
+    /// Returns the first word of the statement, upper-cased.
     pub(super) fn first_word(&self) -> SmolStr {
         let first = self.tokens.first().map_or("", |it| self.slice(it.span));
         upper_case(first)
     }
 
-    /// All that is left.
+    /// Returns all that is left.
     pub(super) fn rest(&self) -> Span {
         match self.tokens.last() {
             Some(last) if self.left() > 0 => self.here().to(last.span),
@@ -144,12 +144,12 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// A fault of this statement at `span`.
+    /// Creates a fault of this statement at `span`.
     pub(super) fn fault(&self, span: Span, reason: impl Into<Message>) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason))
     }
 
-    /// A fault of this statement at `span`, with a help.
+    /// Creates a fault of this statement at `span`, with a help.
     pub(super) fn fault_with_help(
         &self,
         span: Span,

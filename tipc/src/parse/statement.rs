@@ -277,7 +277,7 @@ impl Start {
     }
 }
 
-/// The shape of a statement that starts with `keyword`.
+/// Returns the shape of a statement that starts with `keyword`.
 pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> Shape {
     let Some(keyword) = keyword else {
         return Shape::Plain;
@@ -312,7 +312,7 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
     }
 }
 
-/// The shape of a statement that was meant to begin with `keyword`.
+/// Returns the shape of a statement that was meant to begin with `keyword`.
 pub(super) fn meant(keyword: Keyword, text: &str, tokens: &[Token]) -> Shape {
     match keyword {
         Keyword::Else => Shape::Else,
@@ -334,7 +334,7 @@ fn is(text: &str, token: &Token, keyword: Keyword) -> bool {
     text[span.start..span.end].eq_ignore_ascii_case(keyword.word())
 }
 
-/// An IF opens a block if it contains THEN, or if nothing in it looks like a jump.
+/// Returns true if an IF opens a block: it contains THEN, or nothing in it looks like a jump.
 fn opens_block(text: &str, tokens: &[Token]) -> bool {
     let jumps = |token: &Token| {
         token.kind == Kind::Colon

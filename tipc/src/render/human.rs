@@ -73,8 +73,8 @@ fn width(line: &str, bytes: usize) -> usize {
     }
 }
 
-/// The diagnostic in the style of rustc: its headline, the lines with carets, the help, and as a note the classical
-/// message. It ends with a line end.
+/// Renders the diagnostic in the style of rustc: its headline, the lines with carets, the help, and as a note the
+/// classical message. It ends with a line end.
 pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     let windows = windows(source, diagnostic);
     let name = printable(source.name());
@@ -119,7 +119,7 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     out
 }
 
-/// The columns before the text of a help: those of line numbers, a sign, and its name.
+/// Returns the columns before the text of a help: those of line numbers, a sign, and its name.
 fn before_help(windows: &[Window], name: &str) -> usize {
     let ends = windows
         .iter()
@@ -128,7 +128,7 @@ fn before_help(windows: &[Window], name: &str) -> usize {
     digits + " = : ".len() + columns(name)
 }
 
-/// The columns before the text of a headline: those of the level and the code.
+/// Returns the columns before the text of a headline: those of the level and the code.
 fn before_headline(diagnostic: &Diagnostic, lang: Lang) -> usize {
     let level = level_name(diagnostic.level(), lang);
     columns(level) + "[]: ".len() + diagnostic.id().len()
@@ -165,7 +165,7 @@ fn at_place(diagnostic: &Diagnostic, lang: Lang) -> Option<String> {
     is_warning.then(|| printable(diagnostic.reason.in_lang(lang)))
 }
 
-/// The place alone, for one that cannot be shown.
+/// Renders the location alone, for one that cannot be shown.
 fn origin<'a>(name: &'a str, source: &Source, diagnostic: &Diagnostic) -> Origin<'a> {
     let (line, column) = source.line_column(diagnostic.span.start);
     Origin::path(name)
@@ -173,7 +173,7 @@ fn origin<'a>(name: &'a str, source: &Source, diagnostic: &Diagnostic) -> Origin
         .char_column(column as usize)
 }
 
-/// The window around the diagnostic's own place, then one for each label that is far from it.
+/// Returns the window around the diagnostic's own place, then one for each label that is far from it.
 fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
     let line = |span: Span| source.line_column(span.start).0;
     let own = line(diagnostic.span);
@@ -256,8 +256,8 @@ impl Style {
 /// The fewest columns that a text is broken for.
 const LEAST: usize = 20;
 
-/// The text with line breaks, so that each line fits into what `used` columns leave of the width. It breaks at blanks and
-/// beside full-width characters, not inside of code between backquotes.
+/// Returns the text with line breaks, so that each line fits into what `used` columns leave of the width. It breaks at
+/// blanks and beside full-width characters, not inside of code between backquotes.
 pub(super) fn wrapped(text: &str, width: Option<usize>, used: usize) -> String {
     let room = width.and_then(|width| width.checked_sub(used));
     let Some(room) = room.filter(|room| *room >= LEAST) else {

@@ -7,7 +7,8 @@ use crate::source::{Position, Source, Span, Unit};
 use std::fmt::Write;
 use tip_runtime::printable::is_control;
 
-/// An object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one), `code`, `file`,
+/// Renders an object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one),
+/// `code`, `file`,
 /// `line`, `column` (both from 1, the column in characters) and, if there is any, `help`; then `reason`, `class` (the code
 /// that finer codes are part of), `range`, `labels` and `fixes` with the places in every unit, the file's `encoding`, the name
 /// of the `robot` that the program was checked for, `related` (the labels at which the same mistake shows again, with file,

@@ -9,12 +9,12 @@ fn source(name: &str, text: &str) -> Source {
     Source::decode(name, text.as_bytes(), Encoding::Utf8).0
 }
 
-/// A diagnostic at the first occurrence of `place`.
+/// Returns a diagnostic at the first occurrence of `place`.
 fn at(source: &Source, code: Code, place: &str, reason: &str) -> Diagnostic {
     Diagnostic::new(code, span(source, place), text(reason))
 }
 
-/// A message of any text.
+/// Returns a message of any text.
 fn text(text: &str) -> Reading {
     let error = text.to_owned().into();
     Reading::System { error }

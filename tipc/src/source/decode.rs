@@ -25,7 +25,7 @@ pub enum Charset {
 }
 
 impl Charset {
-    /// Its name in messages.
+    /// Returns its name in messages.
     pub const fn name(self) -> &'static str {
         match self {
             Charset::Utf8 => "UTF-8",
@@ -163,7 +163,7 @@ fn undecodable(charset: Charset, byte: usize, offset: usize) -> Undecodable {
 /// The bytes by which ISO-2022-JP changes to Japanese characters.
 const ISO_2022_JP: &[&[u8]] = &[b"\x1b$B", b"\x1b$@"];
 
-/// The encoding that bytes look like, if it is one that programs cannot have.
+/// Returns the encoding that bytes look like, if it is one that programs cannot have.
 pub fn looks_like(bytes: &[u8]) -> Option<&'static str> {
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
         return Some("UTF-16");

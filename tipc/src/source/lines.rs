@@ -91,7 +91,7 @@ impl Source {
         self.lines.count
     }
 
-    /// All lines in order. An end after the last line opens no further one.
+    /// Returns all lines in order. An end after the last line opens no further one.
     pub fn lines(&self) -> Lines<'_> {
         Lines {
             bytes: self.text.as_bytes(),
@@ -109,7 +109,7 @@ impl Source {
         }
     }
 
-    /// A line by its number, from 1. A line that does not exist is empty, at the end.
+    /// Returns a line by its number, from 1. A line that does not exist is empty, at the end.
     pub fn line(&self, number: u32) -> Line {
         let start = self.line_start(number);
         let rest = &self.text.as_bytes()[start..];
@@ -127,12 +127,13 @@ impl Source {
         }
     }
 
-    /// The text of a line, counted from 1, without its line end.
+    /// Returns the text of a line, counted from 1, without its line end.
     pub fn line_text(&self, number: u32) -> &str {
         self.slice(self.line(number).span)
     }
 
-    /// The number of the line that holds a byte of the text, its end included; after the text it is the last line.
+    /// Returns the number of the line that holds a byte of the text, its end included; after the text it is the last
+    /// line.
     pub(super) fn line_number(&self, offset: usize) -> u32 {
         let bytes = self.text.as_bytes();
         let offset = offset.min(bytes.len());

@@ -31,7 +31,7 @@ impl Original {
         text[start..end].chars().fold(at, lengths) - at
     }
 
-    /// The bytes of the file from `start` up to `end`; `text` is what they spell.
+    /// Returns the bytes of the file from `start` up to `end`; `text` is what they spell.
     pub(super) fn get<'a>(&'a self, text: &'a str, start: usize, end: usize) -> &'a [u8] {
         let bytes = match self {
             Original::Text => text.as_bytes(),

@@ -56,7 +56,8 @@ impl ColumnIndex {
         ColumnIndex(stretches.collect())
     }
 
-    /// The last stretch that starts with at most `wanted` units before it; none if units are bytes of the text.
+    /// Returns the last stretch that starts with at most `wanted` units before it; none if units are bytes of the
+    /// text.
     fn known_before(&self, wanted: usize, unit: Unit) -> Option<usize> {
         let fits = |counts: &Counts| match unit {
             Unit::Byte => counts.bytes <= wanted,
@@ -70,8 +71,9 @@ impl ColumnIndex {
 }
 
 impl Source {
-    /// The position of a byte of the text. Inside a character it is the character's, inside a line end the end of the
-    /// line; after the last line end it is the first column of one more line, after the text it is the text's end.
+    /// Returns the position of a byte of the text. Inside a character it is the character's, inside a line end the end
+    /// of the line; after the last line end it is the first column of one more line, after the text it is the text's
+    /// end.
     pub fn position(&self, offset: usize, unit: Unit) -> Position {
         let offset = boundary(&self.text, offset);
         let number = self.line_number(offset);
@@ -90,8 +92,9 @@ impl Source {
         }
     }
 
-    /// The byte of the text at a position. Inside a character it is where that starts; a position after its line is
-    /// the line's end, a line after the last one the text's end; lines and columns before the first are the first.
+    /// Returns the byte of the text at a position. Inside a character it is where that starts; a position after its
+    /// line is the line's end, a line after the last one the text's end; lines and columns before the first are the
+    /// first.
     pub fn offset(&self, position: Position, unit: Unit) -> usize {
         let unit = self.unit(unit);
         let line = self.line(position.line.max(1)).span;
@@ -117,8 +120,8 @@ impl Source {
         at
     }
 
-    /// Line, and column in characters, of a byte of the text; both from 1. What comes after the last line, or in its
-    /// end, is reported on that line.
+    /// Returns line, and column in characters, of a byte of the text; both from 1. What comes after the last line, or
+    /// in its end, is reported on that line.
     pub fn line_column(&self, offset: usize) -> (u32, u32) {
         (self.line_number(offset), self.column(offset))
     }

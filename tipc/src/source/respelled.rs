@@ -7,9 +7,9 @@ use encoding_rs::SHIFT_JIS;
 use std::collections::HashMap;
 
 impl Source {
-    /// The bytes of this file with another text in the place of its own: encoding, byte order mark and DOS end of file stay, and
-    /// so do the bytes of each line that the file has already, which encoding its text again would not always lead back to.
-    /// New lines end as the first one does.
+    /// Returns the bytes of this file with another text in the place of its own: encoding, byte order mark and DOS end
+    /// of file stay, and so do the bytes of each line that the file has already, which encoding its text again would
+    /// not always lead back to. New lines end as the first one does.
     ///
     /// # Errors
     /// A character that the file's encoding cannot spell.

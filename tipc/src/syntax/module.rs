@@ -18,12 +18,12 @@ pub struct Module {
 }
 
 impl Module {
-    /// The statements that are steps, in order: the first is step 0.
+    /// Returns the statements that are steps, in order: the first is step 0.
     pub fn steps(&self) -> impl Iterator<Item = &Statement> {
         self.statements.iter().filter(|it| it.is_step())
     }
 
-    /// The index of the statement that is a step.
+    /// Returns the index of the statement that is a step.
     pub fn statement_of(&self, step: StepId) -> Option<usize> {
         // After declarations comes the statement whose number they share.
         let behind = self.statements.partition_point(|it| it.step <= step);
@@ -32,7 +32,7 @@ impl Module {
         (statement.is_step() && statement.step == step).then_some(index)
     }
 
-    /// The index of the statement that covers a byte of the text, or ends there.
+    /// Returns the index of the statement that covers a byte of the text, or ends there.
     pub fn statement_at(&self, offset: usize) -> Option<usize> {
         let behind = self
             .statements
@@ -61,7 +61,7 @@ impl Statement {
         !matches!(self.kind, StatementKind::Define { .. })
     }
 
-    /// Its first word if it has a place of its own, else the whole statement.
+    /// Returns its first word if it has a place of its own, else the whole statement.
     pub const fn keyword(&self) -> Span {
         match self.kind.keyword() {
             Some(keyword) => keyword,

@@ -218,7 +218,7 @@ impl StatementKind {
         }
     }
 
-    /// The jump in it.
+    /// Returns the jump in it.
     pub const fn jump(&self) -> Option<(JumpKind, &Jump)> {
         match self {
             StatementKind::Goto(jump)
@@ -259,7 +259,7 @@ impl StatementKind {
         }
     }
 
-    /// The label that it defines, and whether SUBROUTINE does.
+    /// Returns the label that it defines, and true if SUBROUTINE does.
     pub const fn label(&self) -> Option<(&Word, bool)> {
         match self {
             StatementKind::Label(name) => Some((name, false)),
@@ -290,7 +290,7 @@ impl StatementKind {
         }
     }
 
-    /// The place of its first word, if it is kept.
+    /// Returns the place of its first word, if it is kept.
     pub const fn keyword(&self) -> Option<Span> {
         match self {
             StatementKind::If { keyword, .. }

@@ -17,7 +17,7 @@ fn the_example_is_a_hexapod() {
     assert_eq!(left, right.map(|[x, y, z]| [-x, y, z]));
 }
 
-/// Each finding about a program for the hexapod: `LINE: reason (help)`.
+/// Returns each diagnostic about a program for the hexapod: `LINE: reason (help)`.
 fn check(statements: &str) -> Vec<String> {
     check_for(HEXAPOD, statements)
 }

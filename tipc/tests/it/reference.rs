@@ -17,12 +17,12 @@ fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// A file of the workspace.
+/// Reads a file of the workspace.
 fn read(path: &str) -> String {
     fs::read_to_string(workspace().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// Every document for users, by its path in the workspace.
+/// Returns every document for users, by its path in the workspace.
 fn documents() -> Vec<String> {
     let mut paths = [
         "README.md",

@@ -11,8 +11,8 @@ fn program(statements: &str) -> Loaded {
     load("symbols.prg", text.as_bytes(), &Options::default())
 }
 
-/// One use: `line:column name access`, then the member from 0 and the sign if there are any. Lines count from the first
-/// statement; a name that is left out is written as `()`.
+/// Formats one use: `line:column name access`, then the member from 0 and the sign if there are any. Lines count from
+/// the first statement; a name that is left out is written as `()`.
 fn line(loaded: &Loaded, it: &Use) -> String {
     let (line, column) = loaded.source.line_column(it.place.start);
     let name = match loaded.source.slice(it.place) {

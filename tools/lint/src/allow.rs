@@ -184,7 +184,7 @@ const fn is_found_later(code: Code) -> bool {
     )
 }
 
-/// The warning of that name.
+/// Returns the warning of that name.
 fn code(name: &str) -> Result<Code, Allowing> {
     let is_it = |code: &&Code| code.id().eq_ignore_ascii_case(name);
     match Code::ALL.iter().copied().find(|code| is_it(&code)) {

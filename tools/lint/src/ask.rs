@@ -72,12 +72,12 @@ impl Asker {
         self.own
     }
 
-    /// The names that are not the program's, in the order of their numbers.
+    /// Returns the names that are not the program's, in the order of their numbers.
     pub fn more(&self) -> &[String] {
         &self.more
     }
 
-    /// The condition that a text is, as it follows IF.
+    /// Parses a text as a condition, as it follows IF.
     ///
     /// # Errors
     /// Returns what is wrong with it, located in the text.
@@ -96,7 +96,7 @@ impl Asker {
         }
     }
 
-    /// The number that a text stands for, as it follows `=`.
+    /// Parses a text as a number, as it follows `=`.
     ///
     /// # Errors
     /// Returns what is wrong with it, located in the text.
@@ -157,7 +157,7 @@ const fn keyword(kind: VariableKind) -> Keyword {
     }
 }
 
-/// An error in a program as one in the text that begins at `start`.
+/// Moves an error in a program to the text that begins at `start`.
 fn placed(mut error: Diagnostic, start: usize, text: &str) -> Box<Diagnostic> {
     let at = |offset: usize| offset.saturating_sub(start).min(text.len());
     error.span = Span::new(at(error.span.start), at(error.span.end));
@@ -166,7 +166,7 @@ fn placed(mut error: Diagnostic, start: usize, text: &str) -> Box<Diagnostic> {
     Box::new(error)
 }
 
-/// A text that is more than one condition or number.
+/// Refuses a text that is more than one condition or number.
 fn refused(text: &str) -> Box<Diagnostic> {
     let span = Span::new(0, text.len());
     Box::new(Diagnostic::new(Code::Argument, span, Parsing::Conditions))

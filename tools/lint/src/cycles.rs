@@ -142,7 +142,7 @@ fn subroutines(flow: &Flow, graph: &Graph) -> Vec<Part> {
     returning.collect()
 }
 
-/// The stretches, and whether those are all.
+/// Returns the stretches, and true if those are all.
 fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
     let work = Work::of(flow.nodes().len());
     let labels: BTreeSet<NodeId> = program

@@ -33,7 +33,7 @@ pub enum Refusal {
     Because(Formatting),
 }
 
-/// The bytes of a program in the style. `name` is how findings call the file.
+/// Formats a program in the style. `name` is the file's name in diagnostics.
 ///
 /// # Errors
 ///
@@ -73,7 +73,7 @@ pub fn format_for(
     Err(Refusal::Findings(Box::new(load(name, bytes, &best))))
 }
 
-/// The bytes of a program in the style, if they are the same program.
+/// Formats a program in the style; checks that the result is the same program.
 fn laid_out(before: &Parsed, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Formatting> {
     let rows = layout::rows(&before.source, &before.module);
     let formatted = rows.write(&before.source)?;

@@ -121,7 +121,7 @@ impl Judged<'_> {
         found
     }
 
-    /// The statement that is a step.
+    /// Returns the statement that is a step.
     fn statement(&self, step: StepId) -> Option<&Statement> {
         let index = self.module.statement_of(step)?;
         Some(&self.module.statements[index])

@@ -38,7 +38,7 @@ pub enum NoteKind {
 }
 
 impl NoteKind {
-    /// Its name in reports.
+    /// Returns its name in reports.
     pub const fn name(self) -> &'static str {
         match self {
             NoteKind::Change => "change",
@@ -70,17 +70,17 @@ pub struct Migration {
 }
 
 impl Migration {
-    /// The old program's text.
+    /// Returns the old program's text.
     pub fn source(&self) -> &Source {
         &self.source
     }
 
-    /// The new program in the encoding of the old one; `None` if a question is open.
+    /// Returns the new program in the encoding of the old one; `None` if a question is open.
     pub fn bytes(&self) -> Option<&[u8]> {
         self.bytes.as_deref()
     }
 
-    /// The report, in order of lines.
+    /// Returns the report, in order of lines.
     pub fn notes(&self) -> &[Note] {
         &self.notes
     }
@@ -99,7 +99,7 @@ impl Migration {
         self.notes.iter().filter(move |note| note.kind == kind)
     }
 
-    /// The robots that the new program loads for.
+    /// Returns the robots that the new program loads for.
     pub fn robots(&self) -> Vec<Robot> {
         let Some(bytes) = &self.bytes else {
             return Vec::new();
@@ -157,7 +157,7 @@ struct Migrator<'a> {
 }
 
 impl Migrator<'_> {
-    /// Every rule, in order; whether the program is of a known older version.
+    /// Applies every rule, in order; returns true if the program is of a known older version.
     fn program(&mut self) -> bool {
         let Some(Header { style, title }) = self.header() else {
             return false;
@@ -194,7 +194,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// The text at `span`.
+    /// Returns the text at `span`.
     fn slice(&self, span: Span) -> &str {
         self.source.slice(span)
     }

@@ -174,13 +174,13 @@ impl Repair<'_> {
         applied.collect()
     }
 
-    /// The fix of a finding, if it is sure enough.
+    /// Returns the fix of a finding, if it is sure enough.
     fn fix<'d>(&self, finding: &'d Diagnostic) -> Option<&'d Fix> {
         let mut fixes = finding.fixes.iter();
         fixes.find(|fix| fix.applicability <= self.least)
     }
 
-    /// The findings, but for some, whose fixes do not touch each other.
+    /// Returns the findings, but for some, whose fixes do not touch each other.
     fn candidates(&self, tried: &HashSet<usize>) -> Vec<usize> {
         let mut taken = Taken::default();
         let found = self.loaded.diagnostics.iter().enumerate();
@@ -226,8 +226,8 @@ impl Repair<'_> {
         }
     }
 
-    /// The file with the fixes of these findings, if it is better; else the changed lines on which something new is found.
-    /// Mistakes hidden by these on their lines are fixed, too.
+    /// Returns the file with the fixes of these findings, if it is better; else the changed lines on which something
+    /// new is found. Mistakes hidden by these on their lines are fixed, too.
     fn attempt(&self, findings: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
         let (mut loaded, mut new) = self.changed(&self.loaded, &findings)?;
         let mut hidden = Vec::new();
@@ -255,8 +255,8 @@ impl Repair<'_> {
         Err(HashSet::new())
     }
 
-    /// A file with the fixes of some findings, and the findings that are new then, if all of them were hidden; else the
-    /// changed lines on which the others are.
+    /// Returns a file with the fixes of some findings, and the findings that are new then, if all of them were hidden;
+    /// else the changed lines on which the others are.
     fn changed(
         &self,
         before: &Loaded,
@@ -290,7 +290,7 @@ impl Repair<'_> {
     }
 }
 
-/// A text with others in the place of some spans.
+/// Returns a text with others in the place of some spans.
 fn spliced<'a>(text: &str, changes: impl Iterator<Item = (Span, &'a str)>) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
@@ -317,7 +317,8 @@ pub fn render_short(repaired: &Repaired, lang: Lang) -> String {
     repaired.applied.iter().map(line).collect()
 }
 
-/// One object a line: `level` (`fixed`), `message` (what was done), `applicability`, `code`, `file`, `line`, `column`.
+/// Returns one object a line: `level` (`fixed`), `message` (what was done), `applicability`, `code`, `file`, `line`,
+/// `column`.
 pub fn render_json(repaired: &Repaired, lang: Lang) -> String {
     let name = repaired.loaded.source.name();
     let object = |one: &Applied| {

@@ -86,7 +86,7 @@ impl Spots {
         self.spots.len() - 1
     }
 
-    /// The edge from a node to another, in a word.
+    /// Returns the edge from a node to another, in a word.
     fn way(&self, action: &Action, node: &Node, to: NodeId) -> &'static str {
         let goes_on = to == self.flow.first(node.step + 1);
         match (action, goes_on) {
@@ -100,7 +100,7 @@ impl Spots {
         }
     }
 
-    /// All of them.
+    /// Returns all of them.
     pub fn all(&self) -> &[Spot] {
         &self.spots
     }
@@ -110,12 +110,12 @@ impl Spots {
         self.steps.contains_key(&step)
     }
 
-    /// The step that ran, by its place in [`all`](Self::all).
+    /// Returns the step that ran, by its place in [`all`](Self::all).
     pub fn step(&self, step: StepId) -> Option<usize> {
         self.steps.get(&step).copied()
     }
 
-    /// The edge that a run went along, by its place in [`all`](Self::all).
+    /// Returns the edge that a run went along, by its place in [`all`](Self::all).
     pub fn edge(&self, from: Place, to: Place) -> Option<usize> {
         let (from, to) = (self.node(from), self.node(to));
         if self.flow.nodes().get(from).is_some_and(|node| node.returns) {
@@ -125,7 +125,7 @@ impl Spots {
         edges.find(|(end, _)| *end == to).map(|(_, spot)| *spot)
     }
 
-    /// The edges on from a place, by their places in [`all`](Self::all).
+    /// Returns the edges on from a place, by their places in [`all`](Self::all).
     pub fn edges(&self, from: Place) -> impl Iterator<Item = usize> {
         let edges = self.edges.get(&self.node(from)).into_iter().flatten();
         edges.map(|(_, spot)| *spot)
@@ -146,7 +146,7 @@ const fn truth(is_true: bool) -> &'static str {
     if is_true { "true" } else { "false" }
 }
 
-/// The nodes that some path leads to from the start.
+/// Returns the nodes that some path leads to from the start.
 fn live(flow: &Flow) -> BTreeSet<NodeId> {
     let mut live = BTreeSet::new();
     let mut open = vec![0];
@@ -170,7 +170,7 @@ mod tests {
         Spots::of(&loaded.program.expect("it loads"))
     }
 
-    /// The edges, as step and name.
+    /// Returns the edges, as step and name.
     fn edges(statements: &str) -> Vec<(StepId, &'static str)> {
         let spots = spots(statements);
         let edges = spots.all().iter();

@@ -96,7 +96,7 @@ pub(super) struct Batch<'a> {
 }
 
 impl<'a> Batch<'a> {
-    /// The scalars that are touched so, in the order of the nodes.
+    /// Prepares the scalars that are touched so, in the order of the nodes.
     pub(super) fn new(blocks: &'a Blocks, touches: &'a [Touch]) -> Self {
         let mut effects = vec![Effect::NONE; blocks.all().len()];
         for touch in touches {
@@ -204,7 +204,7 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// The paths from the end of a block.
+/// Returns the paths from the end of a block.
 fn behind(block: &Block, passages: &[Passage]) -> Passage {
     let mut ways = block.returns.then_some(Effect::NONE);
     for next in block.next.iter() {
@@ -283,7 +283,7 @@ impl Touches {
         Touches { all }
     }
 
-    /// The touches of one scalar, at bit 0.
+    /// Returns the touches of one scalar, at bit 0.
     pub(super) fn of_scalar(&self, scalar: usize) -> Vec<Touch> {
         let mut sorted = Sorted::default();
         for access in self.all.iter().filter(|access| access.scalar == scalar) {
@@ -292,8 +292,8 @@ impl Touches {
         sorted.touches
     }
 
-    /// The scalars that a block reads before it assigns them, in batches of 63, with all their touches; one batch at
-    /// least. And the reads of all others, which find a value wherever a run comes.
+    /// Returns the scalars that a block reads before it assigns them, in batches of 63, with all their touches; one
+    /// batch at least. And the reads of all others, which find a value wherever a run comes.
     pub(super) fn sorted(
         &self,
         scalars: usize,
@@ -378,7 +378,7 @@ pub(super) struct Worklist {
 }
 
 impl Worklist {
-    /// An empty one for nodes below `nodes`.
+    /// Creates an empty queue for nodes below `nodes`.
     pub(super) fn new(nodes: usize, order: Order) -> Self {
         Worklist {
             order,

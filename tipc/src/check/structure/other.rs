@@ -103,7 +103,8 @@ impl Matcher<'_> {
         later
     }
 
-    /// An END inside a block, with statements and another END after it, was to end the block, or to stop the run.
+    /// Reports an END inside a block, with statements and another END after it, that was to end the block or to stop
+    /// the run.
     pub(super) fn ended_too_early(&mut self, source: &Source) -> Option<()> {
         let innermost = self.open.last()?;
         let last = self.module.statements.last()?;

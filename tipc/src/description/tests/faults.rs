@@ -15,7 +15,7 @@ fn faults(text: &str) -> Vec<String> {
     told.collect()
 }
 
-/// A description whose leg and joint stand in the lines 2 and 3, and `more` from line 4 on.
+/// Returns a description whose leg and joint stand in the lines 2 and 3, and `more` from line 4 on.
 pub(super) fn with(more: &str) -> String {
     format!(
         "name = \"test\"\nleg = [{{ base = [0, 0, 0] }}]\njoint = [{{ axis = \"x\", link = [0, 0, 9] }}]\n{more}"

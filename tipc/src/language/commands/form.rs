@@ -57,14 +57,14 @@ impl Robots {
         }
     }
 
-    /// The robots' names.
+    /// Returns the robots' names.
     pub fn names(self) -> Vec<&'static str> {
         let robots = Robot::ALL.iter().copied();
         let robots = robots.filter(|robot| self.contains(*robot));
         robots.map(Robot::name).collect()
     }
 
-    /// The letters T, H, G of the language reference.
+    /// Returns the letters T, H, G of the language reference.
     pub fn letters(self) -> String {
         let letters = [(self.titan, "T"), (self.hand, "H"), (self.generic, "G")];
         let names: Vec<&str> = letters
@@ -237,7 +237,7 @@ impl Arguments {
         limit: Limit::Any,
     };
 
-    /// A target alone.
+    /// Creates the form of a target alone.
     pub const fn target(targets: Targets) -> Self {
         Arguments {
             targets,
@@ -245,7 +245,7 @@ impl Arguments {
         }
     }
 
-    /// A target and values within a limit.
+    /// Creates the form of a target and values within a limit.
     pub const fn setting(targets: Targets, values: Values, limit: Limit) -> Self {
         Arguments {
             targets,
@@ -255,7 +255,7 @@ impl Arguments {
         }
     }
 
-    /// A motion whose operands may be relative.
+    /// Creates the form of a motion whose operands may be relative.
     pub const fn motion(targets: Targets, values: Values) -> Self {
         Arguments {
             targets,
@@ -306,7 +306,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The arguments as the language reference writes them.
+    /// Returns the arguments as the language reference writes them.
     pub fn syntax(self) -> String {
         match self {
             Form::Robot(arguments) => arguments.syntax(),
@@ -343,7 +343,7 @@ impl Arguments {
 }
 
 impl Targets {
-    /// The targets as help texts write them.
+    /// Returns the targets as help texts write them.
     pub fn syntax(self) -> String {
         let joints = match self.joints {
             Joints::None => "",

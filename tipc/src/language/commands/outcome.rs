@@ -192,7 +192,7 @@ pub(super) const NATIVE: &[Failure] = &[(
 )];
 
 impl Command {
-    /// Every runtime error of its own step.
+    /// Returns every runtime error of its own step.
     pub fn failures(&self) -> Vec<Failure> {
         let operands = if self.reads() { READS } else { NONE };
         let limit = self.limit().map(|when| (Fault::Domain, when));

@@ -17,7 +17,7 @@ pub(crate) const ODD: Range<usize> = PLAIN..PLAIN + 3;
 
 /// Possible argument of a message. A type without it cannot be one, since its table does not compile.
 pub(crate) trait Sample: Sized {
-    /// The argument of a turn.
+    /// Returns the argument of a turn.
     fn sample(turn: usize) -> Self;
 }
 

@@ -14,7 +14,7 @@ const ROBOTS: [(&str, Robot); 3] = [
     ("H", Robot::Hand),
 ];
 
-/// The list below an entry's words; empty for words that are not commands.
+/// Returns the list below an entry's words; empty for words that are not commands.
 pub(crate) fn facts(commands: &[&Command]) -> String {
     let Some(first) = commands.first() else {
         return String::new();
@@ -51,7 +51,7 @@ fn of_all(commands: &[&Command], fact: fn(&Command) -> String) -> String {
     named.join("; ")
 }
 
-/// Every form, by robot where robots differ.
+/// Returns every form, by robot where robots differ.
 fn written(commands: &[&Command]) -> String {
     let forms: Vec<String> = commands.iter().map(|command| forms(command)).collect();
     forms.join("; ")
@@ -189,7 +189,7 @@ fn rules(command: &Command) -> String {
     format!("[{clause}](language.md#{}), {section}", place(clause))
 }
 
-/// The anchor of the heading above a clause.
+/// Returns the anchor of the heading above a clause.
 fn place(clause: &str) -> String {
     let text = read("docs/language.md");
     let at = text.find(&format!("**[{clause}]**"));

@@ -73,7 +73,7 @@ struct Block {
     text: String,
 }
 
-/// The code blocks of a document.
+/// Returns the code blocks of a document.
 fn blocks(document: &str) -> Vec<Block> {
     let mut blocks = Vec::new();
     let mut lines = document.lines();

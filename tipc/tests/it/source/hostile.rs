@@ -88,7 +88,7 @@ pub(crate) struct File {
 }
 
 impl File {
-    /// A file of that many pieces. It is sometimes marked, undecodable, and ended as DOS does.
+    /// Returns a file of that many pieces. It is sometimes marked, undecodable, and ended as DOS does.
     pub(crate) fn random(random: &mut Random, pieces: usize) -> File {
         let (encoding, good, bad) = match random.below(2) {
             0 => (Encoding::Utf8, UTF8, NOT_UTF8),
@@ -120,7 +120,7 @@ impl File {
         }
     }
 
-    /// The file, decoded to the characters that it is made of.
+    /// Returns the file, decoded to the characters that it is made of.
     pub(crate) fn source(&self) -> Source {
         let (source, _) = Source::decode("hostile.prg", &self.bytes, self.encoding);
         let text: String = self.characters.iter().map(|(char, _)| *char).collect();

@@ -8,7 +8,7 @@ use tipc::source::{Encoding, Line, Source, Span};
 
 const ENCODINGS: [Encoding; 3] = [Encoding::Auto, Encoding::Utf8, Encoding::ShiftJis];
 
-/// The mark, the text cut at `cuts`, the tail.
+/// Returns the mark, the text cut at `cuts`, the tail.
 fn joined(source: &Source, cuts: impl IntoIterator<Item = Span>) -> Vec<u8> {
     let mut bytes = source.mark().to_vec();
     for span in cuts {

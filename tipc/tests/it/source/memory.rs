@@ -6,7 +6,7 @@ use tipc::{Options, load};
 
 const MEGABYTES: usize = 5 << 20;
 
-/// The most bytes that are in use while the file is decoded, and how many lines it has.
+/// Returns the most bytes that are in use while the file is decoded, and how many lines it has.
 fn decoding(bytes: &[u8], encoding: Encoding) -> (u64, u64) {
     let mut lines = 0;
     let used = measure(|| {

@@ -19,7 +19,7 @@ struct Place {
     ends: bool,
 }
 
-/// The places of all characters, and of the end, by counting.
+/// Returns the places of all characters, and of the end, by counting.
 fn counted(file: &File) -> Vec<Place> {
     let mut places = Vec::new();
     let (mut offset, mut line, mut columns) = (0, 1, [1; 4]);

@@ -7,7 +7,7 @@ use tipc::symbols::{DefinitionKind, Symbols, Use};
 use tipc::syntax::{Module, StatementKind, VariableKind};
 use tipc::{Loaded, Options, Robot, load};
 
-/// The bytes of every program among the tests; none if the package stands alone.
+/// Returns the bytes of every program among the tests; none if the package stands alone.
 pub(crate) fn programs() -> Vec<(PathBuf, Vec<u8>)> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/language/cases");
     let mut paths = Vec::new();
@@ -42,7 +42,8 @@ struct Token<'a> {
     label: bool,
 }
 
-/// The words of all statements, without the texts of REM and MESSAGE but with what stands between percent signs.
+/// Returns the words of all statements, without the texts of REM and MESSAGE but with what stands between percent
+/// signs.
 fn tokens(loaded: &Loaded) -> Vec<Token<'_>> {
     let text = loaded.source.text();
     let mut found = Vec::new();

@@ -6,8 +6,8 @@ use tipc::program::Program;
 use tipc::symbols::DefinitionKind;
 use tipc::{Loaded, Options, Robot, load};
 
-/// A new name for each definition but those that the language names, `VAR_KEY` and LOOP. They are short, so that no text
-/// becomes too long.
+/// Returns a new name for each definition but those that the language names, `VAR_KEY` and LOOP. They are short, so
+/// that no text becomes too long.
 fn new_names(loaded: &Loaded) -> Vec<Option<String>> {
     let upper = loaded.source.text().to_ascii_uppercase();
     let is_outside = |char: char| !(char.is_ascii_alphanumeric() || char == '_');
@@ -26,7 +26,7 @@ fn new_names(loaded: &Loaded) -> Vec<Option<String>> {
     renamed.collect()
 }
 
-/// The text with every use of every name replaced.
+/// Returns the text with every use of every name replaced.
 fn rename(loaded: &Loaded, names: &[Option<String>]) -> String {
     let text = loaded.source.text();
     let mut renamed = String::new();

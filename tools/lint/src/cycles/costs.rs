@@ -43,13 +43,13 @@ pub(super) fn cost(action: &Action, longest_sampling: f64) -> Count {
     }
 }
 
-/// The cycles of SLEEP (clause 2.19).
+/// Returns the cycles of SLEEP (clause 2.19).
 fn slept(ms: f64, sampling: f64) -> u64 {
     // Out of range saturates; a negative time fails when it runs.
     ((ms / sampling - 1e-9).ceil() as u64).max(1)
 }
 
-/// The longest sampling time that may be in force.
+/// Returns the longest sampling time that may be in force.
 pub(super) fn longest_sampling(program: &Program, sampling: Sampling) -> f64 {
     let set = program
         .steps()

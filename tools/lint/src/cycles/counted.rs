@@ -25,7 +25,7 @@ pub(super) struct Counted {
     pub(super) turns: u64,
 }
 
-/// The counted loops of a program by the nodes of their FORs. Takes time O(n log n).
+/// Returns the counted loops of a program by the nodes of their FORs. Takes time O(n log n).
 pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counted> {
     let nodes = flow.nodes().iter().enumerate();
     let mut all: BTreeMap<NodeId, Counted> = nodes
@@ -51,8 +51,8 @@ pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counte
     all
 }
 
-/// The FORs whose bodies something else leads into. Bodies nest: what leads into one leads into those around it,
-/// unless it comes from there.
+/// Returns the FORs whose bodies something else leads into. Bodies nest: what leads into one leads into those around
+/// it, unless it comes from there.
 fn entered(flow: &Flow, all: &BTreeMap<NodeId, Counted>) -> BTreeSet<NodeId> {
     let mut entered = BTreeSet::new();
     let mut open: Vec<(NodeId, Range<NodeId>)> = Vec::new();
@@ -84,7 +84,7 @@ fn entered(flow: &Flow, all: &BTreeMap<NodeId, Counted>) -> BTreeSet<NodeId> {
     entered
 }
 
-/// A FOR over constants that is entered.
+/// Returns the loop of a FOR over constants that is entered.
 fn candidate(program: &Program, flow: &Flow, step: StepId) -> Option<Counted> {
     let Action::For {
         from: Operand::Constant(from),

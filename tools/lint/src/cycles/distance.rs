@@ -65,8 +65,8 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// The cycles from `from` to every place where a path ends. `edges` adds those that leave a node. `None` if that is
-    /// more work than is left.
+    /// Returns the cycles from `from` to every place where a path ends. `edges` adds those that leave a node. `None`
+    /// if that is more work than is left.
     pub(super) fn ends(
         &mut self,
         from: NodeId,
@@ -139,7 +139,7 @@ impl Search {
         &self.edges[self.leaving[number].clone()]
     }
 
-    /// The least cycles to each place (Dijkstra).
+    /// Returns the least cycles to each place (Dijkstra).
     fn least(&self) -> Vec<Option<u64>> {
         let mut least = vec![None; self.places.len()];
         let mut is_done = vec![false; self.places.len()];
@@ -159,7 +159,7 @@ impl Search {
         least
     }
 
-    /// The most cycles to each place, in the order of all paths (Kahn). What a path can circle through
+    /// Returns the most cycles to each place, in the order of all paths (Kahn). What a path can circle through
     /// before is never in order: it is absent, or `None`.
     fn most(&self) -> Vec<Option<Option<u64>>> {
         let mut ways_in = vec![0_usize; self.places.len()];

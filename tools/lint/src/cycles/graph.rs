@@ -37,7 +37,7 @@ pub(super) struct Limits<'a> {
 }
 
 impl<'a> Graph<'a> {
-    /// The graph of a program; `None` if its calls are too entangled to be counted.
+    /// Returns the graph of a program; `None` if its calls are too entangled to be counted.
     pub(super) fn new(program: &'a Program, flow: &'a Flow, sampling: Sampling) -> Option<Self> {
         let longest = longest_sampling(program, sampling);
         let actions = flow.nodes().iter().map(|node| action(program, node.step));
@@ -54,14 +54,14 @@ impl<'a> Graph<'a> {
         Some(graph)
     }
 
-    /// Every entry of a call with what it costs.
+    /// Returns every entry of a call with what it costs.
     pub(super) fn routines(&self) -> impl Iterator<Item = (NodeId, Option<Count>)> {
         self.routines
             .iter()
             .map(|(entry, cycles)| (*entry, *cycles))
     }
 
-    /// The loops, calls passed in one.
+    /// Returns the loops, calls passed in one.
     pub(super) fn loops(&self) -> Loops {
         let comes_back = |call: &Call| self.routines[&call.entry].is_some();
         let next = self.flow.nodes().iter().map(|node| {
@@ -185,7 +185,7 @@ impl<'a> Graph<'a> {
         Some(())
     }
 
-    /// A counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
+    /// Returns a counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
     fn past(&self, head: NodeId, counted: &Counted, work: &Work) -> Option<Vec<Edge>> {
         let inner = Limits {
             stops: &|id| id == counted.next || !counted.nodes.contains(&id),

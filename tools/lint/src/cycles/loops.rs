@@ -31,7 +31,7 @@ pub(super) enum Body {
 }
 
 impl Loops {
-    /// The loops of nodes that lead so; runs begin at the `entries`. Takes linear time.
+    /// Creates the loops of nodes that lead so; runs begin at the `entries`. Takes linear time.
     pub(super) fn new(next: Vec<Vec<NodeId>>, entries: impl Iterator<Item = NodeId>) -> Self {
         let mut before = vec![Vec::new(); next.len()];
         for (id, next) in next.iter().enumerate() {
@@ -54,14 +54,15 @@ impl Loops {
         }
     }
 
-    /// The nodes where loops begin, the last first: something in the loop leads back to them.
+    /// Returns the nodes where loops begin, the last first: something in the loop leads back to them.
     pub(super) fn heads(&self) -> Vec<NodeId> {
         let is_head = |head: &NodeId| self.backwards_to(*head).next().is_some();
         (0..self.next.len()).rev().filter(is_head).collect()
     }
 
-    /// The nodes on the paths from a head back to it, over a jump backwards. Of heads asked for in their order each closed
-    /// loop is passed once by those around it; an open one takes as long as its ring. `None` if that is more work than is left.
+    /// Returns the nodes on the paths from a head back to it, over a jump backwards. Of heads asked for in their order
+    /// each closed loop is passed once by those around it; an open one takes as long as its ring. `None` if that is
+    /// more work than is left.
     pub(super) fn body(&mut self, head: NodeId, work: &Work) -> Option<Body> {
         match self.closed(head, work) {
             Some(nodes) => Some(Body::Closed(nodes)),
@@ -86,7 +87,7 @@ impl Loops {
         false
     }
 
-    /// The nodes from which paths lead back to the head, if all of them begin at it.
+    /// Returns the nodes from which paths lead back to the head, if all of them begin at it.
     fn closed(&mut self, head: NodeId, work: &Work) -> Option<Vec<NodeId>> {
         if self.outermost(head) != head {
             return None;
@@ -143,7 +144,7 @@ impl Loops {
         Some(nodes)
     }
 
-    /// The head of the closed loop that is around all others around a node; the node itself if there is none.
+    /// Returns the head of the closed loop that is around all others around a node; the node itself if there is none.
     fn outermost(&mut self, id: NodeId) -> NodeId {
         let mut found = id;
         while self.outermost[found] != found {
@@ -156,7 +157,7 @@ impl Loops {
         found
     }
 
-    /// The nodes that lead back to a node, from after it or from itself.
+    /// Returns the nodes that lead back to a node, from after it or from itself.
     fn backwards_to(&self, head: NodeId) -> impl Iterator<Item = NodeId> {
         let before = self.on_ring_of(head, &self.before[head]);
         before.filter(move |from| *from >= head)

@@ -18,7 +18,7 @@ pub(super) fn rings(next: &[Vec<NodeId>], before: &[Vec<NodeId>]) -> Vec<usize> 
     rings
 }
 
-/// The nodes, each before those that a depth-first search leaves earlier.
+/// Returns the nodes, each before those that a depth-first search leaves earlier.
 fn last_first(next: &[Vec<NodeId>]) -> Vec<NodeId> {
     let mut order = Vec::new();
     let mut seen = vec![false; next.len()];

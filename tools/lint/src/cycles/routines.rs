@@ -72,13 +72,13 @@ impl Calls {
         self.is_recursive[place]
     }
 
-    /// The places of those that call it themselves.
+    /// Returns the places of those that call it themselves.
     pub(super) fn callers(&self, place: usize) -> impl Iterator<Item = usize> {
         self.callers[place].iter().copied()
     }
 }
 
-/// The entries that a subroutine calls itself.
+/// Returns the entries that a subroutine calls itself.
 fn called(
     flow: &Flow,
     entry: NodeId,

@@ -7,12 +7,12 @@ use tipc::program::StepId;
 pub struct Steps(Vec<(StepId, StepId)>);
 
 impl Steps {
-    /// One step.
+    /// Creates one step.
     pub(super) fn one(step: StepId) -> Self {
         Steps(vec![(step, step)])
     }
 
-    /// All of those.
+    /// Creates all of those.
     pub(super) fn all<'a>(of: impl IntoIterator<Item = &'a Steps>) -> Self {
         let mut runs: Vec<_> = of.into_iter().flat_map(|steps| &steps.0).copied().collect();
         runs.sort_unstable();
@@ -38,7 +38,7 @@ impl Steps {
         run.is_some_and(|(_, last)| step <= last)
     }
 
-    /// The last one.
+    /// Returns the last step.
     pub fn last(&self) -> Option<StepId> {
         self.0.last().map(|(_, last)| *last)
     }

@@ -43,7 +43,7 @@ fn half_width(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::HalfWidth, edits.collect::<Vec<_>>()))
 }
 
-/// All full-width characters of a statement, since one after the other would never be the last one.
+/// Returns all full-width characters of a statement, since one after the other would never be the last one.
 fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
     let text = site.source.text();
     let first = Span::new(
@@ -128,7 +128,7 @@ fn surely_comments(comment: &str) -> bool {
     }
 }
 
-/// The end of a comment, and the blanks before it, from `start` on.
+/// Returns the end of a comment, and the blanks before it, from `start` on.
 fn without_end(site: &Site<'_>, start: usize, closes: usize) -> Edit {
     let before = site
         .slice(Span::new(start, closes))

@@ -44,7 +44,7 @@ pub(super) fn initial<'a>(site: &Site<'a>, tokens: &[Token]) -> Option<(&'a str,
     Some((word, Edit::replace(rest, text)))
 }
 
-/// A declaration before the first statement that is none.
+/// Returns a declaration before the first statement that is none.
 fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
     let start = site.source.line(site.first_line()?).span.start;
     let title = Fixing::Insert {
@@ -54,7 +54,7 @@ fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
     Some(Fix::likely(title, [Edit::insert(start, text)]))
 }
 
-/// The name alone, or the whole declaration if it has no other.
+/// Returns the name alone, or the whole declaration if it has no other.
 fn unused(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let at = tokens.iter().position(|token| token.span == site.span())?;
@@ -72,7 +72,7 @@ fn unused(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::likely(title, [Edit::remove(place)]))
 }
 
-/// The line of a declaration, if it holds nothing else.
+/// Returns the line of a declaration, if it holds nothing else.
 fn declaration(site: &Site<'_>) -> Option<Span> {
     let statement = site.statement()?.span;
     let line = site.line();

@@ -115,7 +115,7 @@ fn not(site: &Site<'_>) -> Option<Fix> {
     is_flag.then(|| certain(site, site.span().to(next.span), &new))
 }
 
-/// The only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.
+/// Returns the only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.
 fn parentheses(site: &Site<'_>) -> Option<Fix> {
     let statement = site.statement()?.span;
     let text = site.slice(statement);

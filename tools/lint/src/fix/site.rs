@@ -55,12 +55,12 @@ impl<'a> Site<'a> {
         self.finding.help.as_ref()
     }
 
-    /// The place of the finding.
+    /// Returns the location of the diagnostic.
     pub(super) fn span(&self) -> Span {
         self.finding.span
     }
 
-    /// The text at the place of the finding.
+    /// Returns the text at the location of the diagnostic.
     pub(super) fn text(&self) -> &'a str {
         self.slice(self.span())
     }
@@ -69,12 +69,12 @@ impl<'a> Site<'a> {
         self.source.slice(span)
     }
 
-    /// The statement around the finding, by its place among all.
+    /// Returns the index of the statement around the diagnostic.
     pub(super) fn index(&self) -> Option<usize> {
         self.module.statement_at(self.span().start)
     }
 
-    /// The statement around the finding.
+    /// Returns the statement around the diagnostic.
     pub(super) fn statement(&self) -> Option<&'a Statement> {
         self.index().map(|index| &self.module.statements[index])
     }
@@ -86,7 +86,7 @@ impl<'a> Site<'a> {
         statement.map_or_else(Vec::new, |it| self.tokens_of(it.span))
     }
 
-    /// The words and operators at a place.
+    /// Returns the words and operators at a location.
     pub(super) fn tokens_of(&self, span: Span) -> Vec<Token> {
         let mut tokens = Vec::new();
         lex(self.source.text(), span, &mut tokens);
@@ -103,7 +103,7 @@ impl<'a> Site<'a> {
         self.slice(span).eq_ignore_ascii_case(keyword.word())
     }
 
-    /// The line of the finding.
+    /// Returns the line of the diagnostic.
     pub(super) fn line(&self) -> Line {
         let (line, _) = self.source.line_column(self.span().start);
         self.source.line(line)
@@ -117,7 +117,7 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// The end of a line, and the blanks that the line of the finding begins with.
+    /// Returns the end of a line, and the blanks that the line of the finding begins with.
     pub(super) fn next_line(&self) -> String {
         let text = self.slice(self.line().span);
         let indent = &text[..text.len() - text.trim_start_matches([' ', '\t']).len()];
@@ -140,12 +140,12 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// A keyword in the place of what stands there.
+    /// Returns a keyword in the place of what stands there.
     pub(super) fn write(&self, place: Span, word: &str) -> Edit {
         Edit::replace(place, self.like(word))
     }
 
-    /// A keyword after what ends at `at`.
+    /// Returns a keyword after what ends at `at`.
     pub(super) fn append(&self, at: usize, word: &str) -> Edit {
         Edit::insert(at, format!(" {}", self.like(word)))
     }
@@ -180,7 +180,7 @@ impl<'a> Site<'a> {
             .collect()
     }
 
-    /// The line of the first statement that declares nothing.
+    /// Returns the line of the first statement that declares nothing.
     pub(super) fn first_line(&self) -> Option<u32> {
         let declares = |it: &Statement| matches!(it.kind, StatementKind::Define { .. });
         let first = || {

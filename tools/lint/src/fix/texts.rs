@@ -91,7 +91,7 @@ fn value(site: &Site<'_>, name: &str) -> Fix {
     Fix::certain(title, [Edit::replace(site.span(), new)])
 }
 
-/// A place without the blanks at its ends.
+/// Returns a span without the blanks at its ends.
 fn trimmed(site: &Site<'_>, place: Span) -> Span {
     let text = site.slice(place);
     let kept = text.trim_end_matches(DELIMITERS);

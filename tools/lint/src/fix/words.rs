@@ -72,7 +72,7 @@ fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
     }
 }
 
-/// The words of a statement that are one in `whole`.
+/// Returns the words of a statement that are one in `whole`.
 fn in_pieces(site: &Site<'_>, tokens: &[Token], whole: &str) -> Option<Span> {
     let parts = 1 + whole.matches('_').count();
     (2..=parts.min(tokens.len())).find_map(|count| {
@@ -129,7 +129,7 @@ fn likely(site: &Site<'_>, place: Span, word: &str) -> Fix {
     Fix::likely(fix.title, fix.edits)
 }
 
-/// The name that is near to the one that stands there.
+/// Returns the name that is near to the one that stands there.
 fn meant(site: &Site<'_>, near: &str) -> Option<Fix> {
     let is_name = matches!(
         site.reason(),
@@ -142,7 +142,7 @@ fn meant(site: &Site<'_>, near: &str) -> Option<Fix> {
     }
 }
 
-/// Another word for a name that is not declared, at each place that the finding lists.
+/// Returns another word for a name that is not declared, at each place that the finding lists.
 fn everywhere(site: &Site<'_>, word: &str) -> Fix {
     let name = site.finding.subject.as_deref().unwrap_or_default();
     let places = [site.span()].into_iter();

@@ -12,7 +12,7 @@ const INDENT: usize = 2;
 /// Separator between statements on one line.
 const SEPARATOR: &str = " ; ";
 
-/// The lines of a program that loads, in the style and without blank ones at its end.
+/// Returns the lines of a program that loads, in the style and without blank ones at its end.
 pub(super) fn rows(source: &Source, module: &Module) -> Rows {
     let mut layout = Layout {
         source,
@@ -111,7 +111,7 @@ impl Layout<'_> {
         !rest.trim_matches(DELIMITERS).trim_matches(';').is_empty()
     }
 
-    /// The blanks before a line; what its statements open and close counts from now on.
+    /// Returns the blanks before a line; what its statements open and close counts from now on.
     fn indent(&mut self, statements: &[Statement]) -> usize {
         let mut own = self.depth;
         let mut begins = true;

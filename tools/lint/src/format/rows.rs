@@ -39,7 +39,7 @@ impl Row {
         !self.code.is_empty() && self.has_comment()
     }
 
-    /// The column after the code, from 0.
+    /// Returns the column after the code, from 0.
     fn code_end(&self) -> usize {
         self.indent + self.length
     }
@@ -54,7 +54,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// The bytes of the whole file.
+    /// Returns the bytes of the whole file.
     pub(super) fn write(&self, source: &Source) -> Result<Vec<u8>, Formatting> {
         let mut out = Vec::with_capacity(source.text().len() * 5 / 4);
         out.extend_from_slice(source.mark());

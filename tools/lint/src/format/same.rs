@@ -10,8 +10,8 @@ use tipc::parse::parse_taking;
 use tipc::source::Source;
 use tipc::syntax::{Statement, StatementKind, Word};
 
-/// Both have the same statements, without a mistake, and all text is read as before. The formatted program is read line by
-/// line, so that it is never in memory as a whole.
+/// Checks that both have the same statements, without a mistake, and that all text is read as before. The formatted
+/// program is read line by line, so that it is never in memory as a whole.
 pub(super) fn check(
     before: &Parsed,
     formatted: &[u8],
@@ -81,7 +81,7 @@ fn name(word: &Word) -> &str {
     &word.node
 }
 
-/// The fields of a statement as FORMAL.TMP shows them.
+/// Returns the fields of a statement as FORMAL.TMP shows them.
 fn fields<'a>(text: &'a mut Vec<u8>, source: &Source, statement: &Statement) -> &'a [u8] {
     text.clear();
     formal::write(text, source, statement, b'\t');
@@ -94,7 +94,7 @@ mod tests {
     use crate::Options;
     use tipc::load::parsed;
 
-    /// A long program with two lines that a test changes.
+    /// Returns a long program with two lines that a test changes.
     fn program(first: &str, second: &str) -> String {
         let lines = |n: usize| format!("  ptp f1 {n} r 0 r 0 ; a={n}\n").repeat(1000);
         let (begin, end) = (lines(1), lines(2));

@@ -22,7 +22,7 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
 }
 
 impl Judged<'_> {
-    /// The operand that lacks its value, else the whole statement: NEXT need not name its variable.
+    /// Returns the operand that lacks its value, else the whole statement: NEXT need not name its variable.
     fn operand(&self, gap: &Gap) -> Span {
         let Some(statement) = self.statement(gap.step) else {
             return Span::default();
@@ -97,7 +97,7 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
         .help(help)
 }
 
-/// The lines of a path: runs of steps without a jump, the last one up to the step that reads.
+/// Returns the lines of a path: runs of steps without a jump, the last one up to the step that reads.
 fn path(program: &Program, steps: &[StepId]) -> Option<Stretch> {
     let line = |step: StepId| program.steps()[step as usize].line;
     let pieces: Vec<(u32, u32)> = steps

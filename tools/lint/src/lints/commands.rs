@@ -40,7 +40,7 @@ fn sets_period(action: &Action) -> bool {
     matches!(op, Op::SetSamplingTime | Op::SetSamplingFreq)
 }
 
-/// A pause in seconds where milliseconds are meant. 0 is how to say one cycle.
+/// Returns a pause in seconds where milliseconds are meant. 0 is how to say one cycle.
 fn short_sleep(judged: &Judged<'_>, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
     let operand = arguments.first()?;
     let OperandKind::Number(time) = operand.kind else {

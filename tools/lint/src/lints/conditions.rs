@@ -31,7 +31,8 @@ enum Outcome {
     Stops,
 }
 
-/// The steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 == 0` are meant so.
+/// Returns the steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 ==
+/// 0` are meant so.
 pub(super) fn constant(judged: &Judged<'_>) -> Vec<Constant> {
     let steps = (0..).zip(judged.program.steps());
     let constant = |(step, content): (StepId, &tipc::program::Step)| {
@@ -200,9 +201,9 @@ pub(super) fn condition(statement: &Statement) -> Span {
     }
 }
 
-/// The steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the condition.
-/// Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag says may change at any time. A loop that
-/// does nothing is left out: whoever runs the program may assign the variable that it waits for.
+/// Returns the steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the
+/// condition. Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag says may change at any
+/// time. A loop that does nothing is left out: whoever runs the program may assign the variable that it waits for.
 fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
     let mut walk = Walk::new(flow);
     let steps = (0..).zip(program.steps());

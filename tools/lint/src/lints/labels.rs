@@ -38,7 +38,7 @@ struct Suspect<'a> {
     meant: &'a str,
 }
 
-/// The label as a suspect, if it looks like a jump.
+/// Returns the label as a suspect, if it looks like a jump.
 fn suspect(label: &Definition) -> Option<Suspect<'_>> {
     let (jump, meant) = glued(&label.name)?;
     (label.kind == DefinitionKind::Label).then_some(Suspect { label, jump, meant })

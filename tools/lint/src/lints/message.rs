@@ -41,7 +41,7 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// The variable of a name in capitals.
+    /// Returns the variable of a name in capitals.
     fn find(&self, name: &str) -> Option<&'a Variable> {
         self.ids.get(name).map(|id| &self.variables[*id])
     }
@@ -116,7 +116,7 @@ fn is_format(text: &str) -> bool {
     matches!(kind, "d" | "i" | "f" | "lf" | "g" | "s" | "u" | "x" | "ld")
 }
 
-/// The whole text in quotes or parentheses. Single words in them are part of a text.
+/// Returns the whole text in quotes or parentheses. Single words in them are part of a text.
 fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
     let mut inside = text.chars().skip(1);
     if text.starts_with('(')
@@ -183,7 +183,7 @@ fn is_placeholder(names: &Names<'_>, inner: &str) -> bool {
     split(inner).is_some() && fault(names, inner).is_none()
 }
 
-/// The name between percent signs, and what follows it from a point on. Blanks and signs make no name.
+/// Returns the name between percent signs, and what follows it from a point on. Blanks and signs make no name.
 fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     let (name, rest) = match inner.split_once('.') {
         Some((name, rest)) => (name, Some(rest)),
@@ -252,7 +252,7 @@ pub(super) fn means_any(found: &[Diagnostic]) -> bool {
     found.iter().any(|finding| finding.help == any)
 }
 
-/// The variables that placeholders were meant to show. That nothing reads them is the same mistake.
+/// Returns the variables that placeholders were meant to show. That nothing reads them is the same mistake.
 pub(super) fn meant(found: &[Diagnostic]) -> HashSet<SmolStr> {
     let meant = found.iter().filter_map(|finding| {
         let help = finding.help.as_ref().and_then(Message::get);

@@ -83,7 +83,7 @@ fn mismatches(program: &Program, flow: &Flow, is_inside: impl Fn(StepId) -> bool
     }
 }
 
-/// The nodes that paths from the start come to without being called, as if every call came back.
+/// Returns the nodes that paths from the start come to without being called, as if every call came back.
 fn own_nodes(flow: &Flow) -> Vec<bool> {
     let mut own = vec![false; flow.nodes().len()];
     let mut open = vec![0];

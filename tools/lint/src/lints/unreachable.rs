@@ -13,7 +13,7 @@ use tipc::syntax::StatementKind;
 pub(super) struct Unreachable(Vec<StepId>);
 
 impl Unreachable {
-    /// Each branch of the steps `open`, which have to be in order, counts as taken.
+    /// Creates each branch of the steps `open`, which have to be in order, counts as taken.
     pub(super) fn of(judged: &Judged<'_>, open: &[StepId]) -> Self {
         Unreachable(dead(judged.program, judged.flow, open))
     }
@@ -40,7 +40,7 @@ impl Unreachable {
     }
 }
 
-/// The steps that jump to each step.
+/// Returns the steps that jump to each step.
 fn sources(program: &Program) -> HashMap<StepId, Vec<StepId>> {
     let mut sources: HashMap<StepId, Vec<StepId>> = HashMap::new();
     for (step, content) in (0..).zip(program.steps()) {
@@ -113,8 +113,8 @@ fn closes(kind: &StatementKind) -> bool {
     )
 }
 
-/// The steps that no path from the start leads to, in order. Each branch of the steps `open`, which have to be in order,
-/// counts as taken, even if constants decide otherwise.
+/// Returns the steps that no path from the start leads to, in order. Each branch of the steps `open`, which have to be
+/// in order, counts as taken, even if constants decide otherwise.
 fn dead(program: &Program, flow: &Flow, open: &[StepId]) -> Vec<StepId> {
     let mut is_live = vec![false; flow.nodes().len()];
     let mut next = vec![0];

@@ -113,7 +113,7 @@ fn way_out(reason: &Linting) -> Linting {
     }
 }
 
-/// The target of a command, or the flag.
+/// Returns the target of a command, or the flag.
 fn place(statement: &Statement) -> Span {
     match &statement.kind {
         StatementKind::Command { arguments, .. } => {

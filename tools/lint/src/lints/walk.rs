@@ -31,7 +31,8 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The nodes that paths from `starts` come to, themselves among them, without those behind `end`, where paths end;
+    /// Returns the nodes that paths from `starts` come to, themselves among them, without those behind `end`, where
+    /// paths end;
     /// `None` if there are very many.
     pub(super) fn from(
         &mut self,

@@ -44,7 +44,7 @@ struct Listing<'a> {
 }
 
 impl Listing<'_> {
-    /// The record of a step, whose line of FORMAL.TMP says how it was written.
+    /// Returns the record of a step, whose line of FORMAL.TMP says how it was written.
     fn record(&mut self, formal: &str, action: &Action) -> Record {
         let mut fields = formal.split('\t');
         let word = fields.next().unwrap_or_default();
@@ -138,7 +138,7 @@ impl Listing<'_> {
         }
     }
 
-    /// The text's place among all texts.
+    /// Returns the index of the text among all texts.
     fn message(&mut self) -> Record {
         let text = Slot::new("STRING", f64::from(self.texts));
         self.texts += 1;
@@ -160,7 +160,7 @@ impl Listing<'_> {
         }
     }
 
-    /// A struct is one argument if it was written as one: as `last`.
+    /// Returns the arguments. A struct is one argument if it was written as one: as `last`.
     fn arguments(&self, arguments: &[Argument], last: &str) -> Vec<Slot> {
         if let Some(whole) = self.variables.written_whole(arguments, last) {
             return vec![whole];
@@ -274,7 +274,7 @@ const fn binary_name(operation: Arithmetic) -> &'static str {
     }
 }
 
-/// An equation with a function.
+/// Returns an equation with a function.
 fn equal(function: Operation) -> String {
     format!("EQUAL_{}", function.word())
 }
@@ -299,7 +299,7 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// A command without target and arguments.
+    /// Creates a command without target and arguments.
     pub(super) fn new(command: impl Into<String>) -> Self {
         Record {
             command: command.into(),
@@ -319,7 +319,7 @@ impl Record {
         self
     }
 
-    /// Its lines, with `count` arguments.
+    /// Returns its lines, with `count` arguments.
     pub(super) fn text(&self, number: usize, count: usize) -> String {
         let arguments = || {
             let empty = std::iter::repeat(&Slot::NONE);
@@ -394,7 +394,7 @@ impl<'a> Variables<'a> {
         }
     }
 
-    /// A struct as a whole; of a VAR, the VAR.
+    /// Returns a struct as a whole; of a VAR, the VAR.
     pub(super) fn whole(&self, variable: VariableId) -> Slot {
         let kind = match self.program.variables()[variable].kind {
             VariableKind::Var => "VAR",
@@ -404,7 +404,7 @@ impl<'a> Variables<'a> {
         Slot::new(kind, f64::from(self.places[variable]))
     }
 
-    /// A VAR or member, perhaps with a minus before it.
+    /// Returns a VAR or member, perhaps with a minus before it.
     pub(super) fn scalar(&self, scalar: Scalar, negative: bool) -> Slot {
         let Slot { kind, value } = self.whole(scalar.variable);
         let sign = if negative { "MINUS_" } else { "" };
@@ -423,7 +423,7 @@ impl<'a> Variables<'a> {
         }
     }
 
-    /// The struct that was written as `word` in the place of these arguments.
+    /// Returns the struct that was written as `word` in the place of these arguments.
     pub(super) fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
         let first = arguments.first()?;
         let Operand::Scalar { scalar, .. } = first.operand else {
@@ -435,7 +435,7 @@ impl<'a> Variables<'a> {
     }
 }
 
-/// A target's name; `NO_TARGET` for none.
+/// Returns a target's name; `NO_TARGET` for none.
 pub(super) fn target_name(target: Target) -> String {
     match target {
         Target::None => "NO_TARGET".to_owned(),
@@ -443,7 +443,7 @@ pub(super) fn target_name(target: Target) -> String {
     }
 }
 
-/// An input's name.
+/// Returns an input's name.
 pub(super) fn port_name(port: Port) -> String {
     match port {
         Port::Channel(_) => target_name(Target::None),

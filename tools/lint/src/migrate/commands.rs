@@ -21,7 +21,7 @@ const PARAMETERS: &[(&str, &str)] = &[
     ("T_MAX", "TORQUE_MAX"),
 ];
 
-/// The name of today of a parameter command, if it has another one (§1-1, 2.0).
+/// Returns the name of today of a parameter command, if it has another one (§1-1, 2.0).
 fn parameter_command(keyword: &str) -> Option<String> {
     let bare = keyword.strip_prefix("SET_").unwrap_or(keyword);
     let suffix = SUFFIXES.iter().find(|suffix| bare.ends_with(**suffix));

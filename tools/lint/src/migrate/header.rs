@@ -46,7 +46,7 @@ pub(super) enum Title {
 }
 
 impl Title {
-    /// The first line that holds statements.
+    /// Returns the first line that holds statements.
     pub(super) fn first_line(self) -> u32 {
         match self {
             Title::Present => 3,
@@ -88,7 +88,7 @@ impl Migrator<'_> {
         })
     }
 
-    /// A program that says 4.0 shows by its declarations what it is.
+    /// Returns a program that says 4.0 shows by its declarations what it is.
     fn style(&self, version: f64) -> Style {
         let declares = || {
             let pieces = lines::read(self.source, 3, false);

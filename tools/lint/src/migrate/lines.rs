@@ -56,7 +56,7 @@ impl Statement {
         matches!(self.tokens.get(1), Some(token) if matches!(token.kind, Kind::Assign(_)))
     }
 
-    /// The words that are not labels: a colon right after a word makes it one.
+    /// Returns the words that are not labels: a colon right after a word makes it one.
     pub(super) fn words(&self) -> impl Iterator<Item = Span> {
         let next = self.tokens.iter().skip(1).map(Some).chain([None]);
         self.tokens
@@ -66,7 +66,7 @@ impl Statement {
             .map(|(token, _)| token.span)
     }
 
-    /// The labels that it jumps to.
+    /// Returns the labels that it jumps to.
     pub(super) fn jumps(&self) -> impl Iterator<Item = Span> {
         let pairs = self.tokens.windows(2);
         pairs

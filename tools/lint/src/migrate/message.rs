@@ -47,7 +47,7 @@ impl Migrator<'_> {
     }
 }
 
-/// A variable that plain text would show today.
+/// Returns a variable that plain text would show today.
 fn names_a_variable(text: &str, variables: &Variables) -> Option<String> {
     let words = text.split('%').skip(1);
     let closed = text.matches('%').count().saturating_sub(1);

@@ -153,7 +153,7 @@ impl Moves {
     }
 }
 
-/// The leg of a joint's name.
+/// Returns the leg of a joint's name.
 fn leg_of_joint(target: &str) -> Option<&str> {
     target.strip_prefix('J')?.get(..1)
 }

@@ -13,7 +13,7 @@ pub(super) struct Placeholder {
     pub(super) digits: String,
 }
 
-/// The old placeholders of a text, from left to right.
+/// Returns the old placeholders of a text, from left to right.
 pub(super) fn old_placeholders(text: &str) -> Vec<Placeholder> {
     let mut found = Vec::new();
     let mut start = 0;

@@ -30,7 +30,7 @@ impl Prefix {
         (Prefix::Trq, "TRQ"),
     ];
 
-    /// The type of today.
+    /// Returns the type of today.
     pub(super) fn kind(self) -> VariableKind {
         match self {
             Prefix::Var => VariableKind::Var,
@@ -128,7 +128,7 @@ impl Variables {
         name.map(String::as_str)
     }
 
-    /// The name that `word` gets.
+    /// Returns the name that `word` gets.
     pub(super) fn spelt(&self, word: &str) -> String {
         let (base, member) = match word.split_once('.') {
             Some((base, member)) => (base, format!(".{member}")),
@@ -139,7 +139,7 @@ impl Variables {
         known.unwrap_or_else(|| base.to_owned()) + &member
     }
 
-    /// The names of one type of today that can be declared, by number.
+    /// Returns the names of one type of today that can be declared, by number.
     pub(super) fn to_declare(&self, kind: VariableKind) -> Vec<&str> {
         let of_kind = |key: &Key| key.0.kind() == kind;
         self.spelling
@@ -161,7 +161,7 @@ fn key(prefix: Prefix, digits: &str) -> Key {
     (prefix, number.len(), number.to_owned())
 }
 
-/// The type and the number of an upper-case name.
+/// Returns the type and the number of an upper-case name.
 fn split(name: &str) -> Option<(Prefix, &str)> {
     let with = |(prefix, text): &(Prefix, &str)| Some((*prefix, name.strip_prefix(*text)?));
     let (prefix, digits) = Prefix::ALL.iter().find_map(with)?;

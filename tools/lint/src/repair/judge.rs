@@ -8,7 +8,7 @@ use tipc::code::{Code, Level};
 use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::syntax::StatementKind;
 
-/// The findings that are new after these were to be put right. One that is still there counts as new.
+/// Returns the findings that are new after these were to be put right. One that is still there counts as new.
 pub(super) fn news(
     before: &Loaded,
     after: &Loaded,
@@ -95,7 +95,7 @@ pub(super) fn not_hidden(
         .collect()
 }
 
-/// The lines before the change that hold an edit, if a finding stands there after it.
+/// Returns the lines before the change that hold an edit, if a finding stands there after it.
 pub(super) fn lines(
     before: &Loaded,
     after: &Loaded,

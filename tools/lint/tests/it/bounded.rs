@@ -35,7 +35,7 @@ fn cycles(statements: &str) -> u64 {
     measure(|| assert!(!parts(&program, sampling).counted.is_empty())).bytes_total
 }
 
-/// A line for each number.
+/// Returns a line for each number.
 fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
     (0..count).map(|number| line(number) + "\n").collect()
 }
@@ -219,7 +219,7 @@ fn a_migration_takes_time_in_proportion() {
     });
 }
 
-/// All kinds of steps.
+/// Returns all kinds of steps.
 fn mixed(count: usize) -> Program {
     let mut text = "DEF_VAR V\nDEF_POS P\n".to_owned();
     for n in 0..count / 8 {

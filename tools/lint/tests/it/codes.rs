@@ -25,7 +25,7 @@ fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The program with a word left out, doubled, or taken for the next one, for some of its words.
+/// Returns the program with a word left out, doubled, or taken for the next one, for some of its words.
 fn variants(text: &str) -> Vec<String> {
     let words: Vec<&str> = text.split_whitespace().skip(2).collect();
     let place = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;

@@ -7,7 +7,7 @@ use tipc::code::Code;
 use tipc::message::{Lang, Message};
 use tipc::render::{Style, human};
 
-/// The programs, in order.
+/// Returns the programs, in order.
 fn programs() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/findings");
     let entries = fs::read_dir(folder).expect("the folder of programs");
@@ -19,7 +19,7 @@ fn programs() -> Vec<PathBuf> {
     programs
 }
 
-/// All that is said of a program, line ends without blanks before them.
+/// Returns all that is said of a program, line ends without blanks before them.
 fn shown(program: &Path, lang: Lang) -> String {
     let bytes = fs::read(program).expect("a program");
     let name = program.file_name().expect("a name").to_string_lossy();

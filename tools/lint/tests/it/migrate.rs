@@ -14,7 +14,7 @@ fn migrated(text: &str) -> Migration {
     migrate("old.prg", text.as_bytes(), Encoding::Auto).expect("this is text")
 }
 
-/// The new program.
+/// Returns the new program.
 fn result(text: &str) -> String {
     let migration = migrated(text);
     let open: Vec<&Note> = migration.questions().collect();
@@ -41,7 +41,7 @@ fn check_lines(lines: &[(&str, &str)]) {
     }
 }
 
-/// The only question about a program: its line and text.
+/// Returns the only question about a program: its line and text.
 fn question(text: &str) -> (u32, String) {
     let migration = migrated(text);
     assert_eq!(migration.bytes(), None, "{text:?} is decided");

@@ -16,7 +16,7 @@ const UNREAD: &[&str] = &["end_if_in_two_words.prg"];
 /// Programs whose mistakes are one: a jump and its label without their colons.
 const TOGETHER: &[&str] = &["loop_without_colon.prg"];
 
-/// The programs of the findings, and of all cases.
+/// Returns the programs of the findings, and of all cases.
 fn programs() -> Vec<PathBuf> {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();
@@ -55,7 +55,7 @@ fn said(finding: &Diagnostic) -> String {
     format!("{} {}", finding.code.id(), finding.reason)
 }
 
-/// The file with one fix.
+/// Returns the file with one fix.
 fn with(loaded: &Loaded, fix: &Fix) -> Loaded {
     let source = &loaded.source;
     let mut text = source.text().to_owned();
