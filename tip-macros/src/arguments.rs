@@ -249,7 +249,7 @@ impl Input {
         Ok(arguments)
     }
 
-    /// Everything after path or program: any number of `, option = value`, and a last comma.
+    /// Reads everything after path or program: any number of `, option = value`, and a last comma.
     fn options(&mut self) -> Result<Vec<(Ident, Vec<TokenTree>)>, Misuse> {
         let mut options: Vec<(Ident, Vec<TokenTree>)> = Vec::new();
         while self.tokens.peek().is_some() {

@@ -155,7 +155,7 @@ fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
     fault(part, Span::new(place.start, place.end), reason, help)
 }
 
-/// Everything is read before anything is given up, so that every fault is found.
+/// Reads everything before anything is given up, so that every fault is found.
 fn describe(source: &Source, robot: Section<'_>, found: &mut Found) -> Option<Description> {
     let name = name::read(robot, found);
     let legs = legs::read(robot, found);

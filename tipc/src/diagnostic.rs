@@ -185,7 +185,7 @@ impl Edit {
         Edit::replace(Span::new(at, at), text)
     }
 
-    /// Nothing in the place of `span`.
+    /// Creates an edit that removes the text at `span`.
     pub fn remove(span: Span) -> Self {
         Edit::replace(span, "")
     }

@@ -186,7 +186,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Everything, with these states.
+    /// Generates all items, with these states.
     fn items(&self, states: &States) -> TokenStream {
         let lock = self.version_lock();
         let structure = self.structure(&states.mentioned);

@@ -281,7 +281,7 @@ struct Report {
 }
 
 impl Report {
-    /// In the language that the environment asks for.
+    /// Begins a report in the language that the environment asks for.
     fn begin() -> Self {
         let asked = env::var(embed::LANG).unwrap_or_default();
         Report {

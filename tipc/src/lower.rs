@@ -194,7 +194,7 @@ fn equation(assignment: Assignment) -> Action {
     }
 }
 
-/// FOR counts by 1 if it names no other number.
+/// Returns the increment of a FOR: 1 if it names no other number.
 fn increment(counting: Counting) -> Operand {
     counting.step.unwrap_or(Operand::Constant(1.0))
 }

@@ -115,7 +115,7 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    /// Before the first line.
+    /// Creates a parser before the first line.
     fn new(source: &'a Source, tip_version: f64) -> Self {
         Parser {
             source,

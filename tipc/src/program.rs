@@ -35,7 +35,7 @@ impl Program {
         &self.source_name
     }
 
-    /// FNV-1a 64 of the source's bytes.
+    /// Returns FNV-1a 64 of the source's bytes.
     pub fn source_hash(&self) -> u64 {
         self.source_hash
     }
@@ -75,7 +75,7 @@ impl Program {
         self.variables.iter().map(Variable::size).sum()
     }
 
-    /// Name of every scalar (`A`, `P.X`, `Q.J2`) in declaration order.
+    /// Returns the name of every scalar (`A`, `P.X`, `Q.J2`) in declaration order.
     pub fn scalar_names(&self) -> impl Iterator<Item = String> {
         self.variables.iter().flat_map(Variable::scalar_names)
     }

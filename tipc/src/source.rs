@@ -94,7 +94,7 @@ impl Source {
         &self.name
     }
 
-    /// FNV-1a 64 of the file's bytes.
+    /// Returns FNV-1a 64 of the file's bytes.
     pub fn hash(&self) -> u64 {
         let original = self.original(Span::new(0, self.text.len()));
         let pieces = [self.mark, original, self.tail];
@@ -193,12 +193,12 @@ pub struct Span {
 }
 
 impl Span {
-    /// From `start` up to `end`.
+    /// Creates a span from `start` up to `end`.
     pub const fn new(start: usize, end: usize) -> Self {
         Span { start, end }
     }
 
-    /// From the start of `self` to the end of `other`.
+    /// Returns the span from the start of `self` to the end of `other`.
     pub const fn to(self, other: Span) -> Span {
         Span::new(self.start, other.end)
     }

@@ -63,7 +63,7 @@ impl Assignment {
         Assignment::along(program, &Flow::of(program))
     }
 
-    /// Like `new`, for a program whose flow is known.
+    /// Analyses a program whose flow is known.
     pub fn along(program: &Program, flow: &Flow) -> Self {
         let blocks = Blocks::of(flow);
         let (batches, certain) = Touches::of(program, flow).sorted(program.scalar_count(), &blocks);
@@ -107,7 +107,7 @@ impl Assignment {
     }
 }
 
-/// The reads of one node, of those scalars that a run can come there with.
+/// Records the reads of one node, of those scalars that a run can come there with.
 fn judge(found: Found, step: StepId, scalars: &[usize], reads: &mut Vec<Read>) {
     let mut left = found.unassigned | found.assigned;
     while left != 0 {

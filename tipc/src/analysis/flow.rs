@@ -109,7 +109,7 @@ impl Flow {
         self.nodes.iter().filter_map(|node| node.call)
     }
 
-    /// For each node, those whose `next` or `call` name it.
+    /// Returns for each node those whose `next` or `call` name it.
     pub fn before(&self) -> Vec<Vec<NodeId>> {
         let mut before = vec![Vec::new(); self.nodes.len()];
         for (id, node) in self.nodes.iter().enumerate() {

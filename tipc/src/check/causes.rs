@@ -180,7 +180,7 @@ fn endless_loops(source: &Source, found: &mut Findings) {
     found.retain(|it| it.reason != Habit::NoColon.into() || !lines.contains(&line_of(it)));
 }
 
-/// A line that is too long for its text.
+/// Merges what follows from a line that is too long into the diagnostic of its text.
 fn long_texts(source: &Source, found: &mut Findings) {
     let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
     let texts = found.iter().filter(|it| it.code == Code::LongString);
@@ -199,7 +199,7 @@ fn arrays_declared(source: &Source, found: &mut Findings) {
     found.retain(|it| it.help != Some(Habit::Declare.into()) || !arrays.contains(&line_of(it)));
 }
 
-/// UNTIL with its REPEAT after it, or `REPEAT` … `WHILE A < 3`, if nothing else is wrong with the structure.
+/// Merges UNTIL with its REPEAT after it, or `REPEAT` … `WHILE A < 3`, if nothing else is wrong with the structure.
 fn reversed_loops(found: &mut Findings) {
     let is_structure = |it: &&Diagnostic| it.code == Code::Structure;
     let both: Vec<&Diagnostic> = found.iter().filter(is_structure).collect();
@@ -274,7 +274,7 @@ fn crossed_loops(source: &Source, found: &mut Findings) {
     found.retain(|_| at.next().is_none_or(|at| !joined.contains(&at)));
 }
 
-/// The line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
+/// Merges the line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
 fn broken_lines(source: &Source, found: &mut Findings) {
     let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
@@ -325,7 +325,7 @@ fn label(span: Span, text: impl Into<Message>) -> Label {
     }
 }
 
-/// The word that was to be END at the end of the text: STOP, EDN. One mistake is one finding.
+/// Merges the word that was to be END at the end of the text, STOP or EDN, with the missing END.
 pub(super) fn last_word(found: &mut Findings) {
     let Some(missing) = found.iter().position(|it| it.code == Code::NoEnd) else {
         return;
@@ -350,7 +350,7 @@ pub(super) fn last_word(found: &mut Findings) {
     }
 }
 
-/// A name that line 2 would declare, if it were not the title.
+/// Merges the uses of a name that line 2 would declare, if it were not the title.
 fn declared_in_title(source: &Source, module: &Module, found: &mut Findings) {
     let in_title = title::declared(source, module);
     for finding in found.iter_mut() {

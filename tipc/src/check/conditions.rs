@@ -44,7 +44,7 @@ impl Resolver<'_> {
         self.names.find(name).is_none() && flags::find(name, self.names.edition).is_some()
     }
 
-    /// A flag that is compared with a key: the key has to be read.
+    /// Suggests reading the key for a flag that is compared with one.
     fn suggest_reading(&mut self, right: &syntax::Operand) {
         let key = word(right).filter(|word| word.starts_with(CONSTANT));
         if let (Some(fault), Some(key)) = (self.found.last_mut(), key) {
@@ -52,7 +52,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// A letter that is compared with and not declared may be that of a key.
+    /// Suggests a key's constant for a letter that is compared with and not declared.
     fn suggest_key(&mut self, told: usize) {
         for fault in &mut self.found[told..] {
             let name = fault.subject.as_deref().unwrap_or_default();

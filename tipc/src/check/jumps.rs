@@ -124,7 +124,7 @@ impl Jumps<'_> {
         )
     }
 
-    /// A jump may leave blocks, but not enter them; GOTO may not leave a SUBROUTINE.
+    /// Checks that a jump enters no block and a GOTO leaves no SUBROUTINE; a jump may leave blocks.
     fn check(&mut self, from: usize, to: usize, kind: JumpKind, place: Span) {
         let mut inner = self.blocks.around[to];
         if let Some(routine) = inner

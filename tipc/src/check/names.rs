@@ -92,7 +92,7 @@ impl Names {
         names
     }
 
-    /// A variable may be called `R`, `A` or `HS`; a motion that has the word means its flag.
+    /// Warns of variables called `R`, `A` or `HS`; a motion that has the word means its flag.
     fn warn_of_flags(&self, module: &Module, found: &mut Findings) {
         for (variable, declared) in self.variables.iter().zip(&self.declared) {
             let name = variable.name.as_str();

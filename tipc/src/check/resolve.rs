@@ -177,7 +177,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// NEXT without a name counts the variable of its FOR.
+    /// Resolves a NEXT; without a name it counts the variable of its FOR.
     fn next(
         &mut self,
         index: StatementId,

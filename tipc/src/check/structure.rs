@@ -148,7 +148,7 @@ impl Matcher<'_> {
         }
     }
 
-    /// Its statement should be a block; so its ENDIF may be there.
+    /// Reads an IF whose statement should be a block; so its ENDIF may be there.
     fn one_line_if(&mut self, index: usize) {
         self.result.around[index] = self.current();
         self.owes(BlockKind::If, None, true);
@@ -443,7 +443,7 @@ impl Matcher<'_> {
         }
     }
 
-    /// NEXT may name the variable of its FOR, and no other.
+    /// Checks that NEXT names the variable of its FOR, or none.
     pub(super) fn check_counter(&mut self, opener: usize, closer: usize) {
         let (
             StatementKind::For { counting, .. },

@@ -69,7 +69,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// The name of a declaration.
+    /// Records the name of a declaration.
     pub(super) fn declare(&mut self, word: &Word) {
         let (next, _) = self.next;
         let is_next = self.names.declared.get(next) == Some(&Some(word.span));
@@ -87,7 +87,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// A label or the name of a SUBROUTINE, defined by a statement.
+    /// Records a label or the name of a SUBROUTINE, defined by a statement.
     pub(super) fn define_label(&mut self, word: &Word, statement: usize) {
         let (_, next) = self.next;
         let is_next = self
@@ -105,7 +105,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// The label that a jump leads to, which GOTO may leave out.
+    /// Records the label that a jump leads to, which GOTO may leave out.
     pub(super) fn jump(&mut self, statement: usize, jump: &Jump, access: Access) {
         let left_out = Span::new(jump.keyword.end, jump.keyword.end);
         let place = jump.label.as_ref().map_or(left_out, |label| label.span);
@@ -114,7 +114,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// An operand that stands for something of this meaning.
+    /// Records an operand that stands for something of this meaning.
     pub(super) fn operand(&mut self, operand: &Operand, meant: Meant, access: Access) {
         let (variable, member) = match meant {
             Meant::Constant(_) => return,
@@ -139,17 +139,17 @@ impl<'a> Uses<'a> {
         });
     }
 
-    /// A whole variable without sign: the name at this place, or none if it is empty.
+    /// Records a whole variable without sign: the name at this location, or none if it is empty.
     pub(super) fn variable(&mut self, place: Span, variable: VariableId, access: Access) {
         self.note(place, DefinitionId::of_variable(variable), access);
     }
 
-    /// OUTPUT_VARIABLES writes every variable to a file.
+    /// Records that OUTPUT_VARIABLES writes every variable to a file.
     pub(super) fn dump(&mut self) {
         self.dumped = true;
     }
 
-    /// Something is wrong with the statement: it may do anything with the variables that its text names.
+    /// Records that a statement is wrong: it may do anything with the variables that its text names.
     pub(super) fn excuse(&mut self, source: &Source, statement: Span) {
         let text = source.slice(statement);
         let is_outside = |char: char| !(char.is_ascii_alphanumeric() || char == '_');
@@ -187,7 +187,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// A MESSAGE was to show the variable, and does not.
+    /// Records that a MESSAGE was to show the variable, and does not.
     pub(super) fn was_to_be_shown(&mut self, variable: VariableId) {
         self.to_be_shown[variable] = true;
     }

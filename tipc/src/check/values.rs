@@ -54,7 +54,7 @@ impl Resolver<'_> {
         id.is_some_and(|id| self.names.variables[id].kind == VariableKind::Joint)
     }
 
-    /// Three or n scalars, or one struct in their place.
+    /// Reads three or n scalars, or one struct in their place.
     fn vector(
         &mut self,
         name: &Word,

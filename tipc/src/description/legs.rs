@@ -177,7 +177,7 @@ fn leg(
     })
 }
 
-/// A joint and its shapes, turned about z, then mirrored.
+/// Turns a joint and its shapes about z, then mirrors them.
 fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
     let Drawn { joint, shapes } = drawn;
     let [sin, cos] = sin_cos(turn);

@@ -113,7 +113,7 @@ fn form(section: Section<'_>, found: &mut Found) -> Option<Form> {
     }
 }
 
-/// The axes of what is turned about the fixed x, y and z, one after the other: deg.
+/// Returns the axes of what is turned about the fixed x, y and z, one after the other: deg.
 fn axes(turned: [f64; 3]) -> [Point; 3] {
     let [[sr, cr], [sp, cp], [sy, cy]] = turned.map(sin_cos);
     [

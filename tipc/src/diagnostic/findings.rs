@@ -123,7 +123,7 @@ impl Omitted {
         of_level.map(|(_, count)| count).sum()
     }
 
-    /// Their codes, each with how many there are.
+    /// Returns the omitted codes, each with its number.
     pub fn codes(&self) -> impl Iterator<Item = (Code, usize)> {
         self.0.iter().map(|(code, count)| (*code, *count))
     }

@@ -82,7 +82,7 @@ pub(crate) fn in_comment(text: &str) -> String {
     shown
 }
 
-/// Control characters, line separators, and characters that set the direction of text.
+/// Returns true for control characters, line separators, and characters that set the direction of text.
 fn breaks_comments(char: char) -> bool {
     let sets_direction = matches!(
         char,

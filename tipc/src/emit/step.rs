@@ -205,13 +205,13 @@ impl Emitter<'_> {
         State::Row(quote!(Step::go(#to)))
     }
 
-    /// On to a step, "taken".
+    /// Returns the code that goes on to a step, "taken".
     fn go(&self, step: StepId) -> TokenStream {
         let step = self.step_number(step);
         quote!(self.go(#step))
     }
 
-    /// From a false IF or ELSEIF on to a step, "not taken".
+    /// Returns the code that goes from a false IF or ELSEIF on to a step, "not taken".
     fn skip(&self, step: StepId) -> TokenStream {
         let step = self.step_number(step);
         if self.has_taken_state {
@@ -226,8 +226,8 @@ impl Emitter<'_> {
         quote!(self.call(#to, #back))
     }
 
-    /// On to a step after what may fail: one `?` for all steps, since compiling one takes longer than
-    /// all the rest of a short step.
+    /// Returns the code that goes on to a step after what may fail: one `?` for all steps, since compiling one takes
+    /// longer than all the rest of a short step.
     fn after(&self, done: TokenStream, step: StepId) -> TokenStream {
         let step = self.step_number(step);
         quote! {
@@ -236,7 +236,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// On to one of two steps after a test that may fail.
+    /// Returns the code that goes on to one of two steps after a test that may fail.
     fn branch(&self, test: TokenStream, yes: StepId, no: StepId) -> TokenStream {
         let (yes, no) = (self.step_number(yes), self.step_number(no));
         quote! {

@@ -221,7 +221,7 @@ impl Command {
         Command { robots, ..self }
     }
 
-    /// It is not a step.
+    /// Marks it as no step.
     const fn no_step(self) -> Self {
         Command {
             cycles: Cycles::Zero,

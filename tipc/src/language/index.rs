@@ -12,7 +12,7 @@ pub(super) struct Index<const N: usize> {
 }
 
 impl<const N: usize> Index<N> {
-    /// An index of these words.
+    /// Builds an index of these words.
     pub(super) const fn of(words: [(&'static str, u8); N]) -> Self {
         let mut starts = [0; LONGEST + 2];
         let mut at = 0;

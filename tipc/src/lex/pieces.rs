@@ -142,7 +142,7 @@ mod tests {
     use super::{Piece, Pieces, split_comment};
     use crate::source::Span;
 
-    /// The labels and statements of a line, its texts each up to where they end.
+    /// Checks the labels and statements of a line, its texts each up to where they end.
     #[track_caller]
     fn check(line: &str, single: bool, expected: &[&str]) {
         let (code, _) = split_comment(line, Span::new(0, line.len()));

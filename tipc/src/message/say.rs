@@ -153,7 +153,7 @@ pub const fn fits(text: &str, arguments: &[&str]) -> bool {
     used == (1u32 << arguments.len()) - 1
 }
 
-/// Which argument has the name that is at `start..end` of a text.
+/// Returns the index of the argument whose name is at `start..end` of a text.
 const fn position(text: &[u8], start: usize, end: usize, arguments: &[&str]) -> Option<usize> {
     let mut argument = 0;
     while argument < arguments.len() {

@@ -85,7 +85,7 @@ impl Parser<'_> {
 const TEXT_LIMIT: usize = 70;
 
 impl Parser<'_> {
-    /// MESSAGE, whose word is at `keyword` and whose text may reach up to `end`.
+    /// Reads MESSAGE, whose word is at `keyword` and whose text may reach up to `end`.
     pub(super) fn message(&mut self, keyword: Span, end: usize, comment: Option<Span>) {
         let first = delimiter(&self.text.as_bytes()[..end], keyword.end);
         let is_blank = |char: char| BLANKS.contains(&char);

@@ -83,7 +83,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Nothing follows a jump, not even THEN.
+    /// Checks that nothing follows a jump, not even THEN.
     fn end_of_jump(&self, jump: Keyword) -> Parsed<()> {
         if self.at_word(Keyword::Else) {
             let end = End::Label;

@@ -309,7 +309,7 @@ impl Parser<'_> {
         self.push(StatementKind::End, word);
     }
 
-    /// A first word that the language lacks.
+    /// Reports a first word that the language lacks.
     pub(super) fn report_unknown(
         &mut self,
         place: Span,

@@ -145,7 +145,7 @@ impl Parser<'_> {
         Flow::NextLine
     }
 
-    /// A declared name may not be too long.
+    /// Checks that a declared name is not too long.
     pub(super) fn check_name_length(&mut self, name: &Word) {
         if name.node.len() > names::LIMIT {
             let reason = Parsing::NameTooLong {
@@ -246,7 +246,7 @@ impl Parser<'_> {
         foreign::is_comment(self.source.slice(line).trim()) || is_after()
     }
 
-    /// ELSE, ENDIF, WEND and REPEAT allow no other statement on their line.
+    /// Checks that ELSE, ENDIF, WEND and REPEAT are alone on their line.
     ///
     /// The line's statements start at `first`, its diagnostics at `reported`.
     fn check_lone_words(&mut self, first: usize, reported: usize) {
@@ -278,7 +278,7 @@ impl Parser<'_> {
     }
 }
 
-/// ELSE, ENDIF, WEND or REPEAT on one line with something else.
+/// Reports ELSE, ENDIF, WEND or REPEAT on one line with something else.
 pub(super) fn not_alone(name: Keyword, place: Span, other: Span) -> Diagnostic {
     let reason = Parsing::NotAlone { word: name.into() };
     Diagnostic::new(Code::Format, place, reason)

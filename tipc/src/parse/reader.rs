@@ -159,7 +159,7 @@ impl<'a> Reader<'a> {
         Box::new(Diagnostic::new(self.code, span, reason).help(help))
     }
 
-    /// Nothing may be left; `help` unless another statement follows.
+    /// Checks that nothing is left; `help` unless another statement follows.
     pub(super) fn expect_end_or(&self, end: End, help: impl Into<Message>) -> Parsed<()> {
         self.expect_end(end).map_err(|mut fault| {
             let next = self.slice(self.here());
@@ -170,7 +170,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Nothing may be left.
+    /// Checks that nothing is left.
     pub(super) fn expect_end(&self, end: End) -> Parsed<()> {
         if self.left() == 0 {
             return Ok(());

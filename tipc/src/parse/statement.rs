@@ -53,7 +53,7 @@ impl Parser<'_> {
         Flow::Continue
     }
 
-    /// A statement that is made of words.
+    /// Reads a statement that is made of words.
     fn words(&mut self, keyword: Option<Keyword>, word: Span, span: Span) {
         let mut tokens = std::mem::take(&mut self.tokens);
         tokens.clear();

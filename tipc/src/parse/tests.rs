@@ -19,7 +19,7 @@ fn check(body: &str, expected: &[&str]) {
     );
 }
 
-/// Like [`check`], without the END added.
+/// Checks a program like [`check`], without the END added.
 #[track_caller]
 fn check_whole(body: &str, expected: &[&str]) {
     assert_eq!(outcome(body), expected, "program: {body}");
@@ -191,7 +191,7 @@ mod dump {
     }
 }
 
-/// An `IF` that is wrong at `column` and keeps opening its block.
+/// Checks an `IF` that is wrong at `column` and keeps opening its block.
 #[track_caller]
 fn wrong_condition(condition: &str, column: u32) {
     let place = format!("1:{column}: Wrong argument");
@@ -388,7 +388,7 @@ fn declarations_keep_the_names_as_written() {
     check("DEF_VAR A = 5", &["define Var A", "1:11: Wrong argument"]);
 }
 
-/// An equation that is wrong at `column`.
+/// Checks an equation that is wrong at `column`.
 #[track_caller]
 fn wrong(equation: &str, column: u32) {
     let place = format!("1:{column}: Wrong equation format");
@@ -524,7 +524,7 @@ fn faulty_arguments_wait_for_the_command_to_be_known() {
     check("5 6", &["command 5 6.0"]);
 }
 
-/// A `Format error` at `column` of line 1, beside `statements`.
+/// Checks for a `Format error` at `column` of line 1, besides `statements`.
 #[track_caller]
 fn format_error(body: &str, statements: &[&str], column: u32) {
     let place = format!("1:{column}: Format error");
@@ -680,7 +680,7 @@ fn lines_have_at_most_1023_bytes() {
     check_whole(&format!("END\n{}", "a".repeat(2000)), &[]);
 }
 
-/// A line whose length is wrong from `column` on; its statements are not looked at.
+/// Checks a line whose length is wrong from `column` on; its statements are not looked at.
 #[track_caller]
 fn format_error_first(body: &str, column: u32) {
     let statements: &[&str] = if body.starts_with("REM") {

@@ -231,21 +231,21 @@ pub struct Style {
 }
 
 impl Style {
-    /// This style in a language.
+    /// Sets the language.
     #[must_use]
     pub fn lang(mut self, lang: Lang) -> Self {
         self.lang = lang;
         self
     }
 
-    /// This style with colours, or without.
+    /// Sets whether colours are used.
     #[must_use]
     pub fn colour(mut self, colour: bool) -> Self {
         self.colour = colour;
         self
     }
 
-    /// This style for lines of so many columns.
+    /// Sets the width of lines, columns.
     #[must_use]
     pub fn width(mut self, width: Option<usize>) -> Self {
         self.width = width;

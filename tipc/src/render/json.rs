@@ -52,7 +52,7 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang
     out
 }
 
-/// The places at which the same mistake shows again.
+/// Writes the locations at which the same mistake shows again.
 fn push_related(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
     out.push_str(",\"related\":[");
     let again = diagnostic.labels.iter().filter(|label| label.is_again());
@@ -72,7 +72,7 @@ fn push_related(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang
     out.push(']');
 }
 
-/// The other places that matter, each with what is there.
+/// Writes the other locations that matter, each with its text.
 fn push_labels(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
     out.push_str(",\"labels\":[");
     for (index, label) in diagnostic.labels.iter().enumerate() {
@@ -122,8 +122,8 @@ fn push_range(out: &mut String, source: &Source, span: Span) {
     out.push('}');
 }
 
-/// A place: the byte of the file from 0; the line from 1; and the column from 1, in characters, in bytes of UTF-8 and in
-/// units of UTF-16.
+/// Writes a position: the byte of the file from 0; the line from 1; and the column from 1, in characters, in bytes of
+/// UTF-8 and in units of UTF-16.
 fn push_position(out: &mut String, source: &Source, offset: usize) {
     let column = |unit| source.position(offset, unit).column;
     let Position {
@@ -139,7 +139,7 @@ fn push_position(out: &mut String, source: &Source, offset: usize) {
     );
 }
 
-/// Another member of an object, a string.
+/// Writes another member of an object, a string.
 pub fn push_member(out: &mut String, key: &str, value: &str) {
     out.push(',');
     push_string(out, key);
@@ -147,13 +147,13 @@ pub fn push_member(out: &mut String, key: &str, value: &str) {
     push_string(out, value);
 }
 
-/// Another member of an object, a number.
+/// Writes another member of an object, a number.
 pub fn push_number(out: &mut String, key: &str, value: u32) {
     // Writing to a string cannot fail.
     let _ = write!(out, ",\"{key}\":{value}");
 }
 
-/// A string in quotes.
+/// Writes a string in quotes.
 pub fn push_string(out: &mut String, text: &str) {
     out.push('"');
     for char in text.chars() {

@@ -126,7 +126,7 @@ impl Source {
         (self.line_number(offset), self.column(offset))
     }
 
-    /// Column in characters, from 1, of a byte in or after its line.
+    /// Returns the column in characters, from 1, of a byte in or after its line.
     pub(crate) fn column(&self, offset: usize) -> u32 {
         self.column_from(self.start_of_line_at(offset), offset, Unit::Character)
     }
@@ -143,7 +143,7 @@ impl Source {
         u32::try_from(units).map_or(u32::MAX, |units| units.saturating_add(1))
     }
 
-    /// In a file of UTF-8 the bytes are those of the text.
+    /// Simplifies a unit: in a file of UTF-8 the bytes are those of the text.
     fn unit(&self, unit: Unit) -> Unit {
         match (unit, &self.original) {
             (Unit::Byte, Original::Text) => Unit::Utf8,

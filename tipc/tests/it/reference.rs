@@ -47,7 +47,7 @@ fn documents() -> Vec<String> {
     paths
 }
 
-/// The document is what it should be, or becomes so.
+/// Checks that the document is up to date, or updates it.
 fn hold(path: &str, text: &str, fresh: &str) {
     if text == fresh {
         return;

@@ -28,7 +28,7 @@ impl Effect {
         }
     }
 
-    /// This, and then something after it.
+    /// Returns the effect of this, and then something after it.
     fn then(self, behind: Effect) -> Effect {
         Effect {
             untouched: self.untouched & behind.untouched,
@@ -61,7 +61,7 @@ struct State {
 }
 
 impl State {
-    /// After something with an effect. If that first reads an unassigned scalar, the run is over.
+    /// Returns the state after something with an effect. If that first reads an unassigned scalar, the run is over.
     fn behind(self, effect: Effect) -> State {
         State {
             unassigned: self.unassigned & effect.untouched,
@@ -134,7 +134,7 @@ impl<'a> Batch<'a> {
         (found, states.iter().map(is_reached).collect())
     }
 
-    /// For each block, how runs come to it.
+    /// Returns for each block how runs come to it.
     fn states(&self) -> Vec<State> {
         let blocks = self.blocks.all();
         let passages = self.passages();
@@ -182,7 +182,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// For each block, the paths to the return of the call that it is in.
+    /// Returns for each block the paths to the return of the call that it is in.
     fn passages(&self) -> Vec<Passage> {
         let blocks = self.blocks.all();
         let mut passages = vec![None; blocks.len()];

@@ -81,7 +81,7 @@ impl Blocks {
     }
 }
 
-/// Which nodes begin a block: all except those that only the node before them leads to.
+/// Returns which nodes begin a block: all except those that only the node before them leads to.
 fn beginnings(flow: &Flow) -> Vec<bool> {
     let nodes = flow.nodes();
     let mut begins = vec![false; nodes.len()];

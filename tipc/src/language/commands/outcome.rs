@@ -200,7 +200,7 @@ impl Command {
         operands.iter().copied().chain(limit).chain(own).collect()
     }
 
-    /// Which values stop the program.
+    /// Returns which values stop the program.
     pub fn limit(&self) -> Option<Bilingual> {
         let Form::Robot(arguments) = self.form else {
             return None;

@@ -44,7 +44,7 @@ fn examine(bytes: &[u8], encoding: Encoding, random: &mut Random) {
     }
 }
 
-/// All files under a folder.
+/// Collects all files under a folder.
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).into_iter().flatten() {
         let path = entry.expect("an entry").path();

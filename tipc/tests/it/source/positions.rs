@@ -75,7 +75,7 @@ fn examine(source: &Source, place: &Place) {
     }
 }
 
-/// The way back, also from inside a character and from after the line.
+/// Checks the way back, also from inside a character and from after the line.
 fn examine_back(source: &Source, places: &[Place], index: usize) {
     let place = &places[index];
     let (line, columns) = place.position;

@@ -21,7 +21,7 @@ impl Count {
         }
     }
 
-    /// This, and then that.
+    /// Adds another number: this, and then that.
     pub(super) fn then(self, other: Count) -> Count {
         Count {
             min: self.min.saturating_add(other.min),
@@ -30,7 +30,7 @@ impl Count {
         }
     }
 
-    /// This, several times.
+    /// Multiplies by a number of turns.
     pub(super) fn times(self, turns: u64) -> Count {
         Count {
             min: self.min.saturating_mul(turns),
@@ -39,7 +39,7 @@ impl Count {
         }
     }
 
-    /// This up to several times, or not at all.
+    /// Multiplies by up to a number of turns, or none.
     pub(super) fn at_most(self, turns: u64) -> Count {
         match turns {
             0 => Count::exactly(0),
@@ -50,7 +50,7 @@ impl Count {
         }
     }
 
-    /// This without a bound.
+    /// Removes the upper bound.
     pub(super) fn unbounded(self) -> Count {
         Count { max: None, ..self }
     }

@@ -78,7 +78,7 @@ impl<'a> Graph<'a> {
         self.counted.get(&head).map(|counted| counted.turns)
     }
 
-    /// From a node to where paths end; `None` if that is more work than is left.
+    /// Returns the paths from a node to where paths end; `None` if that is more work than is left.
     pub(super) fn ends(
         &self,
         from: NodeId,
@@ -91,7 +91,8 @@ impl<'a> Graph<'a> {
         found
     }
 
-    /// From a node to the next ones among `labels`, to the return and to the end; `None` if that is more work than is left.
+    /// Returns the stretches from a node to the next ones among `labels`, to the return and to the end; `None` if that
+    /// is more work than is left.
     pub(super) fn stretches(
         &self,
         from: NodeId,

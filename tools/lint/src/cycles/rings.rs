@@ -2,7 +2,7 @@
 
 use tipc::analysis::flow::NodeId;
 
-/// For each node the number of its ring: two nodes with paths to each other share it, no others do
+/// Returns for each node the number of its ring: two nodes with paths to each other share it, no others do
 /// (Kosaraju and Sharir). `next` and `before` are each other's reverse. Takes linear time.
 pub(super) fn rings(next: &[Vec<NodeId>], before: &[Vec<NodeId>]) -> Vec<usize> {
     let mut rings = vec![usize::MAX; next.len()];

@@ -64,7 +64,7 @@ fn after_condition(site: &Site<'_>) -> Option<Fix> {
     is_opener.then(|| removed(site, site.span()))
 }
 
-/// Something goes, and the blanks before it.
+/// Creates a fix that removes something, and the blanks before it.
 fn removed(site: &Site<'_>, place: Span) -> Fix {
     let before = site.tokens().into_iter().map(|token| token.span.end);
     let before = before.take_while(|end| *end <= place.start).last();
@@ -147,7 +147,7 @@ fn alone(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::OwnLines, edits))
 }
 
-/// END on a line of its own after the last one.
+/// Adds END on a line of its own after the last one.
 fn end(site: &Site<'_>) -> Option<Fix> {
     let count = site.source.line_count();
     // On line 2 it would be the title.

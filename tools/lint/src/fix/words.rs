@@ -103,7 +103,7 @@ fn branch(site: &Site<'_>, tokens: &[Token]) -> Fix {
     fix
 }
 
-/// THEN where an ELSEIF of another language has none, or a colon.
+/// Adds THEN where an ELSEIF of another language has none, or a colon.
 fn then(site: &Site<'_>, tokens: &[Token]) -> Option<Edit> {
     let last = tokens.last()?;
     match last.kind {

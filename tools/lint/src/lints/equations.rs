@@ -7,7 +7,8 @@ use tipc::diagnostic::{Diagnostic, Findings};
 use tipc::source::Span;
 use tipc::syntax::{Equation, Expression, OperandKind, StatementKind};
 
-/// The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look like.
+/// Warns of `N =+ 1`. The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look
+/// like.
 pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     for statement in judged.module.steps() {
         if let StatementKind::Equation(equation) = &statement.kind

@@ -147,7 +147,8 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
     Some(Diagnostic::new(Code::QuotedMessage, place, reason).help(help))
 }
 
-/// Everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run does.
+/// Warns of everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run
+/// does.
 fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
     let text = judged.source.slice(place);
     let mut from = 0;

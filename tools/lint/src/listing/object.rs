@@ -15,7 +15,8 @@ use tipc::program::{
 use tipc::source::Source;
 use tipc::syntax::Module;
 
-/// TIP.OBJ of a program, and the source and module that it was lowered from: for each step its command, its target, and the types and values of its arguments.
+/// Renders TIP.OBJ of a program, and the source and module that it was lowered from: for each step its command, its
+/// target, and the types and values of its arguments.
 ///
 /// There are five arguments, or as many as a leg has joints if that is more.
 pub fn object(source: &Source, module: &Module, program: &Program) -> String {

@@ -43,7 +43,7 @@ pub(super) fn is_statement_word(keyword: &str) -> bool {
 }
 
 impl Migrator<'_> {
-    /// A command that is neither of the special ones nor an equation.
+    /// Migrates a command that is neither of the special ones nor an equation.
     pub(super) fn command(&mut self, statement: &Statement) {
         match statement.keyword.as_str() {
             "SET_INPOS" => self.tolerance(statement, "SET_JUST_POSITION"),
@@ -135,7 +135,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// REM was no step before 3.0; a comment is none now.
+    /// Migrates REM to a comment: it was no step before 3.0; a comment is none now.
     pub(super) fn remark(&mut self, statement: &Statement) {
         self.edits.replace(statement.word, "//");
         self.change(statement.word, Migrating::Remark);

@@ -51,7 +51,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// A variable whose name is a word of the language now.
+    /// Asks for another name of a variable whose name is a word of the language now.
     pub(super) fn clashes(&mut self, statement: &Statement) {
         for name in statement.words().skip(1) {
             let word = self.slice(name).to_ascii_uppercase();

@@ -107,7 +107,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// Version 1.0 had no title: its line 2 is a statement if it looks like one.
+    /// Returns the title. Version 1.0 had none: its line 2 is a statement if it looks like one.
     fn title(&self, version: f64) -> Title {
         if version >= TITLED {
             return Title::Present;

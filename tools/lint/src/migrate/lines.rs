@@ -86,7 +86,7 @@ fn is_colon(token: Option<&Token>) -> bool {
     token.is_some_and(|token| token.kind == Kind::Colon)
 }
 
-/// Everything from line `first` up to END. `single`: `;` does not part a text.
+/// Reads everything from line `first` up to END. `single`: `;` does not part a text.
 pub(super) fn read(source: &Source, first: u32, single: bool) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for line in source.lines().skip(first.saturating_sub(1) as usize) {

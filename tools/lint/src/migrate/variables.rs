@@ -170,7 +170,7 @@ fn split(name: &str) -> Option<(Prefix, &str)> {
 }
 
 impl Migrator<'_> {
-    /// One spelling for each variable.
+    /// Gives each variable one spelling.
     pub(super) fn variables(&mut self, variables: &Variables) {
         for (span, name) in &variables.respelt {
             let old = self.slice(*span).to_ascii_uppercase();

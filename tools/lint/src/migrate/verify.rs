@@ -61,7 +61,7 @@ pub(super) fn questions(
         .collect()
 }
 
-/// For each statement why its arguments are no robot's, if they are none's.
+/// Returns for each statement why no robot takes its arguments, if none does.
 fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
     let mut refused: Vec<Option<Diagnostic>> = vec![None; module.statements.len()];
     let mut robots = vec![0; module.statements.len()];

@@ -9,7 +9,7 @@ use tipc::code::Mistake;
 /// About as many words of a program are left out, doubled or taken for another.
 const MOST: usize = 4;
 
-/// All programs in a folder and the folders in it, in order.
+/// Collects all programs in a folder and the folders in it, in order.
 fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
     let entries = fs::read_dir(folder).expect("a folder of programs");
     let mut paths: Vec<PathBuf> = entries

@@ -17,7 +17,7 @@ fn formatted(bytes: &[u8]) -> Result<Vec<u8>, Refusal> {
     Ok(once)
 }
 
-/// The statements of a program, formatted.
+/// Checks the statements of a program, formatted.
 #[track_caller]
 fn check(statements: &str, expected: &str) {
     let text = format!("3.1\ntitle\n{statements}");
@@ -28,7 +28,7 @@ fn check(statements: &str, expected: &str) {
     assert_eq!(formatted, format!("3.1\ntitle\n{expected}"));
 }
 
-/// The bytes of a whole file, formatted.
+/// Checks the bytes of a whole file, formatted.
 #[track_caller]
 fn check_file(bytes: &[u8], expected: &[u8]) {
     let formatted = formatted(bytes).unwrap_or_else(|refusal| panic!("{refusal:?}"));

@@ -34,7 +34,7 @@ fn line_of(version: &str, line: &str) -> String {
     line.to_owned()
 }
 
-/// Each line of version 2.0 and what becomes of it.
+/// Checks what each line of version 2.0 becomes.
 fn check_lines(lines: &[(&str, &str)]) {
     for (old, new) in lines {
         assert_eq!(line_of("2.0", old), *new, "{old}");

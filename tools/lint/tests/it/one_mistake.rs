@@ -2,7 +2,7 @@
 
 use tip_lint::{Options, load};
 
-/// The codes and lines of what is wrong with some statements; the first statement is on line 3.
+/// Checks the codes and lines of what is wrong with some statements; the first statement is on line 3.
 #[track_caller]
 fn check(statements: &str, expected: &[&str]) {
     let text = format!("3.1\nA title\n{statements}\nEND\n");
