@@ -1,4 +1,4 @@
-//! Finding the file of `include_tip!`.
+//! Diagnostic the file of `include_tip!`.
 
 use crate::literal::Text;
 use std::path::{Path, PathBuf};

@@ -6,10 +6,10 @@ use crate::message::{Cut, Lang, Message, Naming, Reading, Structuring};
 use crate::source::{Span, Undecodable};
 use smol_str::SmolStr;
 
-mod findings;
+mod list;
 
-pub(crate) use findings::in_place;
-pub use findings::{Findings, MOST, Omitted};
+pub(crate) use list::in_place;
+pub use list::{Diagnostics, MOST, Omitted};
 
 /// A second place that a diagnostic points at.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +31,7 @@ impl Label {
     }
 }
 
-/// One finding about a source file.
+/// One diagnostic about a source file.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Diagnostic {
@@ -51,7 +51,7 @@ pub struct Diagnostic {
     pub fixes: Vec<Fix>,
     /// Whose rules it is judged by.
     pub edition: Edition,
-    /// The mistake, if it is one mistake wherever it shows: the first finding of it is reported, the others are its labels.
+    /// The mistake, if it is one mistake wherever it shows: the first diagnostic of it is reported, the others are its labels.
     pub(crate) once: Option<SmolStr>,
 }
 
@@ -191,7 +191,7 @@ impl Edit {
     }
 }
 
-/// A way to put a finding right.
+/// A way to put a diagnostic right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fix {
     /// Description of the change.

@@ -18,7 +18,7 @@ mod building;
 mod checking;
 #[cfg(feature = "robot-files")]
 mod describing;
-mod habit;
+mod foreign_words;
 pub mod list;
 mod parsing;
 pub mod phrase;
@@ -30,8 +30,8 @@ pub use building::Building;
 pub use checking::{Calculating, Commanding, Naming, Structuring};
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
-pub use habit::{Habit, Instead};
-pub use parsing::{Parsing, Reading, Suggesting};
+pub use foreign_words::{ForeignWord, Suggestion};
+pub use parsing::{Parsing, Reading};
 pub use say::{Decimal, Lang, Letter};
 
 tables! {
@@ -41,9 +41,8 @@ tables! {
     Calculating,
     Naming,
     Structuring,
-    Suggesting,
-    Habit,
-    Instead,
+    ForeignWord,
+    Suggestion,
     #[cfg(feature = "robot-files")]
     Describing,
     #[cfg(feature = "build")]

@@ -19,7 +19,7 @@ pub(crate) use jump::label_of;
 pub use line::{LONG_VOWEL, narrow};
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::Edition;
 use crate::language::commands;
 use crate::lex::Token;
@@ -33,7 +33,7 @@ pub const LINE_LIMIT: usize = 1023;
 /// Parses a source for version `tip_version` of the language.
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
-pub fn parse(source: &Source, tip_version: f64) -> (Module, Findings) {
+pub fn parse(source: &Source, tip_version: f64) -> (Module, Diagnostics) {
     if let Err(wrong) = header::version(source, tip_version) {
         return (Module::default(), vec![*wrong].into());
     }
@@ -47,7 +47,7 @@ pub fn parse_taking(
     source: &Source,
     tip_version: f64,
     take: &mut dyn FnMut(&mut Vec<Statement>),
-) -> (Module, Findings) {
+) -> (Module, Diagnostics) {
     if let Err(wrong) = header::version(source, tip_version) {
         return (Module::default(), vec![*wrong].into());
     }
@@ -108,10 +108,10 @@ struct Parser<'a> {
     braces: Vec<bool>,
     /// Names with a `-`, as written in declarations, which are reported.
     hyphened: Vec<String>,
-    /// The finding about lines with numbers.
+    /// The diagnostic about lines with numbers.
     numbered: Option<usize>,
     module: Module,
-    diagnostics: Findings,
+    diagnostics: Diagnostics,
 }
 
 impl<'a> Parser<'a> {
@@ -133,7 +133,7 @@ impl<'a> Parser<'a> {
                 statements: Vec::new(),
                 after_end: None,
             },
-            diagnostics: Findings::default(),
+            diagnostics: Diagnostics::default(),
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::language::commands::{Arguments, Command, Form, Meaning};
 use crate::language::{Keyword, commands};
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
-use crate::message::{Commanding, Habit, Message, Parsing};
+use crate::message::{Commanding, ForeignWord, Message, Parsing};
 use crate::parse::label_of;
 use crate::program::{MessagePart, Scalar};
 use crate::robot::Robot;
@@ -120,15 +120,17 @@ impl Resolver<'_> {
             None => {
                 let command = name.node.clone();
                 let help = match self.is_after_text(name.span) {
-                    true => Habit::SemicolonEndsText.into(),
-                    false => self.meant_by(name),
+                    true => ForeignWord::SemicolonEndsText.into(),
+                    false => self.suggest_for(name),
                 };
                 (Commanding::NoCommand { word: command }, help)
             }
         };
         let mut fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
         match &help {
-            Message::Habit(Habit::NoParameters { name }) => fault = fault.once(name.clone()),
+            Message::ForeignWord(ForeignWord::NoParameters { name }) => {
+                fault = fault.once(name.clone())
+            }
             Message::Parsing(Parsing::WriteLabel { name }) => fault = fault.once(label_of(name)),
             _ => {}
         }

@@ -4,7 +4,7 @@ use super::resolve::Resolver;
 use super::targets::word;
 use crate::code::Code;
 use crate::language::flags;
-use crate::message::Habit;
+use crate::message::ForeignWord;
 use crate::program::Condition;
 use crate::syntax;
 use tip_runtime::command::CONSTANT;
@@ -48,7 +48,7 @@ impl Resolver<'_> {
     fn suggest_reading(&mut self, right: &syntax::Operand) {
         let key = word(right).filter(|word| word.starts_with(CONSTANT));
         if let (Some(fault), Some(key)) = (self.found.last_mut(), key) {
-            fault.help = Some(Habit::KeyFirst { key: key.into() }.into());
+            fault.help = Some(ForeignWord::KeyFirst { key: key.into() }.into());
         }
     }
 
@@ -59,7 +59,7 @@ impl Resolver<'_> {
             let is_key = name.len() == 1 && name.starts_with(|c: char| c.is_ascii_uppercase());
             if fault.code == Code::UnknownVariable && is_key {
                 let character = name.into();
-                fault.help = Some(Habit::CharacterOrVariable { character }.into());
+                fault.help = Some(ForeignWord::CharacterOrVariable { character }.into());
             }
         }
     }

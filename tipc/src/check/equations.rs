@@ -1,13 +1,13 @@
 //! Types of equations (T.I.P. 3.1 §5).
 
-use super::names::Meant;
+use super::names::ResolvedOperand;
 use super::resolve::Resolver;
 use super::resolved::Assignment;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
 use crate::message::phrase::{Operands, Type};
-use crate::message::{Calculating, Instead, Message, Parsing};
+use crate::message::{Calculating, Message, Parsing, Suggestion};
 use crate::program::{Axis, ScalarExpression, StructExpression, VariableId};
 use crate::source::Span;
 use crate::symbols::Access;
@@ -23,7 +23,7 @@ enum Value {
 impl Resolver<'_> {
     pub(super) fn equation(&mut self, equation: &Equation) -> Option<Assignment> {
         let guess = self.type_in(equation);
-        let target = self.meant_as(&equation.target, Code::Equation, guess);
+        let target = self.resolve_operand_as(&equation.target, Code::Equation, guess);
         if let Some(target) = target {
             let access = match equation.update {
                 Some(_) => Access::Update,
@@ -40,26 +40,32 @@ impl Resolver<'_> {
     fn assignment(
         &mut self,
         equation: &Equation,
-        target: Meant,
+        target: ResolvedOperand,
         value: Value,
     ) -> Option<Assignment> {
         let update = equation.update;
         let place = equation.target.span;
         match (target, value) {
-            (Meant::Constant(_), _) => {
+            (ResolvedOperand::Constant(_), _) => {
                 let fault = Diagnostic::new(Code::Equation, place, Parsing::ConstantAssigned);
                 self.report(fault.help(Calculating::LeftSideIs));
                 None
             }
-            (Meant::Scalar { negative: true, .. } | Meant::Struct { negative: true, .. }, _) => {
-                self.refuse(Code::Equation, place, Calculating::LeftSideSign)
+            (
+                ResolvedOperand::Scalar { negative: true, .. }
+                | ResolvedOperand::Struct { negative: true, .. },
+                _,
+            ) => self.refuse(Code::Equation, place, Calculating::LeftSideSign),
+            (ResolvedOperand::Scalar { scalar, .. }, Value::Scalar(value)) => {
+                Some(Assignment::Scalar {
+                    target: scalar,
+                    update,
+                    value,
+                })
             }
-            (Meant::Scalar { scalar, .. }, Value::Scalar(value)) => Some(Assignment::Scalar {
-                target: scalar,
-                update,
-                value,
-            }),
-            (Meant::Struct { variable, kind, .. }, Value::Struct(of, value)) if kind == of => {
+            (ResolvedOperand::Struct { variable, kind, .. }, Value::Struct(of, value))
+                if kind == of =>
+            {
                 Some(Assignment::Struct {
                     target: variable,
                     update,
@@ -110,12 +116,12 @@ impl Resolver<'_> {
     fn expression(
         &mut self,
         expression: &Expression,
-        target: Option<Meant>,
+        target: Option<ResolvedOperand>,
         guess: Option<VariableKind>,
     ) -> Option<Value> {
         match expression {
             Expression::Operand(operand) => match self.value(operand, guess)? {
-                Meant::Struct { variable, kind, .. } => {
+                ResolvedOperand::Struct { variable, kind, .. } => {
                     Some(Value::Struct(kind, StructExpression::Copy(variable)))
                 }
                 meant => Some(Value::Scalar(ScalarExpression::Operand(meant.number()?))),
@@ -128,8 +134,8 @@ impl Resolver<'_> {
                 let (first, second) = (self.value(left, guess), self.value(right, guess));
                 match (first?, second?) {
                     (
-                        Meant::Struct { variable, kind, .. },
-                        Meant::Struct {
+                        ResolvedOperand::Struct { variable, kind, .. },
+                        ResolvedOperand::Struct {
                             variable: other,
                             kind: of,
                             ..
@@ -162,7 +168,7 @@ impl Resolver<'_> {
                             let fault = Diagnostic::new(Code::Equation, place, reason);
                             let is_number = kind_of(first).is_none() || kind_of(second).is_none();
                             let help: Message = match is_number {
-                                true => Instead::MemberByMember.into(),
+                                true => Suggestion::MemberByMember.into(),
                                 false => Calculating::OneType.into(),
                             };
                             self.report(fault.help(help));
@@ -254,7 +260,7 @@ impl Resolver<'_> {
         kind: Option<VariableKind>,
     ) -> Option<(VariableId, VariableKind)> {
         match self.value(operand, kind)? {
-            Meant::Struct {
+            ResolvedOperand::Struct {
                 variable, kind: of, ..
             } if kind.is_none_or(|kind| kind == of) => Some((variable, of)),
             _ => {
@@ -268,10 +274,10 @@ impl Resolver<'_> {
     }
 
     /// Resolves an operand that the equation reads, as a variable of this type; a struct has no sign.
-    fn value(&mut self, operand: &Operand, guess: Option<VariableKind>) -> Option<Meant> {
-        let meant = self.meant_as(operand, Code::Equation, guess)?;
+    fn value(&mut self, operand: &Operand, guess: Option<VariableKind>) -> Option<ResolvedOperand> {
+        let meant = self.resolve_operand_as(operand, Code::Equation, guess)?;
         self.uses.operand(operand, meant, Access::Read);
-        if let Meant::Struct { negative: true, .. } = meant {
+        if let ResolvedOperand::Struct { negative: true, .. } = meant {
             let fault = Diagnostic::new(Code::Equation, operand.span, Calculating::StructSign);
             self.report(fault.help(Calculating::ChangeMembers));
             return None;
@@ -301,10 +307,10 @@ impl Value {
     }
 }
 
-fn kind_of(meant: Meant) -> Option<VariableKind> {
+fn kind_of(meant: ResolvedOperand) -> Option<VariableKind> {
     match meant {
-        Meant::Struct { kind, .. } => Some(kind),
-        Meant::Constant(_) | Meant::Scalar { .. } => None,
+        ResolvedOperand::Struct { kind, .. } => Some(kind),
+        ResolvedOperand::Constant(_) | ResolvedOperand::Scalar { .. } => None,
     }
 }
 

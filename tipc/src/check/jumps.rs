@@ -3,10 +3,10 @@
 use super::blocks::{BlockKind, Blocks, Tree};
 use super::labels::Labels;
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::reserved::LOOP;
 use crate::message::phrase::Entered;
-use crate::message::{Instead, Message, Naming, Structuring};
+use crate::message::{Message, Naming, Structuring, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Jump, JumpKind, Module, StatementKind};
@@ -16,7 +16,7 @@ pub(crate) fn resolve(
     module: &Module,
     labels: &Labels<'_>,
     blocks: &Blocks,
-    found: &mut Findings,
+    found: &mut Diagnostics,
 ) -> Vec<Option<usize>> {
     let mut jumps = Jumps {
         module,
@@ -44,7 +44,7 @@ struct Jumps<'a> {
     labels: &'a Labels<'a>,
     blocks: &'a Blocks,
     tree: Tree<'a>,
-    found: &'a mut Findings,
+    found: &'a mut Diagnostics,
 }
 
 impl Jumps<'_> {
@@ -104,7 +104,7 @@ impl Jumps<'_> {
                 _ => None,
             };
             let help: Message = match (&jump.label, near) {
-                (None, _) => Instead::GotoLoop.into(),
+                (None, _) => Suggestion::GotoLoop.into(),
                 (Some(_), Some(near)) => Structuring::DidYouMean { near: near.into() }.into(),
                 (Some(_), None) => Structuring::PutLoop.into(),
             };
@@ -197,7 +197,7 @@ impl Jumps<'_> {
 }
 
 /// Warns of each SUBROUTINE that the step above it runs into.
-pub(crate) fn warn_of_entries(module: &Module, found: &mut Findings) {
+pub(crate) fn warn_of_entries(module: &Module, found: &mut Diagnostics) {
     let mut open_above = true;
     for statement in &module.statements {
         if !statement.is_step() {

@@ -2,11 +2,11 @@
 
 use super::blocks::Blocks;
 use super::labels::Labels;
-use super::names::{Meant, Names};
+use super::names::{Names, ResolvedOperand};
 use super::resolved::{Counting, Resolved, StatementId};
 use super::uses::{Named, Uses};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::lex::split_comment;
 use crate::message::{Commanding, Message};
 use crate::program::{self, Scalar};
@@ -42,7 +42,7 @@ enum Unresolved {
 /// Resolves every statement; all of them, or none if one cannot be.
 pub(super) fn statements(
     known: &Known<'_>,
-    found: &mut Findings,
+    found: &mut Diagnostics,
 ) -> (Option<Vec<Resolved>>, Named) {
     let statements = &known.module.statements;
     let mut resolver = Resolver {
@@ -78,7 +78,7 @@ pub(super) struct Resolver<'a> {
     pub(super) uses: Uses<'a>,
     /// Counter of each FOR.
     counted: HashMap<StatementId, Counting>,
-    pub(super) found: &'a mut Findings,
+    pub(super) found: &'a mut Diagnostics,
 }
 
 impl Resolver<'_> {
@@ -245,9 +245,9 @@ impl Resolver<'_> {
     }
 
     fn loop_variable(&mut self, operand: &Operand, access: Access) -> Option<Scalar> {
-        let meant = self.meant_as(operand, Code::Argument, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, Code::Argument, Some(VariableKind::Var))?;
         match meant {
-            Meant::Scalar {
+            ResolvedOperand::Scalar {
                 scalar,
                 member: false,
                 ..
@@ -265,17 +265,21 @@ impl Resolver<'_> {
     }
 
     /// Resolves an operand.
-    pub(super) fn meant(&mut self, operand: &Operand, shape: Code) -> Option<Meant> {
-        self.meant_as(operand, shape, None)
+    pub(super) fn resolve_operand(
+        &mut self,
+        operand: &Operand,
+        shape: Code,
+    ) -> Option<ResolvedOperand> {
+        self.resolve_operand_as(operand, shape, None)
     }
 
     /// Resolves an operand that is used as a variable of this type.
-    pub(super) fn meant_as(
+    pub(super) fn resolve_operand_as(
         &mut self,
         operand: &Operand,
         shape: Code,
         guess: Option<VariableKind>,
-    ) -> Option<Meant> {
+    ) -> Option<ResolvedOperand> {
         match self.names.operand(operand, shape, guess) {
             Ok(meant) => meant,
             Err(fault) => {
@@ -287,7 +291,7 @@ impl Resolver<'_> {
 
     /// Resolves a number that the statement reads. `shape` is the code of a struct in its place.
     pub(super) fn number(&mut self, operand: &Operand, shape: Code) -> Option<program::Operand> {
-        let meant = self.meant_as(operand, shape, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         if let Some(number) = meant.number() {
             return Some(number);

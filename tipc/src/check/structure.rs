@@ -2,9 +2,9 @@
 
 use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings, Label};
+use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::language::Keyword;
-use crate::message::{Habit, Message, Parsing, Structuring};
+use crate::message::{ForeignWord, Message, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
 use std::collections::HashSet;
@@ -16,7 +16,7 @@ mod other;
 const FAR: usize = 1_000;
 
 /// Ties every control word to its partner and reports those without one.
-pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Findings) -> Blocks {
+pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Diagnostics) -> Blocks {
     let count = module.statements.len();
     let mut matcher = Matcher {
         module,
@@ -123,7 +123,7 @@ struct Matcher<'a> {
     closes_more: HashSet<usize>,
     /// Starts of statements of another language, which is reported.
     foreign: HashSet<usize>,
-    found: &'a mut Findings,
+    found: &'a mut Diagnostics,
 }
 
 impl Matcher<'_> {
@@ -315,7 +315,7 @@ impl Matcher<'_> {
         owed.branches -= usize::from(last.branches);
         let text = Structuring::StandsHere { word: name }.into();
         let span = self.place(index);
-        // Of too many findings it is omitted.
+        // Of too many diagnostics it is omitted.
         if let Some(fault) = last.fault.and_then(|fault| self.found.get_mut(fault)) {
             fault.labels.push(Label { span, text });
         }
@@ -340,7 +340,7 @@ impl Matcher<'_> {
         if let Some(place) = self.return_in(&open) {
             fault = fault
                 .label(place, Structuring::ReturnOfGosub)
-                .help(Habit::SubEnd);
+                .help(ForeignWord::SubEnd);
         }
         if let Some(nested) = open.nested.first() {
             let text = Structuring::SubroutineBefore { closer };
@@ -402,7 +402,7 @@ impl Matcher<'_> {
 /// Finds the starts of statements whose first word the language lacks, or that open a block as another one does.
 fn foreign_statements(module: &Module, found: &[Diagnostic]) -> HashSet<usize> {
     let starts = found.iter().filter_map(|it| {
-        let opens = [Habit::NoColon, Habit::NoBraces].map(Message::from);
+        let opens = [ForeignWord::NoColon, ForeignWord::NoBraces].map(Message::from);
         match opens.contains(&it.reason) {
             true => module
                 .statement_at(it.span.start)

@@ -4,7 +4,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::keywords::{self, Keyword};
 use crate::lex::{Kind, Token, lex};
-use crate::message::{Habit, Message, Structuring};
+use crate::message::{ForeignWord, Message, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, upper_case};
 use std::collections::HashMap;
@@ -27,9 +27,9 @@ pub(super) fn blame(source: &Source, module: &Module, found: &mut [Diagnostic]) 
     let word = upper_case(source.slice(first.span));
     let is_label = tokens.get(1).is_some_and(|next| next.kind == Kind::Colon);
     let keyword = keywords::find(&word, module.edition);
-    for finding in found {
-        let is_missing = match (&finding.reason, finding.code) {
-            (_, Code::UnknownLabel) => is_label && finding.subject.as_deref() == Some(&*word),
+    for diagnostic in found {
+        let is_missing = match (&diagnostic.reason, diagnostic.code) {
+            (_, Code::UnknownLabel) => is_label && diagnostic.subject.as_deref() == Some(&*word),
             (_, Code::NoEnd) => keyword == Some(Keyword::End) && tokens.len() == 1,
             (Message::Structuring(Structuring::NothingOpen { opener, .. }), _) => {
                 keyword == Some(*opener)
@@ -37,8 +37,8 @@ pub(super) fn blame(source: &Source, module: &Module, found: &mut [Diagnostic]) 
             _ => false,
         };
         if is_missing {
-            let blamed = finding.clone().label(first.span, Habit::TitleHere);
-            *finding = blamed.help(Habit::Title);
+            let blamed = diagnostic.clone().label(first.span, ForeignWord::TitleHere);
+            *diagnostic = blamed.help(ForeignWord::Title);
         }
     }
 }

@@ -1,12 +1,12 @@
 //! Notes every place that names a variable or label, in the order of the text.
 
 use super::labels::Labels;
-use super::names::{Meant, Names};
+use super::names::{Names, ResolvedOperand};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::names::LIMIT;
 use crate::message::phrase::{Assign, Lacking};
-use crate::message::{Commanding, Message, Naming, Parsing, Suggesting};
+use crate::message::{Commanding, Message, Naming, Parsing, Suggestion};
 use crate::parse::narrow;
 use crate::program::VariableId;
 use crate::source::{Source, Span};
@@ -109,17 +109,17 @@ impl<'a> Uses<'a> {
     pub(super) fn jump(&mut self, statement: usize, jump: &Jump, access: Access) {
         let left_out = Span::new(jump.keyword.end, jump.keyword.end);
         let place = jump.label.as_ref().map_or(left_out, |label| label.span);
-        if let Some(label) = self.labels.meant(statement, jump) {
+        if let Some(label) = self.labels.target_of(statement, jump) {
             self.note(place, self.label(label), access);
         }
     }
 
     /// Records an operand that stands for something of this meaning.
-    pub(super) fn operand(&mut self, operand: &Operand, meant: Meant, access: Access) {
+    pub(super) fn operand(&mut self, operand: &Operand, meant: ResolvedOperand, access: Access) {
         let (variable, member) = match meant {
-            Meant::Constant(_) => return,
-            Meant::Struct { variable, .. } => (variable, None),
-            Meant::Scalar { scalar, member, .. } => {
+            ResolvedOperand::Constant(_) => return,
+            ResolvedOperand::Struct { variable, .. } => (variable, None),
+            ResolvedOperand::Scalar { scalar, member, .. } => {
                 let index = u8::try_from(scalar.member).ok();
                 (scalar.variable, index.filter(|_| member))
             }
@@ -238,7 +238,7 @@ fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
 }
 
 /// Reports reads that nothing assigned, and variables that serve nothing.
-pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Findings) {
+pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Diagnostics) {
     let mut serves = vec![Service::default(); names.variables.len()];
     for used in named.symbols.all_uses() {
         if let Some(service) = serves.get_mut(used.definition.index()) {
@@ -246,10 +246,12 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         }
     }
     // A misspelled name was to use the one that it is near to.
-    let meant = found.iter().filter_map(|finding| match &finding.help {
-        Some(Message::Suggesting(Suggesting::DidYouMean { near })) => Some(near.to_string()),
-        _ => None,
-    });
+    let meant = found
+        .iter()
+        .filter_map(|diagnostic| match &diagnostic.help {
+            Some(Message::Suggestion(Suggestion::DidYouMean { near })) => Some(near.to_string()),
+            _ => None,
+        });
     let meant: HashSet<String> = meant.collect();
     let lacks_name = found.iter().any(lacks_name);
     for (id, variable) in names.variables.iter().enumerate() {
@@ -263,7 +265,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         if lacks_name && !assigned && variable.kind == VariableKind::Var {
             continue;
         }
-        let finding = match (read, assigned, names.declared[id]) {
+        let diagnostic = match (read, assigned, names.declared[id]) {
             (Some(read), false, declared) => {
                 let place = read.operand(source);
                 Some(never_assigned(name, variable.kind, place, declared))
@@ -278,17 +280,17 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
             }
             _ => None,
         };
-        found.extend(finding);
+        found.extend(diagnostic);
     }
 }
 
 /// Returns true if a statement lacks the variable that it assigns: `FOR 1 TO 4`, `AD_IN VR1`.
-fn lacks_name(finding: &Diagnostic) -> bool {
+fn lacks_name(diagnostic: &Diagnostic) -> bool {
     let missing = |what| Message::from(Commanding::Missing { what });
-    finding.reason == Parsing::VariableBelongsHere.into()
+    diagnostic.reason == Parsing::VariableBelongsHere.into()
         || [Lacking::Volts, Lacking::Measured]
             .into_iter()
-            .any(|what| finding.reason == missing(what))
+            .any(|what| diagnostic.reason == missing(what))
 }
 
 /// Use of a variable by a program.

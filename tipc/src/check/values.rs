@@ -1,7 +1,7 @@
 //! The values of commands: numbers with their flags, or a struct in their place.
 
 use super::equations::type_of;
-use super::names::Meant;
+use super::names::ResolvedOperand;
 use super::resolve::Resolver;
 use super::resolved;
 use super::targets::word;
@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::commands::{self, Arguments, Form, Targets, Values};
 use crate::message::phrase::Numbers;
-use crate::message::{Commanding, Habit};
+use crate::message::{Commanding, ForeignWord};
 use crate::program::{self, Argument, Mark};
 use crate::source::Span;
 use crate::symbols::Access;
@@ -71,7 +71,7 @@ impl Resolver<'_> {
         let id = whole.and_then(|name| self.names.find(name));
         if let (None, Some(_), [operand]) = (id, whole, &operands[flagged..]) {
             // The only operand can only be meant as a struct.
-            self.meant_as(operand, Code::Argument, Some(kind))?;
+            self.resolve_operand_as(operand, Code::Argument, Some(kind))?;
         }
         let id = match id.map(|id| (id, self.names.variables[id].kind)) {
             None | Some((_, VariableKind::Var)) => {
@@ -146,16 +146,16 @@ impl Resolver<'_> {
         let Some(text) = word(operand) else {
             return false;
         };
-        let habit = if text.parse::<Target>().is_ok() {
+        let advice = if text.parse::<Target>().is_ok() {
             let command = name.node.clone();
-            Some(Habit::OneTarget { command })
+            Some(ForeignWord::OneTarget { command })
         } else {
             glued_flag(form, text)
         };
-        let Some((habit, fault)) = habit.zip(self.found.get_mut(told)) else {
+        let Some((advice, fault)) = advice.zip(self.found.get_mut(told)) else {
             return false;
         };
-        fault.help = Some(habit.into());
+        fault.help = Some(advice.into());
         true
     }
 
@@ -187,8 +187,8 @@ impl Resolver<'_> {
         {
             let command = name.node.clone();
             let help = match takes_target(&command) {
-                true => Habit::OneTarget { command },
-                false => Habit::NoTarget { command },
+                true => ForeignWord::OneTarget { command },
+                false => ForeignWord::NoTarget { command },
             };
             fault.help = Some(help.into());
         }
@@ -227,11 +227,13 @@ impl Resolver<'_> {
         operand: &Operand,
         shape: Code,
     ) -> Option<program::Operand> {
-        let meant = self.meant_as(operand, shape, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         match meant {
-            Meant::Constant(_) | Meant::Scalar { member: false, .. } => meant.number(),
-            Meant::Scalar { .. } | Meant::Struct { .. } => {
+            ResolvedOperand::Constant(_) | ResolvedOperand::Scalar { member: false, .. } => {
+                meant.number()
+            }
+            ResolvedOperand::Scalar { .. } | ResolvedOperand::Struct { .. } => {
                 let reason = Commanding::ConstantOrVar;
                 let fault = Diagnostic::new(shape, operand.span, reason);
                 self.report(fault.help(Commanding::CopyIntoVar));
@@ -245,12 +247,12 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
-                if let Some(habit) = self.extra_word(name, operand, extra.len() > 1) {
+                if let Some(advice) = self.extra_word(name, operand, extra.len() > 1) {
                     let reason = Commanding::TooMany {
                         command: name.node.clone(),
                     };
                     let fault = Diagnostic::new(Code::Argument, operand.span, reason);
-                    self.report(fault.help(habit));
+                    self.report(fault.help(advice));
                     return None;
                 }
                 let reason = match name.node.as_str() {
@@ -266,39 +268,39 @@ impl Resolver<'_> {
     }
 
     /// Returns the foreign spelling that an argument too many is, if it is one.
-    fn extra_word(&self, name: &Word, operand: &Operand, has_more: bool) -> Option<Habit> {
+    fn extra_word(&self, name: &Word, operand: &Operand, has_more: bool) -> Option<ForeignWord> {
         match word(operand) {
             Some(word)
                 if has_more && foreign::is_speed(word) && self.names.find(word).is_none() =>
             {
-                Some(Habit::Speed)
+                Some(ForeignWord::Speed)
             }
-            Some(FAST) => Some(Habit::FastFirst {
+            Some(FAST) => Some(ForeignWord::FastFirst {
                 command: name.node.clone(),
             }),
             Some(word) if word.parse::<Target>().is_ok() => {
                 let command = name.node.clone();
                 Some(match takes_target(&command) {
-                    true => Habit::OneTarget { command },
-                    false => Habit::NoTarget { command },
+                    true => ForeignWord::OneTarget { command },
+                    false => ForeignWord::NoTarget { command },
                 })
             }
-            Some(word) if commands::find(word).is_some() => Some(Habit::NextStatement),
+            Some(word) if commands::find(word).is_some() => Some(ForeignWord::NextStatement),
             Some(unit) if foreign::is_unit(unit) && self.names.find(unit).is_none() => {
-                Some(Habit::NoUnit)
+                Some(ForeignWord::NoUnit)
             }
             _ => self.comma_in_number(operand),
         }
     }
 
     /// `1,000` or `4,5`: digits right after a comma that digits precede.
-    fn comma_in_number(&self, operand: &Operand) -> Option<Habit> {
+    fn comma_in_number(&self, operand: &Operand) -> Option<ForeignWord> {
         let text = self.source_before(operand.span)?.strip_suffix(',')?;
         let digits = |c: char| c.is_ascii_digit();
         let before = &text[text.trim_end_matches(digits).len()..];
         let after = self.slice(operand.span);
         let is_number = !before.is_empty() && after.chars().all(digits);
-        is_number.then(|| Habit::Comma {
+        is_number.then(|| ForeignWord::Comma {
             whole: format!("{before}{after}").into(),
             point: format!("{before}.{after}").into(),
         })
@@ -336,12 +338,12 @@ fn takes_target(command: &str) -> bool {
 }
 
 /// `R50`, where `R 50` was meant.
-fn glued_flag(form: Arguments, word: &str) -> Option<Habit> {
+fn glued_flag(form: Arguments, word: &str) -> Option<ForeignWord> {
     let flag = [RELATIVE, ABSOLUTE].into_iter().find(|flag| {
         let number = word.strip_prefix(*flag).unwrap_or_default();
         form.motion && !number.is_empty() && number.chars().all(|c| c.is_ascii_digit())
     })?;
-    Some(Habit::FlagApart {
+    Some(ForeignWord::FlagApart {
         flag,
         number: word[flag.len()..].into(),
     })

@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::Bilingual;
 use crate::message::list::List;
 use crate::message::phrase::Kind;
-use crate::message::{Describing, Message, Suggesting};
+use crate::message::{Describing, Message, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use toml::Spanned;
@@ -80,7 +80,7 @@ impl<'a> Section<'a> {
         let mut beside = self.part.beside().iter();
         let elsewhere = beside.find(|part| part.key(name).is_some());
         let help: Message = match (nearest(name, names()), elsewhere) {
-            (Some(near), _) => Suggesting::DidYouMean { near: near.into() }.into(),
+            (Some(near), _) => Suggestion::DidYouMean { near: near.into() }.into(),
             (None, Some(part)) => Describing::BelongsTo {
                 key: key.clone(),
                 table: part.table(),
@@ -231,7 +231,7 @@ impl<'a> Section<'a> {
         let Some(near) = nearest(&word.to_lowercase(), known) else {
             return self.refuse(key, place, reason, found);
         };
-        let help = Suggesting::DidYouMean { near: near.into() };
+        let help = Suggestion::DidYouMean { near: near.into() };
         found.push(fault(self.part, place, reason, help));
         None
     }

@@ -1,4 +1,4 @@
-//! Finding a word's row.
+//! Diagnostic a word's row.
 
 /// The most bytes that a word of the language has.
 const LONGEST: usize = 32;

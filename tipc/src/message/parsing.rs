@@ -326,12 +326,3 @@ messages! {
         "save the file in that encoding, or name the right one",
         "その文字コードで保存するか、正しい文字コードを指定してください";
 }
-
-messages! {
-    /// Suggestions.
-    Suggesting;
-
-    DidYouMean { near: SmolStr }
-        "did you mean `{near}`?",
-        "`{near}` の間違いではありませんか?";
-}

@@ -6,7 +6,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::lex::{BLANKS, DELIMITERS, Kind, Token, delimiter};
-use crate::message::{Habit, Message, Parsing};
+use crate::message::{ForeignWord, Message, Parsing};
 use crate::source::{Span, first_beyond};
 use crate::syntax::{Operand, Shape, Spanned, StatementKind, Word, upper_case};
 
@@ -39,12 +39,12 @@ impl Reader<'_> {
                     .before()
                     .is_some_and(|it| foreign::is_unit(self.slice(it.span))) =>
             {
-                Habit::NoUnit.into()
+                ForeignWord::NoUnit.into()
             }
-            Kind::Arithmetic(_) if self.names_axes() => Habit::ArgumentNames.into(),
-            Kind::Arithmetic(_) => Habit::CalculateArgument.into(),
-            Kind::Assign(_) => Habit::ArgumentNames.into(),
-            Kind::Colon if self.names_axes() => Habit::ArgumentNames.into(),
+            Kind::Arithmetic(_) if self.names_axes() => ForeignWord::ArgumentNames.into(),
+            Kind::Arithmetic(_) => ForeignWord::CalculateArgument.into(),
+            Kind::Assign(_) => ForeignWord::ArgumentNames.into(),
+            Kind::Colon if self.names_axes() => ForeignWord::ArgumentNames.into(),
             _ => Parsing::SeparateArguments.into(),
         };
         self.fault_with_help(token.span, reason, help)

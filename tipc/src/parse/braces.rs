@@ -7,7 +7,7 @@ use crate::foreign;
 use crate::language::reserved::LOOP;
 use crate::language::{Keyword, commands, keywords};
 use crate::lex::{Kind, Token};
-use crate::message::{Commanding, Habit, Parsing};
+use crate::message::{Commanding, ForeignWord, Parsing};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, upper_case};
 
@@ -53,7 +53,7 @@ impl Parser<'_> {
     pub(super) fn opened_block(&mut self, place: Span, opening: Token, before: usize) {
         let word = upper_case(self.source.slice(place));
         let (reason, help) = match opening.kind {
-            Kind::Colon => (Habit::NoColon, Habit::WriteThen),
+            Kind::Colon => (ForeignWord::NoColon, ForeignWord::WriteThen),
             // That closes and opens a block, which is reported: `} ELSE {`.
             _ if word == CLOSE => return,
             // All of the statement is of another language: `SWITCH (A) {`.
@@ -61,13 +61,13 @@ impl Parser<'_> {
                 let is_routine = self.diagnostics.len() > before;
                 if word == LOOP {
                     let reason = Commanding::NoCommand { word: LOOP.into() };
-                    self.report_unknown(place, LOOP, reason, Habit::Forever);
+                    self.report_unknown(place, LOOP, reason, ForeignWord::Forever);
                 }
                 return self.braces.push(is_routine);
             }
             _ => {
                 self.braces.push(true);
-                (Habit::NoBraces, Habit::Braces)
+                (ForeignWord::NoBraces, ForeignWord::Braces)
             }
         };
         let lacks_then = |fault: &Diagnostic| {
@@ -95,7 +95,7 @@ impl Parser<'_> {
                     // The block that ends here began without a brace.
                     (None, Some(Keyword::Else)) => {
                         let reason = Commanding::NoCommand { word: CLOSE.into() };
-                        self.report_unknown(word, CLOSE, reason, Habit::Braces);
+                        self.report_unknown(word, CLOSE, reason, ForeignWord::Braces);
                         true
                     }
                     (None, _) => return None,
@@ -132,7 +132,7 @@ impl Parser<'_> {
         // Its IF lacks THEN, which is reported.
         if !matches!(before, Some(StatementKind::Broken(_))) {
             let reason = Commanding::NoCommand { word: OPEN.into() };
-            self.report_unknown(word, OPEN, reason, Habit::Braces);
+            self.report_unknown(word, OPEN, reason, ForeignWord::Braces);
         }
         Shape::Plain
     }
@@ -146,7 +146,7 @@ impl Parser<'_> {
         if self.source.slice(line).trim_end().ends_with(OPEN) {
             self.braces.push(true);
         }
-        let fault = Diagnostic::new(Code::Argument, place, Habit::ForCounts);
+        let fault = Diagnostic::new(Code::Argument, place, ForeignWord::ForCounts);
         self.report(fault.help(Parsing::WriteFor));
         self.push(StatementKind::Broken(Shape::For), span);
         Flow::NextLine

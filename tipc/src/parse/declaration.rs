@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run};
-use crate::message::{Habit, Instead, Naming, Parsing};
+use crate::message::{ForeignWord, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, StatementKind, VariableKind, Word};
 
@@ -36,7 +36,7 @@ impl Parser<'_> {
         let types = self.types(tokens);
         if let (Some(first), false) = (types.first(), reported) {
             let fault = Diagnostic::new(Code::Argument, *first, Parsing::OnlyNames);
-            self.report(fault.help(Instead::TypeLeftOut));
+            self.report(fault.help(Suggestion::TypeLeftOut));
         }
         let reader = Reader::new(self.text, tokens, 0, Code::Argument);
         let glued = hyphened(tokens);
@@ -95,7 +95,7 @@ impl Parser<'_> {
         let first = self.define(kind, keyword, &tokens[..at], reported);
         self.push(first, keyword);
         let fault = Diagnostic::new(Code::Argument, second, Parsing::OnlyNames);
-        self.report(fault.help(Habit::NextStatement));
+        self.report(fault.help(ForeignWord::NextStatement));
         let kind = keywords::find(self.source.slice(second), self.module.edition)
             .and_then(declared_kind)
             .unwrap_or(kind);
@@ -141,7 +141,7 @@ impl Parser<'_> {
         let reason = Naming::NoVariableName {
             word: written.as_str().into(),
         };
-        let help = Habit::NoHyphen {
+        let help = ForeignWord::NoHyphen {
             name: written.replace('-', "_").into(),
         };
         let fault = Diagnostic::new(Code::Argument, place, reason);
@@ -219,7 +219,11 @@ fn odd_in_declaration(
                 VariableKind::Pos => format!("{name}.X").into(),
                 VariableKind::Joint => format!("{name}.J1").into(),
             };
-            reader.fault_with_help(place.span, Habit::NoInitial, Habit::Initial { name })
+            reader.fault_with_help(
+                place.span,
+                ForeignWord::NoInitial,
+                ForeignWord::Initial { name },
+            )
         }
         _ => reader.fault_with_help(place.span, Parsing::OnlyNames, Parsing::SeparateNames),
     })

@@ -1,7 +1,7 @@
-//! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
+//! Statements as other languages write them: each is one diagnostic, and what it opens or closes counts as what was meant.
 
 use super::jump::{joined, label_of, marked, spread};
-use super::statement::meant;
+use super::statement::intended_shape;
 use super::{Parser, narrow};
 use crate::code::Code;
 use crate::diagnostic::MOST;
@@ -12,7 +12,7 @@ use crate::language::commands::{COMMANDS, Meaning};
 use crate::language::reserved::{JOINT, LOOP, POSITION};
 use crate::language::{Edition, Keyword, commands, keywords, names};
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Commanding, Habit, Instead, Message, Naming, Parsing, Suggesting};
+use crate::message::{Commanding, ForeignWord, Message, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{
@@ -93,9 +93,9 @@ impl Parser<'_> {
         let first = text.split_whitespace().next().unwrap_or_default();
         let place = Span::new(span.start, span.start + first.len());
         let help = if self.in_comment.is_some() {
-            Habit::EachLine
+            ForeignWord::EachLine
         } else {
-            Habit::Comment
+            ForeignWord::Comment
         };
         let reason = Commanding::NoCommand { word: first.into() };
         self.report_unknown(place, first, reason, help);
@@ -148,7 +148,7 @@ impl Parser<'_> {
         let mut line = before.take_while(|it| it.line == self.line.number);
         let shows = |statement: Span| {
             let row = foreign::statement(foreign::name(self.source.slice(statement)));
-            row.is_some_and(|row| matches!(row.habit, Habit::ShowText | Habit::KeyIn))
+            row.is_some_and(|row| matches!(row.advice, ForeignWord::ShowText | ForeignWord::KeyIn))
         };
         let is_known = foreign::statement(self.source.slice(word)).is_some();
         // A label or an equation may begin with such a word.
@@ -221,7 +221,7 @@ impl Parser<'_> {
             return None;
         }
         let reason = Commanding::NoCommand { word: text.clone() };
-        self.report_unknown(word, &text, reason, Habit::Comment);
+        self.report_unknown(word, &text, reason, ForeignWord::Comment);
         Some(StatementKind::Broken(Shape::Plain))
     }
 
@@ -231,12 +231,12 @@ impl Parser<'_> {
             return None;
         }
         let (means, help): (_, Message) = match foreign::statement(&text) {
-            Some(row) => (row.means, row.habit.clone().into()),
+            Some(row) => (row.means, row.advice.clone().into()),
             None => {
                 let near = self.misspelt(&text)?;
                 (
                     means(near).filter(|means| fits(means, self.text, tokens))?,
-                    Suggesting::DidYouMean { near: near.into() }.into(),
+                    Suggestion::DidYouMean { near: near.into() }.into(),
                 )
             }
         };
@@ -250,17 +250,21 @@ impl Parser<'_> {
                 if self.is_routine(means, tokens) =>
             {
                 let help = match self.names_main(tokens) {
-                    true => Habit::FromTheTop.into(),
-                    false if matches!(means, Means::Declaration(_)) => Habit::Subroutine.into(),
+                    true => ForeignWord::FromTheTop.into(),
+                    false if matches!(means, Means::Declaration(_)) => {
+                        ForeignWord::Subroutine.into()
+                    }
                     false => help,
                 };
                 self.report_unknown(word, &text, reason, help);
                 return Some(self.subroutine_named(word, tokens));
             }
-            Means::Keyword(keyword) => StatementKind::Broken(meant(keyword, self.text, tokens)),
+            Means::Keyword(keyword) => {
+                StatementKind::Broken(intended_shape(keyword, self.text, tokens))
+            }
             Means::Declaration(kind) => match self.second_of_two(tokens) {
                 Some((keyword, kind)) => {
-                    let help = Habit::InOneWord {
+                    let help = ForeignWord::InOneWord {
                         word: keyword.into(),
                     };
                     self.report_unknown(word, &text, reason, help);
@@ -304,7 +308,7 @@ impl Parser<'_> {
             word,
             &text,
             reason,
-            Suggesting::DidYouMean { near: near.into() },
+            Suggestion::DidYouMean { near: near.into() },
         );
         self.push(StatementKind::End, word);
     }
@@ -340,8 +344,8 @@ impl Parser<'_> {
             _ => return,
         };
         let word = Keyword::ElseIf;
-        let fault = Diagnostic::new(Code::Format, place, Habit::ElseIfInTwo);
-        self.report(fault.help(Habit::InOneWord { word: word.into() }));
+        let fault = Diagnostic::new(Code::Format, place, ForeignWord::ElseIfInTwo);
+        self.report(fault.help(ForeignWord::InOneWord { word: word.into() }));
     }
 
     /// Returns the word after END on its line.
@@ -383,43 +387,55 @@ impl Parser<'_> {
             return None;
         }
         let word = upper_case(self.source.slice(name.span));
-        let assign = Habit::Assign { name: word.clone() };
-        let (reason, help): (Habit, Message) = match (operator.kind, next.map(|next| next.kind)) {
-            (Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)), Some(second))
-                if second == operator.kind && rest.len() == 1 =>
-            {
-                let signs = self.source.slice(both).into();
-                let sign = if sign == Arithmetic::Add { "+" } else { "-" };
-                let help = Habit::Increment {
-                    name: word.clone(),
-                    sign: sign.into(),
-                };
-                (Habit::NoOperator { sign: signs }, help.into())
-            }
-            (Kind::Relation(Relation::Eq), _) => (Habit::CompareAsStatement, assign.into()),
-            (Kind::Arithmetic(_), Some(Kind::Assign(None))) => {
-                let sign = format!("{}=", self.source.slice(operator.span)).into();
-                let help = Habit::Update { name: word.clone() };
-                (Habit::SplitOperator { sign }, help.into())
-            }
-            (Kind::Word, Some(Kind::Assign(None))) if self.source.slice(operator.span) == "%" => {
-                let sign = self.source.slice(both).into();
-                (Habit::NoOperator { sign }, Habit::Remainder.into())
-            }
-            (Kind::Arithmetic(Arithmetic::Sub), Some(Kind::Relation(Relation::Gt))) => {
-                let member = rest.get(1).map(|member| self.source.slice(member.span));
-                let text = upper_case(&format!("{word}.{}", member.unwrap_or_default()));
-                let sign = self.source.slice(both).into();
-                (Habit::NoOperator { sign }, Instead::Write { text }.into())
-            }
-            (Kind::Colon, Some(Kind::Assign(None))) => {
-                let sign = self.source.slice(both).into();
-                let fault = Diagnostic::new(Code::Equation, both, Habit::NoOperator { sign });
-                self.report(fault.help(assign));
-                return Some(StatementKind::Broken(Shape::Plain));
-            }
-            _ => return None,
-        };
+        let assign = ForeignWord::Assign { name: word.clone() };
+        let (reason, help): (ForeignWord, Message) =
+            match (operator.kind, next.map(|next| next.kind)) {
+                (Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)), Some(second))
+                    if second == operator.kind && rest.len() == 1 =>
+                {
+                    let signs = self.source.slice(both).into();
+                    let sign = if sign == Arithmetic::Add { "+" } else { "-" };
+                    let help = ForeignWord::Increment {
+                        name: word.clone(),
+                        sign: sign.into(),
+                    };
+                    (ForeignWord::NoOperator { sign: signs }, help.into())
+                }
+                (Kind::Relation(Relation::Eq), _) => {
+                    (ForeignWord::CompareAsStatement, assign.into())
+                }
+                (Kind::Arithmetic(_), Some(Kind::Assign(None))) => {
+                    let sign = format!("{}=", self.source.slice(operator.span)).into();
+                    let help = ForeignWord::Update { name: word.clone() };
+                    (ForeignWord::SplitOperator { sign }, help.into())
+                }
+                (Kind::Word, Some(Kind::Assign(None)))
+                    if self.source.slice(operator.span) == "%" =>
+                {
+                    let sign = self.source.slice(both).into();
+                    (
+                        ForeignWord::NoOperator { sign },
+                        ForeignWord::Remainder.into(),
+                    )
+                }
+                (Kind::Arithmetic(Arithmetic::Sub), Some(Kind::Relation(Relation::Gt))) => {
+                    let member = rest.get(1).map(|member| self.source.slice(member.span));
+                    let text = upper_case(&format!("{word}.{}", member.unwrap_or_default()));
+                    let sign = self.source.slice(both).into();
+                    (
+                        ForeignWord::NoOperator { sign },
+                        Suggestion::Write { text }.into(),
+                    )
+                }
+                (Kind::Colon, Some(Kind::Assign(None))) => {
+                    let sign = self.source.slice(both).into();
+                    let fault =
+                        Diagnostic::new(Code::Equation, both, ForeignWord::NoOperator { sign });
+                    self.report(fault.help(assign));
+                    return Some(StatementKind::Broken(Shape::Plain));
+                }
+                _ => return None,
+            };
         self.report_unknown(name.span, &word, reason, help);
         Some(StatementKind::Broken(Shape::Plain))
     }
@@ -447,9 +463,9 @@ impl Parser<'_> {
             // `P,X = 1`
             [_, _] if is_member(&member) && !is_list_after(tokens, equals) => {
                 let text = format!("{name}.{member}").into();
-                Instead::Write { text }.into()
+                Suggestion::Write { text }.into()
             }
-            _ => Habit::AssignEach { name }.into(),
+            _ => ForeignWord::AssignEach { name }.into(),
         };
         self.report(fault.help(help));
         Some(StatementKind::Broken(Shape::Plain))
@@ -469,10 +485,10 @@ impl Parser<'_> {
         }
         let sign = self.source.slice(first.span);
         let both = first.span.to(second.span);
-        let reason = Habit::NoOperator {
+        let reason = ForeignWord::NoOperator {
             sign: self.source.slice(both).into(),
         };
-        let help = Habit::Increment {
+        let help = ForeignWord::Increment {
             name: upper_case(self.source.slice(name.span)),
             sign: sign.into(),
         };
@@ -505,13 +521,13 @@ impl Parser<'_> {
             return None;
         }
         let shape = match command.map(|command| command.meaning) {
-            Some(Meaning::Keyword(keyword)) => meant(keyword, self.text, &tokens[1..]),
+            Some(Meaning::Keyword(keyword)) => intended_shape(keyword, self.text, &tokens[1..]),
             _ => Shape::Plain,
         };
         match self.numbered {
             Some(first) => {
-                let text = Instead::NumberedToo.into();
-                // Of too many findings it is omitted.
+                let text = Suggestion::NumberedToo.into();
+                // Of too many diagnostics it is omitted.
                 if let Some(first) = self.diagnostics.get_mut(first)
                     && first.labels.len() < MOST
                 {
@@ -521,7 +537,7 @@ impl Parser<'_> {
             None => {
                 self.numbered = Some(self.diagnostics.len());
                 let reason = Commanding::NoCommand { word: text.into() };
-                self.report_unknown(word, text, reason, Instead::NoNumbers);
+                self.report_unknown(word, text, reason, Suggestion::NoNumbers);
             }
         }
         Some(StatementKind::Broken(shape))

@@ -7,7 +7,7 @@ use crate::foreign::Means;
 use crate::language::reserved::LOOP;
 use crate::language::{Keyword, commands, names};
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Message, Naming, Parsing};
+use crate::message::{ForeignWord, Message, Naming, Parsing};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Jump, Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
@@ -153,12 +153,12 @@ impl Reader<'_> {
                 if let Some(name) = with_parameters(&word.node) {
                     let fault = self.fault(word.span, Parsing::LabelColonMissing);
                     let fault = fault.once(name.clone());
-                    return Err(fault.help(Habit::NoParameters { name }).into());
+                    return Err(fault.help(ForeignWord::NoParameters { name }).into());
                 }
                 let name = bare(&word.node);
                 let is_number = name.chars().all(|c| c.is_ascii_digit());
                 let help: Message = match is_number {
-                    true => Habit::NoLineNumbers { name }.into(),
+                    true => ForeignWord::NoLineNumbers { name }.into(),
                     false => Parsing::WriteLabel { name }.into(),
                 };
                 Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help))

@@ -7,7 +7,7 @@ use crate::foreign;
 use crate::language::commands::Meaning;
 use crate::language::{Keyword, commands, keywords, names};
 use crate::lex::{DELIMITERS, Piece, Pieces, foreign_run, split_comment, word_end};
-use crate::message::{Habit, Instead, Message, Naming, Parsing};
+use crate::message::{ForeignWord, Message, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
@@ -65,7 +65,7 @@ impl Parser<'_> {
         let reason = Naming::WordOfLanguage {
             word: word_of.clone(),
         };
-        let help = Habit::WithoutColon { word: word_of };
+        let help = ForeignWord::WithoutColon { word: word_of };
         self.report(Diagnostic::new(Code::Argument, word, reason).help(help));
         self.push(StatementKind::Broken(shape), span);
         flow
@@ -88,11 +88,11 @@ impl Parser<'_> {
                 Some(Parsing::WriteLabel { name }.into())
             }
             Meaning::Keyword(Keyword::Return | Keyword::Exit) if is_apart => {
-                Some(Instead::ColonSeparates.into())
+                Some(Suggestion::ColonSeparates.into())
             }
             Meaning::Keyword(_) => None,
-            _ if is_apart => Some(Instead::ColonSeparates.into()),
-            _ => Some(Habit::WithoutColon { word }.into()),
+            _ if is_apart => Some(Suggestion::ColonSeparates.into()),
+            _ => Some(ForeignWord::WithoutColon { word }.into()),
         }
     }
 
@@ -153,7 +153,7 @@ impl Parser<'_> {
                 length: name.node.len(),
             };
             let fault = Diagnostic::new(Code::Format, name.span, reason);
-            self.report(fault.help(Instead::ShorterName));
+            self.report(fault.help(Suggestion::ShorterName));
         }
     }
 
@@ -167,33 +167,33 @@ impl Parser<'_> {
         let mut diagnostic = Diagnostic::new(Code::Format, place, reason);
         let before = &self.text[self.line.span.start..place.start];
         if let Some(plain) = text.chars().next().and_then(foreign::plain) {
-            diagnostic = diagnostic.help(Habit::Plain { plain });
+            diagnostic = diagnostic.help(ForeignWord::Plain { plain });
         } else if text == LONG_VOWEL && self.text[place.end..].starts_with(is_digit) {
-            diagnostic = diagnostic.help(Habit::Plain { plain: "-" });
+            diagnostic = diagnostic.help(ForeignWord::Plain { plain: "-" });
         } else if foreign::is_range(text) && is_between_digits(before, &self.text[place.end..]) {
-            diagnostic = diagnostic.help(Instead::CountTo);
+            diagnostic = diagnostic.help(Suggestion::CountTo);
         } else if text == "。" && is_between_digits(before, &self.text[place.end..]) {
-            diagnostic = diagnostic.help(Habit::Plain { plain: "." });
+            diagnostic = diagnostic.help(ForeignWord::Plain { plain: "." });
         } else if text.chars().all(foreign::is_invisible) {
-            diagnostic = diagnostic.help(Instead::Invisible);
+            diagnostic = diagnostic.help(Suggestion::Invisible);
         } else if self.is_unit(place) {
-            diagnostic = diagnostic.help(Habit::NoUnit);
+            diagnostic = diagnostic.help(ForeignWord::NoUnit);
         } else if let Some(character) = self.quoted_key(place) {
-            diagnostic = diagnostic.help(Habit::Character { character });
+            diagnostic = diagnostic.help(ForeignWord::Character { character });
         } else if text.chars().all(char::is_whitespace) {
-            diagnostic = diagnostic.help(Habit::PlainBlank);
+            diagnostic = diagnostic.help(ForeignWord::PlainBlank);
         } else if foreign::ends_in_comment_mark(before)
             || foreign::comment_mark(text).is_some_and(|mark| !text[mark.len()..].is_ascii())
         {
-            diagnostic = diagnostic.help(Habit::Comment);
+            diagnostic = diagnostic.help(ForeignWord::Comment);
         } else if let Some(narrow) = half_width(text) {
             diagnostic = diagnostic.once(wide_name(&narrow));
             let narrow = self.narrow_statement(place).unwrap_or(narrow);
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if self.is_in_foreign_comment(place) {
-            diagnostic = diagnostic.help(Habit::Comment);
+            diagnostic = diagnostic.help(ForeignWord::Comment);
         } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(place) {
-            diagnostic = diagnostic.help(Instead::CommentOrName);
+            diagnostic = diagnostic.help(Suggestion::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
             diagnostic = diagnostic.once(text).help(Parsing::PlainNames);
         } else {

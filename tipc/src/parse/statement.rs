@@ -8,7 +8,7 @@ use crate::code::Code;
 use crate::foreign;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, lex};
-use crate::message::Instead;
+use crate::message::Suggestion;
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, VariableKind};
 
@@ -143,7 +143,7 @@ impl Parser<'_> {
         }
         let read = keyword.and_then(|keyword| self.control(keyword, word, tokens));
         if let Some(Err(fault) | Ok((_, Err(fault)))) = &read
-            && let Some(tokens) = condition::meant(fault, tokens)
+            && let Some(tokens) = condition::with_intended_relation(fault, tokens)
         {
             self.report((**fault).clone());
             return self.kind(keyword, word, &tokens, reported);
@@ -173,7 +173,7 @@ impl Parser<'_> {
             let fault = not_alone(keyword, word.span, next.span.to(last.span));
             let counts = self.source.slice(next.span).parse::<f64>().is_ok();
             self.report(match keyword {
-                Keyword::Repeat if counts => fault.help(Instead::CountTimes),
+                Keyword::Repeat if counts => fault.help(Suggestion::CountTimes),
                 _ => fault,
             });
         }
@@ -313,7 +313,7 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
 }
 
 /// Returns the shape of a statement that was meant to begin with `keyword`.
-pub(super) fn meant(keyword: Keyword, text: &str, tokens: &[Token]) -> Shape {
+pub(super) fn intended_shape(keyword: Keyword, text: &str, tokens: &[Token]) -> Shape {
     match keyword {
         Keyword::Else => Shape::Else,
         Keyword::EndIf => Shape::EndIf,

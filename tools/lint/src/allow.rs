@@ -126,15 +126,15 @@ impl Allows {
         }
     }
 
-    fn silences(&mut self, source: &Source, finding: &Diagnostic) -> bool {
-        let line = source.position(finding.span.start, Unit::Character).line;
+    fn silences(&mut self, source: &Source, diagnostic: &Diagnostic) -> bool {
+        let line = source.position(diagnostic.span.start, Unit::Character).line;
         let mut silences = false;
         for of in [None, Some(line)] {
-            let Some(alike) = self.by_line.get_mut(&(finding.code, of)) else {
+            let Some(alike) = self.by_line.get_mut(&(diagnostic.code, of)) else {
                 continue;
             };
             silences = true;
-            // The first finding marks all of them.
+            // The first diagnostic marks all of them.
             for allow in alike.drain(..) {
                 self.allows[allow].silences = true;
             }
@@ -147,8 +147,8 @@ impl Allows {
         let is_judged = |code: Code| code != Code::Allow && !is_found_later(code);
         let idle = |allow: &&Allow| !allow.silences && is_judged(allow.code);
         let idle = self.allows.iter().filter(idle).map(|allow| {
-            let finding = Diagnostic::new(Code::Allow, allow.place, Allowing::SilencesNothing);
-            finding.help(Allowing::TakeOut)
+            let diagnostic = Diagnostic::new(Code::Allow, allow.place, Allowing::SilencesNothing);
+            diagnostic.help(Allowing::TakeOut)
         });
         let mut found: Vec<Diagnostic> = self.faults.iter().cloned().chain(idle).collect();
         self.silence(source, &mut found);

@@ -1,5 +1,5 @@
-//! Fixes: for what a finding says, the changes of the text that put it right. It judges no program: what the checker knows
-//! is in the finding's messages, the rest in the statement around its place.
+//! Fixes: for what a diagnostic says, the changes of the text that put it right. It judges no program: what the checker knows
+//! is in the diagnostic's messages, the rest in the statement around its place.
 
 mod blocks;
 mod characters;
@@ -26,7 +26,7 @@ const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     declarations::fix,
 ];
 
-/// Gives each finding the fix that is known for it.
+/// Gives each diagnostic the fix that is known for it.
 pub(crate) fn attach(source: &Source, module: &Module, diagnostics: &mut [Diagnostic]) {
     let shared = Shared::default();
     for diagnostic in diagnostics {

@@ -28,7 +28,7 @@ use tipc::load::{Parsed, parsed};
 #[derive(Clone, Debug)]
 pub enum Refusal {
     /// It does not load; what is wrong with it.
-    Findings(Box<Loaded>),
+    Diagnostics(Box<Loaded>),
     /// It loads, and cannot be written in the style.
     Because(Formatting),
 }
@@ -47,7 +47,7 @@ pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Re
 ///
 /// # Errors
 ///
-/// The program loads for none of them: the findings are those for the robot with the fewest errors. Else as in [`format`].
+/// The program loads for none of them: the diagnostics are those for the robot with the fewest errors. Else as in [`format`].
 pub fn format_for(
     name: &str,
     bytes: &[u8],
@@ -70,7 +70,7 @@ pub fn format_for(
             (best, fewest) = (options, errors);
         }
     }
-    Err(Refusal::Findings(Box::new(load(name, bytes, &best))))
+    Err(Refusal::Diagnostics(Box::new(load(name, bytes, &best))))
 }
 
 /// Formats a program in the style; checks that the result is the same program.

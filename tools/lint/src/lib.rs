@@ -5,6 +5,7 @@
 
 mod allow;
 pub mod ask;
+pub mod coverage_points;
 pub mod cycles;
 mod fix;
 pub mod format;
@@ -13,7 +14,6 @@ pub mod listing;
 pub mod message;
 pub mod migrate;
 pub mod repair;
-pub mod spots;
 
 pub use tipc::{Loaded, Options};
 

@@ -32,8 +32,8 @@ pub fn label(program: &Program) -> String {
 }
 
 /// Renders WARNING.LOG: the warnings among the diagnostics of a source, one a line.
-pub fn warnings(source: &Source, findings: &[Diagnostic]) -> String {
-    let warnings = findings.iter().filter(|it| it.level() == Level::Warning);
+pub fn warnings(source: &Source, diagnostics: &[Diagnostic]) -> String {
+    let warnings = diagnostics.iter().filter(|it| it.level() == Level::Warning);
     warnings
         .map(|warning| render::classical(source, warning) + "\n")
         .collect()

@@ -28,7 +28,7 @@ tipc::count_table! {
 
 tipc::count_table! {
     /// A number of diagnostics.
-    Findings: "1 finding", "1件"; "{count} findings", "{count}件";
+    Diagnostics: "1 finding", "1件"; "{count} findings", "{count}件";
 }
 
 tipc::count_table! {

@@ -120,7 +120,7 @@ impl Migration {
 ///
 /// # Errors
 ///
-/// The findings about bytes that are not text, as [`load`] reports them.
+/// The diagnostics about bytes that are not text, as [`load`] reports them.
 pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let (source, undecodable) = Source::decode(name, bytes, encoding);
     if let Some(fault) = undecodable {

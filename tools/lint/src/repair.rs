@@ -1,6 +1,6 @@
 //! Applies fixes to a file until none is left that does what it says.
 //!
-//! A fix counts only if the changed text, read again, no longer has the finding and has no new one. All other bytes of the file stay
+//! A fix counts only if the changed text, read again, no longer has the diagnostic and has no new one. All other bytes of the file stay
 //! as they are.
 //!
 //! ```
@@ -40,7 +40,7 @@ const FEW: usize = 8;
 /// The most mistakes of one line that are put right one after the other.
 const HIDDEN: usize = 4;
 
-/// A finding that was put right.
+/// A diagnostic that was put right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Applied {
     /// Its line from 1, in the text that it was found in: fixes before it may have moved it.
@@ -48,7 +48,7 @@ pub struct Applied {
     /// Its column in characters from 1.
     pub column: u32,
     /// The diagnostic that was fixed.
-    pub finding: Diagnostic,
+    pub diagnostic: Diagnostic,
     /// The fix that removed it.
     pub fix: Fix,
 }
@@ -92,7 +92,7 @@ fn apply(loaded: Loaded, options: &Options, least: Applicability, often: usize) 
 }
 
 /// Keeps the fixes of what was loaded with `options` that do what they say: those that, applied alone or with others, put
-/// their finding right without a new one.
+/// their diagnostic right without a new one.
 pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
     let mut repair = Repair {
         options,
@@ -113,11 +113,11 @@ pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
         let mut accepted = None;
         repair.accept(&candidates, &mut accepted);
         tried.extend(candidates);
-        confirmed.extend(accepted.into_iter().flat_map(|it: Accepted| it.findings));
+        confirmed.extend(accepted.into_iter().flat_map(|it: Accepted| it.diagnostics));
     }
-    for (index, finding) in repair.loaded.diagnostics.iter_mut().enumerate() {
+    for (index, diagnostic) in repair.loaded.diagnostics.iter_mut().enumerate() {
         if !confirmed.contains(&index) {
-            finding.fixes.clear();
+            diagnostic.fixes.clear();
         }
     }
     repair.loaded
@@ -135,9 +135,9 @@ struct Repair<'a> {
     loaded: Loaded,
 }
 
-/// The findings that are put right together, and what comes of the file.
+/// The diagnostics that are put right together, and what comes of the file.
 struct Accepted {
-    findings: Vec<usize>,
+    diagnostics: Vec<usize>,
     /// Hidden mistakes, which are fixed as well.
     hidden: Vec<Applied>,
     loaded: Loaded,
@@ -152,7 +152,7 @@ impl Repair<'_> {
         let Some(accepted) = accepted else {
             return false;
         };
-        let applied = self.applied(&self.loaded, &accepted.findings);
+        let applied = self.applied(&self.loaded, &accepted.diagnostics);
         self.applied.extend(applied);
         self.applied.extend(accepted.hidden);
         self.loaded = accepted.loaded;
@@ -160,47 +160,47 @@ impl Repair<'_> {
     }
 
     /// Returns what the fixes of these diagnostics remove.
-    fn applied(&self, before: &Loaded, findings: &[usize]) -> Vec<Applied> {
-        let applied = findings.iter().filter_map(|index| {
-            let finding = &before.diagnostics[*index];
-            let (line, column) = before.source.line_column(finding.span.start);
+    fn applied(&self, before: &Loaded, diagnostics: &[usize]) -> Vec<Applied> {
+        let applied = diagnostics.iter().filter_map(|index| {
+            let diagnostic = &before.diagnostics[*index];
+            let (line, column) = before.source.line_column(diagnostic.span.start);
             Some(Applied {
                 line,
                 column,
-                finding: finding.clone(),
-                fix: self.fix(finding)?.clone(),
+                diagnostic: diagnostic.clone(),
+                fix: self.fix(diagnostic)?.clone(),
             })
         });
         applied.collect()
     }
 
-    /// Returns the fix of a finding, if it is sure enough.
-    fn fix<'d>(&self, finding: &'d Diagnostic) -> Option<&'d Fix> {
-        let mut fixes = finding.fixes.iter();
+    /// Returns the fix of a diagnostic, if it is sure enough.
+    fn fix<'d>(&self, diagnostic: &'d Diagnostic) -> Option<&'d Fix> {
+        let mut fixes = diagnostic.fixes.iter();
         fixes.find(|fix| fix.applicability <= self.least)
     }
 
-    /// Returns the findings, but for some, whose fixes do not touch each other.
+    /// Returns the diagnostics, but for some, whose fixes do not touch each other.
     fn candidates(&self, tried: &HashSet<usize>) -> Vec<usize> {
         let mut taken = Taken::default();
         let found = self.loaded.diagnostics.iter().enumerate();
-        let free = found.filter(|(index, finding)| {
-            let fix = self.fix(finding).filter(|_| !tried.contains(index));
+        let free = found.filter(|(index, diagnostic)| {
+            let fix = self.fix(diagnostic).filter(|_| !tried.contains(index));
             fix.is_some_and(|fix| taken.take(&fix.edits))
         });
         free.map(|(index, _)| index).collect()
     }
 
-    /// Adds these findings to those that are put right; of several that do not go together, what does.
-    fn accept(&mut self, findings: &[usize], accepted: &mut Option<Accepted>) {
-        if findings.is_empty() || self.readings == 0 {
+    /// Adds these diagnostics to those that are put right; of several that do not go together, what does.
+    fn accept(&mut self, diagnostics: &[usize], accepted: &mut Option<Accepted>) {
+        if diagnostics.is_empty() || self.readings == 0 {
             return;
         }
         self.readings -= 1;
         let mut together = accepted
             .as_ref()
-            .map_or(Vec::new(), |it| it.findings.clone());
-        together.extend(findings);
+            .map_or(Vec::new(), |it| it.diagnostics.clone());
+        together.extend(diagnostics);
         let lines = match self.attempt(together) {
             Ok(better) => {
                 *accepted = Some(better);
@@ -215,9 +215,9 @@ impl Repair<'_> {
             edits.any(|edit| lines.contains(&self.loaded.source.line_column(edit.span.start).0))
         };
         let (mut second, mut first): (Vec<usize>, Vec<usize>) =
-            findings.iter().copied().partition(is_at);
+            diagnostics.iter().copied().partition(is_at);
         if first.is_empty() || second.is_empty() {
-            let (one, other) = findings.split_at(findings.len() / 2);
+            let (one, other) = diagnostics.split_at(diagnostics.len() / 2);
             (first, second) = (one.to_vec(), other.to_vec());
         }
         if !first.is_empty() {
@@ -226,15 +226,15 @@ impl Repair<'_> {
         }
     }
 
-    /// Returns the file with the fixes of these findings, if it is better; else the changed lines on which something
+    /// Returns the file with the fixes of these diagnostics, if it is better; else the changed lines on which something
     /// new is found. Mistakes hidden by these on their lines are fixed, too.
-    fn attempt(&self, findings: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
-        let (mut loaded, mut new) = self.changed(&self.loaded, &findings)?;
+    fn attempt(&self, diagnostics: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
+        let (mut loaded, mut new) = self.changed(&self.loaded, &diagnostics)?;
         let mut hidden = Vec::new();
         for _ in 0..HIDDEN {
             if new.is_empty() {
                 return Ok(Accepted {
-                    findings,
+                    diagnostics,
                     hidden,
                     loaded,
                 });
@@ -255,15 +255,17 @@ impl Repair<'_> {
         Err(HashSet::new())
     }
 
-    /// Returns a file with the fixes of some findings, and the findings that are new then, if all of them were hidden;
+    /// Returns a file with the fixes of some diagnostics, and the diagnostics that are new then, if all of them were hidden;
     /// else the changed lines on which the others are.
     fn changed(
         &self,
         before: &Loaded,
-        findings: &[usize],
+        diagnostics: &[usize],
     ) -> Result<(Loaded, Vec<usize>), HashSet<u32>> {
-        let found = findings.iter().map(|index| &before.diagnostics[*index]);
-        let fixes: Vec<&Fix> = found.filter_map(|finding| self.fix(finding)).collect();
+        let found = diagnostics.iter().map(|index| &before.diagnostics[*index]);
+        let fixes: Vec<&Fix> = found
+            .filter_map(|diagnostic| self.fix(diagnostic))
+            .collect();
         let mut taken = Taken::default();
         if !fixes.iter().all(|fix| taken.take(&fix.edits)) {
             return Err(HashSet::new());
@@ -281,7 +283,7 @@ impl Repair<'_> {
         if loaded.source.text() != spliced(source.text(), changes) {
             return Err(HashSet::new());
         }
-        let new = judge::news(before, &loaded, findings, &edits);
+        let new = judge::news(before, &loaded, diagnostics, &edits);
         let is_shown = judge::not_hidden(before, &loaded, &new, &edits);
         match is_shown.is_empty() {
             true => Ok((loaded, new)),
@@ -309,7 +311,7 @@ const LEVEL: &str = "fixed";
 pub fn render_short(repaired: &Repaired, lang: Lang) -> String {
     let name = repaired.loaded.source.name();
     let line = |one: &Applied| {
-        let (code, title) = (one.finding.id(), one.fix.title.in_lang(lang));
+        let (code, title) = (one.diagnostic.id(), one.fix.title.in_lang(lang));
         let (line, column) = (one.line, one.column);
         let text = format_args!("{name}:{line}:{column}: {LEVEL}[{code}]: {title}");
         Printable::line(text).to_string() + "\n"
@@ -330,7 +332,7 @@ pub fn render_json(repaired: &Repaired, lang: Lang) -> String {
             &one.fix.title.in_lang(lang).to_string(),
         );
         push_member(&mut out, "applicability", one.fix.applicability.name());
-        push_member(&mut out, "code", one.finding.id());
+        push_member(&mut out, "code", one.diagnostic.id());
         push_member(&mut out, "file", name);
         push_number(&mut out, "line", one.line);
         push_number(&mut out, "column", one.column);

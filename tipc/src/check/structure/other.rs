@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::Keyword;
 use crate::lex::BLANKS;
-use crate::message::{Commanding, Habit, Instead, Message, Structuring};
+use crate::message::{Commanding, ForeignWord, Message, Structuring, Suggestion};
 use crate::source::Source;
 use crate::syntax::{Shape, StatementKind};
 
@@ -47,7 +47,7 @@ impl Matcher<'_> {
         let (opener, closer) = (inner.opener(), inner.closer());
         let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
             .label(self.place(first), Structuring::Open { opener })
-            .help(Instead::Closes { opener, closer });
+            .help(Suggestion::Closes { opener, closer });
         self.found.push(fault);
         true
     }
@@ -83,7 +83,7 @@ impl Matcher<'_> {
         let fault = fault
             .about(name.node.as_str())
             .label(self.place(first), Structuring::Open { opener })
-            .help(Instead::Closes { opener, closer });
+            .help(Suggestion::Closes { opener, closer });
         self.found.push(fault);
         true
     }
@@ -124,11 +124,11 @@ impl Matcher<'_> {
             words.iter().any(is_it)
         };
         let help: Message = match (has(closer), has(Keyword::End)) {
-            (true, _) => Habit::Exit.into(),
-            (false, true) => Instead::Closes { opener, closer }.into(),
+            (true, _) => ForeignWord::Exit.into(),
+            (false, true) => Suggestion::Closes { opener, closer }.into(),
             (false, false) => return None,
         };
-        let reason = Habit::EndInTwo {
+        let reason = ForeignWord::EndInTwo {
             word: opener.into(),
         };
         let fault = Diagnostic::new(Code::Structure, last.span, reason)
@@ -150,14 +150,14 @@ impl Matcher<'_> {
             return None;
         }
         let end = self.module.statements.last()?.span;
-        let reason = Habit::EndInTwo {
+        let reason = ForeignWord::EndInTwo {
             word: opener.into(),
         };
         let help = match closer {
-            Keyword::Wend => Habit::Wend,
-            Keyword::Next => Habit::Next,
-            Keyword::SubEnd => Habit::SubEnd,
-            _ => Habit::InOneWord {
+            Keyword::Wend => ForeignWord::Wend,
+            Keyword::Next => ForeignWord::Next,
+            Keyword::SubEnd => ForeignWord::SubEnd,
+            _ => ForeignWord::InOneWord {
                 word: closer.into(),
             },
         };

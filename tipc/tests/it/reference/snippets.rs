@@ -1,4 +1,4 @@
-//! Programs and shell lines in documents: a block ```` ```tip ```` loads without a finding, for TITAN VIII or the robot
+//! Programs and shell lines in documents: a block ```` ```tip ```` loads without a diagnostic, for TITAN VIII or the robot
 //! behind `tip`; a program in a Rust string too; and what a shell line names exists.
 
 use crate::reference::{documents, read, workspace};

@@ -6,7 +6,7 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::language::Keyword;
 use tipc::lex::Token;
 use tipc::message::phrase::End;
-use tipc::message::{Habit, Message, Parsing};
+use tipc::message::{ForeignWord, Message, Parsing};
 use tipc::source::Span;
 use tipc::syntax::{Shape, StatementKind};
 
@@ -15,14 +15,14 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
         (Message::Parsing(Parsing::ThenOrJumpBelongsHere | Parsing::ThenBelongsHere), _) => {
             then(site)
         }
-        (Message::Habit(Habit::NoColon), _) => colon(site),
+        (Message::ForeignWord(ForeignWord::NoColon), _) => colon(site),
         (
             Message::Parsing(Parsing::NothingBehind {
                 end: End::Condition,
             }),
             _,
         ) => after_condition(site),
-        (Message::Habit(Habit::OneLineIf), _) => one_line_if(site),
+        (Message::ForeignWord(ForeignWord::OneLineIf), _) => one_line_if(site),
         (Message::Parsing(Parsing::NotAlone { .. }), _) => alone(site),
         (Message::Parsing(Parsing::ProgramEndsHere), _) => end(site),
         _ => None,
@@ -119,7 +119,7 @@ fn alone(site: &Site<'_>) -> Option<Fix> {
     let index = site.index()?;
     let statements = &site.module.statements;
     let statement = &statements[index];
-    let other = site.finding.labels.first()?.span;
+    let other = site.diagnostic.labels.first()?.span;
     let line = site.next_line();
     let mut edits = Vec::new();
     let mut part = |from: usize, to: usize| {

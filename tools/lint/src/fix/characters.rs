@@ -6,7 +6,7 @@ use tipc::diagnostic::{Edit, Fix, Label};
 use tipc::foreign;
 use tipc::language::{Keyword, keywords};
 use tipc::lex::{BLANKS, foreign_run, word_end};
-use tipc::message::{Habit, Instead, Message, Naming, Parsing};
+use tipc::message::{ForeignWord, Message, Naming, Parsing, Suggestion};
 use tipc::parse::{LONG_VOWEL, narrow};
 use tipc::source::Span;
 
@@ -20,20 +20,22 @@ const CLOSES: &str = "*/";
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()?) {
         (_, Message::Parsing(Parsing::WriteHalfWidth { .. }))
-        | (_, Message::Habit(Habit::Plain { .. } | Habit::PlainBlank)) => half_width(site),
-        (_, Message::Instead(Instead::Invisible)) => {
+        | (_, Message::ForeignWord(ForeignWord::Plain { .. } | ForeignWord::PlainBlank)) => {
+            half_width(site)
+        }
+        (_, Message::Suggestion(Suggestion::Invisible)) => {
             let title = Fixing::RemoveInvisible;
             Some(Fix::certain(title, [Edit::remove(site.span())]))
         }
-        (_, Message::Habit(Habit::Comment)) => comment(site),
+        (_, Message::ForeignWord(ForeignWord::Comment)) => comment(site),
         _ => None,
     }
 }
 
-/// `ＮＥＸＴ`, at each place that the finding lists.
+/// `ＮＥＸＴ`, at each place that the diagnostic lists.
 fn half_width(site: &Site<'_>) -> Option<Fix> {
     let also = |label: &&Label| label.text == Naming::AlsoHere.into();
-    let others = site.finding.labels.iter().filter(also);
+    let others = site.diagnostic.labels.iter().filter(also);
     let places = [site.span()].into_iter().chain(others.map(|it| it.span));
     let statements = places.filter_map(|place| site.module.statement_at(place.start));
     let mut statements: Vec<usize> = statements.collect();

@@ -5,22 +5,22 @@ use crate::message::Fixing;
 use tipc::code::Code;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::lex::{Kind, Token};
-use tipc::message::{Habit, Message, Naming};
+use tipc::message::{ForeignWord, Message, Naming};
 use tipc::source::Span;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
-        (_, Some(Message::Habit(Habit::Title))) => {
+        (_, Some(Message::ForeignWord(ForeignWord::Title))) => {
             let title = site.source.line(2).span.start;
             let edit = Edit::insert(title, site.line_end());
             Some(Fix::certain(Fixing::TitleLine, [edit]))
         }
-        (_, Some(Message::Habit(Habit::Initial { .. }))) => {
+        (_, Some(Message::ForeignWord(ForeignWord::Initial { .. }))) => {
             let (name, edit) = initial(site, &site.tokens())?;
             Some(Fix::certain(Fixing::OwnLine { name: name.into() }, [edit]))
         }
         (_, Some(Message::Naming(Naming::DeclareAs { declaration }))) => declare(site, declaration),
-        (Message::Naming(Naming::NothingUses), _) if site.finding.code == Code::Unused => {
+        (Message::Naming(Naming::NothingUses), _) if site.diagnostic.code == Code::Unused => {
             unused(site)
         }
         _ => None,

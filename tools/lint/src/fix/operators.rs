@@ -4,27 +4,32 @@ use super::site::Site;
 use crate::message::Fixing;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::lex::{Kind, Token};
-use tipc::message::{Habit, Instead, Message, Parsing};
+use tipc::message::{ForeignWord, Message, Parsing, Suggestion};
 use tipc::source::Span;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (
             Message::Parsing(Parsing::AssignsComparesNothing | Parsing::NoRelation)
-            | Message::Habit(Habit::NotEqual),
+            | Message::ForeignWord(ForeignWord::NotEqual),
             _,
         ) => relation(site),
-        (Message::Habit(Habit::CompareAsStatement), _) => {
+        (Message::ForeignWord(ForeignWord::CompareAsStatement), _) => {
             let operator = site.tokens().get(1)?.span;
             Some(certain(site, operator, "="))
         }
-        (_, Some(Message::Habit(Habit::Increment { sign, .. }))) => increment(site, sign),
-        (_, Some(Message::Habit(Habit::WriteNot))) => not(site),
-        (Message::Habit(Habit::NoOperator { .. }), Some(Message::Habit(Habit::Assign { .. }))) => {
-            Some(certain(site, site.span(), "="))
+        (_, Some(Message::ForeignWord(ForeignWord::Increment { sign, .. }))) => {
+            increment(site, sign)
         }
-        (_, Some(Message::Habit(Habit::Comma { whole, point }))) => comma(site, whole, point),
-        (_, Some(Message::Instead(Instead::BlankAfter { command }))) => {
+        (_, Some(Message::ForeignWord(ForeignWord::WriteNot))) => not(site),
+        (
+            Message::ForeignWord(ForeignWord::NoOperator { .. }),
+            Some(Message::ForeignWord(ForeignWord::Assign { .. })),
+        ) => Some(certain(site, site.span(), "=")),
+        (_, Some(Message::ForeignWord(ForeignWord::Comma { whole, point }))) => {
+            comma(site, whole, point)
+        }
+        (_, Some(Message::Suggestion(Suggestion::BlankAfter { command }))) => {
             let title = Fixing::Insert { text: " ".into() };
             let edit = Edit::insert(site.span().start + command.len(), " ");
             Some(Fix::certain(title, [edit]))
@@ -33,12 +38,12 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             _,
             Some(
                 Message::Parsing(Parsing::NoParentheses)
-                | Message::Instead(
-                    Instead::NoParentheses
-                    | Instead::WithoutParentheses { .. }
-                    | Instead::OpenBlock { .. },
+                | Message::Suggestion(
+                    Suggestion::NoParentheses
+                    | Suggestion::WithoutParentheses { .. }
+                    | Suggestion::OpenBlock { .. },
                 )
-                | Message::Habit(Habit::Glued { .. } | Habit::NoBrackets),
+                | Message::ForeignWord(ForeignWord::Glued { .. } | ForeignWord::NoBrackets),
             ),
         ) => parentheses(site),
         _ => None,

@@ -1,4 +1,4 @@
-//! A finding, and what stands around it.
+//! A diagnostic, and what stands around it.
 
 use smol_str::SmolStr;
 use std::cell::OnceCell;
@@ -12,7 +12,7 @@ use tipc::parse::LINE_LIMIT;
 use tipc::source::{Line, Source, Span};
 use tipc::syntax::{Module, Shape, Statement, StatementKind, upper_case};
 
-/// The most bytes of a statement whose findings are put right: what each of many findings looks at must not be long.
+/// The most bytes of a statement whose diagnostics are put right: what each of many diagnostics looks at must not be long.
 const LONGEST: usize = 4 * LINE_LIMIT;
 
 /// Facts that are looked up once for all diagnostics of a file.
@@ -23,13 +23,13 @@ pub(super) struct Shared {
     first: OnceCell<Option<u32>>,
 }
 
-/// A finding in its file.
+/// A diagnostic in its file.
 #[derive(Clone, Copy)]
 pub(super) struct Site<'a> {
     pub(super) source: &'a Source,
     pub(super) module: &'a Module,
     shared: &'a Shared,
-    pub(super) finding: &'a Diagnostic,
+    pub(super) diagnostic: &'a Diagnostic,
 }
 
 impl<'a> Site<'a> {
@@ -37,27 +37,27 @@ impl<'a> Site<'a> {
         source: &'a Source,
         module: &'a Module,
         shared: &'a Shared,
-        finding: &'a Diagnostic,
+        diagnostic: &'a Diagnostic,
     ) -> Self {
         Site {
             source,
             module,
             shared,
-            finding,
+            diagnostic,
         }
     }
 
     pub(super) fn reason(&self) -> &'a Message {
-        &self.finding.reason
+        &self.diagnostic.reason
     }
 
     pub(super) fn help(&self) -> Option<&'a Message> {
-        self.finding.help.as_ref()
+        self.diagnostic.help.as_ref()
     }
 
     /// Returns the location of the diagnostic.
     pub(super) fn span(&self) -> Span {
-        self.finding.span
+        self.diagnostic.span
     }
 
     /// Returns the text at the location of the diagnostic.
@@ -79,7 +79,7 @@ impl<'a> Site<'a> {
         self.index().map(|index| &self.module.statements[index])
     }
 
-    /// Returns the words and operators of the statement around the finding; none of one that no line can hold.
+    /// Returns the words and operators of the statement around the diagnostic; none of one that no line can hold.
     pub(super) fn tokens(&self) -> Vec<Token> {
         let is_short = |it: &&Statement| it.span.end - it.span.start <= LONGEST;
         let statement = self.statement().filter(is_short);
@@ -117,7 +117,7 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// Returns the end of a line, and the blanks that the line of the finding begins with.
+    /// Returns the end of a line, and the blanks that the line of the diagnostic begins with.
     pub(super) fn next_line(&self) -> String {
         let text = self.slice(self.line().span);
         let indent = &text[..text.len() - text.trim_start_matches([' ', '\t']).len()];

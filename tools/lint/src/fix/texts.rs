@@ -6,7 +6,7 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::foreign;
 use tipc::language::Keyword;
 use tipc::lex::DELIMITERS;
-use tipc::message::{Habit, Message, Parsing};
+use tipc::message::{ForeignWord, Message, Parsing};
 use tipc::source::Span;
 use tipc::syntax::StatementKind;
 
@@ -17,8 +17,8 @@ const SPECIAL: &[char] = &['%', '\\', '\u{A5}', '{'];
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
-        (_, Some(Message::Habit(Habit::ShowText))) => print(site),
-        (_, Some(Message::Habit(Habit::Glued { command })))
+        (_, Some(Message::ForeignWord(ForeignWord::ShowText))) => print(site),
+        (_, Some(Message::ForeignWord(ForeignWord::Glued { command })))
             if *command == Keyword::Message.word() =>
         {
             glued(site)

@@ -8,15 +8,15 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::foreign::{self, Means};
 use tipc::language::{Keyword, commands};
 use tipc::lex::{Kind, Token};
-use tipc::message::{Commanding, Habit, Message, Naming, Parsing, Structuring, Suggesting};
+use tipc::message::{Commanding, ForeignWord, Message, Naming, Parsing, Structuring, Suggestion};
 use tipc::source::Span;
 use tipc::syntax::VariableKind;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()?) {
-        (_, Message::Habit(habit)) => foreign_word(site, habit),
-        (_, Message::Suggesting(Suggesting::DidYouMean { near }))
-        | (_, Message::Structuring(Structuring::DidYouMean { near })) => meant(site, near),
+        (_, Message::ForeignWord(advice)) => foreign_word(site, advice),
+        (_, Message::Suggestion(Suggestion::DidYouMean { near }))
+        | (_, Message::Structuring(Structuring::DidYouMean { near })) => replace_by(site, near),
         (_, Message::Commanding(Commanding::CalledNow { command })) => {
             Some(certain(site, site.span(), command))
         }
@@ -36,17 +36,19 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
+fn foreign_word(site: &Site<'_>, advice: &ForeignWord) -> Option<Fix> {
     let tokens = site.tokens();
-    match habit {
-        Habit::ElseIf if !stands_for_it(site) => None,
-        Habit::ElseIf => Some(branch(site, &tokens)),
-        Habit::EndIf => closer(site, Keyword::EndIf),
-        Habit::Wend => closer(site, Keyword::Wend),
-        Habit::Next => closer(site, Keyword::Next),
-        Habit::SubEnd => closer(site, Keyword::SubEnd),
-        Habit::InOneWord { word } if word == Keyword::ElseIf.word() => Some(branch(site, &tokens)),
-        Habit::InOneWord { word } => {
+    match advice {
+        ForeignWord::ElseIf if !stands_for_it(site) => None,
+        ForeignWord::ElseIf => Some(branch(site, &tokens)),
+        ForeignWord::EndIf => closer(site, Keyword::EndIf),
+        ForeignWord::Wend => closer(site, Keyword::Wend),
+        ForeignWord::Next => closer(site, Keyword::Next),
+        ForeignWord::SubEnd => closer(site, Keyword::SubEnd),
+        ForeignWord::InOneWord { word } if word == Keyword::ElseIf.word() => {
+            Some(branch(site, &tokens))
+        }
+        ForeignWord::InOneWord { word } => {
             let place = match site.reason() {
                 // Of `DEF VAR N` the first word is what is unknown, of `PTP ANGLE` the second one.
                 Message::Commanding(_) => in_pieces(site, &tokens, word)?,
@@ -54,20 +56,22 @@ fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
             };
             Some(certain(site, place, word))
         }
-        Habit::Return if tokens.len() == 1 => {
+        ForeignWord::Return if tokens.len() == 1 => {
             Some(certain(site, site.span(), Keyword::Return.word()))
         }
-        Habit::Exit if tokens.len() == 1 => Some(likely(site, site.span(), Keyword::Exit.word())),
-        Habit::Subroutine => subroutine(site, &tokens),
-        Habit::Goto => goto(site, &tokens),
-        Habit::Let => assignment(&tokens),
-        Habit::Wait => wait(site, &tokens),
-        Habit::Declare => declaration(site, &tokens),
+        ForeignWord::Exit if tokens.len() == 1 => {
+            Some(likely(site, site.span(), Keyword::Exit.word()))
+        }
+        ForeignWord::Subroutine => subroutine(site, &tokens),
+        ForeignWord::Goto => goto(site, &tokens),
+        ForeignWord::Let => assignment(&tokens),
+        ForeignWord::Wait => wait(site, &tokens),
+        ForeignWord::Declare => declaration(site, &tokens),
         // `#define N 3` has no sign between.
-        Habit::Constant if tokens.iter().any(|it| it.kind != Kind::Word) => {
+        ForeignWord::Constant if tokens.iter().any(|it| it.kind != Kind::Word) => {
             declaration(site, &tokens)
         }
-        Habit::Number { value, .. } => Some(everywhere(site, value)),
+        ForeignWord::Number { value, .. } => Some(everywhere(site, value)),
         _ => None,
     }
 }
@@ -92,7 +96,8 @@ fn closer(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
 fn stands_for_it(site: &Site<'_>) -> bool {
     matches!(
         site.reason(),
-        Message::Commanding(Commanding::NoCommand { .. }) | Message::Habit(Habit::EndInTwo { .. })
+        Message::Commanding(Commanding::NoCommand { .. })
+            | Message::ForeignWord(ForeignWord::EndInTwo { .. })
     )
 }
 
@@ -130,7 +135,7 @@ fn likely(site: &Site<'_>, place: Span, word: &str) -> Fix {
 }
 
 /// Returns the name that is near to the one that stands there.
-fn meant(site: &Site<'_>, near: &str) -> Option<Fix> {
+fn replace_by(site: &Site<'_>, near: &str) -> Option<Fix> {
     let is_name = matches!(
         site.reason(),
         Message::Naming(Naming::NotDeclared { .. })
@@ -142,18 +147,18 @@ fn meant(site: &Site<'_>, near: &str) -> Option<Fix> {
     }
 }
 
-/// Returns another word for a name that is not declared, at each place that the finding lists.
+/// Returns another word for a name that is not declared, at each place that the diagnostic lists.
 fn everywhere(site: &Site<'_>, word: &str) -> Fix {
-    let name = site.finding.subject.as_deref().unwrap_or_default();
+    let name = site.diagnostic.subject.as_deref().unwrap_or_default();
     let places = [site.span()].into_iter();
-    let places = places.chain(site.finding.labels.iter().map(|label| label.span));
+    let places = places.chain(site.diagnostic.labels.iter().map(|label| label.span));
     let edits = places.filter_map(|place| {
         // A sign may precede the name, a member follow it.
         let text = site.slice(place);
         let start = place.start + text.len() - text.trim_start_matches(['+', '-']).len();
         let name = Span::new(start, start + name.len());
         let found = site.slice(name);
-        let is_name = found.eq_ignore_ascii_case(site.finding.subject.as_deref()?);
+        let is_name = found.eq_ignore_ascii_case(site.diagnostic.subject.as_deref()?);
         is_name.then(|| site.write(name, word))
     });
     let title = Fixing::Replace {

@@ -4,7 +4,7 @@ use super::Judged;
 use crate::message::{Lack, Linting, Stretch};
 use tipc::analysis::assignment::{Assigned, Assignment, Gap, gaps};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::message::list::{Pieces, Quoted};
 use tipc::message::phrase::Assign;
 use tipc::program::{Program, StepId, VariableKind};
@@ -12,7 +12,7 @@ use tipc::source::Span;
 use tipc::symbols::Access;
 
 /// Warns of every variable that is, or may be, read without a value.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
     let program = judged.program;
     let gaps = gaps(program, &Assignment::along(program, judged.flow));
     let warnings = gaps

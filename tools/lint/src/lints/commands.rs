@@ -5,12 +5,12 @@ use super::Judged;
 use crate::message::Linting;
 use tip_runtime::command::{ABSOLUTE, RELATIVE, Target};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::commands::{self, Form};
 use tipc::program::{Action, Op};
 use tipc::syntax::{self, OperandKind, StatementKind};
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
     let keeps_period = judged
         .program
         .steps()
@@ -23,12 +23,12 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
         else {
             continue;
         };
-        let finding = match &step.action {
+        let diagnostic = match &step.action {
             Action::Command { op: Op::Sleep, .. } if keeps_period => short_sleep(judged, arguments),
             Action::Command { .. } => relative_first(&name.node, arguments),
             _ => None,
         };
-        found.extend(finding);
+        found.extend(diagnostic);
     }
 }
 
@@ -74,6 +74,6 @@ fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnosti
         return None;
     }
     let place = mark.span.to(numbers[0].span);
-    let finding = Diagnostic::new(Code::RelativeFirst, place, Linting::OthersAbsolute);
-    Some(finding.help(Linting::MarkEach))
+    let diagnostic = Diagnostic::new(Code::RelativeFirst, place, Linting::OthersAbsolute);
+    Some(diagnostic.help(Linting::MarkEach))
 }

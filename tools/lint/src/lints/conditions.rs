@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use tipc::analysis::access::{assigns, reads};
 use tipc::analysis::flow::{Entry, Flow, NodeId, always, enters};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::program::{Action, Condition, Operand, Program, StepId};
 use tipc::source::Span;
 use tipc::syntax::{Statement, StatementKind};
@@ -86,7 +86,7 @@ pub(super) fn warn(
     judged: &Judged<'_>,
     constant: &[Constant],
     unreachable: &Unreachable,
-    found: &mut Findings,
+    found: &mut Diagnostics,
 ) {
     let deeds = Deeds::of(judged.program);
     for Constant { step, outcome } in constant {

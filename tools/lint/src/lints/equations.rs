@@ -3,13 +3,13 @@
 use super::Judged;
 use crate::message::Linting;
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::source::Span;
 use tipc::syntax::{Equation, Expression, OperandKind, StatementKind};
 
 /// Warns of `N =+ 1`. The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look
 /// like.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
     for statement in judged.module.steps() {
         if let StatementKind::Equation(equation) = &statement.kind
             && let Some(sign) = swapped(judged.source.text(), equation)

@@ -5,7 +5,7 @@ use crate::message::Linting;
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::message::Message;
 use tipc::message::phrase::Type;
 use tipc::parse::narrow;
@@ -53,7 +53,7 @@ impl<'a> Names<'a> {
     }
 }
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
     let mut names = None;
     for statement in judged.module.steps() {
         if let StatementKind::Message { text } = &statement.kind {
@@ -67,7 +67,7 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
 }
 
 /// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
-fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
+fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Diagnostics) {
     let text = judged.source.slice(place);
     let is_var = |name: &str| names.is_var(name);
     let mut signs = text.match_indices(['%', '$', '{']);
@@ -89,12 +89,12 @@ fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &m
         return;
     };
     let span = Span::new(place.start + at, place.start + at + length);
-    let finding = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
+    let diagnostic = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
     found.push(match name {
-        Some(name) => finding
+        Some(name) => diagnostic
             .about(name.as_str())
             .help(Linting::ShowValue { name }),
-        None => finding.help(Linting::ShowAnyValue),
+        None => diagnostic.help(Linting::ShowAnyValue),
     });
 }
 
@@ -122,8 +122,8 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
     if text.starts_with('(')
         && inside.position(|it| it == ')') == text.chars().count().checked_sub(2)
     {
-        let finding = Diagnostic::new(Code::QuotedMessage, place, Linting::ParenthesesShown);
-        return Some(finding.help(Linting::LeaveParenthesesOut));
+        let diagnostic = Diagnostic::new(Code::QuotedMessage, place, Linting::ParenthesesShown);
+        return Some(diagnostic.help(Linting::LeaveParenthesesOut));
     }
     let quotes = [
         ("\"\"\"", "\"\"\""),
@@ -149,7 +149,7 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
 
 /// Warns of everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run
 /// does.
-fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
+fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Diagnostics) {
     let text = judged.source.slice(place);
     let mut from = 0;
     while let Some(at) = text[from..].find('%').map(|at| from + at) {
@@ -174,8 +174,8 @@ fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut
         }
         from = end;
         let span = Span::new(place.start + at, place.start + end);
-        let finding = Diagnostic::new(Code::Placeholder, span, fault.0);
-        found.push(finding.about(inner).help(fault.1));
+        let diagnostic = Diagnostic::new(Code::Placeholder, span, fault.0);
+        found.push(diagnostic.about(inner).help(fault.1));
     }
 }
 
@@ -250,14 +250,14 @@ fn numbered(name: &str) -> Option<SmolStr> {
 /// Returns true if a value was to be shown, and nothing says of which variable.
 pub(super) fn means_any(found: &[Diagnostic]) -> bool {
     let any = Some(Linting::ShowAnyValue.into());
-    found.iter().any(|finding| finding.help == any)
+    found.iter().any(|diagnostic| diagnostic.help == any)
 }
 
 /// Returns the variables that placeholders were meant to show. That nothing reads them is the same mistake.
-pub(super) fn meant(found: &[Diagnostic]) -> HashSet<SmolStr> {
-    let meant = found.iter().filter_map(|finding| {
-        let help = finding.help.as_ref().and_then(Message::get);
-        match (finding.reason.get(), help) {
+pub(super) fn placeholder_names(found: &[Diagnostic]) -> HashSet<SmolStr> {
+    let meant = found.iter().filter_map(|diagnostic| {
+        let help = diagnostic.help.as_ref().and_then(Message::get);
+        match (diagnostic.reason.get(), help) {
             (_, Some(Linting::MeantPlaceholder { near: name } | Linting::ShowValue { name }))
             | (Some(Linting::Decimals { name } | Linting::StructInMessage { name, .. }), _) => {
                 Some(name.clone())
@@ -271,7 +271,7 @@ pub(super) fn meant(found: &[Diagnostic]) -> HashSet<SmolStr> {
 const SIGNS: [char; 2] = ['%', '％'];
 
 /// Warns of the first one that would show a VAR, were it half-width.
-fn wide_placeholder(judged: &Judged<'_>, place: Span, found: &mut Findings) {
+fn wide_placeholder(judged: &Judged<'_>, place: Span, found: &mut Diagnostics) {
     let text = judged.source.slice(place);
     if text.is_ascii() {
         return;
@@ -293,9 +293,9 @@ fn wide_placeholder(judged: &Judged<'_>, place: Span, found: &mut Findings) {
         if found.iter().any(is_told) {
             return;
         }
-        let finding = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
+        let diagnostic = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
         found.push(
-            finding
+            diagnostic
                 .about(name.as_str())
                 .help(Linting::ShowValue { name }),
         );

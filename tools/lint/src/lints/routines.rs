@@ -7,13 +7,13 @@ use crate::message::Linting;
 use std::collections::BTreeSet;
 use tipc::analysis::flow::{Call, Flow, NodeId};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::program::{Action, End, Program, StepId};
 use tipc::syntax::StatementKind;
 
 /// Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a SUBROUTINE, since
 /// another warning speaks of running into that.
-pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Findings) {
+pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
     let mut inside = Vec::new();
     let mut is_inside = false;
     for statement in judged.module.steps() {
@@ -35,18 +35,18 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut F
         }
     }
     if let Some(lost) = mismatches.lost.and_then(|step| judged.statement(step)) {
-        let finding = Diagnostic::new(Code::LostReturn, lost.span, Linting::ReturnsNowhere);
-        found.push(finding.help(Linting::PutJumpAboveLabel));
+        let diagnostic = Diagnostic::new(Code::LostReturn, lost.span, Linting::ReturnsNowhere);
+        found.push(diagnostic.help(Linting::PutJumpAboveLabel));
     }
 }
 
 fn never_returns(judged: &Judged<'_>, entry: StepId, call: StepId) -> Option<Diagnostic> {
     let (part, caller) = (judged.statement(entry)?, judged.statement(call)?);
     let (name, _) = part.kind.label()?;
-    let finding = Diagnostic::new(Code::NoReturn, part.span, Linting::NeverReturns);
-    let finding = finding.about(name.node.as_str());
+    let diagnostic = Diagnostic::new(Code::NoReturn, part.span, Linting::NeverReturns);
+    let diagnostic = diagnostic.about(name.node.as_str());
     Some(
-        finding
+        diagnostic
             .label(caller.span, Linting::CalledHere)
             .help(Linting::EndWithReturn),
     )

@@ -5,7 +5,7 @@ use crate::message::Linting;
 use std::collections::HashMap;
 use tipc::analysis::flow::{Flow, NodeId};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::program::{Action, Program, StepId};
 use tipc::syntax::StatementKind;
 
@@ -24,7 +24,7 @@ impl Unreachable {
 
     /// Warns once of each run of steps that would do something. Silent about routines that nothing calls: a program may
     /// have more of them than it needs.
-    pub(super) fn warn(&self, judged: &Judged<'_>, found: &mut Findings) {
+    pub(super) fn warn(&self, judged: &Judged<'_>, found: &mut Diagnostics) {
         if self.0.is_empty() {
             return;
         }
@@ -90,12 +90,12 @@ fn warning(
         }
         None => (Linting::NoPath, Linting::LabelOrDelete),
     };
-    let finding = Diagnostic::new(Code::Unreachable, start.keyword(), reason).help(help);
+    let diagnostic = Diagnostic::new(Code::Unreachable, start.keyword(), reason).help(help);
     let above = first.checked_sub(1).and_then(|step| judged.statement(step));
     Some(
         match above.filter(|above| !above.kind.goes_on() && !closes(&above.kind)) {
-            Some(above) => finding.label(above.span, Linting::LeadsElsewhere),
-            None => finding,
+            Some(above) => diagnostic.label(above.span, Linting::LeadsElsewhere),
+            None => diagnostic,
         },
     )
 }

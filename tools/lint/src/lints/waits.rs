@@ -8,13 +8,13 @@ use super::conditions::condition;
 use super::unreachable::Unreachable;
 use crate::message::Linting;
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::commands::{self, Moves};
 use tipc::program::{Action, Condition, Flag, Op, Step, Target};
 use tipc::source::Span;
 use tipc::syntax::{Statement, StatementKind};
 
-pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Findings) {
+pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
     let steps = judged.program.steps();
     if steps.iter().any(calls_native_code) {
         return;
@@ -32,8 +32,8 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut F
             && let Some(statement) = judged.statement(step)
         {
             let help = way_out(&reason);
-            let finding = Diagnostic::new(Code::WaitsForNothing, place(statement), reason);
-            found.push(finding.help(help));
+            let diagnostic = Diagnostic::new(Code::WaitsForNothing, place(statement), reason);
+            found.push(diagnostic.help(help));
         }
     }
 }

@@ -27,8 +27,8 @@ pub(super) fn questions(
     let (module, found) = parse(&source, 3.1);
     let broken = found
         .iter()
-        .filter(|finding| finding.level() == Level::Error)
-        .map(|finding| (finding.span.start, explained(finding)));
+        .filter(|diagnostic| diagnostic.level() == Level::Error)
+        .map(|diagnostic| (diagnostic.span.start, explained(diagnostic)));
     let refused = refused_by_all(&source, &module);
     let unknown = module.statements.iter().zip(&refused);
     let unknown = unknown.filter_map(|(statement, refused)| {
@@ -90,12 +90,12 @@ fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
     refused
 }
 
-fn explained(finding: &Diagnostic) -> Migrating {
-    if finding.code == Code::NoEnd {
+fn explained(diagnostic: &Diagnostic) -> Migrating {
+    if diagnostic.code == Code::NoEnd {
         return Migrating::NoEnd;
     }
     Migrating::NoStatement {
-        title: finding.message().into(),
-        reason: Box::new(finding.reason.clone()),
+        title: diagnostic.message().into(),
+        reason: Box::new(diagnostic.reason.clone()),
     }
 }

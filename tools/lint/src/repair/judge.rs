@@ -8,7 +8,7 @@ use tipc::code::{Code, Level};
 use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::syntax::StatementKind;
 
-/// Returns the findings that are new after these were to be put right. One that is still there counts as new.
+/// Returns the diagnostics that are new after these were to be put right. One that is still there counts as new.
 pub(super) fn news(
     before: &Loaded,
     after: &Loaded,
@@ -19,24 +19,24 @@ pub(super) fn news(
     let ends = Ends::of(edits);
     let mut here: HashMap<(Key, usize), usize> = HashMap::new();
     let mut anywhere: HashMap<Key, usize> = HashMap::new();
-    for (index, finding) in before.diagnostics.iter().enumerate() {
+    for (index, diagnostic) in before.diagnostics.iter().enumerate() {
         if !fixed.contains(&index) {
-            let place = ends.moved(finding.span.start);
-            *here.entry((key(finding), place)).or_default() += 1;
-            *anywhere.entry(key(finding)).or_default() += 1;
+            let place = ends.moved(diagnostic.span.start);
+            *here.entry((key(diagnostic), place)).or_default() += 1;
+            *anywhere.entry(key(diagnostic)).or_default() += 1;
         }
     }
     let seen = Seen::of(before, &ends, edits);
     let found = after.diagnostics.iter().enumerate();
     let mut new: Vec<_> = found
-        .filter(|(_, finding)| seen.would_show(finding))
+        .filter(|(_, diagnostic)| seen.would_show(diagnostic))
         .collect();
     // What stands where it stood comes first: its like elsewhere may be new.
-    new.retain(|(_, finding)| {
-        let stays = takes(&mut here, &(key(finding), finding.span.start));
-        !(stays && takes(&mut anywhere, &key(finding)))
+    new.retain(|(_, diagnostic)| {
+        let stays = takes(&mut here, &(key(diagnostic), diagnostic.span.start));
+        !(stays && takes(&mut anywhere, &key(diagnostic)))
     });
-    new.retain(|(_, finding)| !takes(&mut anywhere, &key(finding)));
+    new.retain(|(_, diagnostic)| !takes(&mut anywhere, &key(diagnostic)));
     new.into_iter().map(|(index, _)| index).collect()
 }
 
@@ -78,7 +78,7 @@ impl Ends {
 pub(super) fn not_hidden(
     before: &Loaded,
     after: &Loaded,
-    findings: &[usize],
+    diagnostics: &[usize],
     edits: &[&Edit],
 ) -> Vec<usize> {
     let same_lines = before.source.line_count() == after.source.line_count();
@@ -89,24 +89,24 @@ pub(super) fn not_hidden(
         let start = after.diagnostics[index].span.start;
         after.source.line_column(start).0
     };
-    let findings = findings.iter().copied();
-    findings
+    let diagnostics = diagnostics.iter().copied();
+    diagnostics
         .filter(|index| !changed.contains(&line(*index)))
         .collect()
 }
 
-/// Returns the lines before the change that hold an edit, if a finding stands there after it.
+/// Returns the lines before the change that hold an edit, if a diagnostic stands there after it.
 pub(super) fn lines(
     before: &Loaded,
     after: &Loaded,
-    findings: &[usize],
+    diagnostics: &[usize],
     edits: &[&Edit],
 ) -> HashSet<u32> {
     let line = |index: &usize| {
         let start = after.diagnostics[*index].span.start;
         after.source.line_column(start).0
     };
-    let found: HashSet<u32> = findings.iter().map(line).collect();
+    let found: HashSet<u32> = diagnostics.iter().map(line).collect();
     let ends = Ends::of(edits);
     let is_found = |edit: &&&Edit| {
         let end = ends.moved(edit.span.end);
@@ -121,8 +121,8 @@ pub(super) fn lines(
 /// Key by which two diagnostics are the same, wherever they are.
 type Key = (Code, String);
 
-fn key(finding: &Diagnostic) -> Key {
-    (finding.code, finding.reason.to_string())
+fn key(diagnostic: &Diagnostic) -> Key {
+    (diagnostic.code, diagnostic.reason.to_string())
 }
 
 /// Facts of the text before the change.
@@ -171,15 +171,15 @@ impl Seen {
     }
 
     /// Returns true if a diagnostic of the changed text would have been reported before.
-    fn would_show(&self, finding: &Diagnostic) -> bool {
+    fn would_show(&self, diagnostic: &Diagnostic) -> bool {
         let is_usage = matches!(
-            finding.code,
+            diagnostic.code,
             Code::NeverAssigned | Code::Unused | Code::NeverRead
         );
-        let is_warning = finding.level() == Level::Warning;
+        let is_warning = diagnostic.level() == Level::Warning;
         let last = self.last[usize::from(is_warning)];
-        last.is_none_or(|last| finding.span.start < last)
-            && finding.span.start < self.read
+        last.is_none_or(|last| diagnostic.span.start < last)
+            && diagnostic.span.start < self.read
             && (self.usage || !is_usage)
             && (self.program || !is_warning)
     }

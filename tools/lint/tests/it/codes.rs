@@ -1,4 +1,4 @@
-//! Every finding has its finest code, whatever is wrong with a program.
+//! Every diagnostic has its finest code, whatever is wrong with a program.
 #![expect(clippy::disallowed_methods, reason = "programs are files")]
 
 use std::fs;
@@ -42,13 +42,13 @@ fn variants(text: &str) -> Vec<String> {
 
 #[track_caller]
 fn check(path: &Path, bytes: &[u8]) {
-    for finding in load("codes.prg", bytes, &Options::default()).diagnostics {
-        let is_plain = Mistake::of_class(finding.code).next().is_none();
+    for diagnostic in load("codes.prg", bytes, &Options::default()).diagnostics {
+        let is_plain = Mistake::of_class(diagnostic.code).next().is_none();
         assert!(
-            is_plain || finding.id() != finding.code.id(),
+            is_plain || diagnostic.id() != diagnostic.code.id(),
             "{}: {:?} has no finer code:\n{}",
             path.display(),
-            finding.reason,
+            diagnostic.reason,
             String::from_utf8_lossy(bytes)
         );
     }
@@ -58,7 +58,7 @@ fn check(path: &Path, bytes: &[u8]) {
 fn every_finding_about_a_program_or_a_variant_of_it_has_its_finest_code() {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();
-    programs(&package.join("tests/findings"), &mut found);
+    programs(&package.join("tests/diagnostics"), &mut found);
     programs(&package.join("../../tests/language/cases"), &mut found);
     for path in &found {
         let bytes = fs::read(path).expect("a program");

@@ -124,13 +124,13 @@ fn encoding_marks_and_line_ends_stay() {
 #[test]
 fn what_is_not_safe_is_left() {
     let refused = |bytes: &[u8]| formatted(bytes).expect_err("a reason");
-    let Refusal::Findings(loaded) = refused(b"3.1\nt\nFOO\nEND\n") else {
+    let Refusal::Diagnostics(loaded) = refused(b"3.1\nt\nFOO\nEND\n") else {
         panic!("findings");
     };
     assert_eq!(loaded.diagnostics.len(), 1);
     assert!(matches!(
         refused(b"3.1\nt\n// \xFF\nEND\n"),
-        Refusal::Findings(_)
+        Refusal::Diagnostics(_)
     ));
     let line = format!("{}A=1", "A=1;".repeat(255));
     assert_eq!(line.len(), 1023);

@@ -1,4 +1,4 @@
-//! One mistake is one finding: what follows from another finding is none, and what does not is kept.
+//! One mistake is one diagnostic: what follows from another diagnostic is none, and what does not is kept.
 
 use tip_lint::{Options, load};
 

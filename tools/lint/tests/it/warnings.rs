@@ -13,11 +13,11 @@ fn found(statements: &str, robot: Robot) -> Vec<String> {
     };
     let loaded = load("warnings.prg", text.as_bytes(), &options);
     let place = |start| loaded.source.position(start, Unit::Character);
-    let finding = |one: &tipc::diagnostic::Diagnostic| {
+    let diagnostic = |one: &tipc::diagnostic::Diagnostic| {
         let at = place(one.span.start);
         format!("{} {}:{}", one.code.id(), at.line, at.column)
     };
-    loaded.diagnostics.iter().map(finding).collect()
+    loaded.diagnostics.iter().map(diagnostic).collect()
 }
 
 #[track_caller]

@@ -5,7 +5,7 @@ use crate::event::Inputs;
 use std::fmt::{self, Display};
 use std::io::{self, BufRead, Write};
 use std::str::FromStr;
-use tip_lint::spots::{Place, Spots};
+use tip_lint::coverage_points::{CoveragePoints, ProgramPoint};
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tipc::program::Program;
@@ -19,7 +19,7 @@ pub enum Answer {
         cycles: u64,
         /// How it ended.
         end: RunEnd,
-        /// The spots that no run before reached, by their places in [`Spots::all`](tip_lint::spots::Spots::all).
+        /// The coverage points that no run before reached, by their indices in [`CoveragePoints::all`](tip_lint::coverage_points::CoveragePoints::all).
         new: Vec<usize>,
         /// Some cycles whose step had an edge that no run went along yet: where another input may change the path.
         chances: Vec<u64>,
@@ -186,10 +186,10 @@ pub fn serve(
 /// The most chances that are reported of a run.
 const CHANCES: usize = 64;
 
-/// Which spots of a program some run reached.
+/// Which coverage points of a program some run reached.
 #[derive(Clone, Debug)]
 pub struct Reach {
-    spots: Spots,
+    points: CoveragePoints,
     seen: Vec<bool>,
     /// Of the present run: what no run before reached.
     new: Vec<usize>,
@@ -199,33 +199,33 @@ pub struct Reach {
 impl Reach {
     /// None yet.
     pub fn new(program: &Program) -> Self {
-        let spots = Spots::of(program);
-        let seen = vec![false; spots.all().len()];
+        let points = CoveragePoints::of(program);
+        let seen = vec![false; points.all().len()];
         Reach {
-            spots,
+            points,
             seen,
             new: Vec::new(),
             chances: Vec::new(),
         }
     }
 
-    /// The spots of the program.
-    pub fn spots(&self) -> &Spots {
-        &self.spots
+    /// The coverage points of the program.
+    pub fn points(&self) -> &CoveragePoints {
+        &self.points
     }
 
-    /// Whether some run reached the spot at this place among all.
-    pub fn has(&self, spot: usize) -> bool {
-        self.seen.get(spot).copied().unwrap_or_default()
+    /// Whether some run reached the coverage point at this place among all.
+    pub fn has(&self, point: usize) -> bool {
+        self.seen.get(point).copied().unwrap_or_default()
     }
 
-    /// Some run reached this spot; whether it is the first.
-    pub fn add(&mut self, spot: usize) -> bool {
-        let seen = self.seen.get_mut(spot);
+    /// Some run reached this coverage point; whether it is the first.
+    pub fn add(&mut self, point: usize) -> bool {
+        let seen = self.seen.get_mut(point);
         seen.is_some_and(|seen| !std::mem::replace(seen, true))
     }
 
-    /// What the runs since the last call were the first to come by, by places in [`Spots::all`]; and some cycles whose
+    /// What the runs since the last call were the first to come by, by indices in [`CoveragePoints::all`]; and some cycles whose
     /// step had an edge that no run went along yet, where another input may change the path.
     pub fn take_news(&mut self) -> (Vec<usize>, Vec<u64>) {
         (
@@ -235,8 +235,8 @@ impl Reach {
     }
 
     /// Keeps a cycle if its step has an edge that no run went along. Of too many every other one goes.
-    fn chance(&mut self, cycle: u64, at: Place) {
-        if self.spots.edges(at).all(|edge| self.has(edge)) {
+    fn chance(&mut self, cycle: u64, at: ProgramPoint) {
+        if self.points.edges(at).all(|edge| self.has(edge)) {
             return;
         }
         if self.chances.len() == CHANCES {
@@ -251,13 +251,13 @@ impl Reach {
 }
 
 impl Scout for Reach {
-    fn went(&mut self, cycle: u64, from: Place, to: Option<Place>) {
+    fn went(&mut self, cycle: u64, from: ProgramPoint, to: Option<ProgramPoint>) {
         let edge = to
             .filter(|to| *to != from)
-            .and_then(|to| self.spots.edge(from, to));
-        for spot in [self.spots.step(from.step), edge].into_iter().flatten() {
-            if self.add(spot) {
-                self.new.push(spot);
+            .and_then(|to| self.points.edge(from, to));
+        for point in [self.points.step(from.step), edge].into_iter().flatten() {
+            if self.add(point) {
+                self.new.push(point);
             }
         }
         self.chance(cycle, from);

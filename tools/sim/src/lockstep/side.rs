@@ -5,7 +5,7 @@ use crate::interp::Interpreter;
 use crate::run::Run;
 use crate::trace::both;
 use std::fmt::{self, Display, Write as _};
-use tip_lint::spots::Place;
+use tip_lint::coverage_points::ProgramPoint;
 use tip_runtime::command::{Command, Value};
 use tip_runtime::console::{Bars, Console};
 use tip_runtime::hardware::JointCommand;
@@ -122,10 +122,10 @@ impl Side {
     }
 
     /// Where the interpreter is; compiled code gives its step only.
-    pub(super) fn place(&self) -> Place {
+    pub(super) fn place(&self) -> ProgramPoint {
         match self.run.engine::<Interpreter>() {
             Some(interpreter) => interpreter.place(),
-            None => Place {
+            None => ProgramPoint {
                 step: self.run.program().at(),
                 not_taken: false,
             },

@@ -1,23 +1,21 @@
-//! One mistake, one finding: what follows from another finding joins it.
+//! One mistake, one diagnostic: what follows from another diagnostic joins it.
 
 use super::title;
 use crate::code::Code;
 use crate::diagnostic::in_place;
-use crate::diagnostic::{Diagnostic, Findings, Label};
+use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::foreign;
 use crate::language::{Keyword, commands};
 use crate::lex::{Kind, Token, lex, split_comment};
-use crate::message::{
-    Commanding, Habit, Instead, Message, Naming, Parsing, Structuring, Suggesting,
-};
+use crate::message::{Commanding, ForeignWord, Message, Naming, Parsing, Structuring, Suggestion};
 use crate::source::{Source, Span};
 use crate::suggest::is_near;
 use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 
-/// Lets findings about one name be one finding, at the first place.
-pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
+/// Lets diagnostics about one name be one diagnostic, at the first place.
+pub(super) fn join(source: &Source, module: &Module, found: &mut Diagnostics) {
     in_place(found);
     // What ends no block here may be reported as such already.
     found.dedup_by(|second, first| {
@@ -44,25 +42,25 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
 }
 
 /// `START` where `START:` was meant: the jumps to it are not wrong.
-fn labels_without_colon(source: &Source, module: &Module, found: &mut Findings) {
+fn labels_without_colon(source: &Source, module: &Module, found: &mut Diagnostics) {
     let is_broken = |it: &&Diagnostic| it.reason == Parsing::LabelColonMissing.into();
     let broken = found.iter().filter(is_broken);
     let broken: HashSet<_> = broken.map(|it| upper_case(source.slice(it.span))).collect();
     let mut jumps: HashMap<String, Vec<Span>> = HashMap::new();
-    for finding in found.iter().filter(|it| it.code == Code::UnknownLabel) {
-        let name = finding.subject.clone().unwrap_or_default();
-        jumps.entry(name).or_default().push(finding.span);
+    for diagnostic in found.iter().filter(|it| it.code == Code::UnknownLabel) {
+        let name = diagnostic.subject.clone().unwrap_or_default();
+        jumps.entry(name).or_default().push(diagnostic.span);
     }
     let mut meant = HashSet::new();
-    for finding in found
+    for diagnostic in found
         .iter_mut()
         .filter(|it| it.code == Code::UnknownCommand)
     {
-        let name = finding.subject.as_deref().unwrap_or_default();
+        let name = diagnostic.subject.as_deref().unwrap_or_default();
         // `L1.`
         let name = name.trim_end_matches(['.', '-']);
         // The first word of that name is the label, so that no jump is listed twice.
-        let is_alone = is_alone(module, finding.span);
+        let is_alone = is_alone(module, diagnostic.span);
         let places = is_alone.then(|| jumps.remove(name)).flatten();
         // A jump without its colon is another mistake.
         let is_jumped_to = is_alone && broken.contains(name);
@@ -71,21 +69,21 @@ fn labels_without_colon(source: &Source, module: &Module, found: &mut Findings) 
         }
         let name = name.to_owned();
         meant.insert(name.clone());
-        finding.reason = Parsing::LabelColonMissing.into();
-        finding.help = Some(Parsing::WriteLabel { name: name.into() }.into());
+        diagnostic.reason = Parsing::LabelColonMissing.into();
+        diagnostic.help = Some(Parsing::WriteLabel { name: name.into() }.into());
         let places = places.into_iter().flatten();
         let labels = places.map(|span| label(span, Structuring::JumpsHere));
-        finding.labels.extend(labels);
+        diagnostic.labels.extend(labels);
     }
-    found.retain(|finding| {
-        let name = finding.subject.as_ref();
-        finding.code != Code::UnknownLabel || !name.is_some_and(|name| meant.contains(name))
+    found.retain(|diagnostic| {
+        let name = diagnostic.subject.as_ref();
+        diagnostic.code != Code::UnknownLabel || !name.is_some_and(|name| meant.contains(name))
     });
 }
 
 /// Labels that stand after END are one mistake: END stands too early.
-fn labels_after_end(source: &Source, module: &Module, found: &mut Findings) {
-    let is_missing = |finding: &Diagnostic| finding.code == Code::UnknownLabel;
+fn labels_after_end(source: &Source, module: &Module, found: &mut Diagnostics) {
+    let is_missing = |diagnostic: &Diagnostic| diagnostic.code == Code::UnknownLabel;
     let end = module.statements.last();
     let Some(end) = end.filter(|it| it.kind == StatementKind::End && found.iter().any(is_missing))
     else {
@@ -93,22 +91,22 @@ fn labels_after_end(source: &Source, module: &Module, found: &mut Findings) {
     };
     let after = labels_in(source, Span::new(end.span.end, source.text().len()));
     let mut first: Option<Diagnostic> = None;
-    found.retain_mut(|finding| {
-        let name = finding.subject.as_deref().unwrap_or_default();
-        let Some(place) = after.get(name).filter(|_| is_missing(finding)) else {
+    found.retain_mut(|diagnostic| {
+        let name = diagnostic.subject.as_deref().unwrap_or_default();
+        let Some(place) = after.get(name).filter(|_| is_missing(diagnostic)) else {
             return true;
         };
         match &mut first {
             Some(first) => {
-                first.labels.push(label(finding.span, Naming::AlsoHere));
+                first.labels.push(label(diagnostic.span, Naming::AlsoHere));
             }
             None => {
-                let finding = finding.clone();
-                let finding = finding.label(end.span, Habit::EndsTheText);
+                let diagnostic = diagnostic.clone();
+                let diagnostic = diagnostic.label(end.span, ForeignWord::EndsTheText);
                 first = Some(
-                    finding
-                        .label(*place, Habit::StandsAfterEnd)
-                        .help(Habit::AfterEnd),
+                    diagnostic
+                        .label(*place, ForeignWord::StandsAfterEnd)
+                        .help(ForeignWord::AfterEnd),
                 );
             }
         }
@@ -139,50 +137,53 @@ fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
 }
 
 /// `CASE` belongs to the SWITCH before it: one statement of another language is one mistake.
-fn parts_of_statements(found: &mut Findings) {
+fn parts_of_statements(found: &mut Diagnostics) {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     let mut begun: Option<usize> = None;
-    for finding in found.drain(..) {
-        let word = finding.subject.clone().unwrap_or_default();
-        let is_unknown = finding.code == Code::UnknownCommand;
+    for diagnostic in found.drain(..) {
+        let word = diagnostic.subject.clone().unwrap_or_default();
+        let is_unknown = diagnostic.code == Code::UnknownCommand;
         if let Some(first) = begun.map(|at| &mut kept[at])
             && (is_unknown && foreign::goes_on(first.subject.as_deref().unwrap_or_default(), &word)
-                || first.help == Some(Habit::Loops.into()) && ends_do(first, &finding)
-                || first.help == Some(Habit::FromTheTop.into()) && first.help == finding.help)
+                || first.help == Some(ForeignWord::Loops.into()) && ends_do(first, &diagnostic)
+                || first.help == Some(ForeignWord::FromTheTop.into())
+                    && first.help == diagnostic.help)
         {
-            first.labels.push(label(finding.span, Habit::GoesOn));
+            first
+                .labels
+                .push(label(diagnostic.span, ForeignWord::GoesOn));
             continue;
         }
         if is_unknown && foreign::statement(&word).is_some() {
             begun = Some(kept.len());
         }
-        kept.push(finding);
+        kept.push(diagnostic);
     }
     **found = kept;
 }
 
 /// `DO` … `UNTIL A > 3`, which ends a REPEAT here; `DO` … `WHILE A < 3`, which begins another loop here.
-fn ends_do(begun: &Diagnostic, finding: &Diagnostic) -> bool {
+fn ends_do(begun: &Diagnostic, diagnostic: &Diagnostic) -> bool {
     let (opener, word) = (Keyword::Repeat, Keyword::Until);
     let until = Structuring::NothingOpen { opener, word };
     let opener = Keyword::While;
-    finding.reason == until.into()
-        || begun.labels.is_empty() && finding.reason == Structuring::NotClosed { opener }.into()
+    diagnostic.reason == until.into()
+        || begun.labels.is_empty() && diagnostic.reason == Structuring::NotClosed { opener }.into()
 }
 
 /// `WHILE TRUE:`: that it repeats for ever is said, and so its colon does not matter.
-fn endless_loops(source: &Source, found: &mut Findings) {
-    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+fn endless_loops(source: &Source, found: &mut Diagnostics) {
+    let line_of = |diagnostic: &Diagnostic| source.line_column(diagnostic.span.start).0;
     let forever = found
         .iter()
-        .filter(|it| it.help == Some(Habit::Forever.into()));
+        .filter(|it| it.help == Some(ForeignWord::Forever.into()));
     let lines: HashSet<u32> = forever.map(line_of).collect();
-    found.retain(|it| it.reason != Habit::NoColon.into() || !lines.contains(&line_of(it)));
+    found.retain(|it| it.reason != ForeignWord::NoColon.into() || !lines.contains(&line_of(it)));
 }
 
 /// Merges what follows from a line that is too long into the diagnostic of its text.
-fn long_texts(source: &Source, found: &mut Findings) {
-    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+fn long_texts(source: &Source, found: &mut Diagnostics) {
+    let line_of = |diagnostic: &Diagnostic| source.line_column(diagnostic.span.start).0;
     let texts = found.iter().filter(|it| it.code == Code::LongString);
     let lines: HashSet<u32> = texts.map(line_of).collect();
     let is_long =
@@ -191,16 +192,22 @@ fn long_texts(source: &Source, found: &mut Findings) {
 }
 
 /// `DIM A(10)`: that there are no arrays is the mistake.
-fn arrays_declared(source: &Source, found: &mut Findings) {
-    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
-    let is_array =
-        |it: &&Diagnostic| matches!(it.help, Some(Message::Habit(Habit::NoArray { .. })));
+fn arrays_declared(source: &Source, found: &mut Diagnostics) {
+    let line_of = |diagnostic: &Diagnostic| source.line_column(diagnostic.span.start).0;
+    let is_array = |it: &&Diagnostic| {
+        matches!(
+            it.help,
+            Some(Message::ForeignWord(ForeignWord::NoArray { .. }))
+        )
+    };
     let arrays: HashSet<u32> = found.iter().filter(is_array).map(line_of).collect();
-    found.retain(|it| it.help != Some(Habit::Declare.into()) || !arrays.contains(&line_of(it)));
+    found.retain(|it| {
+        it.help != Some(ForeignWord::Declare.into()) || !arrays.contains(&line_of(it))
+    });
 }
 
 /// Merges UNTIL with its REPEAT after it, or `REPEAT` … `WHILE A < 3`, if nothing else is wrong with the structure.
-fn reversed_loops(found: &mut Findings) {
+fn reversed_loops(found: &mut Diagnostics) {
     let is_structure = |it: &&Diagnostic| it.code == Code::Structure;
     let both: Vec<&Diagnostic> = found.iter().filter(is_structure).collect();
     let [first, second] = both.as_slice() else {
@@ -228,14 +235,14 @@ fn reversed_loops(found: &mut Findings) {
     };
     found.retain(|it| it.code != Code::Structure || it.span != repeat);
     let word = Keyword::Repeat;
-    for finding in found.iter_mut().filter(|it| it.span == end) {
-        finding.labels = vec![label(repeat, Structuring::StandsHere { word })];
-        finding.help = Some(Habit::UntilCloses.into());
+    for diagnostic in found.iter_mut().filter(|it| it.span == end) {
+        diagnostic.labels = vec![label(repeat, Structuring::StandsHere { word })];
+        diagnostic.help = Some(ForeignWord::UntilCloses.into());
     }
 }
 
 /// `FOR A`, `FOR B`, `NEXT A`, `NEXT B`: two that name each other's variable are in the wrong order, which is one mistake.
-fn crossed_loops(source: &Source, found: &mut Findings) {
+fn crossed_loops(source: &Source, found: &mut Diagnostics) {
     let names = |it: &Diagnostic| match &it.reason {
         Message::Structuring(Structuring::NextNames { name }) => {
             let own = it.labels.first()?.span;
@@ -266,7 +273,7 @@ fn crossed_loops(source: &Source, found: &mut Findings) {
         if let Some(second) = after {
             let place = found[second].span;
             found[at].labels.push(label(place, Naming::AlsoHere));
-            found[at].help = Some(Habit::InnerFirst { inner, outer }.into());
+            found[at].help = Some(ForeignWord::InnerFirst { inner, outer }.into());
             joined.insert(second);
         }
     }
@@ -275,23 +282,25 @@ fn crossed_loops(source: &Source, found: &mut Findings) {
 }
 
 /// Merges the line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
-fn broken_lines(source: &Source, found: &mut Findings) {
-    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+fn broken_lines(source: &Source, found: &mut Diagnostics) {
+    let line_of = |diagnostic: &Diagnostic| source.line_column(diagnostic.span.start).0;
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        let word = finding.subject.as_deref().unwrap_or_default();
+    for diagnostic in found.drain(..) {
+        let word = diagnostic.subject.as_deref().unwrap_or_default();
         let is_rest = word.starts_with(|c: char| c.is_ascii_digit() || c == '-');
         match kept.last_mut() {
             Some(before)
-                if finding.code == Code::UnknownCommand
+                if diagnostic.code == Code::UnknownCommand
                     && matches!(before.code, Code::Argument | Code::UnknownVariable)
                     && is_rest
-                    && line_of(before) + 1 == line_of(&finding) =>
+                    && line_of(before) + 1 == line_of(&diagnostic) =>
             {
-                before.labels.push(label(finding.span, Habit::GoesOnHere));
-                before.help = Some(Habit::OneLine.into());
+                before
+                    .labels
+                    .push(label(diagnostic.span, ForeignWord::GoesOnHere));
+                before.help = Some(ForeignWord::OneLine.into());
             }
-            _ => kept.push(finding),
+            _ => kept.push(diagnostic),
         }
     }
     **found = kept;
@@ -326,7 +335,7 @@ fn label(span: Span, text: impl Into<Message>) -> Label {
 }
 
 /// Merges the word that was to be END at the end of the text, STOP or EDN, with the missing END.
-pub(super) fn last_word(found: &mut Findings) {
+pub(super) fn last_word(found: &mut Diagnostics) {
     let Some(missing) = found.iter().position(|it| it.code == Code::NoEnd) else {
         return;
     };
@@ -335,11 +344,11 @@ pub(super) fn last_word(found: &mut Findings) {
     let Some(word) = found.iter().position(unknown) else {
         return;
     };
-    let ends = [Habit::Stop, Habit::Exit].map(Message::from);
+    let ends = [ForeignWord::Stop, ForeignWord::Exit].map(Message::from);
     let end = Keyword::End.word();
     let subject = found[word].subject.as_deref();
     if subject.is_some_and(|subject| is_near(subject, end)) {
-        found[word].help = Some(Suggesting::DidYouMean { near: end.into() }.into());
+        found[word].help = Some(Suggestion::DidYouMean { near: end.into() }.into());
         found.remove(missing);
     } else if found[word]
         .help
@@ -351,34 +360,36 @@ pub(super) fn last_word(found: &mut Findings) {
 }
 
 /// Merges the uses of a name that line 2 would declare, if it were not the title.
-fn declared_in_title(source: &Source, module: &Module, found: &mut Findings) {
+fn declared_in_title(source: &Source, module: &Module, found: &mut Diagnostics) {
     let in_title = title::declared(source, module);
-    for finding in found.iter_mut() {
-        let name = finding.subject.as_deref().unwrap_or_default();
-        let is_unknown = finding.code == Code::UnknownVariable;
+    for diagnostic in found.iter_mut() {
+        let name = diagnostic.subject.as_deref().unwrap_or_default();
+        let is_unknown = diagnostic.code == Code::UnknownVariable;
         if let Some(place) = in_title.get(name).filter(|_| is_unknown) {
-            finding.labels.push(label(*place, Habit::TitleHere));
-            finding.help = Some(Habit::Title.into());
+            diagnostic
+                .labels
+                .push(label(*place, ForeignWord::TitleHere));
+            diagnostic.help = Some(ForeignWord::Title.into());
         }
     }
 }
 
-/// Findings of one mistake are one finding at the first place, and the best guess of the type of a name is its help.
-fn repeated(found: &mut Findings) {
+/// Diagnostics of one mistake are one diagnostic at the first place, and the best guess of the type of a name is its help.
+fn repeated(found: &mut Diagnostics) {
     let mut first_of: HashMap<SmolStr, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        let first = finding.once.as_ref().and_then(|once| first_of.get(once));
+    for diagnostic in found.drain(..) {
+        let first = diagnostic.once.as_ref().and_then(|once| first_of.get(once));
         match first.map(|at| &mut kept[*at]) {
             Some(first) => {
-                first.labels.push(label(finding.span, Naming::AlsoHere));
-                if is_open(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
-                    first.help = finding.help;
+                first.labels.push(label(diagnostic.span, Naming::AlsoHere));
+                if is_open(first.help.as_ref()) && is_guess(diagnostic.help.as_ref()) {
+                    first.help = diagnostic.help;
                 }
             }
             None => {
-                first_of.extend(finding.once.clone().map(|once| (once, kept.len())));
-                kept.push(finding);
+                first_of.extend(diagnostic.once.clone().map(|once| (once, kept.len())));
+                kept.push(diagnostic);
             }
         }
     }
@@ -397,7 +408,7 @@ fn is_guess(help: Option<&Message>) -> bool {
 
 /// Removes what follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses
 /// mean.
-pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findings) {
+pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Diagnostics) {
     let is_again =
         |it: &&Diagnostic| matches!(it.reason, Message::Naming(Naming::DeclaredAgain { .. }));
     let again: HashSet<String> = found
@@ -426,16 +437,16 @@ pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findi
 }
 
 /// `DEF_VAR A$`, and wherever `A$` stands.
-pub(super) fn with_sign(source: &Source, found: &mut Findings) {
+pub(super) fn with_sign(source: &Source, found: &mut Diagnostics) {
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        match &finding.reason {
+    for diagnostic in found.drain(..) {
+        match &diagnostic.reason {
             Message::Naming(Naming::NoVariableName { word }) => {
                 first_of.entry(word.to_string()).or_insert(kept.len());
             }
             Message::Parsing(Parsing::ForeignInName { .. }) => {
-                let word = word_at(source, finding.span);
+                let word = word_at(source, diagnostic.span);
                 let name = source.slice(word).to_ascii_uppercase();
                 if let Some(first) = first_of.get(&name) {
                     kept[*first].labels.push(label(word, Naming::AlsoHere));
@@ -444,7 +455,7 @@ pub(super) fn with_sign(source: &Source, found: &mut Findings) {
             }
             _ => {}
         }
-        kept.push(finding);
+        kept.push(diagnostic);
     }
     **found = kept;
 }
@@ -458,7 +469,7 @@ fn word_at(source: &Source, sign: Span) -> Span {
 }
 
 /// `SUBROUTINE LOOP:` and its calls.
-pub(super) fn called_loop(found: &mut Findings) {
+pub(super) fn called_loop(found: &mut Diagnostics) {
     let is_named = |it: &Diagnostic| it.reason == Naming::SubroutineLoop.into();
     let is_called = |it: &Diagnostic| it.reason == Structuring::LoopForGoto.into();
     if !found.iter().any(is_named) {
@@ -473,7 +484,7 @@ pub(super) fn called_loop(found: &mut Findings) {
 }
 
 /// `PTP F1 R 0 0` with a variable R: that R is a flag there explains the missing number.
-pub(super) fn flags(source: &Source, module: &Module, found: &mut Findings) {
+pub(super) fn flags(source: &Source, module: &Module, found: &mut Diagnostics) {
     let statement = |span: Span| module.statement_at(span.start);
     let mut explained = HashSet::new();
     for at in 0..found.len() {
@@ -487,8 +498,8 @@ pub(super) fn flags(source: &Source, module: &Module, found: &mut Findings) {
         };
         if let Some(fault) = found.iter_mut().find(is_there) {
             let name = source.slice(used).to_ascii_uppercase().into();
-            fault.labels.push(label(used, Instead::FlagHere));
-            fault.help = Some(Instead::OtherName { name }.into());
+            fault.labels.push(label(used, Suggestion::FlagHere));
+            fault.help = Some(Suggestion::OtherName { name }.into());
             explained.insert(flag);
         }
     }

@@ -7,7 +7,7 @@ use smol_str::SmolStr;
 
 messages! {
     /// The way of T.I.P. to say what another language says otherwise.
-    Habit;
+    ForeignWord;
 
     // First words.
     ShowText
@@ -392,8 +392,12 @@ messages! {
 }
 
 messages! {
-    /// Another way of writing.
-    Instead;
+    /// A replacement for what was written.
+    Suggestion;
+
+    DidYouMean { near: SmolStr }
+        "did you mean `{near}`?",
+        "`{near}` の間違いではありませんか?";
 
     // Words.
     Write { text: SmolStr }
