@@ -30,7 +30,7 @@ pub(crate) struct Arguments {
     pub(crate) load: tipc::Options,
     /// The path of a description that takes the place of the robot in `load`.
     pub(crate) robot_file: Option<Text>,
-    pub(crate) spelling: emit::Options,
+    pub(crate) emit_options: emit::Options,
 }
 
 const INCLUDE_TIP: &str =
@@ -56,7 +56,7 @@ pub(crate) fn tip(input: TokenStream) -> Result<Arguments, Misuse> {
     input.comma()?;
     let text = input.string()?;
     let mut arguments = Arguments::new(text, visibility);
-    arguments.spelling.name = Some(name);
+    arguments.emit_options.name = Some(name);
     arguments.with(input.options()?)
 }
 
@@ -66,20 +66,22 @@ pub(crate) fn tip(input: TokenStream) -> Result<Arguments, Misuse> {
 pub(crate) struct RobotArguments {
     /// The path of the description.
     pub(crate) text: Text,
-    pub(crate) spelling: emit::Options,
+    pub(crate) emit_options: emit::Options,
 }
 
 /// `[visibility] "path" [as NAME] [, runtime = path]`
 #[cfg(feature = "robot-files")]
 pub(crate) fn include_robot(input: TokenStream) -> Result<RobotArguments, Misuse> {
     let mut input = Input::new(input, INCLUDE_ROBOT);
-    let Arguments { text, spelling, .. } = input.file()?;
-    let mut arguments = RobotArguments { text, spelling };
+    let Arguments {
+        text, emit_options, ..
+    } = input.file()?;
+    let mut arguments = RobotArguments { text, emit_options };
     for (option, value) in input.options()? {
         if option != "runtime" {
             return Err(Misuse::new(option.span(), input.expected));
         }
-        arguments.spelling.runtime = runtime(&option, value)?;
+        arguments.emit_options.runtime = runtime(&option, value)?;
     }
     Ok(arguments)
 }
@@ -90,7 +92,7 @@ impl Arguments {
             text,
             load: tipc::Options::default(),
             robot_file: None,
-            spelling: emit::Options {
+            emit_options: emit::Options {
                 visibility,
                 ..emit::Options::default()
             },
@@ -125,7 +127,7 @@ impl Arguments {
                 Some(encoding) => self.load.encoding = encoding,
                 None => return wrong("`auto`, `utf8` or `shift_jis`"),
             },
-            "runtime" => self.spelling.runtime = runtime(option, value)?,
+            "runtime" => self.emit_options.runtime = runtime(option, value)?,
             _ => {
                 let message = format!("unknown option `{name}`: {OPTIONS}");
                 return Err(Misuse::new(option.span(), message));
@@ -244,7 +246,7 @@ impl Input {
         let text = self.string()?;
         let mut arguments = Arguments::new(text, visibility);
         if self.keyword("as") {
-            arguments.spelling.name = Some(self.name()?);
+            arguments.emit_options.name = Some(self.name()?);
         }
         Ok(arguments)
     }
@@ -305,21 +307,23 @@ mod tests {
         let arguments = include_tip(tokens("\"walk.prg\"")).unwrap();
         assert_eq!(arguments.text.value, "walk.prg");
         assert_eq!(arguments.load, tipc::Options::default());
-        assert!(arguments.spelling.name.is_none());
-        assert!(arguments.spelling.visibility.is_empty());
+        assert!(arguments.emit_options.name.is_none());
+        assert!(arguments.emit_options.visibility.is_empty());
     }
 
     #[test]
     fn every_option_is_taken() {
         let input = "pub(crate) \"x.prg\" as Afc, robot = hand, tip_version = 2.0,
             encoding = shift_jis, runtime = crate::robot,";
-        let Arguments { load, spelling, .. } = include_tip(tokens(input)).unwrap();
+        let Arguments {
+            load, emit_options, ..
+        } = include_tip(tokens(input)).unwrap();
         assert_eq!(load.robot, Robot::Hand);
         assert_eq!(load.tip_version, 2.0);
         assert_eq!(load.encoding, Encoding::ShiftJis);
-        assert_eq!(spelling.name.unwrap(), "Afc");
-        assert_eq!(spelling.visibility.to_string(), "pub (crate)");
-        assert_eq!(spelling.runtime.to_string(), "crate :: robot");
+        assert_eq!(emit_options.name.unwrap(), "Afc");
+        assert_eq!(emit_options.visibility.to_string(), "pub (crate)");
+        assert_eq!(emit_options.runtime.to_string(), "crate :: robot");
     }
 
     #[test]
@@ -329,7 +333,7 @@ mod tests {
         ))
         .unwrap();
         assert_eq!(arguments.text.value, "3.1\nwave\nEND");
-        assert_eq!(arguments.spelling.name.unwrap(), "Wave");
+        assert_eq!(arguments.emit_options.name.unwrap(), "Wave");
         assert_eq!(arguments.load.robot, Robot::Generic);
     }
 

@@ -23,12 +23,12 @@ pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenS
             let Arguments {
                 text,
                 load,
-                spelling,
+                emit_options,
                 ..
             } = &arguments;
             let compile = |bytes: &[u8]| compiled(&text.value, bytes, &arguments, invoking);
             included(text, invoking, compile).unwrap_or_else(|failure| {
-                failure.beside(emit::skeleton(&text.value, load.robot, spelling))
+                failure.with_skeleton(emit::skeleton(&text.value, load.robot, emit_options))
             })
         }
         Err(misuse) => complaint(&misuse),
@@ -41,12 +41,12 @@ pub(crate) fn tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
             let Arguments {
                 text,
                 load,
-                spelling,
+                emit_options,
                 ..
             } = &arguments;
-            let name = spelling.name_for("").to_string();
+            let name = emit_options.name_for("").to_string();
             compiled(&name, text.value.as_bytes(), &arguments, invoking).unwrap_or_else(|failure| {
-                failure.beside(emit::skeleton(&name, load.robot, spelling))
+                failure.with_skeleton(emit::skeleton(&name, load.robot, emit_options))
             })
         }
         Err(misuse) => complaint(&misuse),
@@ -57,15 +57,16 @@ pub(crate) fn tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
 pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
     use tipc::description::{self, skeleton};
     match arguments::include_robot(input) {
-        Ok(arguments::RobotArguments { text, spelling }) => {
+        Ok(arguments::RobotArguments { text, emit_options }) => {
             let compile = |bytes: &[u8]| {
                 let described = description::parse(&text.value, bytes);
                 described
-                    .map(|description| description.to_rust(&spelling))
+                    .map(|description| description.to_rust(&emit_options))
                     .map_err(|loaded| Failure::of(&text, &loaded))
             };
-            on_description(&text, invoking, compile)
-                .unwrap_or_else(|failure| failure.beside(skeleton(&text.value, &spelling)))
+            on_description(&text, invoking, compile).unwrap_or_else(|failure| {
+                failure.with_skeleton(skeleton(&text.value, &emit_options))
+            })
         }
         Err(misuse) => complaint(&misuse),
     }
@@ -107,7 +108,7 @@ impl Failure {
     }
 
     /// Returns the errors, and what replaces the item that could not be made.
-    fn beside(&self, skeleton: TokenStream) -> TokenStream {
+    fn with_skeleton(&self, skeleton: TokenStream) -> TokenStream {
         let errors = self.errors.iter();
         let errors = errors.map(|text| error(self.span, text));
         quote!(#(#errors)* #skeleton)
@@ -165,7 +166,7 @@ fn compiled(
     invoking: Option<&Path>,
 ) -> Result<TokenStream, Failure> {
     let compile = |load: &tipc::Options| {
-        embed(name, bytes, load, &arguments.spelling)
+        embed(name, bytes, load, &arguments.emit_options)
             .map_err(|loaded| Failure::of(&arguments.text, &loaded))
     };
     match &arguments.robot_file {

@@ -25,10 +25,10 @@ pub(crate) fn string(token: &TokenTree) -> Option<Text> {
     let TokenTree::Literal(literal) = token else {
         return None;
     };
-    let spelled = literal.to_string();
-    let value = match spelled.strip_prefix('r') {
+    let literal_text = literal.to_string();
+    let value = match literal_text.strip_prefix('r') {
         Some(raw) => raw_content(raw)?.to_owned(),
-        None => unescaped(spelled.strip_prefix('"')?.strip_suffix('"')?)?,
+        None => unescaped(literal_text.strip_prefix('"')?.strip_suffix('"')?)?,
     };
     Some(Text {
         value: value.replace("\r\n", "\n"),

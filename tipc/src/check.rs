@@ -74,7 +74,7 @@ pub(crate) fn check<'m>(
         uses::report(source, &names, &named, &mut found);
         jumps::warn_of_entries(module, &mut found);
     }
-    cascading::join(source, module, &mut found);
+    cascading::merge(source, module, &mut found);
     let resolved = statements.map(|statements| ResolvedModule {
         variables: names.variables,
         labels: labels.all,

@@ -29,13 +29,13 @@ mod legs;
 mod model;
 mod name;
 mod project;
+mod rotation;
 mod rust;
 mod scene;
 mod section;
 mod settings;
 mod shape;
 mod spread;
-mod turn;
 
 #[cfg(test)]
 mod tests;

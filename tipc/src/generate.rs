@@ -180,7 +180,7 @@ impl Config {
     }
 
     fn generate(&self, paths: &[&Path], report: &mut Report) -> Result<(), BuildError> {
-        let spelling = self.spelling(paths.len())?;
+        let emit_options = self.emit_options(paths.len())?;
         let folder = files::out_dir(self.out_dir.as_deref())?;
         let outputs = outputs(paths, &folder)?;
         let load = self.load(report)?;
@@ -190,7 +190,7 @@ impl Config {
             let Some(program) = program(input, &load, report) else {
                 continue;
             };
-            let text = emit::pretty(&program, &spelling).map_err(|error| no_rust(&error))?;
+            let text = emit::pretty(&program, &emit_options).map_err(|error| no_rust(&error))?;
             files::write_if_changed(&output, &text)?;
         }
         report.outcome()
@@ -198,14 +198,14 @@ impl Config {
 
     #[cfg(feature = "robot-files")]
     fn generate_robot(&self, path: &Path, report: &mut Report) -> Result<(), BuildError> {
-        let spelling = self.spelling(1)?;
+        let emit_options = self.emit_options(1)?;
         let folder = files::out_dir(self.out_dir.as_deref())?;
         if let Some(description) = describe(path, report)? {
             let outputs = outputs(&[path], &folder)?;
             for output in outputs.keys() {
                 files::claim(output, path)?;
                 let text = description
-                    .pretty(&spelling)
+                    .pretty(&emit_options)
                     .map_err(|error| no_rust(&error))?;
                 files::write_if_changed(output, &text)?;
             }
@@ -231,7 +231,7 @@ impl Config {
         Ok(self.load)
     }
 
-    fn spelling(&self, programs: usize) -> Result<emit::Options, BuildError> {
+    fn emit_options(&self, programs: usize) -> Result<emit::Options, BuildError> {
         if self.type_name.is_some() && programs > 1 {
             return Err(BuildError::setting(Building::OneType));
         }

@@ -37,7 +37,7 @@ pub struct Token {
     pub spaced: bool,
 }
 
-/// The full-width space as UTF-8 spells it.
+/// The full-width space in UTF-8.
 const FULL_WIDTH_SPACE: &[u8] = b"\xE3\x80\x80";
 
 /// The characters that only take up room.

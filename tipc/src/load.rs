@@ -94,7 +94,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     loaded
 }
 
-/// Reads, checks and lowers a program without an analysis of it. The diagnostics are apart, and in no order.
+/// Reads, checks and lowers a program without an analysis of it. The diagnostics are separate, and in no order.
 pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Diagnostics) {
     let Parsed {
         source,

@@ -1,7 +1,7 @@
 //! Messages of diagnostics, as data: a reason, a help or a label is a row of a table and the arguments of its text.
 //!
 //! Each module that finds something has a table, and [`phrase`] one for each part of a sentence that
-//! varies. Nothing else spells a sentence, so that a text is changed in one place. Each language is a column.
+//! varies. No other module contains sentences, so that a text is changed in one place. Each language is a column.
 //! Quoted words are cut to 80 characters.
 
 use say::Say;

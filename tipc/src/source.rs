@@ -22,10 +22,10 @@ use original::Original;
 use position::ColumnIndex;
 
 mod decode;
+mod encode;
 mod lines;
 mod original;
 mod position;
-mod respelled;
 
 pub use decode::looks_like;
 pub use decode::{Charset, Encoding, Undecodable};
@@ -121,14 +121,14 @@ impl Source {
         self.mark
     }
 
-    /// Returns the bytes of the file that spell the text at `span`, even if they spell it badly. Spans that follow
+    /// Returns the bytes of the file for the text at `span`, even if they are invalid. Spans that follow
     /// each other give bytes that follow each other; characters that begin in a span are given back completely.
     pub fn original(&self, span: Span) -> &[u8] {
         let at = |offset| self.units_before(next_boundary(&self.text, offset), Unit::Byte);
         self.original.get(&self.text, at(span.start), at(span.end))
     }
 
-    /// Returns the byte of the file at which a byte of the text is spelled.
+    /// Returns the byte of the file for a byte of the text.
     pub fn file_offset(&self, offset: usize) -> usize {
         self.mark.len() + self.units_before(offset, Unit::Byte)
     }

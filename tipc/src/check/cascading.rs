@@ -1,4 +1,4 @@
-//! One mistake, one diagnostic: what follows from another diagnostic joins it.
+//! Merges diagnostics that follow from another one: one mistake, one diagnostic.
 
 use super::title;
 use crate::code::Code;
@@ -14,8 +14,8 @@ use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 
-/// Lets diagnostics about one name be one diagnostic, at the first place.
-pub(super) fn join(source: &Source, module: &Module, found: &mut Diagnostics) {
+/// Merges the diagnostics about one name into one, at its first location.
+pub(super) fn merge(source: &Source, module: &Module, found: &mut Diagnostics) {
     in_place(found);
     // What ends no block here may be reported as such already.
     found.dedup_by(|second, first| {

@@ -57,7 +57,7 @@ impl Part {
     pub const PROJECT: &'static [Part] = &[Part::Project, Part::Programs];
 
     /// Returns the tables of the same file.
-    pub(super) fn beside(self) -> &'static [Part] {
+    pub(super) fn same_file(self) -> &'static [Part] {
         if Part::SCENE.contains(&self) {
             Part::SCENE
         } else if Part::PROJECT.contains(&self) {

@@ -2,10 +2,10 @@
 
 use super::Leg;
 use super::keys::Part;
+use super::rotation::sin_cos;
 use super::section::{Found, SMALLEST, Section, Sign, fault};
 use super::shape::{self, Shape};
 use super::spread;
-use super::turn::sin_cos;
 use crate::message::{Describing, Letter};
 use crate::source::Span;
 use tip_runtime::command::MAX;

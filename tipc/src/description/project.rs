@@ -1,4 +1,4 @@
-//! `tip.toml`: what the programs beside it are for.
+//! `tip.toml`: settings of the programs in its folder.
 
 use super::keys::Part;
 use super::open;

@@ -77,8 +77,8 @@ impl<'a> Section<'a> {
     fn unknown(self, name: &str, place: Span) -> Diagnostic {
         let (table, key) = (self.part.table(), name.to_owned());
         let names = || self.part.keys().map(|key| key.name);
-        let mut beside = self.part.beside().iter();
-        let elsewhere = beside.find(|part| part.key(name).is_some());
+        let mut same_file = self.part.same_file().iter();
+        let elsewhere = same_file.find(|part| part.key(name).is_some());
         let help: Message = match (nearest(name, names()), elsewhere) {
             (Some(near), _) => Suggestion::DidYouMean { near: near.into() }.into(),
             (None, Some(part)) => Describing::BelongsTo {

@@ -1,8 +1,8 @@
 //! Shapes of links and bodies, for exported files. No plant of this project looks at them, and no `Model` holds them.
 
 use super::keys::Part;
+use super::rotation::sin_cos;
 use super::section::{Found, Section, Sign, fault};
-use super::turn::sin_cos;
 use crate::message::Describing;
 use tip_runtime::model::Point;
 

@@ -104,8 +104,8 @@ pub(crate) fn number(value: f64) -> TokenStream {
 
 /// Returns a variant of the vocabulary: its `Debug` form after the name of its type.
 fn variant(of: &str, variant: impl Debug) -> TokenStream {
-    let spelled = format!("{of}::{variant:?}");
-    spelled.parse().unwrap_or_default()
+    let path = format!("{of}::{variant:?}");
+    path.parse().unwrap_or_default()
 }
 
 pub(super) fn op(op: Op) -> TokenStream {
@@ -128,8 +128,8 @@ pub(super) fn flag(flag: Flag) -> TokenStream {
     let Some(of) = flag.target() else {
         return variant("Flag", flag);
     };
-    let spelled = format!("{flag:?}");
-    let name = identifier(spelled.split('(').next().unwrap_or_default());
+    let variant = format!("{flag:?}");
+    let name = identifier(variant.split('(').next().unwrap_or_default());
     let of = target(of);
     quote!(Flag::#name(#of))
 }

@@ -3,7 +3,7 @@
 //! Tokens and their syntax tree take many times what their text takes. Those of a long program are therefore made, laid out and
 //! dropped a few steps at a time; the text is the same as of all at once.
 
-use super::table::Spelled;
+use super::table::GeneratedStep;
 use super::{Emitter, Options, emit, header};
 use crate::program::{Program, StepId};
 use proc_macro2::TokenStream;
@@ -54,9 +54,13 @@ fn piecewise(program: &Program, options: &Options) -> Result<String, syn::Error>
     out += "    ];\n";
     out += between;
     out += "        const STEPS: &'static [Step<Self>] = &[\n";
-    emitter.each(&mut out, |Spelled { row, .. }| row, rows)?;
+    emitter.each(&mut out, |GeneratedStep { row, .. }| row, rows)?;
     out += "        ];\n";
-    emitter.each(&mut out, |Spelled { function, .. }| function, functions)?;
+    emitter.each(
+        &mut out,
+        |GeneratedStep { function, .. }| function,
+        functions,
+    )?;
     out += behind;
     Ok(out)
 }
@@ -71,7 +75,7 @@ impl Emitter<'_> {
     fn each(
         &self,
         out: &mut String,
-        part: impl Fn(Spelled) -> TokenStream,
+        part: impl Fn(GeneratedStep) -> TokenStream,
         lay_out: impl Fn(TokenStream) -> Result<String, syn::Error>,
     ) -> Result<(), syn::Error> {
         let ids: Vec<StepId> = self
@@ -82,7 +86,7 @@ impl Emitter<'_> {
             .map(|(_, id)| id)
             .collect();
         for ids in ids.chunks(STEPS) {
-            *out += &lay_out(ids.iter().map(|id| part(self.spelled(*id))).collect())?;
+            *out += &lay_out(ids.iter().map(|id| part(self.generate_step(*id))).collect())?;
         }
         Ok(())
     }

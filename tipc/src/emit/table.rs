@@ -22,7 +22,7 @@ pub(super) struct States {
 }
 
 /// Generated code of a step.
-pub(super) struct Spelled {
+pub(super) struct GeneratedStep {
     pub(super) row: TokenStream,
     /// Function that the row leads to, if it needs code.
     pub(super) function: TokenStream,
@@ -35,7 +35,7 @@ impl Emitter<'_> {
         for (step, id) in self.program.steps.iter().zip(0..) {
             let line = Literal::u32_unsuffixed(step.line);
             states.lines.extend(quote!(#line,));
-            let Spelled { row, function } = self.spelled(id);
+            let GeneratedStep { row, function } = self.generate_step(id);
             states.mention([&row, &function]);
             states.rows.extend(row);
             states.functions.extend(function);
@@ -51,7 +51,7 @@ impl Emitter<'_> {
             ..States::default()
         };
         for (_, id) in self.program.steps.iter().zip(0..) {
-            let Spelled { row, function } = self.spelled(id);
+            let GeneratedStep { row, function } = self.generate_step(id);
             states.mention([&row, &function]);
         }
         self.with_moves(states)
@@ -67,18 +67,18 @@ impl Emitter<'_> {
     }
 
     /// Generates the code of one step.
-    pub(super) fn spelled(&self, id: StepId) -> Spelled {
+    pub(super) fn generate_step(&self, id: StepId) -> GeneratedStep {
         let step = &self.program.steps[id as usize];
         let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
         let doc = in_comment(&doc);
         match self.state(id, &step.action) {
-            State::Row(row) => Spelled {
+            State::Row(row) => GeneratedStep {
                 row: quote!(#[doc = #doc] #row,),
                 function: TokenStream::new(),
             },
             State::Function(body) => {
                 let name = state(id);
-                Spelled {
+                GeneratedStep {
                     row: quote!(Step::run(Self::#name),),
                     function: function(&name, &doc, &body),
                 }

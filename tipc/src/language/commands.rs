@@ -275,7 +275,7 @@ pub fn of_joints(word: &str) -> Option<&'static str> {
 pub fn renamed(word: &str) -> Option<&'static str> {
     let bare = word.strip_prefix("SET_").unwrap_or(word);
     let name = match word {
-        // So the tables of contents and of changes spell some names.
+        // Some names in the tables of contents and of changes.
         _ if bare.starts_with("T_MAX") => format!("SET_TORQUE{}", &bare[1..]),
         _ if bare.starts_with("OMEGA_") && !bare.contains("_MAX") => {
             let (limit, rate) = bare.rsplit_once('_')?;

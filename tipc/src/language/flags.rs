@@ -8,7 +8,7 @@ use tip_runtime::command::{Flag, Port, Target};
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// The flag; of a family, one of its members. It spells itself.
+    /// The flag; of a family, one of its members. `Display` gives its word.
     pub flag: Flag,
     /// The first edition that has it.
     pub since: Edition,

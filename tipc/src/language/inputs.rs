@@ -9,7 +9,7 @@ use tip_runtime::command::Port;
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// The input; of several of a kind, one of them. It spells itself.
+    /// The input; of several of a kind, one of them. `Display` gives its word.
     pub port: Port,
     /// The first edition that has it.
     pub since: Edition,

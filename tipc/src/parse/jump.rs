@@ -78,7 +78,7 @@ pub(super) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
     }
 }
 
-/// Returns the mistake of a label that is spelled as in another language: its jumps are wrong in the same way.
+/// Returns the mistake of a label in the form of another language: its jumps are wrong in the same way.
 pub(crate) fn label_of(name: &str) -> String {
     format!("{name}:")
 }

@@ -1,4 +1,4 @@
-//! The bytes that spell the text in its file.
+//! The bytes of the text in its file.
 
 use super::decode::Charset;
 use super::next_boundary;
@@ -31,7 +31,7 @@ impl Original {
         text[start..end].chars().fold(at, lengths) - at
     }
 
-    /// Returns the bytes of the file from `start` up to `end`; `text` is what they spell.
+    /// Returns the bytes of the file from `start` up to `end`; `text` is what they encode.
     pub(super) fn get<'a>(&'a self, text: &'a str, start: usize, end: usize) -> &'a [u8] {
         let bytes = match self {
             Original::Text => text.as_bytes(),

@@ -180,7 +180,7 @@ fn utf16_units(text: &str, start: usize, end: usize) -> usize {
     characters(text, start, end) + bytes.iter().filter(|byte| **byte >= 0xF0).count()
 }
 
-/// One bit for each character of the basic plane: whether two bytes of code page 932 spell it.
+/// One bit for each character of the basic plane: set if code page 932 has two bytes for it.
 type DoubleByte = Box<[u64; 1024]>;
 
 static DOUBLE_BYTE: LazyLock<DoubleByte> = LazyLock::new(|| {

@@ -7,6 +7,7 @@
 //! ten open calls are one. All together takes time O(n log n): where jumps cross so often that the same steps belong to very
 //! many parts, counting ends early, and says so.
 
+mod components;
 mod costs;
 mod count;
 mod counted;
@@ -15,7 +16,6 @@ mod distance;
 mod graph;
 mod loops;
 mod render;
-mod rings;
 mod routines;
 mod steps;
 mod turns;

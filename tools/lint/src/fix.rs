@@ -16,7 +16,7 @@ use tipc::source::Source;
 use tipc::syntax::Module;
 
 /// Sources of fixes, asked in this order. The first answer counts.
-const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
+const FIXERS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     characters::fix,
     texts::fix,
     words::fix,
@@ -31,7 +31,7 @@ pub(crate) fn attach(source: &Source, module: &Module, diagnostics: &mut [Diagno
     let shared = Shared::default();
     for diagnostic in diagnostics {
         let site = Site::new(source, module, &shared, diagnostic);
-        let fix = ROOMS.iter().find_map(|room| room(&site));
+        let fix = FIXERS.iter().find_map(|fixer| fixer(&site));
         diagnostic.fixes = fix
             .filter(|fix| is_sound(source, fix))
             .into_iter()

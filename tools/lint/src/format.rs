@@ -15,9 +15,9 @@
 //! );
 //! ```
 
+mod equivalence;
 mod layout;
 mod rows;
-mod same;
 
 use crate::message::Formatting;
 use crate::{Loaded, Options, load};
@@ -78,7 +78,7 @@ fn laid_out(before: &Parsed, bytes: &[u8], options: &Options) -> Result<Vec<u8>,
     let rows = layout::rows(&before.source, &before.module);
     let formatted = rows.write(&before.source)?;
     if formatted != bytes {
-        same::check(before, &formatted, options)?;
+        equivalence::check(before, &formatted, options)?;
     }
     Ok(formatted)
 }

@@ -4,7 +4,6 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
 mod allow;
-pub mod ask;
 pub mod coverage_points;
 pub mod cycles;
 mod fix;
@@ -13,6 +12,7 @@ mod lints;
 pub mod listing;
 pub mod message;
 pub mod migrate;
+pub mod query;
 pub mod repair;
 
 pub use tipc::{Loaded, Options};

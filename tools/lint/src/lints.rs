@@ -27,7 +27,7 @@ use tipc::syntax::{Module, Statement};
 
 /// A program, and where its steps come from.
 #[derive(Clone, Copy)]
-struct Judged<'a> {
+struct LintContext<'a> {
     source: &'a Source,
     module: &'a Module,
     symbols: &'a Symbols,
@@ -44,7 +44,7 @@ pub(crate) fn find(
     options: &Options,
 ) -> Diagnostics {
     if let Some(program) = &loaded.program {
-        let judged = Judged {
+        let context = LintContext {
             source: &loaded.source,
             module: &loaded.module,
             symbols: &loaded.symbols,
@@ -52,7 +52,7 @@ pub(crate) fn find(
             flow: &Flow::of(program),
             robot: options.robot,
         };
-        judged.warn(&mut found);
+        context.warn(&mut found);
         let encoding = file::other_encoding(loaded, bytes, options);
         let title = file::title(loaded, options);
         let after_end = file::after_end(&loaded.source, &loaded.module);
@@ -74,7 +74,7 @@ pub(crate) fn add(loaded: &mut Loaded, mut found: Vec<Diagnostic>) {
     }
 }
 
-impl Judged<'_> {
+impl LintContext<'_> {
     /// Adds everything that its analysis gives reason to warn of to what was found before.
     fn warn(&self, found: &mut Diagnostics) {
         let warnings = self.warnings();

@@ -1,4 +1,4 @@
-//! The data flow over basic blocks for as many scalars as one machine word has room for.
+//! The data flow over basic blocks for as many scalars as one machine word can hold.
 
 use super::blocks::{Block, BlockId, Blocks};
 use crate::analysis::access;
@@ -223,8 +223,8 @@ pub(super) type Scalars = u64;
 
 /// The bit of a scalar that nothing touches: wherever a run comes, it comes there unassigned.
 pub(super) const UNTOUCHED: Scalars = 1 << 63;
-/// Number of others that a batch has room for.
-const ROOM: usize = 63;
+/// Number of others that a batch can hold.
+const CAPACITY: usize = 63;
 
 /// Accesses of a node to the scalars of a batch.
 #[derive(Clone, Copy, Debug, Default)]
@@ -305,8 +305,8 @@ impl Touches {
         for access in &self.all {
             match places[access.scalar] {
                 Some(place) => {
-                    batches.resize_with(batches.len().max(place / ROOM + 1), Sorted::default);
-                    batches[place / ROOM].add(*access, 1 << (place % ROOM));
+                    batches.resize_with(batches.len().max(place / CAPACITY + 1), Sorted::default);
+                    batches[place / CAPACITY].add(*access, 1 << (place % CAPACITY));
                 }
                 None if access.assigns => {}
                 None => certain.push((access.node, access.scalar)),
@@ -314,9 +314,9 @@ impl Touches {
         }
         for (scalar, place) in places.iter().enumerate() {
             if let Some(place) = place {
-                let names = &mut batches[place / ROOM].scalars;
-                names.resize(names.len().max(place % ROOM + 1), 0);
-                names[place % ROOM] = scalar;
+                let names = &mut batches[place / CAPACITY].scalars;
+                names.resize(names.len().max(place % CAPACITY + 1), 0);
+                names[place % CAPACITY] = scalar;
             }
         }
         (batches, certain)

@@ -1,6 +1,6 @@
 //! Which bodies of FORs assign their own counters, themselves or in what they call.
 
-use super::rings::rings;
+use super::components::components;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use tipc::analysis::access;
@@ -97,25 +97,25 @@ impl Counters {
             node.next.iter().copied().chain(called).collect()
         });
         let next: Vec<Vec<NodeId>> = next.collect();
-        let rings = rings(&next, &flow.before());
+        let components = components(&next, &flow.before());
         let mut inner_first: Vec<NodeId> = (0..next.len()).collect();
-        inner_first.sort_by_key(|id| std::cmp::Reverse(rings[*id]));
+        inner_first.sort_by_key(|id| std::cmp::Reverse(components[*id]));
         let scalars: Vec<usize> = scalars.into_iter().collect();
         for batch in scalars.chunks(BATCH) {
             let mut assigned = vec![0_u64; next.len()];
             for (bit, scalar) in batch.iter().enumerate() {
                 for id in &self.assigning[scalar] {
-                    assigned[rings[*id]] |= 1 << bit;
+                    assigned[components[*id]] |= 1 << bit;
                 }
             }
-            // Where a ring leads has a higher number, and is complete.
+            // Where a component leads has a higher number, and is complete.
             for id in &inner_first {
                 for next in &next[*id] {
-                    assigned[rings[*id]] |= assigned[rings[*next]];
+                    assigned[components[*id]] |= assigned[components[*next]];
                 }
             }
             for (bit, scalar) in batch.iter().enumerate() {
-                let sets = |entry: NodeId| assigned[rings[entry]] & (1 << bit) != 0;
+                let sets = |entry: NodeId| assigned[components[entry]] & (1 << bit) != 0;
                 let nodes = calls.iter().filter(|(_, entry)| sets(*entry));
                 self.calling
                     .insert(*scalar, nodes.map(|(id, _)| *id).collect());

@@ -1,7 +1,7 @@
 //! The loops of a program, whatever statements they are made of.
 
+use super::components::components;
 use super::distance::Work;
-use super::rings::rings;
 use tipc::analysis::flow::NodeId;
 
 /// Edges of nodes in their own frame, and nodes that a run can come back to.
@@ -9,7 +9,7 @@ pub(super) struct Loops {
     next: Vec<Vec<NodeId>>,
     before: Vec<Vec<NodeId>>,
     /// Nodes with paths to each other have the same number.
-    rings: Vec<usize>,
+    components: Vec<usize>,
     /// Runs come here from outside of all nodes.
     is_entry: Vec<bool>,
     /// The closed loop that a node stands for is in this one, or is the node itself.
@@ -42,7 +42,7 @@ impl Loops {
         let mut is_entry = vec![false; next.len()];
         entries.for_each(|id| is_entry[id] = true);
         Loops {
-            rings: rings(&next, &before),
+            components: components(&next, &before),
             is_entry,
             around: (0..next.len()).collect(),
             outermost: (0..next.len()).collect(),
@@ -61,7 +61,7 @@ impl Loops {
     }
 
     /// Returns the nodes on the paths from a head back to it, over a jump backwards. Of heads asked for in their order
-    /// each closed loop is passed once by those around it; an open one takes as long as its ring. `None` if that is
+    /// each closed loop is passed once by those around it; an open one takes as long as its component. `None` if that is
     /// more work than is left.
     pub(super) fn body(&mut self, head: NodeId, work: &Work) -> Option<Body> {
         match self.closed(head, work) {
@@ -105,7 +105,7 @@ impl Loops {
             work.take(1 + before.len())?;
             let is_entered = before
                 .iter()
-                .any(|from| self.rings[*from] != self.rings[head]);
+                .any(|from| self.components[*from] != self.components[head]);
             if is_entered || self.is_entry[id] {
                 return None;
             }
@@ -169,6 +169,6 @@ impl Loops {
         nodes: &'a [NodeId],
     ) -> impl Iterator<Item = NodeId> + 'a {
         let nodes = nodes.iter().copied();
-        nodes.filter(move |id| self.rings[*id] == self.rings[head])
+        nodes.filter(move |id| self.components[*id] == self.components[head])
     }
 }

@@ -1,7 +1,7 @@
 //! Which subroutines call which.
 
+use super::components::components;
 use super::distance::Work;
-use super::rings::rings;
 use std::collections::{BTreeMap, BTreeSet};
 use tipc::analysis::flow::{Flow, NodeId};
 
@@ -30,12 +30,14 @@ impl Calls {
                 .iter()
                 .for_each(|called| callers[*called].push(caller));
         }
-        let rings = rings(&called, &callers);
+        let components = components(&called, &callers);
         let mut alike = vec![0; called.len()];
-        rings.iter().for_each(|ring| alike[*ring] += 1);
-        // A ring has a lower number than those that it leads to.
+        components
+            .iter()
+            .for_each(|component| alike[*component] += 1);
+        // A component has a lower number than those that it leads to.
         let mut order: Vec<usize> = (0..called.len()).collect();
-        order.sort_by_key(|number| std::cmp::Reverse(rings[*number]));
+        order.sort_by_key(|number| std::cmp::Reverse(components[*number]));
         let mut places = vec![0; called.len()];
         order
             .iter()
@@ -43,7 +45,7 @@ impl Calls {
             .for_each(|(number, place)| places[*number] = place);
         let entries: Vec<NodeId> = entries.into_iter().collect();
         let recursive =
-            |number: &usize| alike[rings[*number]] > 1 || called[*number].contains(number);
+            |number: &usize| alike[components[*number]] > 1 || called[*number].contains(number);
         let placed = |number: &usize| {
             callers[*number]
                 .iter()

@@ -1,6 +1,6 @@
 //! Variables that are read without a value (T.I.P. 3.1 §5-1).
 
-use super::Judged;
+use super::LintContext;
 use crate::message::{Lack, Linting, Stretch};
 use tipc::analysis::assignment::{Assigned, Assignment, Gap, gaps};
 use tipc::code::Code;
@@ -12,16 +12,16 @@ use tipc::source::Span;
 use tipc::symbols::Access;
 
 /// Warns of every variable that is, or may be, read without a value.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
-    let program = judged.program;
-    let gaps = gaps(program, &Assignment::along(program, judged.flow));
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+    let program = context.program;
+    let gaps = gaps(program, &Assignment::along(program, context.flow));
     let warnings = gaps
         .iter()
-        .map(|gap| warning(program, gap, judged.operand(gap)));
+        .map(|gap| warning(program, gap, context.operand(gap)));
     found.extend(warnings);
 }
 
-impl Judged<'_> {
+impl LintContext<'_> {
     /// Returns the operand that lacks its value, else the whole statement: NEXT need not name its variable.
     fn operand(&self, gap: &Gap) -> Span {
         let Some(statement) = self.statement(gap.step) else {

@@ -1,7 +1,7 @@
 //! Commands that do less than they seem to: a pause that is none, `R` before one number of three, a SPECIAL that nobody
 //! answers.
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use tip_runtime::command::{ABSOLUTE, RELATIVE, Target};
 use tipc::code::Code;
@@ -10,13 +10,13 @@ use tipc::language::commands::{self, Form};
 use tipc::program::{Action, Op};
 use tipc::syntax::{self, OperandKind, StatementKind};
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
-    let keeps_period = judged
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+    let keeps_period = context
         .program
         .steps()
         .iter()
         .all(|step| !sets_period(&step.action));
-    for (statement, step) in judged.module.steps().zip(judged.program.steps()) {
+    for (statement, step) in context.module.steps().zip(context.program.steps()) {
         let StatementKind::Command {
             name, arguments, ..
         } = &statement.kind
@@ -24,7 +24,9 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
             continue;
         };
         let diagnostic = match &step.action {
-            Action::Command { op: Op::Sleep, .. } if keeps_period => short_sleep(judged, arguments),
+            Action::Command { op: Op::Sleep, .. } if keeps_period => {
+                short_sleep(context, arguments)
+            }
             Action::Command { .. } => relative_first(&name.node, arguments),
             _ => None,
         };
@@ -41,12 +43,12 @@ fn sets_period(action: &Action) -> bool {
 }
 
 /// Returns a pause in seconds where milliseconds are meant. 0 is how to say one cycle.
-fn short_sleep(judged: &Judged<'_>, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
+fn short_sleep(context: &LintContext<'_>, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
     let operand = arguments.first()?;
     let OperandKind::Number(time) = operand.kind else {
         return None;
     };
-    let period = judged.robot.facts().period;
+    let period = context.robot.facts().period;
     (0.0 < time && time < period).then(|| {
         let reason = Linting::OneCycle { period };
         Diagnostic::new(Code::ShortSleep, operand.span, reason).help(Linting::Milliseconds)

@@ -1,6 +1,6 @@
 //! Conditions whose outcome never changes, and loops that therefore never run, or never end (T.I.P. 3.1 §7-6).
 
-use super::Judged;
+use super::LintContext;
 use super::unreachable::Unreachable;
 use super::walk::{Into, Walk};
 use crate::message::Linting;
@@ -33,8 +33,8 @@ enum Outcome {
 
 /// Returns the steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 ==
 /// 0` are meant so.
-pub(super) fn constant(judged: &Judged<'_>) -> Vec<Constant> {
-    let steps = (0..).zip(judged.program.steps());
+pub(super) fn constant(context: &LintContext<'_>) -> Vec<Constant> {
+    let steps = (0..).zip(context.program.steps());
     let constant = |(step, content): (StepId, &tipc::program::Step)| {
         let outcome = outcome(&content.action)?;
         Some(Constant { step, outcome })
@@ -83,33 +83,33 @@ fn settled(condition: Condition) -> Option<bool> {
 }
 
 pub(super) fn warn(
-    judged: &Judged<'_>,
+    context: &LintContext<'_>,
     constant: &[Constant],
     unreachable: &Unreachable,
     found: &mut Diagnostics,
 ) {
-    let deeds = Deeds::of(judged.program);
+    let deeds = Deeds::of(context.program);
     for Constant { step, outcome } in constant {
-        let Some(statement) = judged
+        let Some(statement) = context
             .statement(*step)
             .filter(|_| unreachable.is_live(*step))
         else {
             continue;
         };
         found.extend(match outcome {
-            _ if !deeds.depend_on(judged.program, *step) => None,
+            _ if !deeds.depend_on(context.program, *step) => None,
             Outcome::Is(is) => Some(always_so(statement, *is)),
-            Outcome::Never => Some(never_runs(judged.program, statement, *step)),
+            Outcome::Never => Some(never_runs(context.program, statement, *step)),
             Outcome::Stops => None,
         });
     }
     let place = |step: &StepId| constant.binary_search_by_key(step, |one| one.step);
     let is_judged = |step: &StepId| place(step).is_err();
-    let stuck = stuck(judged.program, judged.flow)
+    let stuck = stuck(context.program, context.flow)
         .into_iter()
         .filter(is_judged);
     for step in stuck.filter(|step| unreachable.is_live(*step)) {
-        found.extend(judged.statement(step).map(never_ends));
+        found.extend(context.statement(step).map(never_ends));
     }
 }
 

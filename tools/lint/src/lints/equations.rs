@@ -1,6 +1,6 @@
 //! `N =+1` where `N += 1` was meant.
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Diagnostics};
@@ -9,13 +9,15 @@ use tipc::syntax::{Equation, Expression, OperandKind, StatementKind};
 
 /// Warns of `N =+ 1`. The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look
 /// like.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
-    for statement in judged.module.steps() {
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+    for statement in context.module.steps() {
         if let StatementKind::Equation(equation) = &statement.kind
-            && let Some(sign) = swapped(judged.source.text(), equation)
+            && let Some(sign) = swapped(context.source.text(), equation)
         {
-            let name = judged.source.slice(equation.target.span);
-            let number = judged.source.slice(Span::new(sign + 1, statement.span.end));
+            let name = context.source.slice(equation.target.span);
+            let number = context
+                .source
+                .slice(Span::new(sign + 1, statement.span.end));
             let reason = Linting::AssignsSigned {
                 number: number.into(),
             };

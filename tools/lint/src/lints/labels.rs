@@ -1,6 +1,6 @@
 //! `GOTOL1:`, which is a label and no jump.
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use std::collections::{HashMap, HashSet};
 use tipc::code::Code;
@@ -11,8 +11,8 @@ use tipc::symbols::{Access, Definition, DefinitionKind, Symbols};
 
 /// Silent about a label that something jumps to, and where no label has the rest of its name. That nothing comes to the
 /// label that was meant follows from it.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
-    let suspects = suspects(judged.symbols);
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+    let suspects = suspects(context.symbols);
     let meant: HashSet<&str> = suspects.iter().map(|it| it.meant).collect();
     let follows = |diagnostic: &Diagnostic| match diagnostic.reason.get() {
         Some(Linting::NothingJumps { name }) => meant.contains(name.as_str()),

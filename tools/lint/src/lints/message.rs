@@ -1,6 +1,6 @@
 //! MESSAGE texts that show something else than was meant (T.I.P. 3.1 §7-9-4).
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
@@ -24,10 +24,10 @@ struct Names<'a> {
 }
 
 impl<'a> Names<'a> {
-    fn of(judged: &Judged<'a>) -> Self {
-        let variables = judged.program.variables();
-        let mut is_read = vec![false; judged.symbols.definitions().len()];
-        for it in judged.symbols.all_uses() {
+    fn of(context: &LintContext<'a>) -> Self {
+        let variables = context.program.variables();
+        let mut is_read = vec![false; context.symbols.definitions().len()];
+        for it in context.symbols.all_uses() {
             is_read[it.definition.index()] |= !matches!(it.access, Access::Define | Access::Assign);
         }
         Names {
@@ -53,22 +53,27 @@ impl<'a> Names<'a> {
     }
 }
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Diagnostics) {
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
     let mut names = None;
-    for statement in judged.module.steps() {
+    for statement in context.module.steps() {
         if let StatementKind::Message { text } = &statement.kind {
-            let names = names.get_or_insert_with(|| Names::of(judged));
-            found.extend(quoted(judged.source.slice(text.span), text.span));
-            placeholders(judged, names, text.span, found);
-            foreign_values(judged, names, text.span, found);
-            wide_placeholder(judged, text.span, found);
+            let names = names.get_or_insert_with(|| Names::of(context));
+            found.extend(quoted(context.source.slice(text.span), text.span));
+            placeholders(context, names, text.span, found);
+            foreign_values(context, names, text.span, found);
+            wide_placeholder(context, text.span, found);
         }
     }
 }
 
 /// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
-fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Diagnostics) {
-    let text = judged.source.slice(place);
+fn foreign_values(
+    context: &LintContext<'_>,
+    names: &Names<'_>,
+    place: Span,
+    found: &mut Diagnostics,
+) {
+    let text = context.source.slice(place);
     let is_var = |name: &str| names.is_var(name);
     let mut signs = text.match_indices(['%', '$', '{']);
     let first = signs.find_map(|(at, sign)| {
@@ -149,8 +154,13 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
 
 /// Warns of everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run
 /// does.
-fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Diagnostics) {
-    let text = judged.source.slice(place);
+fn placeholders(
+    context: &LintContext<'_>,
+    names: &Names<'_>,
+    place: Span,
+    found: &mut Diagnostics,
+) {
+    let text = context.source.slice(place);
     let mut from = 0;
     while let Some(at) = text[from..].find('%').map(|at| from + at) {
         from = at + 1;
@@ -271,8 +281,8 @@ pub(super) fn placeholder_names(found: &[Diagnostic]) -> HashSet<SmolStr> {
 const SIGNS: [char; 2] = ['%', '％'];
 
 /// Warns of the first one that would show a VAR, were it half-width.
-fn wide_placeholder(judged: &Judged<'_>, place: Span, found: &mut Diagnostics) {
-    let text = judged.source.slice(place);
+fn wide_placeholder(context: &LintContext<'_>, place: Span, found: &mut Diagnostics) {
+    let text = context.source.slice(place);
     if text.is_ascii() {
         return;
     }
@@ -282,7 +292,7 @@ fn wide_placeholder(judged: &Judged<'_>, place: Span, found: &mut Diagnostics) {
         let whole = at..end + last.len();
         let inner = narrow(&text[at + sign.len()..end]);
         let name = upper_case(inner.split('.').next().unwrap_or_default());
-        let mut vars = judged.program.variables().iter();
+        let mut vars = context.program.variables().iter();
         let is_var = vars.any(|one| one.kind == VariableKind::Var && one.name == *name);
         (is_var && !text[whole.clone()].is_ascii()).then_some((whole, name))
     });

@@ -1,6 +1,6 @@
 //! Parts that GOSUB calls and that do not come back, and a RETURN that comes back from nowhere (T.I.P. 3.1 §7-6-5).
 
-use super::Judged;
+use super::LintContext;
 use super::unreachable::Unreachable;
 use super::walk::{Into, Walk};
 use crate::message::Linting;
@@ -13,10 +13,10 @@ use tipc::syntax::StatementKind;
 
 /// Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a SUBROUTINE, since
 /// another warning speaks of running into that.
-pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
+pub(super) fn warn(context: &LintContext<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
     let mut inside = Vec::new();
     let mut is_inside = false;
-    for statement in judged.module.steps() {
+    for statement in context.module.steps() {
         match statement.kind {
             StatementKind::Subroutine { .. } => is_inside = true,
             StatementKind::SubEnd => {
@@ -28,20 +28,20 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut D
         }
         inside.push(is_inside);
     }
-    let mismatches = mismatches(judged.program, judged.flow, |step| inside[step as usize]);
+    let mismatches = mismatches(context.program, context.flow, |step| inside[step as usize]);
     for OneWay { entry, call } in mismatches.one_way {
         if unreachable.is_live(call) {
-            found.extend(never_returns(judged, entry, call));
+            found.extend(never_returns(context, entry, call));
         }
     }
-    if let Some(lost) = mismatches.lost.and_then(|step| judged.statement(step)) {
+    if let Some(lost) = mismatches.lost.and_then(|step| context.statement(step)) {
         let diagnostic = Diagnostic::new(Code::LostReturn, lost.span, Linting::ReturnsNowhere);
         found.push(diagnostic.help(Linting::PutJumpAboveLabel));
     }
 }
 
-fn never_returns(judged: &Judged<'_>, entry: StepId, call: StepId) -> Option<Diagnostic> {
-    let (part, caller) = (judged.statement(entry)?, judged.statement(call)?);
+fn never_returns(context: &LintContext<'_>, entry: StepId, call: StepId) -> Option<Diagnostic> {
+    let (part, caller) = (context.statement(entry)?, context.statement(call)?);
     let (name, _) = part.kind.label()?;
     let diagnostic = Diagnostic::new(Code::NoReturn, part.span, Linting::NeverReturns);
     let diagnostic = diagnostic.about(name.node.as_str());

@@ -3,7 +3,7 @@
 //! A wait for ALL stays silent, so does a question that is no loop, and a program with a SPECIAL, whose native code may
 //! move anything.
 
-use super::Judged;
+use super::LintContext;
 use super::conditions::condition;
 use super::unreachable::Unreachable;
 use crate::message::Linting;
@@ -14,8 +14,8 @@ use tipc::program::{Action, Condition, Flag, Op, Step, Target};
 use tipc::source::Span;
 use tipc::syntax::{Statement, StatementKind};
 
-pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
-    let steps = judged.program.steps();
+pub(super) fn warn(context: &LintContext<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
+    let steps = context.program.steps();
     if steps.iter().any(calls_native_code) {
         return;
     }
@@ -29,7 +29,7 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut D
     for (step, content) in (0..).zip(steps) {
         let reason = waits_for_nothing(&content.action, &moved);
         if let Some(reason) = reason.filter(|_| unreachable.is_live(step))
-            && let Some(statement) = judged.statement(step)
+            && let Some(statement) = context.statement(step)
         {
             let help = way_out(&reason);
             let diagnostic = Diagnostic::new(Code::WaitsForNothing, place(statement), reason);

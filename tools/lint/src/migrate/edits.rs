@@ -1,4 +1,4 @@
-//! Changes of the text, carried over to the bytes that spell it.
+//! Changes of the text, carried over to the bytes of the file.
 
 use tipc::source::{Source, Span};
 

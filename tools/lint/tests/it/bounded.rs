@@ -188,8 +188,8 @@ fn reads_are_judged_up_to_a_bound() {
     // What is not judged is neither proved nor doubted.
     let program = program(&text(16_000));
     let assignment = Assignment::of(&program);
-    let judged = assignment.reads().len();
-    assert!((1_000..16_000).contains(&judged), "{judged}");
+    let context = assignment.reads().len();
+    assert!((1_000..16_000).contains(&context), "{context}");
     let is_always = |read: &Read| read.assigned == Assigned::Always;
     assert!(assignment.reads().iter().all(is_always));
 }
