@@ -3,7 +3,7 @@
 use proc_macro2::{Span, TokenTree};
 use std::path::PathBuf;
 
-/// A string with its place.
+/// A string with its location.
 #[derive(Debug)]
 pub(crate) struct Text {
     pub(crate) value: String,

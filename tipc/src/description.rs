@@ -90,7 +90,7 @@ struct Leg {
 /// The robot's name stays in memory for good: programs and models refer to it as long as they please.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its place; there is no program in it.
+/// Everything that is wrong with the file, each fault at its location; there is no program in it.
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Description, Box<Loaded>> {
     open(name, bytes, Part::Robot, describe)
 }
@@ -147,12 +147,12 @@ fn read<T>(
 
 /// Reports the location where the text is not even TOML.
 fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
-    let place = error.span().unwrap_or_default();
+    let location = error.span().unwrap_or_default();
     let reason = Describing::NotToml {
         error: error.message().to_owned().into(),
     };
     let help = Describing::DescriptionsAreToml;
-    fault(part, Span::new(place.start, place.end), reason, help)
+    fault(part, Span::new(location.start, location.end), reason, help)
 }
 
 /// Reads everything before anything is given up, so that every fault is found.

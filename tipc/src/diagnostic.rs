@@ -8,10 +8,10 @@ use smol_str::SmolStr;
 
 mod list;
 
-pub(crate) use list::in_place;
+pub(crate) use list::by_location;
 pub use list::{Diagnostics, MOST, Omitted};
 
-/// A second place that a diagnostic points at.
+/// A second location that a diagnostic points at.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Label {
@@ -41,9 +41,9 @@ pub struct Diagnostic {
     pub subject: Option<String>,
     /// Location in the source.
     pub span: Span,
-    /// The reason: of an error, its headline; of a warning, what is said at the place.
+    /// The reason: of an error, its headline; of a warning, what is said at the location.
     pub reason: Message,
-    /// Other places that matter.
+    /// Other locations that matter.
     pub labels: Vec<Label>,
     /// The help: what to do about it.
     pub help: Option<Message>,
@@ -85,7 +85,7 @@ impl Diagnostic {
         self
     }
 
-    /// Points at a second place.
+    /// Points at a second location.
     #[must_use]
     pub fn label(mut self, span: Span, text: impl Into<Message>) -> Self {
         self.labels.push(Label {

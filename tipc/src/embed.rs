@@ -1,4 +1,4 @@
-//! From a file to Rust items: the one road that macros and build scripts share, and the one place that opens input files.
+//! From a file to Rust items: the one path that macros and build scripts share, and the one module that opens input files.
 
 use crate::emit::{self, emit};
 use crate::load::{self, Loaded, load};

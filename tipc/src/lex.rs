@@ -75,7 +75,7 @@ pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     }
 }
 
-/// Returns the first place from `at` on without a delimiter.
+/// Returns the first offset from `at` on without a delimiter.
 pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
     while let length @ 1.. = delimiter(bytes, at) {
         at += length;

@@ -5,7 +5,7 @@
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
 pub use crate::diagnostic::MOST;
-use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, in_place};
+use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, by_location};
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::{ForeignWord, Message, Parsing};
@@ -51,7 +51,7 @@ pub struct Loaded {
     pub program: Option<Program>,
     /// The robot that the program was checked for; none if it is no program.
     pub robot: Option<Robot>,
-    /// The diagnostics, in order of their places: no more than [`MOST`], of many the first errors.
+    /// The diagnostics, in order of their locations: no more than [`MOST`], of many the first errors.
     pub diagnostics: Vec<Diagnostic>,
     /// The diagnostics beyond that.
     pub omitted: Omitted,
@@ -77,7 +77,7 @@ impl Loaded {
         diagnostics.filter(|one| one.level() == Level::Error)
     }
 
-    /// Takes diagnostics in, in the order of their places.
+    /// Takes diagnostics in, in the order of their locations.
     pub fn report(&mut self, found: Diagnostics) {
         let mut all = Diagnostics::from(std::mem::take(&mut self.diagnostics));
         all.append(found);
@@ -184,12 +184,12 @@ fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModu
     }
 }
 
-/// Puts diagnostics in the order of their places, judged by the rules of an edition. Of too many the last ones are omitted,
+/// Puts diagnostics in the order of their locations, judged by the rules of an edition. Of too many the last ones are omitted,
 /// warnings before errors.
 fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) {
     let (mut diagnostics, mut omitted) = found.into_parts();
     judge(&mut diagnostics, edition);
-    in_place(&mut diagnostics);
+    by_location(&mut diagnostics);
     // One mistake is reported once, however many passes find it.
     diagnostics.dedup_by(|later, first| {
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
@@ -200,7 +200,7 @@ fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) 
         let (mut kept, warnings): (Vec<_>, Vec<_>) = diagnostics.into_iter().partition(is_error);
         kept.extend(warnings);
         kept.drain(MOST..).for_each(|one| omitted.add(one.code));
-        in_place(&mut kept);
+        by_location(&mut kept);
         return (kept, omitted);
     }
     (diagnostics, omitted)

@@ -181,8 +181,8 @@ impl Parser<'_> {
 
     fn report_missing_end(&mut self) {
         // All lines are read, so this is the last one.
-        let place = self.trim(self.line.span, char::is_whitespace);
-        let missing = Diagnostic::new(Code::NoEnd, place, Parsing::ProgramEndsHere);
+        let location = self.trim(self.line.span, char::is_whitespace);
+        let missing = Diagnostic::new(Code::NoEnd, location, Parsing::ProgramEndsHere);
         self.report(missing.help(Parsing::PutEnd));
     }
 

@@ -99,7 +99,7 @@ pub struct Variable {
     pub name: String,
     /// Its type.
     pub kind: VariableKind,
-    /// The place of its first scalar among all scalars.
+    /// The index of its first scalar among all scalars.
     pub first: usize,
     /// Number of members of a JOINT on this robot.
     pub joints: usize,

@@ -58,7 +58,7 @@ impl Source {
     /// Decodes a file (T.I.P. 3.1 §3).
     ///
     /// If bytes are not text, the first ones are returned; the text then has replacement characters, good enough
-    /// to show the place but not to be compiled.
+    /// to show the location but not to be compiled.
     pub fn decode(
         name: impl Into<String>,
         bytes: &[u8],

@@ -1,4 +1,4 @@
-//! The names of a program: what defines them, and every place that names them.
+//! The names of a program: what defines them, and every location that names them.
 
 use crate::program::VariableId;
 use crate::source::{Source, Span};
@@ -12,7 +12,7 @@ pub struct Symbols {
     uses: Vec<Use>,
 }
 
-/// A definition, by its place among [`Symbols::definitions`].
+/// A definition, by its index among [`Symbols::definitions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DefinitionId(u32);
 
@@ -24,7 +24,7 @@ pub struct Definition {
     /// Kind of the definition.
     pub kind: DefinitionKind,
     /// The name where it is defined; `VAR_KEY` is defined nowhere.
-    pub place: Option<Span>,
+    pub span: Option<Span>,
 }
 
 /// Kind of a definition.
@@ -38,11 +38,11 @@ pub enum DefinitionKind {
     Subroutine,
 }
 
-/// A place that names a definition.
+/// A location that names a definition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Use {
     /// The name alone, without sign, member and colon. It is empty where the name is left out, after KEY_IN, NEXT and GOTO.
-    pub place: Span,
+    pub span: Span,
     /// Definition that it names.
     pub definition: DefinitionId,
     /// Access by the statement.
@@ -104,7 +104,7 @@ impl Symbols {
         &self.definitions
     }
 
-    /// Returns every place that names one of the definitions, and every definition, in the order of the text.
+    /// Returns every location that names one of the definitions, and every definition, in the order of the text.
     pub fn all_uses(&self) -> &[Use] {
         &self.uses
     }
@@ -118,24 +118,24 @@ impl Symbols {
         &self.definitions[id.index()]
     }
 
-    /// Returns the places that name a definition, itself among them.
+    /// Returns the locations that name a definition, itself among them.
     pub fn uses(&self, id: DefinitionId) -> impl Iterator<Item = &Use> {
         self.uses.iter().filter(move |it| it.definition == id)
     }
 
     /// Returns the use at a byte of the text: in the name, in the member after it, or right after them.
     pub fn at(&self, offset: usize) -> Option<&Use> {
-        let behind = self.uses.partition_point(|it| it.place.start <= offset);
+        let behind = self.uses.partition_point(|it| it.span.start <= offset);
         let last = self.uses[..behind].last()?;
-        let is_named = last.place.start < last.place.end;
+        let is_named = last.span.start < last.span.end;
         (is_named && offset <= self.end(last)).then_some(last)
     }
 
     /// Returns the uses inside a stretch of the text, such as a statement.
     pub fn within(&self, span: Span) -> &[Use] {
-        let start = self.uses.partition_point(|it| it.place.start < span.start);
+        let start = self.uses.partition_point(|it| it.span.start < span.start);
         let rest = &self.uses[start..];
-        &rest[..rest.partition_point(|it| it.place.end <= span.end)]
+        &rest[..rest.partition_point(|it| it.span.end <= span.end)]
     }
 
     /// Returns the end of a name, with its member.
@@ -145,7 +145,7 @@ impl Symbols {
             (Some(_), DefinitionKind::Variable(VariableKind::Joint)) => ".J1".len(),
             (Some(_), _) => ".X".len(),
         };
-        named.place.end + point_and_member
+        named.span.end + point_and_member
     }
 }
 
@@ -153,7 +153,7 @@ impl Use {
     /// Returns the operand that the name is part of: with its sign and member, and in a MESSAGE with its percent
     /// signs.
     pub fn operand(&self, source: &Source) -> Span {
-        let Span { start, end } = self.place;
+        let Span { start, end } = self.span;
         let text = source.text();
         let before = text.get(..start).unwrap_or_default();
         let behind = text.get(end..).unwrap_or_default();

@@ -11,7 +11,7 @@ pub use statement::{Jump, JumpKind, Shape, StatementKind, Then};
 use crate::source::Span;
 use smol_str::{SmolStr, StrExt};
 
-/// Something with its place.
+/// Something with its location.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spanned<T> {
     /// The thing.
@@ -138,7 +138,7 @@ pub struct Equation {
     pub target: Operand,
     /// `None` for `=`, else the operation of `+= -= *= /=`.
     pub update: Option<Arithmetic>,
-    /// The operator's place.
+    /// The operator's location.
     pub operator: Span,
     /// The right side.
     pub value: Expression,

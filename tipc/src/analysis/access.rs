@@ -1,4 +1,4 @@
-//! The scalars that a step reads and assigns, as places among all scalars.
+//! The scalars that a step reads and assigns, as indices among all scalars.
 
 use crate::program::{
     Action, Condition, MessagePart, Operand, Program, Scalar, ScalarExpression, StructExpression,

@@ -45,7 +45,7 @@ pub enum Assigned {
 pub struct Read {
     /// The step.
     pub step: StepId,
-    /// The scalar's place among all scalars.
+    /// The scalar's index among all scalars.
     pub scalar: usize,
     /// Knowledge of whether it has a value.
     pub assigned: Assigned,

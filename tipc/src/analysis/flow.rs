@@ -6,7 +6,7 @@
 use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
 use std::ops::Deref;
 
-/// The place of a node in its flow. Nodes come in the order of their steps.
+/// The index of a node in its flow. Nodes come in the order of their steps.
 pub type NodeId = usize;
 
 /// Nodes that a cycle may run next without a call or return: two at most.

@@ -138,9 +138,9 @@ impl Resolver<'_> {
         None
     }
 
-    /// Returns true if a `;` ended a text of MESSAGE or REM right before this place.
-    fn is_after_text(&self, place: Span) -> bool {
-        let before = self.source_before(place).map(str::trim_end);
+    /// Returns true if a `;` ended a text of MESSAGE or REM right before this location.
+    fn is_after_text(&self, location: Span) -> bool {
+        let before = self.source_before(location).map(str::trim_end);
         let Some(before) = before.and_then(|before| before.strip_suffix(';')) else {
             return false;
         };
@@ -181,20 +181,20 @@ impl Resolver<'_> {
         })
     }
 
-    pub(super) fn missing<T>(&mut self, place: Span, what: Lacking) -> Option<T> {
-        self.refuse(Code::Argument, place, Commanding::Missing { what })
+    pub(super) fn missing<T>(&mut self, location: Span, what: Lacking) -> Option<T> {
+        self.refuse(Code::Argument, location, Commanding::Missing { what })
     }
 }
 
 impl Resolver<'_> {
-    /// Splits a text of the source at `place` into what is shown as it is and the values between.
-    pub(super) fn message(&mut self, text: &str, place: Span) -> Vec<MessagePart> {
+    /// Splits a text of the source at `location` into what is shown as it is and the values between.
+    pub(super) fn message(&mut self, text: &str, location: Span) -> Vec<MessagePart> {
         let mut parts = Vec::new();
         let mut plain = String::new();
         let mut rest = text;
         while let Some(first) = rest.chars().next() {
             if let Some((variable, decimals, length)) = self.placeholder(rest) {
-                let start = place.end - rest.len() + 1;
+                let start = location.end - rest.len() + 1;
                 let name = Span::new(start, start + self.names.variables[variable].name.len());
                 self.uses.variable(name, variable, Access::Read);
                 if !plain.is_empty() {

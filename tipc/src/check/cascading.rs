@@ -2,7 +2,7 @@
 
 use super::title;
 use crate::code::Code;
-use crate::diagnostic::in_place;
+use crate::diagnostic::by_location;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::foreign;
 use crate::language::{Keyword, commands};
@@ -16,7 +16,7 @@ use std::collections::{HashMap, HashSet};
 
 /// Merges the diagnostics about one name into one, at its first location.
 pub(super) fn merge(source: &Source, module: &Module, found: &mut Diagnostics) {
-    in_place(found);
+    by_location(found);
     // What ends no block here may be reported as such already.
     found.dedup_by(|second, first| {
         second.code == Code::UnknownCommand
@@ -61,18 +61,18 @@ fn labels_without_colon(source: &Source, module: &Module, found: &mut Diagnostic
         let name = name.trim_end_matches(['.', '-']);
         // The first word of that name is the label, so that no jump is listed twice.
         let is_alone = is_alone(module, diagnostic.span);
-        let places = is_alone.then(|| jumps.remove(name)).flatten();
+        let locations = is_alone.then(|| jumps.remove(name)).flatten();
         // A jump without its colon is another mistake.
         let is_jumped_to = is_alone && broken.contains(name);
-        if places.is_none() && !is_jumped_to {
+        if locations.is_none() && !is_jumped_to {
             continue;
         }
         let name = name.to_owned();
         meant.insert(name.clone());
         diagnostic.reason = Parsing::LabelColonMissing.into();
         diagnostic.help = Some(Parsing::WriteLabel { name: name.into() }.into());
-        let places = places.into_iter().flatten();
-        let labels = places.map(|span| label(span, Structuring::JumpsHere));
+        let locations = locations.into_iter().flatten();
+        let labels = locations.map(|span| label(span, Structuring::JumpsHere));
         diagnostic.labels.extend(labels);
     }
     found.retain(|diagnostic| {
@@ -93,7 +93,7 @@ fn labels_after_end(source: &Source, module: &Module, found: &mut Diagnostics) {
     let mut first: Option<Diagnostic> = None;
     found.retain_mut(|diagnostic| {
         let name = diagnostic.subject.as_deref().unwrap_or_default();
-        let Some(place) = after.get(name).filter(|_| is_missing(diagnostic)) else {
+        let Some(location) = after.get(name).filter(|_| is_missing(diagnostic)) else {
             return true;
         };
         match &mut first {
@@ -105,7 +105,7 @@ fn labels_after_end(source: &Source, module: &Module, found: &mut Diagnostics) {
                 let diagnostic = diagnostic.label(end.span, ForeignWord::EndsTheText);
                 first = Some(
                     diagnostic
-                        .label(*place, ForeignWord::StandsAfterEnd)
+                        .label(*location, ForeignWord::StandsAfterEnd)
                         .help(ForeignWord::AfterEnd),
                 );
             }
@@ -113,10 +113,10 @@ fn labels_after_end(source: &Source, module: &Module, found: &mut Diagnostics) {
         false
     });
     found.extend(first);
-    in_place(found);
+    by_location(found);
 }
 
-/// Returns the labels and the names of SUBROUTINEs in a part of the text, each at its first place.
+/// Returns the labels and the names of SUBROUTINEs in a part of the text, each at its first location.
 fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
     let mut all = HashMap::new();
     let mut tokens = Vec::new();
@@ -251,11 +251,11 @@ fn crossed_loops(source: &Source, found: &mut Diagnostics) {
         _ => None,
     };
     let all: Vec<_> = found.iter().map(names).collect();
-    // Where each pair is named, the first place last.
-    let mut places: HashMap<(SmolStr, SmolStr), Vec<usize>> = HashMap::new();
+    // Where each pair is named, the first location last.
+    let mut locations: HashMap<(SmolStr, SmolStr), Vec<usize>> = HashMap::new();
     for (at, named) in all.iter().enumerate().rev() {
         if let Some(named) = named {
-            places.entry(named.clone()).or_default().push(at);
+            locations.entry(named.clone()).or_default().push(at);
         }
     }
     let mut joined = HashSet::new();
@@ -263,7 +263,7 @@ fn crossed_loops(source: &Source, found: &mut Diagnostics) {
         let Some((outer, inner)) = named.filter(|_| !joined.contains(&at)) else {
             continue;
         };
-        let other = places.get_mut(&(inner.clone(), outer.clone()));
+        let other = locations.get_mut(&(inner.clone(), outer.clone()));
         let after = other.and_then(|other| {
             while other.last().is_some_and(|it| *it <= at) {
                 other.pop();
@@ -271,8 +271,8 @@ fn crossed_loops(source: &Source, found: &mut Diagnostics) {
             other.pop()
         });
         if let Some(second) = after {
-            let place = found[second].span;
-            found[at].labels.push(label(place, Naming::AlsoHere));
+            let location = found[second].span;
+            found[at].labels.push(label(location, Naming::AlsoHere));
             found[at].help = Some(ForeignWord::InnerFirst { inner, outer }.into());
             joined.insert(second);
         }
@@ -306,13 +306,13 @@ fn broken_lines(source: &Source, found: &mut Diagnostics) {
     **found = kept;
 }
 
-/// Returns true if a statement at this place is this word alone.
-fn is_alone(module: &Module, place: Span) -> bool {
+/// Returns true if a statement at this location is this word alone.
+fn is_alone(module: &Module, location: Span) -> bool {
     let statement = module
-        .statement_at(place.start)
+        .statement_at(location.start)
         .map(|at| &module.statements[at]);
     statement.is_some_and(|it| {
-        it.span == place
+        it.span == location
             && matches!(&it.kind, StatementKind::Command { arguments, .. } if arguments.is_empty())
             || is_before_command(&it.kind)
     })
@@ -339,8 +339,8 @@ pub(super) fn last_word(found: &mut Diagnostics) {
     let Some(missing) = found.iter().position(|it| it.code == Code::NoEnd) else {
         return;
     };
-    let place = found[missing].span;
-    let unknown = |it: &Diagnostic| it.span == place && it.code == Code::UnknownCommand;
+    let location = found[missing].span;
+    let unknown = |it: &Diagnostic| it.span == location && it.code == Code::UnknownCommand;
     let Some(word) = found.iter().position(unknown) else {
         return;
     };
@@ -365,16 +365,16 @@ fn declared_in_title(source: &Source, module: &Module, found: &mut Diagnostics) 
     for diagnostic in found.iter_mut() {
         let name = diagnostic.subject.as_deref().unwrap_or_default();
         let is_unknown = diagnostic.code == Code::UnknownVariable;
-        if let Some(place) = in_title.get(name).filter(|_| is_unknown) {
+        if let Some(location) = in_title.get(name).filter(|_| is_unknown) {
             diagnostic
                 .labels
-                .push(label(*place, ForeignWord::TitleHere));
+                .push(label(*location, ForeignWord::TitleHere));
             diagnostic.help = Some(ForeignWord::Title.into());
         }
     }
 }
 
-/// Diagnostics of one mistake are one diagnostic at the first place, and the best guess of the type of a name is its help.
+/// Diagnostics of one mistake are one diagnostic at the first location, and the best guess of the type of a name is its help.
 fn repeated(found: &mut Diagnostics) {
     let mut first_of: HashMap<SmolStr, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
@@ -419,8 +419,8 @@ pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Diagn
     if again.is_empty() {
         return;
     }
-    let names_one = |place: Span| {
-        let statement = module.statement_at(place.start)?;
+    let names_one = |location: Span| {
+        let statement = module.statement_at(location.start)?;
         let text = source.slice(module.statements[statement].span);
         let is_end = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
         let mut words = text.split(is_end).map(str::to_ascii_uppercase);

@@ -44,10 +44,10 @@ impl Resolver<'_> {
         value: Value,
     ) -> Option<Assignment> {
         let update = equation.update;
-        let place = equation.target.span;
+        let location = equation.target.span;
         match (target, value) {
             (ResolvedOperand::Constant(_), _) => {
-                let fault = Diagnostic::new(Code::Equation, place, Parsing::ConstantAssigned);
+                let fault = Diagnostic::new(Code::Equation, location, Parsing::ConstantAssigned);
                 self.report(fault.help(Calculating::LeftSideIs));
                 None
             }
@@ -55,7 +55,7 @@ impl Resolver<'_> {
                 ResolvedOperand::Scalar { negative: true, .. }
                 | ResolvedOperand::Struct { negative: true, .. },
                 _,
-            ) => self.refuse(Code::Equation, place, Calculating::LeftSideSign),
+            ) => self.refuse(Code::Equation, location, Calculating::LeftSideSign),
             (ResolvedOperand::Scalar { scalar, .. }, Value::Scalar(value)) => {
                 Some(Assignment::Scalar {
                     target: scalar,
@@ -79,7 +79,7 @@ impl Resolver<'_> {
                 };
                 let fault =
                     Diagnostic::new(Code::Equation, expression_span(&equation.value), reason)
-                        .label(place, Calculating::LeftSide);
+                        .label(location, Calculating::LeftSide);
                 self.report(fault.help(Calculating::OneType));
                 None
             }
@@ -161,11 +161,11 @@ impl Resolver<'_> {
                                 first: type_of(kind_of(first)),
                                 second: type_of(kind_of(second)),
                             };
-                            let place = match target.map(kind_of) {
+                            let location = match target.map(kind_of) {
                                 Some(wanted) if wanted == kind_of(first) => right.span,
                                 _ => left.span.to(right.span),
                             };
-                            let fault = Diagnostic::new(Code::Equation, place, reason);
+                            let fault = Diagnostic::new(Code::Equation, location, reason);
                             let is_number = kind_of(first).is_none() || kind_of(second).is_none();
                             let help: Message = match is_number {
                                 true => Suggestion::MemberByMember.into(),
@@ -185,7 +185,7 @@ impl Resolver<'_> {
         let operation = functions::find(&name.node, self.names.edition)?;
         let wanted = operation.operands();
         if operands.len() != wanted {
-            let place = operands.get(wanted).map_or(name.span, |extra| extra.span);
+            let location = operands.get(wanted).map_or(name.span, |extra| extra.span);
             let reason = Calculating::OtherOperands {
                 function: name.node.clone(),
                 wanted: match wanted {
@@ -194,7 +194,7 @@ impl Resolver<'_> {
                 },
                 found: operands.len(),
             };
-            let fault = Diagnostic::new(Code::Equation, place, reason);
+            let fault = Diagnostic::new(Code::Equation, location, reason);
             let help = match (operation, operands.len()) {
                 // `ATAN y x`
                 (Operation::Scalar(Function::Atan), 2) => usage(Operation::Atan2),

@@ -31,8 +31,8 @@ pub(crate) fn resolve(
         .enumerate()
         .map(|(index, statement)| {
             let (kind, jump) = statement.kind.jump()?;
-            let place = jump.label.as_ref().map_or(jump.keyword, |label| label.span);
-            let to = jumps.target(index, kind, jump, place)?;
+            let location = jump.label.as_ref().map_or(jump.keyword, |label| label.span);
+            let to = jumps.target(index, kind, jump, location)?;
             jumps.check(index, to, kind, jump.keyword);
             Some(to)
         })
@@ -48,13 +48,19 @@ struct Jumps<'a> {
 }
 
 impl Jumps<'_> {
-    fn target(&mut self, index: usize, kind: JumpKind, jump: &Jump, place: Span) -> Option<usize> {
+    fn target(
+        &mut self,
+        index: usize,
+        kind: JumpKind,
+        jump: &Jump,
+        location: Span,
+    ) -> Option<usize> {
         let name = jump
             .label
             .as_ref()
             .map_or(LOOP, |label| label.node.as_str());
         if name == LOOP {
-            return self.loop_target(index, kind, jump, place);
+            return self.loop_target(index, kind, jump, location);
         }
         let Some(to) = self.statement_of(self.labels.find(name)) else {
             let near = match self.found.are_many() {
@@ -66,14 +72,14 @@ impl Jumps<'_> {
                 None => Structuring::DeclareLabel { name: name.into() },
             };
             let reason = Structuring::NoSuchLabel { name: name.into() };
-            let fault = Diagnostic::new(Code::UnknownLabel, place, reason);
+            let fault = Diagnostic::new(Code::UnknownLabel, location, reason);
             let fault = fault.once(format!("label {name}"));
             self.found.push(fault.about(name).help(help));
             return None;
         };
         if kind == JumpKind::Call && !self.is_subroutine(to) {
             let reason = Structuring::PlainLabel { name: name.into() };
-            let fault = Diagnostic::new(Code::Argument, place, reason)
+            let fault = Diagnostic::new(Code::Argument, location, reason)
                 .label(self.module.statements[to].span, Naming::DeclaredHere)
                 .help(Structuring::GosubCalls);
             self.found.push(fault);
@@ -87,17 +93,17 @@ impl Jumps<'_> {
         index: usize,
         kind: JumpKind,
         jump: &Jump,
-        place: Span,
+        location: Span,
     ) -> Option<usize> {
         if kind != JumpKind::Goto {
-            let fault = Diagnostic::new(Code::Argument, place, Structuring::LoopForGoto);
+            let fault = Diagnostic::new(Code::Argument, location, Structuring::LoopForGoto);
             self.found.push(fault.help(Structuring::OwnLabel));
             return None;
         }
         let to = self.statement_of(self.labels.loop_above(index));
         if to.is_none() {
             let reason = Structuring::NoLoopAbove;
-            let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
+            let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(LOOP);
             let fault = fault.once(format!("label {LOOP}"));
             let near = match &jump.label {
                 Some(_) if !self.found.are_many() => nearest(LOOP, self.labels.names()),
@@ -125,7 +131,7 @@ impl Jumps<'_> {
     }
 
     /// Checks that a jump enters no block and a GOTO leaves no SUBROUTINE; a jump may leave blocks.
-    fn check(&mut self, from: usize, to: usize, kind: JumpKind, place: Span) {
+    fn check(&mut self, from: usize, to: usize, kind: JumpKind, location: Span) {
         let mut inner = self.blocks.around[to];
         if let Some(routine) = inner
             && kind != JumpKind::Goto
@@ -136,15 +142,15 @@ impl Jumps<'_> {
         }
         let [entered_for, refused] = self.tree.entered(inner, from);
         if let Some(block) = refused {
-            return self.refuse_entry(block, to, place);
+            return self.refuse_entry(block, to, location);
         }
         if kind == JumpKind::Goto
             && let Some(left) = self.left_subroutine(from, to)
         {
-            return self.refuse_leaving(left, to, place);
+            return self.refuse_leaving(left, to, location);
         }
         if let Some(block) = entered_for {
-            self.warn_of_for(block, to, place);
+            self.warn_of_for(block, to, location);
         }
     }
 
@@ -155,7 +161,7 @@ impl Jumps<'_> {
         left.then_some(routine)
     }
 
-    fn refuse_entry(&mut self, block: usize, to: usize, place: Span) {
+    fn refuse_entry(&mut self, block: usize, to: usize, location: Span) {
         let block = self.blocks.blocks[block];
         let opener = &self.module.statements[block.opener];
         let before = Structuring::JumpBefore {
@@ -169,7 +175,7 @@ impl Jumps<'_> {
             BlockKind::Subroutine => (Entered::Subroutine, Structuring::CallIt),
         };
         let reason = Structuring::Enters { block: block_name };
-        let mut fault = Diagnostic::new(Code::Structure, place, reason)
+        let mut fault = Diagnostic::new(Code::Structure, location, reason)
             .label(opener.keyword(), Structuring::BlockStarts);
         if block.opener != to {
             fault = fault.label(self.module.statements[to].span, Structuring::Label);
@@ -177,19 +183,19 @@ impl Jumps<'_> {
         self.found.push(fault.help(help));
     }
 
-    fn refuse_leaving(&mut self, block: usize, to: usize, place: Span) {
+    fn refuse_leaving(&mut self, block: usize, to: usize, location: Span) {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
-        let fault = Diagnostic::new(Code::Structure, place, Structuring::LeavesSubroutine)
+        let fault = Diagnostic::new(Code::Structure, location, Structuring::LeavesSubroutine)
             .label(opener.keyword(), Structuring::SubroutineStarts)
             .label(self.module.statements[to].span, Structuring::Label)
             .help(Structuring::LeaveWith);
         self.found.push(fault);
     }
 
-    fn warn_of_for(&mut self, block: usize, to: usize, place: Span) {
+    fn warn_of_for(&mut self, block: usize, to: usize, location: Span) {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
         let reason = Structuring::NextCounts;
-        let warning = Diagnostic::new(Code::EntersFor, place, reason)
+        let warning = Diagnostic::new(Code::EntersFor, location, reason)
             .label(opener.keyword(), Structuring::For)
             .label(self.module.statements[to].span, Structuring::Label);
         self.found.push(warning);
@@ -203,7 +209,7 @@ pub(crate) fn warn_of_entries(module: &Module, found: &mut Diagnostics) {
         if !statement.is_step() {
             continue;
         }
-        let is_reported = |place: Span| found.iter().any(|it| it.span == place);
+        let is_reported = |location: Span| found.iter().any(|it| it.span == location);
         if let StatementKind::Subroutine { keyword, name } = &statement.kind
             && open_above
             && !is_reported(*keyword)

@@ -108,13 +108,13 @@ impl Names {
         }
     }
 
-    fn insert(&mut self, name: &str, kind: VariableKind, place: Option<Span>) {
+    fn insert(&mut self, name: &str, kind: VariableKind, location: Option<Span>) {
         let first = self
             .variables
             .last()
             .map_or(0, |last| last.first + last.size());
         self.ids.insert(name.to_owned(), self.variables.len());
-        self.declared.push(place);
+        self.declared.push(location);
         self.variables.push(Variable {
             name: name.to_owned(),
             kind,
@@ -156,7 +156,7 @@ impl Names {
         let first = *self.ids.get(name)?;
         let again = fault(Naming::DeclaredAgain { name: name.into() }).help(Naming::DeclareOnce);
         Some(match self.declared[first] {
-            Some(place) => again.label(place, Naming::FirstDeclared),
+            Some(location) => again.label(location, Naming::FirstDeclared),
             None => again,
         })
     }

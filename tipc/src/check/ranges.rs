@@ -47,8 +47,8 @@ impl Resolver<'_> {
 impl Resolver<'_> {
     /// Warns of a constant for which an equation has no result, whatever its variables are.
     pub(super) fn warn_of_domain(&mut self, equation: &Equation) {
-        if let Some((place, reason, help)) = impossible(equation, self.names.edition) {
-            self.report(Diagnostic::new(Code::OutOfRange, place, reason).help(help));
+        if let Some((location, reason, help)) = impossible(equation, self.names.edition) {
+            self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
         }
     }
 }

@@ -337,10 +337,10 @@ impl Resolver<'_> {
     pub(super) fn refuse<T>(
         &mut self,
         code: Code,
-        place: Span,
+        location: Span,
         reason: impl Into<Message>,
     ) -> Option<T> {
-        self.report(Diagnostic::new(code, place, reason));
+        self.report(Diagnostic::new(code, location, reason));
         None
     }
 }

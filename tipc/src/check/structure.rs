@@ -212,8 +212,8 @@ impl Matcher<'_> {
                 self.result.blocks[outer].broken = true;
             }
             let reason = Structuring::SubroutineInside { opener };
-            let fault = Diagnostic::new(Code::Structure, self.place(*index), reason)
-                .label(self.place(open.first), Structuring::StillOpen { opener })
+            let fault = Diagnostic::new(Code::Structure, self.location(*index), reason)
+                .label(self.location(open.first), Structuring::StillOpen { opener })
                 .help(Structuring::CloseBefore { opener, closer });
             self.found.push(fault);
         }
@@ -225,8 +225,8 @@ impl Matcher<'_> {
         };
         if open.has_else {
             let reason = Structuring::BehindElse { word: name };
-            let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
-                .label(self.place(open.branch), Structuring::Else)
+            let fault = Diagnostic::new(Code::Structure, self.location(index), reason)
+                .label(self.location(open.branch), Structuring::Else)
                 .help(Structuring::ElseIsLast);
             self.found.push(fault);
         }
@@ -286,11 +286,12 @@ impl Matcher<'_> {
                 (_, BlockKind::Subroutine) => Structuring::SubEndCloses,
                 _ => Structuring::Opens { opener, closer },
             };
-            let mut fault = Diagnostic::new(Code::Structure, self.place(index), reason).help(help);
+            let mut fault =
+                Diagnostic::new(Code::Structure, self.location(index), reason).help(help);
             if let Some(open) = self.open.last() {
                 let opener = open.kind.opener();
                 let text = Structuring::Open { opener };
-                fault = fault.label(self.place(open.first), text);
+                fault = fault.label(self.location(open.first), text);
             }
             self.found.push(fault);
             return None;
@@ -314,7 +315,7 @@ impl Matcher<'_> {
         };
         owed.branches -= usize::from(last.branches);
         let text = Structuring::StandsHere { word: name }.into();
-        let span = self.place(index);
+        let span = self.location(index);
         // Of too many diagnostics it is omitted.
         if let Some(fault) = last.fault.and_then(|fault| self.found.get_mut(fault)) {
             fault.labels.push(Label { span, text });
@@ -335,16 +336,16 @@ impl Matcher<'_> {
             return self.owes(open.kind, None, true);
         }
         let reason = Structuring::NotClosed { opener };
-        let mut fault = Diagnostic::new(Code::Structure, self.place(open.first), reason)
+        let mut fault = Diagnostic::new(Code::Structure, self.location(open.first), reason)
             .help(Structuring::CloseWith { closer });
-        if let Some(place) = self.return_in(&open) {
+        if let Some(location) = self.return_in(&open) {
             fault = fault
-                .label(place, Structuring::ReturnOfGosub)
+                .label(location, Structuring::ReturnOfGosub)
                 .help(ForeignWord::SubEnd);
         }
         if let Some(nested) = open.nested.first() {
             let text = Structuring::SubroutineBefore { closer };
-            fault = fault.label(self.place(*nested), text);
+            fault = fault.label(self.location(*nested), text);
         }
         fault = match (met, self.module.statements.last()) {
             (Some((index, name)), _) => {
@@ -352,7 +353,7 @@ impl Matcher<'_> {
                     true => Structuring::ClosesOuter { word: name },
                     false => Structuring::WordBefore { word: name, closer },
                 };
-                fault.label(self.place(index), text)
+                fault.label(self.location(index), text)
             }
             (None, Some(last)) => fault.label(last.span, Structuring::EndsBefore { closer }),
             (None, None) => fault,
@@ -394,7 +395,7 @@ impl Matcher<'_> {
         self.foreign.contains(&start)
     }
 
-    fn place(&self, index: usize) -> Span {
+    fn location(&self, index: usize) -> Span {
         self.module.statements[index].keyword()
     }
 }
@@ -420,11 +421,11 @@ impl Matcher<'_> {
         let fors = self.open.within(BlockKind::For);
         let near = &fors[fors.len().saturating_sub(FAR)..];
         let mut near = near.iter().rev();
-        let place = near.position(|at| self.counter(self.open[*at].first) == Some(name))?;
-        let is_innermost = place == 0;
+        let location = near.position(|at| self.counter(self.open[*at].first) == Some(name))?;
+        let is_innermost = location == 0;
         // With enough others for those around it, it names the wrong variable.
         let is_outer = !is_innermost && self.later(index, BlockKind::For) < fors.len() - 1;
-        is_outer.then(|| fors[fors.len() - 1 - place])
+        is_outer.then(|| fors[fors.len() - 1 - location])
     }
 
     /// Returns the variable of a FOR.

@@ -166,8 +166,8 @@ impl Resolver<'_> {
         List(examples.split('|').map(str::to_owned).collect())
     }
 
-    fn refuse_target<T>(&mut self, place: Span, reason: Commanding) -> Option<T> {
-        let fault = Diagnostic::new(Code::Argument, place, reason);
+    fn refuse_target<T>(&mut self, location: Span, reason: Commanding) -> Option<T> {
+        let fault = Diagnostic::new(Code::Argument, location, reason);
         let inventory = inventory(self.robot);
         self.report(fault.help(Commanding::RobotHas { inventory }));
         None

@@ -1,4 +1,4 @@
-//! Notes every place that names a variable or label, in the order of the text.
+//! Notes every location that names a variable or label, in the order of the text.
 
 use super::labels::Labels;
 use super::names::{Names, ResolvedOperand};
@@ -108,9 +108,9 @@ impl<'a> Uses<'a> {
     /// Records the label that a jump leads to, which GOTO may leave out.
     pub(super) fn jump(&mut self, statement: usize, jump: &Jump, access: Access) {
         let left_out = Span::new(jump.keyword.end, jump.keyword.end);
-        let place = jump.label.as_ref().map_or(left_out, |label| label.span);
+        let location = jump.label.as_ref().map_or(left_out, |label| label.span);
         if let Some(label) = self.labels.target_of(statement, jump) {
-            self.note(place, self.label(label), access);
+            self.note(location, self.label(label), access);
         }
     }
 
@@ -131,7 +131,7 @@ impl<'a> Uses<'a> {
         };
         let start = operand.span.start + usize::from(operand.negative);
         self.all.push(Use {
-            place: Span::new(start, start + length),
+            span: Span::new(start, start + length),
             definition: DefinitionId::of_variable(variable),
             access,
             member,
@@ -140,8 +140,8 @@ impl<'a> Uses<'a> {
     }
 
     /// Records a whole variable without sign: the name at this location, or none if it is empty.
-    pub(super) fn variable(&mut self, place: Span, variable: VariableId, access: Access) {
-        self.note(place, DefinitionId::of_variable(variable), access);
+    pub(super) fn variable(&mut self, location: Span, variable: VariableId, access: Access) {
+        self.note(location, DefinitionId::of_variable(variable), access);
     }
 
     /// Records that OUTPUT_VARIABLES writes every variable to a file.
@@ -153,12 +153,12 @@ impl<'a> Uses<'a> {
     pub(super) fn excuse(&mut self, source: &Source, statement: Span) {
         let text = source.slice(statement);
         let is_outside = |char: char| !(char.is_ascii_alphanumeric() || char == '_');
-        let known = self.all[self.first..].iter().map(|it| it.place.start);
+        let known = self.all[self.first..].iter().map(|it| it.span.start);
         let known: HashSet<usize> = known.collect();
         let mut start = 0;
         for word in text.split_inclusive(is_outside) {
             let name = word.trim_end_matches(is_outside);
-            let place = Span::new(
+            let location = Span::new(
                 statement.start + start,
                 statement.start + start + name.len(),
             );
@@ -173,12 +173,12 @@ impl<'a> Uses<'a> {
                 continue;
             };
             self.excuse_one(definition);
-            let is_member = source.text()[..place.start].ends_with('.');
-            if !is_member && !known.contains(&place.start) {
-                self.note(place, definition, Access::Unclear);
+            let is_member = source.text()[..location.start].ends_with('.');
+            if !is_member && !known.contains(&location.start) {
+                self.note(location, definition, Access::Unclear);
             }
         }
-        self.all[self.first..].sort_by_key(|it| it.place);
+        self.all[self.first..].sort_by_key(|it| it.span);
         if !text.is_ascii() {
             let narrow = narrow(text).to_ascii_uppercase();
             let names = narrow.split(is_outside);
@@ -208,9 +208,9 @@ impl<'a> Uses<'a> {
         DefinitionId::of_label(label, self.names.variables.len())
     }
 
-    fn note(&mut self, place: Span, definition: DefinitionId, access: Access) {
+    fn note(&mut self, location: Span, definition: DefinitionId, access: Access) {
         self.all.push(Use {
-            place,
+            span: location,
             definition,
             access,
             member: None,
@@ -221,10 +221,10 @@ impl<'a> Uses<'a> {
 
 fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
     let variables = names.variables.iter().zip(&names.declared);
-    let variables = variables.map(|(variable, place)| Definition {
+    let variables = variables.map(|(variable, location)| Definition {
         name: variable.name.as_str().into(),
         kind: DefinitionKind::Variable(variable.kind),
-        place: *place,
+        span: *location,
     });
     let labels = labels.all.iter().map(|label| Definition {
         name: label.name.node.clone(),
@@ -232,7 +232,7 @@ fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
             true => DefinitionKind::Subroutine,
             false => DefinitionKind::Label,
         },
-        place: Some(label.name.span),
+        span: Some(label.name.span),
     });
     variables.chain(labels).collect()
 }
@@ -267,8 +267,8 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         }
         let diagnostic = match (read, assigned, names.declared[id]) {
             (Some(read), false, declared) => {
-                let place = read.operand(source);
-                Some(never_assigned(name, variable.kind, place, declared))
+                let location = read.operand(source);
+                Some(never_assigned(name, variable.kind, location, declared))
             }
             (None, false, Some(declared)) => {
                 let reason = Naming::NothingUses;
@@ -321,7 +321,7 @@ impl<'a> Service<'a> {
 fn never_assigned(
     name: &str,
     kind: VariableKind,
-    place: Span,
+    location: Span,
     declared: Option<Span>,
 ) -> Diagnostic {
     let reason = Naming::AssignedNowhere { name: name.into() };
@@ -332,7 +332,7 @@ fn never_assigned(
         (VariableKind::Joint, _) => Assign::Joint { name: name.into() },
     };
     let help = Naming::AssignBefore { assign };
-    let fault = Diagnostic::new(Code::NeverAssigned, place, reason).help(help);
+    let fault = Diagnostic::new(Code::NeverAssigned, location, reason).help(help);
     match declared {
         Some(declared) => fault.label(declared, Naming::DeclaredHere),
         None => fault,

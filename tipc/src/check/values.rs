@@ -113,8 +113,8 @@ impl Resolver<'_> {
                     // An unknown name may be meant as a struct.
                     return None;
                 }
-                let place = flag.map_or(name.span, |flag| flag.span);
-                return self.too_few(name, form, place, count, values.len());
+                let location = flag.map_or(name.span, |flag| flag.span);
+                return self.too_few(name, form, location, count, values.len());
             };
             if let Some(flag) = flag_name(form, operand) {
                 let reason = Commanding::FlagBeforeNumber { flag: flag.into() };
@@ -204,7 +204,7 @@ impl Resolver<'_> {
         &mut self,
         name: &Word,
         form: Arguments,
-        place: Span,
+        location: Span,
         wanted: usize,
         found: usize,
     ) -> Option<T> {
@@ -218,7 +218,7 @@ impl Resolver<'_> {
             wanted: Numbers::new(wanted, whole.map(|kind| type_of(Some(kind)))),
             found: found.into(),
         };
-        self.refuse(Code::Argument, place, reason)
+        self.refuse(Code::Argument, location, reason)
     }
 
     /// Resolves a constant or VAR; a member is neither.

@@ -29,7 +29,7 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
             most: MAX,
             found: sections.len(),
         };
-        return robot.refuse("leg", robot.place_of("leg"), reason, found);
+        return robot.refuse("leg", robot.location_of("leg"), reason, found);
     }
     let initial = robot
         .list("initial", Sign::Any, found)
@@ -42,13 +42,13 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
         if drawn.is_none() && !robot.has("joint") && !section.has("joint") {
             let reason = Describing::NoJoints { leg: number };
             let help = Describing::DescribeJoints;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
         }
         let leg = leg(*section, drawn, initial.as_deref(), found);
         if leg.as_ref().is_some_and(Leg::is_point) {
             let reason = Describing::NoLength { leg: number };
             let help = Describing::OneLinkNotZero;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
         }
         legs.extend(leg);
     }
@@ -69,7 +69,7 @@ fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool 
                 first,
             };
             let help = Describing::SameNumberOfJoints;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
             same = false;
         }
     }
@@ -84,7 +84,7 @@ fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Drawn>> {
             most: MAX,
             found: sections.len(),
         };
-        return section.refuse("joint", section.place_of("joint"), reason, found);
+        return section.refuse("joint", section.location_of("joint"), reason, found);
     }
     let joints: Vec<Option<Drawn>> = sections.iter().map(|own| joint(*own, found)).collect();
     joints.into_iter().collect()
@@ -102,7 +102,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
             min: limits.min,
             max: limits.max,
         };
-        section.refuse::<()>("outer", section.place_of("outer"), reason, found);
+        section.refuse::<()>("outer", section.location_of("outer"), reason, found);
     }
     let mass = section.number("mass", Sign::NotNegative, found);
     let mass = mass.unwrap_or(0.1);
@@ -139,7 +139,7 @@ fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
     let length = axis.iter().map(|part| part * part).sum::<f64>().sqrt();
     if length < 1e-6 {
         let reason = Describing::NoDirection;
-        return section.refuse("axis", section.place_of("axis"), reason, found);
+        return section.refuse("axis", section.location_of("axis"), reason, found);
     }
     Some(axis.map(|part| part / length))
 }
@@ -197,7 +197,7 @@ fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
 
 /// Reads the sign that a mirror gives each coordinate.
 fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
-    let (place, letters) = section.text("mirror", found)?;
+    let (location, letters) = section.text("mirror", found)?;
     let mut signs = [1.0; 3];
     for letter in letters.chars() {
         let sign = "xyz".find(letter).and_then(|axis| signs.get_mut(axis));
@@ -207,7 +207,7 @@ fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
                 let reason = Describing::NoCoordinate {
                     letter: Letter(letter),
                 };
-                return section.refuse("mirror", place, reason, found);
+                return section.refuse("mirror", location, reason, found);
             }
         }
     }
@@ -222,7 +222,9 @@ fn initial(
     common: Option<&[f64]>,
     found: &mut Found,
 ) -> Option<Vec<f64>> {
-    let place = own.as_ref().map_or(section.place, |(place, _)| *place);
+    let location = own
+        .as_ref()
+        .map_or(section.location, |(location, _)| *location);
     let middle = |Drawn { joint, .. }: &Drawn| (joint.limits.min + joint.limits.max) / 2.0;
     let angles = match (own, common) {
         (Some((_, own)), _) => own,
@@ -234,7 +236,7 @@ fn initial(
             angles: angles.len(),
             joints: joints.len().into(),
         };
-        return section.refuse("initial", place, reason, found);
+        return section.refuse("initial", location, reason, found);
     }
     for (number, (angle, Drawn { joint, .. })) in (1..).zip(angles.iter().zip(joints)) {
         let Range { min, max } = joint.limits;
@@ -245,7 +247,7 @@ fn initial(
                 min,
                 max,
             };
-            return section.refuse("initial", place, reason, found);
+            return section.refuse("initial", location, reason, found);
         }
     }
     Some(angles)

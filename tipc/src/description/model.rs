@@ -157,5 +157,5 @@ pub(super) fn inverse(
         leg: leg + 1,
         wanted: inverse.wanted(),
     };
-    robot.refuse("inverse", robot.place_of("inverse"), reason, found)
+    robot.refuse("inverse", robot.location_of("inverse"), reason, found)
 }

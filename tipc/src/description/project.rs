@@ -48,7 +48,7 @@ pub struct Settings<'a> {
 /// folder.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its place; there is no program in it.
+/// Everything that is wrong with the file, each fault at its location; there is no program in it.
 pub fn parse_project(
     name: &str,
     bytes: &[u8],
@@ -62,11 +62,11 @@ pub fn parse_project(
         let parts = top.tables("programs", Part::Programs, found);
         for part in parts.unwrap_or_default() {
             let said = said(part, &is_there, found);
-            if let Some((place, files)) = part.text("files", found) {
+            if let Some((location, files)) = part.text("files", found) {
                 let pattern = Pattern::new(files).ok();
                 let key = "files".to_owned();
                 let refused =
-                    || part.refuse("files", place, Describing::CannotBeThis { key }, found);
+                    || part.refuse("files", location, Describing::CannotBeThis { key }, found);
                 if let Some(pattern) = pattern.or_else(refused) {
                     project.some.push((pattern, said));
                 }
@@ -103,16 +103,16 @@ fn named(
     is_there: &dyn Fn(&str) -> bool,
     found: &mut Found,
 ) -> Option<String> {
-    let (place, text) = section.text(key, found)?;
+    let (location, text) = section.text(key, found)?;
     let is_file = text.ends_with(".toml");
     if known.clone().any(|name| name == text) || is_file && is_there(text) {
         return Some(text.to_owned());
     }
     if is_file {
         let file = text.to_owned();
-        return section.refuse(key, place, Describing::NoFile { file }, found);
+        return section.refuse(key, location, Describing::NoFile { file }, found);
     }
-    section.refuse_word(key, (place, text), known, found)
+    section.refuse_word(key, (location, text), known, found)
 }
 
 impl Project {
@@ -260,10 +260,10 @@ mod tests {
         );
         // The first file is there.
         let parts = "[[programs]]\nfiles = \"*\"\nrobot = \"sixth.toml\"\nscene = \"step.toml\"\n";
-        let missing = |place, file| {
+        let missing = |location, file| {
             let reason =
                 format!("there is no file `{file}`: paths begin at the folder of tip.toml");
-            format!("tip.toml:{place}: error[E408]: {reason} (TIP_ERR:Wrong tip.toml)")
+            format!("tip.toml:{location}: error[E408]: {reason} (TIP_ERR:Wrong tip.toml)")
         };
         check(
             &format!("robot = \"robots/six.toml\"\n{parts}"),

@@ -11,7 +11,7 @@ use tip_runtime::scene::{Block, Object, Scene, SceneError, Shape, Simulation};
 /// Reads a scene. `name` is how diagnostics call the file.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its place; there is no program in it.
+/// Everything that is wrong with the file, each fault at its location; there is no program in it.
 pub fn parse_scene(name: &str, bytes: &[u8]) -> Result<Scene, Box<Loaded>> {
     open(name, bytes, Part::Scene, |_, top, found| {
         Some(read(top, found))
@@ -102,7 +102,7 @@ fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
                 Describing::NoShape
             };
             let help = Describing::Shapes;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
             None
         }
     }
@@ -120,7 +120,7 @@ fn refused(section: Section<'_>, error: SceneError) -> crate::diagnostic::Diagno
     let reason = Describing::Simulated {
         error: error.to_string().into(),
     };
-    fault(section.part, section.place_of(key), reason, help)
+    fault(section.part, section.location_of(key), reason, help)
 }
 
 #[cfg(test)]

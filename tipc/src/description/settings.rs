@@ -40,7 +40,7 @@ pub(super) fn standards(robot: Section<'_>, periods: Range, found: &mut Found) -
     if !periods.contains(standards.period) {
         let Range { min, max } = periods;
         let reason = Describing::SamplingTimes { min, max };
-        section.refuse::<()>("period", section.place_of("period"), reason, found);
+        section.refuse::<()>("period", section.location_of("period"), reason, found);
     }
     standards
 }
@@ -65,7 +65,7 @@ pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
     };
     if number > f64::from(u8::MAX) || number.fract() != 0.0 {
         let reason = Describing::NoNumberOfLamps;
-        robot.refuse::<()>("lamps", robot.place_of("lamps"), reason, found);
+        robot.refuse::<()>("lamps", robot.location_of("lamps"), reason, found);
         return standard;
     }
     number as u8
@@ -128,7 +128,7 @@ pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
         *travel = given;
         if !given.contains(at) {
             let reason = Describing::SliderOutside { at };
-            section.refuse::<()>(key, section.place_of(key), reason, found);
+            section.refuse::<()>(key, section.location_of(key), reason, found);
         }
     }
     Some(Slider { initial, travel })

@@ -107,7 +107,7 @@ fn form(section: Section<'_>, found: &mut Found) -> Option<Form> {
                 false => Describing::NoForm,
             };
             let help = Describing::Forms;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
             None
         }
     }

@@ -19,8 +19,8 @@ pub(super) fn read(section: Section<'_>, even: Spread, found: &mut Found) -> Opt
     if spread.is_sound() {
         return Some(spread);
     }
-    let place = section.place_of("inertia");
-    section.refuse("inertia", place, Describing::NoBodysInertia, found)
+    let location = section.location_of("inertia");
+    section.refuse("inertia", location, Describing::NoBodysInertia, found)
 }
 
 /// Returns the distribution for a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror`

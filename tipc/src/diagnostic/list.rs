@@ -143,7 +143,7 @@ impl Omitted {
     }
 }
 
-/// Puts diagnostics in the order of their places.
-pub(crate) fn in_place(found: &mut [Diagnostic]) {
+/// Puts diagnostics in the order of their locations.
+pub(crate) fn by_location(found: &mut [Diagnostic]) {
     found.sort_by_key(|one| (one.span, one.code));
 }

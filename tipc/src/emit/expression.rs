@@ -21,7 +21,7 @@ pub(super) struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// Returns the place that holds a scalar.
+    /// Returns the place expression of a scalar.
     pub(super) fn place(&self, scalar: Scalar) -> TokenStream {
         let variable = &self.program.variables[scalar.variable];
         let name = field(variable);

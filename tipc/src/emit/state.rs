@@ -275,7 +275,7 @@ impl Emitter<'_> {
         self.places().map(arm).collect()
     }
 
-    /// Returns index, name and place of each scalar.
+    /// Returns index, name and place expression of each scalar.
     fn places(&self) -> impl Iterator<Item = (Literal, String, TokenStream)> + '_ {
         self.program.variables.iter().flat_map(|variable| {
             let field = field(variable);

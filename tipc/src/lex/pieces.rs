@@ -78,7 +78,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// Returns the place after the colon if `word` is a label. MESSAGE and REM may go on with a text that starts with
+    /// Returns the offset after the colon if `word` is a label. MESSAGE and REM may go on with a text that starts with
     /// one.
     fn label_end(&self, word: Span) -> Option<usize> {
         let bytes = &self.text.as_bytes()[..self.trimmed_end];

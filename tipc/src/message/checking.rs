@@ -190,7 +190,7 @@ messages! {
         "{first} and {second} do not go together",
         "{first}と{second}は一緒に計算できません";
     OneType
-        "all of an equation is numbers, or POS, or JOINT; members, as `P.X`, are numbers",
+        "an equation is all numbers, all POS or all JOINT; members, as `P.X`, are numbers",
         "式の全体を、数値だけ、POSだけ、JOINTだけのどれかにします。`P.X` のようなメンバは数値です";
     BelongsHere { wanted: Type }
         "{wanted} belongs here",

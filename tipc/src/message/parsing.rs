@@ -290,10 +290,10 @@ messages! {
 
     System { error: Text } "{error}", "{error}";
     NoFile
-        "there is no such file: look at its name and its folder",
+        "there is no such file: check its name and its folder",
         "このファイルはありません。名前とフォルダを確かめてください";
     NotAllowed
-        "the file may not be read: look at its permissions",
+        "the file may not be read: check its permissions",
         "ファイルを読む権限がありません。アクセス権を確かめてください";
     TwoFiles { first: Text, second: Text }
         "the path leads to two files, {first} and {second}; write a path that leads to one of them only",
@@ -305,7 +305,7 @@ messages! {
         "this is a device, a pipe or a socket, which may never end: name a regular file",
         "これはデバイス、パイプ、またはソケットで、読み込みが終わらないことがあります。通常のファイルを指定してください";
     TooLarge { limit: usize }
-        "the file is larger than {limit} MiB, the limit: split it, or look at whether it is the right file",
+        "the file is larger than {limit} MiB, the limit: split it, or check that it is the right file",
         "ファイルが上限の{limit} MiBを超えています。分割するか、正しいファイルかどうか確かめてください";
     Changed
         "the file has changed since it was read, and is left as it is: read it again",

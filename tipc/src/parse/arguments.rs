@@ -89,22 +89,22 @@ impl Parser<'_> {
     pub(super) fn message(&mut self, keyword: Span, end: usize, comment: Option<Span>) {
         let first = delimiter(&self.text.as_bytes()[..end], keyword.end);
         let is_blank = |char: char| BLANKS.contains(&char);
-        let place = self.trim(Span::new(keyword.end + first, end), is_blank);
+        let location = self.trim(Span::new(keyword.end + first, end), is_blank);
         if first == 0 && keyword.end < end {
-            return self.glued_message(keyword, place);
+            return self.glued_message(keyword, location);
         }
         if let Some(comment) = comment.filter(|_| first > 0) {
             self.warn_of_comment(comment);
         }
-        self.check_text(place);
+        self.check_text(location);
         let text = Spanned {
-            node: self.source.slice(place).replace('\u{3000}', "  "),
-            span: place,
+            node: self.source.slice(location).replace('\u{3000}', "  "),
+            span: location,
         };
         let end = if text.node.is_empty() {
             keyword.end
         } else {
-            place.end
+            location.end
         };
         self.push(
             StatementKind::Message { text },
@@ -124,18 +124,21 @@ impl Parser<'_> {
         self.report(Diagnostic::new(Code::CommentInMessage, comment, reason).help(help));
     }
 
-    fn check_text(&mut self, place: Span) {
-        let text = self.source.slice(place);
+    fn check_text(&mut self, location: Span) {
+        let text = self.source.slice(location);
         if let Some(at) = line_break(text) {
-            let at = place.start + at;
-            let length = text[at - place.start..].chars().take(2).map(char::len_utf8);
+            let at = location.start + at;
+            let length = text[at - location.start..]
+                .chars()
+                .take(2)
+                .map(char::len_utf8);
             let escape = Span::new(at, at + length.sum::<usize>());
             let reason = Parsing::LineBreak;
             let help = Parsing::Escapes;
             self.report(Diagnostic::new(Code::Format, escape, reason).help(help));
         }
         if let Some(at) = first_beyond(text, TEXT_LIMIT) {
-            let rest = Span::new(place.start + at, place.end);
+            let rest = Span::new(location.start + at, location.end);
             let reason = Parsing::TextTooLong { limit: TEXT_LIMIT };
             let help = Parsing::FullWidthCounts;
             self.report(Diagnostic::new(Code::LongString, rest, reason).help(help));

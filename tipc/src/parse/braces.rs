@@ -50,8 +50,8 @@ impl Parser<'_> {
     }
 
     /// Reports what opened the block of a statement unless its words are reported, which `before` tells.
-    pub(super) fn opened_block(&mut self, place: Span, opening: Token, before: usize) {
-        let word = upper_case(self.source.slice(place));
+    pub(super) fn opened_block(&mut self, location: Span, opening: Token, before: usize) {
+        let word = upper_case(self.source.slice(location));
         let (reason, help) = match opening.kind {
             Kind::Colon => (ForeignWord::NoColon, ForeignWord::WriteThen),
             // That closes and opens a block, which is reported: `} ELSE {`.
@@ -61,7 +61,7 @@ impl Parser<'_> {
                 let is_routine = self.diagnostics.len() > before;
                 if word == LOOP {
                     let reason = Commanding::NoCommand { word: LOOP.into() };
-                    self.report_unknown(place, LOOP, reason, ForeignWord::Forever);
+                    self.report_unknown(location, LOOP, reason, ForeignWord::Forever);
                 }
                 return self.braces.push(is_routine);
             }
@@ -141,12 +141,12 @@ impl Parser<'_> {
     pub(super) fn for_of_c(&mut self, span: Span) -> Flow {
         let statement = self.source.slice(span);
         let open = statement.find('(').unwrap_or_default();
-        let place = Span::new(span.start + open, span.end);
+        let location = Span::new(span.start + open, span.end);
         let line = Span::new(span.start, self.line.span.end);
         if self.source.slice(line).trim_end().ends_with(OPEN) {
             self.braces.push(true);
         }
-        let fault = Diagnostic::new(Code::Argument, place, ForeignWord::ForCounts);
+        let fault = Diagnostic::new(Code::Argument, location, ForeignWord::ForCounts);
         self.report(fault.help(Parsing::WriteFor));
         self.push(StatementKind::Broken(Shape::For), span);
         Flow::NextLine

@@ -35,14 +35,14 @@ impl Reader<'_> {
                 self.comparison(left, relation, span)
             }
             Some(token) if self.calls_function(&left) => {
-                let place = left.span.to(token.span);
+                let location = left.span.to(token.span);
                 let reason = Parsing::ConditionCannotCalculate;
-                Err(self.fault_with_help(place, reason, ForeignWord::CalculateBefore))
+                Err(self.fault_with_help(location, reason, ForeignWord::CalculateBefore))
             }
             Some(token) if self.foreign_relation(token).is_some() => {
-                let (place, relation) = self.foreign_relation(token).unwrap_or_default();
+                let (location, relation) = self.foreign_relation(token).unwrap_or_default();
                 let help = ForeignWord::WriteRelation { relation };
-                Err(self.fault_with_help(place, Parsing::NoRelation, help))
+                Err(self.fault_with_help(location, Parsing::NoRelation, help))
             }
             Some(token) if token.kind != Kind::Word => Err(self.no_relation(&left, token)),
             _ => self.flag(left),
@@ -96,10 +96,10 @@ impl Reader<'_> {
 
     fn comparison(&mut self, left: Operand, relation: Relation, sign: Span) -> Parsed<Condition> {
         if let Some((token, whole)) = self.split_relation(relation) {
-            let place = sign.to(token.span);
+            let location = sign.to(token.span);
             let reason = ForeignWord::SplitOperator { sign: whole.into() };
             let help = ForeignWord::WriteRelation { relation: whole };
-            return Err(self.fault_with_help(place, reason, help));
+            return Err(self.fault_with_help(location, reason, help));
         }
         if let Some(token) = self.peek().filter(is_part_of_relation) {
             let reason = Parsing::NoRelation;
@@ -179,10 +179,10 @@ impl Reader<'_> {
             _ => None,
         };
         match (token.kind, turned) {
-            (Kind::Assign(None), Some((relation, place))) => {
+            (Kind::Assign(None), Some((relation, location))) => {
                 let relation = if relation == Relation::Gt { ">=" } else { "<=" };
                 let help = ForeignWord::WriteRelation { relation };
-                self.fault_with_help(place, Parsing::NoRelation, help)
+                self.fault_with_help(location, Parsing::NoRelation, help)
             }
             (Kind::Assign(None), None) => {
                 let reason = Parsing::AssignsComparesNothing;

@@ -50,7 +50,7 @@ impl Reader<'_> {
 
     /// Reads what follows THEN: a block, on the next line. A jump in its place is read as if THEN were not there.
     fn after_then(&mut self) -> Parsed<(Then, Parsed<()>)> {
-        let place = self.rest();
+        let location = self.rest();
         for word in [Keyword::Goto, Keyword::Gosub] {
             if let Some(keyword) = self.take_word(word) {
                 let (jump, then): (_, fn(Jump) -> Then) = match word {
@@ -59,7 +59,7 @@ impl Reader<'_> {
                 };
                 let reason = ForeignWord::ThenJumps { jump: word.into() };
                 let help = ForeignWord::LeaveThenOut { jump: word.into() };
-                let fault = self.fault_with_help(place, reason, help);
+                let fault = self.fault_with_help(location, reason, help);
                 return Ok((then(jump), Err(fault)));
             }
         }
@@ -68,13 +68,13 @@ impl Reader<'_> {
             _ if self.goes_to_line() => {
                 let jump = Keyword::Goto.into();
                 Err(self.fault_with_help(
-                    place,
+                    location,
                     ForeignWord::OneLineIf,
                     ForeignWord::LeaveThenOut { jump },
                 ))
             }
             _ => Err(self.fault_with_help(
-                place,
+                location,
                 ForeignWord::OneLineIf,
                 ForeignWord::CloseOneLineIf,
             )),

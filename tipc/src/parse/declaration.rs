@@ -40,8 +40,8 @@ impl Parser<'_> {
         }
         let reader = Reader::new(self.text, tokens, 0, Code::Argument);
         let glued = hyphened(tokens);
-        for place in &glued {
-            self.report_hyphen(*place);
+        for location in &glued {
+            self.report_hyphen(*location);
         }
         let is_odd = |token: &Token| token.kind != Kind::Word;
         if glued.is_empty()
@@ -52,14 +52,14 @@ impl Parser<'_> {
             self.diagnostics.extend(fault.map(|it| *it));
         }
         let is_apart = |token: &&Token| {
-            let place = token.span;
-            let inside = |run: &Span| run.start <= place.start && place.end <= run.end;
+            let location = token.span;
+            let inside = |run: &Span| run.start <= location.start && location.end <= run.end;
             !glued.iter().chain(&types).any(inside)
         };
         let names: Vec<Word> = names_in(self.text, tokens, reported)
             .filter(is_apart)
             .flat_map(|token| self.names_between_commas(token.span))
-            .map(|place| self.narrow_word(place))
+            .map(|location| self.narrow_word(location))
             .collect();
         for name in &names {
             self.check_name_length(name);
@@ -125,26 +125,27 @@ impl Parser<'_> {
         }
         let mut start = word.start;
         let names = text.split_inclusive(COMMAS).map(|name| {
-            let place = Span::new(start, start + name.trim_end_matches(COMMAS).len());
+            let location = Span::new(start, start + name.trim_end_matches(COMMAS).len());
             start += name.len();
-            place
+            location
         });
-        let is_plain = |place: &Span| {
-            let name = || narrow(self.source.slice(*place));
-            place.start < place.end && foreign_run(&name(), Span::new(0, name().len())).is_none()
+        let is_plain = |location: &Span| {
+            let name = || narrow(self.source.slice(*location));
+            location.start < location.end
+                && foreign_run(&name(), Span::new(0, name().len())).is_none()
         };
         names.filter(is_plain).collect()
     }
 
-    fn report_hyphen(&mut self, place: Span) {
-        let written = self.source.slice(place).to_ascii_uppercase();
+    fn report_hyphen(&mut self, location: Span) {
+        let written = self.source.slice(location).to_ascii_uppercase();
         let reason = Naming::NoVariableName {
             word: written.as_str().into(),
         };
         let help = ForeignWord::NoHyphen {
             name: written.replace('-', "_").into(),
         };
-        let fault = Diagnostic::new(Code::Argument, place, reason);
+        let fault = Diagnostic::new(Code::Argument, location, reason);
         self.report(fault.once(written.as_str()).help(help));
         if self.hyphened.len() < HYPHENED {
             self.hyphened.push(written);
@@ -209,9 +210,9 @@ fn odd_in_declaration(
     tokens: &[Token],
     odd: usize,
 ) -> Option<Fault> {
-    let place = tokens.get(odd)?;
+    let location = tokens.get(odd)?;
     let named = tokens[..odd].last().filter(|_| odd > 1);
-    Some(match (place.kind, named) {
+    Some(match (location.kind, named) {
         (Kind::Assign(_), Some(name)) => {
             let name = reader.word(name.span).node;
             let name = match kind {
@@ -220,11 +221,11 @@ fn odd_in_declaration(
                 VariableKind::Joint => format!("{name}.J1").into(),
             };
             reader.fault_with_help(
-                place.span,
+                location.span,
                 ForeignWord::NoInitial,
                 ForeignWord::Initial { name },
             )
         }
-        _ => reader.fault_with_help(place.span, Parsing::OnlyNames, Parsing::SeparateNames),
+        _ => reader.fault_with_help(location.span, Parsing::OnlyNames, Parsing::SeparateNames),
     })
 }

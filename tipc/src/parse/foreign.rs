@@ -91,14 +91,14 @@ impl Parser<'_> {
             return self.push(StatementKind::Broken(Shape::Plain), span);
         }
         let first = text.split_whitespace().next().unwrap_or_default();
-        let place = Span::new(span.start, span.start + first.len());
+        let location = Span::new(span.start, span.start + first.len());
         let help = if self.in_comment.is_some() {
             ForeignWord::EachLine
         } else {
             ForeignWord::Comment
         };
         let reason = Commanding::NoCommand { word: first.into() };
-        self.report_unknown(place, first, reason, help);
+        self.report_unknown(location, first, reason, help);
         self.push(StatementKind::Broken(Shape::Plain), span);
     }
 
@@ -173,20 +173,20 @@ impl Parser<'_> {
         if is_known || first.kind != Kind::Word {
             return None;
         }
-        let place = spread(self.text, first.span, rest)?;
-        let written = upper_case(self.source.slice(place));
+        let location = spread(self.text, first.span, rest)?;
+        let written = upper_case(self.source.slice(location));
         let name = joined(&written);
         let reason = Naming::NoLabelName { word: written };
-        let fault = Diagnostic::new(Code::Argument, place, reason).once(label_of(&name));
+        let fault = Diagnostic::new(Code::Argument, location, reason).once(label_of(&name));
         self.report(fault.help(Parsing::WriteLabel { name }));
         Some(StatementKind::Broken(Shape::Plain))
     }
 
     /// `*L1`, `LABEL L1` where a label stands.
     fn marked_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
-        let (place, name) = marked(self.text, tokens).or_else(|| self.label_said(tokens))?;
+        let (location, name) = marked(self.text, tokens).or_else(|| self.label_said(tokens))?;
         let node = name.clone();
-        let span = Span::new(place.end - node.len(), place.end);
+        let span = Span::new(location.end - node.len(), location.end);
         let first = tokens.first()?.span;
         let word = upper_case(self.source.slice(first));
         let reason = Commanding::NoCommand { word: word.clone() };
@@ -316,12 +316,12 @@ impl Parser<'_> {
     /// Reports a first word that the language lacks.
     pub(super) fn report_unknown(
         &mut self,
-        place: Span,
+        location: Span,
         word: &str,
         reason: impl Into<Message>,
         help: impl Into<Message>,
     ) {
-        let fault = Diagnostic::new(Code::UnknownCommand, place, reason);
+        let fault = Diagnostic::new(Code::UnknownCommand, location, reason);
         self.report(fault.about(word).help(help));
     }
 
@@ -339,12 +339,12 @@ impl Parser<'_> {
     }
 
     pub(super) fn report_else_if(&mut self, tokens: &[Token]) {
-        let place = match tokens {
+        let location = match tokens {
             [first, second, ..] => first.span.to(second.span),
             _ => return,
         };
         let word = Keyword::ElseIf;
-        let fault = Diagnostic::new(Code::Format, place, ForeignWord::ElseIfInTwo);
+        let fault = Diagnostic::new(Code::Format, location, ForeignWord::ElseIfInTwo);
         self.report(fault.help(ForeignWord::InOneWord { word: word.into() }));
     }
 
@@ -449,15 +449,15 @@ impl Parser<'_> {
             .iter()
             .all(|it| names::is_variable(&upper_case(word(it))));
         let (first, last) = (names.first()?, names.last()?);
-        let place = first.span.to(last.span);
-        let text = self.source.slice(place);
+        let location = first.span.to(last.span);
+        let text = self.source.slice(location);
         let is_list = text.matches(',').count() + 1 == names.len();
         let name = upper_case(word(first));
         let is_known = commands::find(&name).is_some() || foreign::statement(&name).is_some();
         if !are_names || !is_list || is_known {
             return None;
         }
-        let fault = Diagnostic::new(Code::Equation, place, Parsing::OneVariableLeft);
+        let fault = Diagnostic::new(Code::Equation, location, Parsing::OneVariableLeft);
         let member = upper_case(word(last));
         let help: Message = match names {
             // `P,X = 1`

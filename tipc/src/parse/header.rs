@@ -41,7 +41,7 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     ))
 }
 
-/// Returns the place of the version number in line 1; blanks and a comment may surround it.
+/// Returns the location of the version number in line 1; blanks and a comment may surround it.
 pub fn version_word(source: &Source) -> Span {
     let (code, _) = split_comment(source.text(), source.line(1).span);
     let word = source.slice(code).trim_end_matches(BLANKS);

@@ -114,11 +114,11 @@ impl Reader<'_> {
 
     fn jump_label(&mut self, jump: Keyword) -> Parsed<Word> {
         // `GOTO *L1`
-        if let Some((place, name)) = marked(self.text(), self.left_tokens()) {
+        if let Some((location, name)) = marked(self.text(), self.left_tokens()) {
             let reason = Naming::NoLabelName {
-                word: upper_case(self.slice(place)),
+                word: upper_case(self.slice(location)),
             };
-            let fault = self.fault(place, reason).once(label_of(&name));
+            let fault = self.fault(location, reason).once(label_of(&name));
             return Err(fault.help(Parsing::WriteLabel { name }).into());
         }
         let word = match self.take() {
@@ -132,11 +132,11 @@ impl Reader<'_> {
                 return Err(self.fault_with_help(self.here(), Parsing::LabelMissing, help));
             }
         };
-        if let Some(place) = self.spread_label(word.span) {
-            let written = upper_case(self.slice(place));
+        if let Some(location) = self.spread_label(word.span) {
+            let written = upper_case(self.slice(location));
             let name = joined(&written);
             let reason = Naming::NoLabelName { word: written };
-            let fault = self.fault(place, reason).once(label_of(&name));
+            let fault = self.fault(location, reason).once(label_of(&name));
             return Err(fault.help(Parsing::WriteLabel { name }).into());
         }
         match self.peek() {

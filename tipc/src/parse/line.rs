@@ -158,27 +158,27 @@ impl Parser<'_> {
     }
 
     /// Characters that only comments and texts may hold.
-    pub(super) fn report_foreign(&mut self, place: Span) {
-        let text = self.source.slice(place);
+    pub(super) fn report_foreign(&mut self, location: Span) {
+        let text = self.source.slice(location);
         let reason = match text.chars().next() {
             Some(first) if first.is_ascii_control() => Parsing::ControlCharacter,
             _ => Parsing::ForeignCharacters,
         };
-        let mut diagnostic = Diagnostic::new(Code::Format, place, reason);
-        let before = &self.text[self.line.span.start..place.start];
+        let mut diagnostic = Diagnostic::new(Code::Format, location, reason);
+        let before = &self.text[self.line.span.start..location.start];
         if let Some(plain) = text.chars().next().and_then(foreign::plain) {
             diagnostic = diagnostic.help(ForeignWord::Plain { plain });
-        } else if text == LONG_VOWEL && self.text[place.end..].starts_with(is_digit) {
+        } else if text == LONG_VOWEL && self.text[location.end..].starts_with(is_digit) {
             diagnostic = diagnostic.help(ForeignWord::Plain { plain: "-" });
-        } else if foreign::is_range(text) && is_between_digits(before, &self.text[place.end..]) {
+        } else if foreign::is_range(text) && is_between_digits(before, &self.text[location.end..]) {
             diagnostic = diagnostic.help(Suggestion::CountTo);
-        } else if text == "。" && is_between_digits(before, &self.text[place.end..]) {
+        } else if text == "。" && is_between_digits(before, &self.text[location.end..]) {
             diagnostic = diagnostic.help(ForeignWord::Plain { plain: "." });
         } else if text.chars().all(foreign::is_invisible) {
             diagnostic = diagnostic.help(Suggestion::Invisible);
-        } else if self.is_unit(place) {
+        } else if self.is_unit(location) {
             diagnostic = diagnostic.help(ForeignWord::NoUnit);
-        } else if let Some(character) = self.quoted_key(place) {
+        } else if let Some(character) = self.quoted_key(location) {
             diagnostic = diagnostic.help(ForeignWord::Character { character });
         } else if text.chars().all(char::is_whitespace) {
             diagnostic = diagnostic.help(ForeignWord::PlainBlank);
@@ -188,11 +188,11 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(ForeignWord::Comment);
         } else if let Some(narrow) = half_width(text) {
             diagnostic = diagnostic.once(wide_name(&narrow));
-            let narrow = self.narrow_statement(place).unwrap_or(narrow);
+            let narrow = self.narrow_statement(location).unwrap_or(narrow);
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
-        } else if self.is_in_foreign_comment(place) {
+        } else if self.is_in_foreign_comment(location) {
             diagnostic = diagnostic.help(ForeignWord::Comment);
-        } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(place) {
+        } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(location) {
             diagnostic = diagnostic.help(Suggestion::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
             diagnostic = diagnostic.once(text).help(Parsing::PlainNames);
@@ -202,13 +202,13 @@ impl Parser<'_> {
         self.report(diagnostic);
     }
 
-    /// Returns the statement around a place in half-width characters, if more than one of its words is full-width.
-    fn narrow_statement(&self, place: Span) -> Option<String> {
+    /// Returns the statement around a location in half-width characters, if more than one of its words is full-width.
+    fn narrow_statement(&self, location: Span) -> Option<String> {
         let (code, _) = split_comment(self.text, self.line.span);
-        let start = self.text[code.start..place.start].rfind(';');
+        let start = self.text[code.start..location.start].rfind(';');
         let start = start.map_or(code.start, |at| code.start + at + 1);
-        let end = self.text[place.end..code.end.max(place.end)].find(';');
-        let end = end.map_or(code.end.max(place.end), |at| place.end + at);
+        let end = self.text[location.end..code.end.max(location.end)].find(';');
+        let end = end.map_or(code.end.max(location.end), |at| location.end + at);
         let statement = self.source.slice(Span::new(start, end));
         let words = statement.split_whitespace().collect::<Vec<_>>();
         let wide = words.iter().filter(|word| !word.is_ascii()).count();
@@ -216,31 +216,31 @@ impl Parser<'_> {
         (wide > 1 && statement.len() <= SHOWN && narrow.is_ascii()).then_some(narrow)
     }
 
-    /// `30°`, `100ミリ`: whether a place is a unit right after a number.
-    fn is_unit(&self, place: Span) -> bool {
-        let before = &self.text[self.line.span.start..place.start];
-        before.ends_with(is_digit) && foreign::is_unit(self.source.slice(place))
+    /// `30°`, `100ミリ`: whether a location is a unit right after a number.
+    fn is_unit(&self, location: Span) -> bool {
+        let before = &self.text[self.line.span.start..location.start];
+        before.ends_with(is_digit) && foreign::is_unit(self.source.slice(location))
     }
 
     /// Returns true if a colon or `=` follows: the name is a label, or is assigned.
-    fn is_named(&self, place: Span) -> bool {
-        let rest = self.text[place.end..].trim_start();
+    fn is_named(&self, location: Span) -> bool {
+        let rest = self.text[location.end..].trim_start();
         rest.starts_with([':', '='])
     }
 
-    /// Returns the key between quotes of typesetting that begin at a place.
-    fn quoted_key(&self, place: Span) -> Option<SmolStr> {
-        let mut chars = self.text[place.start..].chars();
+    /// Returns the key between quotes of typesetting that begin at a location.
+    fn quoted_key(&self, location: Span) -> Option<SmolStr> {
+        let mut chars = self.text[location.start..].chars();
         let is_quote = |char: char| matches!(char, '‘' | '’' | '“' | '”');
         let (open, key, close) = (chars.next()?, chars.next()?, chars.next()?);
         let is_key = is_quote(open) && is_quote(close) && key.is_ascii_alphanumeric();
         is_key.then(|| SmolStr::from_iter([key.to_ascii_uppercase()]))
     }
 
-    /// Returns true if a comment of another language begins before a place on its line.
-    fn is_in_foreign_comment(&self, place: Span) -> bool {
+    /// Returns true if a comment of another language begins before a location on its line.
+    fn is_in_foreign_comment(&self, location: Span) -> bool {
         let line = self.line.span;
-        let before = self.source.slice(Span::new(line.start, place.start));
+        let before = self.source.slice(Span::new(line.start, location.start));
         // Of a line that is too long it does not matter.
         let is_after = || before.len() <= LINE_LIMIT && foreign::comment_after(before).is_some();
         foreign::is_comment(self.source.slice(line).trim()) || is_after()
@@ -279,9 +279,9 @@ impl Parser<'_> {
 }
 
 /// Reports ELSE, ENDIF, WEND or REPEAT on one line with something else.
-pub(super) fn not_alone(name: Keyword, place: Span, other: Span) -> Diagnostic {
+pub(super) fn not_alone(name: Keyword, location: Span, other: Span) -> Diagnostic {
     let reason = Parsing::NotAlone { word: name.into() };
-    Diagnostic::new(Code::Format, place, reason)
+    Diagnostic::new(Code::Format, location, reason)
         .label(other, Parsing::WantsOwnLine)
         .help(Parsing::LabelBeforeCommentBehind)
 }
@@ -330,7 +330,7 @@ fn is_sentence(text: &str) -> bool {
     text.chars().any(is_hiragana)
 }
 
-/// Returns true if a place is inside a number.
+/// Returns true if a location is inside a number.
 fn is_between_digits(before: &str, after: &str) -> bool {
     before.ends_with(is_digit) && after.starts_with(is_digit)
 }
@@ -382,10 +382,10 @@ impl Parser<'_> {
     ) -> Flow {
         let whole = Span::new(name.start, name.end + COLON.len_utf8());
         let label = self.narrow_word(name);
-        let place = foreign_run(self.text, whole).unwrap_or(whole);
+        let location = foreign_run(self.text, whole).unwrap_or(whole);
         let narrow = narrow(self.source.slice(whole));
-        let fault = Diagnostic::new(Code::Format, place, Parsing::ForeignCharacters);
-        let fault = fault.once(wide_name(&super::narrow(self.source.slice(place))));
+        let fault = Diagnostic::new(Code::Format, location, Parsing::ForeignCharacters);
+        let fault = fault.once(wide_name(&super::narrow(self.source.slice(location))));
         self.report(fault.help(Parsing::WriteHalfWidth { narrow }));
         self.check_name_length(&label);
         self.push(StatementKind::Label(label), whole);

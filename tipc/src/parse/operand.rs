@@ -97,32 +97,36 @@ impl Reader<'_> {
         }
     }
 
-    fn signed(&mut self, sign: Arithmetic, place: Span) -> Parsed<Operand> {
+    fn signed(&mut self, sign: Arithmetic, location: Span) -> Parsed<Operand> {
         let operand = match self.peek_second() {
             Some(word) if word.kind == Kind::Word && !word.spaced => word.span,
             Some(word) if word.kind == Kind::Word => {
-                if let Some(fault) = self.turned_update(place, word.span) {
+                if let Some(fault) = self.turned_update(location, word.span) {
                     return Err(fault);
                 }
-                let (sign, word) = (self.slice(place), self.slice(word.span));
+                let (sign, word) = (self.slice(location), self.slice(word.span));
                 let text = format!("{sign}{word}").into();
                 let reason = Parsing::SignStandsBefore;
-                return Err(self.fault_with_help(place, reason, ForeignWord::WriteSigned { text }));
+                return Err(self.fault_with_help(
+                    location,
+                    reason,
+                    ForeignWord::WriteSigned { text },
+                ));
             }
             Some(Token {
                 kind: Kind::Arithmetic(_),
                 span,
                 ..
-            }) if self.left() > 2 => return Err(self.two_signs(place, span)),
+            }) if self.left() > 2 => return Err(self.two_signs(location, span)),
             _ => {
                 let reason = Parsing::SignStandsBefore;
-                return Err(self.fault(place, reason));
+                return Err(self.fault(location, reason));
             }
         };
         self.take();
         self.take();
         let operand = self.value(operand)?;
-        let span = place.to(operand.span);
+        let span = location.to(operand.span);
         match (operand.kind, sign) {
             (OperandKind::Number(number), Arithmetic::Sub) => Ok(Operand {
                 kind: OperandKind::Number(-number),
@@ -140,7 +144,7 @@ impl Reader<'_> {
                 span,
             }),
             _ => Err(self.fault_with_help(
-                place,
+                location,
                 Parsing::PlusBeforeConstants,
                 Parsing::LeavePlusOut,
             )),
@@ -206,8 +210,8 @@ impl Reader<'_> {
         })
     }
 
-    fn foreign_in_name(&self, word: &str, place: Span) -> Fault {
-        let character = self.slice(place).into();
+    fn foreign_in_name(&self, word: &str, location: Span) -> Fault {
+        let character = self.slice(location).into();
         let reason = Parsing::ForeignInName { character };
         let help = suggest_for_name(word);
         let is_calculation = help == Parsing::NoParentheses.into() && self.is_equation();
@@ -227,7 +231,7 @@ impl Reader<'_> {
             }
             _ => help,
         };
-        let mut fault = self.fault_with_help(place, reason, help);
+        let mut fault = self.fault_with_help(location, reason, help);
         if let Some(Message::ForeignWord(ForeignWord::NoArray { name })) = &fault.help {
             fault.once = Some(name.clone());
         }

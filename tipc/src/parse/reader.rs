@@ -102,7 +102,7 @@ impl<'a> Reader<'a> {
         self.tokens.len() - self.at
     }
 
-    /// Returns the next token's place, or the one right after the last token.
+    /// Returns the next token's location, or the one right after the last token.
     pub(super) fn here(&self) -> Span {
         match (self.peek(), self.tokens.last()) {
             (Some(token), _) => token.span,

@@ -194,8 +194,8 @@ mod dump {
 /// Checks an `IF` that is wrong at `column` and keeps opening its block.
 #[track_caller]
 fn wrong_condition(condition: &str, column: u32) {
-    let place = format!("1:{column}: Wrong argument");
-    check(&format!("IF {condition} THEN"), &["broken If", &place]);
+    let location = format!("1:{column}: Wrong argument");
+    check(&format!("IF {condition} THEN"), &["broken If", &location]);
 }
 
 // clauses: 5.1 1.11
@@ -391,8 +391,8 @@ fn declarations_keep_the_names_as_written() {
 /// Checks an equation that is wrong at `column`.
 #[track_caller]
 fn wrong(equation: &str, column: u32) {
-    let place = format!("1:{column}: Wrong equation format");
-    check(equation, &["broken Plain", &place]);
+    let location = format!("1:{column}: Wrong equation format");
+    check(equation, &["broken Plain", &location]);
 }
 
 // clauses: 4.1 1.11
@@ -527,8 +527,12 @@ fn faulty_arguments_wait_for_the_command_to_be_known() {
 /// Checks for a `Format error` at `column` of line 1, besides `statements`.
 #[track_caller]
 fn format_error(body: &str, statements: &[&str], column: u32) {
-    let place = format!("1:{column}: Format error");
-    let expected: Vec<&str> = statements.iter().copied().chain([place.as_str()]).collect();
+    let location = format!("1:{column}: Format error");
+    let expected: Vec<&str> = statements
+        .iter()
+        .copied()
+        .chain([location.as_str()])
+        .collect();
     check(body, &expected);
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Arithmetic, Axis, Flag, Function, Relation};
 
-/// A variable, by its place in [`Program::variables`](super::Program::variables).
+/// A variable, by its index in [`Program::variables`](super::Program::variables).
 pub type VariableId = usize;
 
 /// One scalar: a VAR, or a member of a struct.

@@ -1,4 +1,4 @@
-//! A diagnostic as people read it: the lines, carets under the place, the reason, the help.
+//! A diagnostic as people read it: the lines, carets under the location, the reason, the help.
 
 use super::{printable, shown};
 use crate::code::Level;
@@ -8,13 +8,13 @@ use crate::source::{Source, Span, first_beyond};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
 use std::ops::Range;
 
-/// The most lines between two places that are still shown as one snippet.
+/// The most lines between two locations that are still shown as one snippet.
 const NEAR: u32 = 30;
-/// The most other places that are shown.
-const PLACES: usize = 8;
+/// The most other locations that are shown.
+const LOCATIONS: usize = 8;
 
 /// Some lines, with a line end after each, and where they are. Lines are put together again, so that an old
-/// carriage return does not blur them, and that a far place or an endless line does not drag the whole file along.
+/// carriage return does not blur them, and that a far location or an endless line does not drag the whole file along.
 struct Window {
     first: u32,
     text: String,
@@ -57,9 +57,9 @@ impl Window {
             return None;
         }
         let (text, shown) = (source.slice(line.span), &line.range);
-        let place =
+        let location =
             |offset: usize| shown.start + width(text, offset.saturating_sub(line.span.start));
-        let (start, end) = (place(span.start), place(span.end));
+        let (start, end) = (location(span.start), location(span.end));
         (start <= shown.end).then(|| start..end.clamp(start, shown.end))
     }
 }
@@ -90,7 +90,7 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     let mut group = Group::with_title(title);
     if windows[0].range(source, diagnostic.span).is_none() {
         group = group.element(origin(&name, source, diagnostic));
-        if let Some(text) = at_place(diagnostic, style.lang) {
+        if let Some(text) = at_location(diagnostic, style.lang) {
             group = group.element(note(style.lang).message(text));
         }
     }
@@ -160,7 +160,7 @@ fn note(lang: Lang) -> Title<'static> {
 }
 
 /// Returns the text at the location itself: nothing for an error, whose reason is the headline.
-fn at_place(diagnostic: &Diagnostic, lang: Lang) -> Option<String> {
+fn at_location(diagnostic: &Diagnostic, lang: Lang) -> Option<String> {
     let is_warning = diagnostic.level() == Level::Warning;
     is_warning.then(|| printable(diagnostic.reason.in_lang(lang)))
 }
@@ -173,7 +173,7 @@ fn origin<'a>(name: &'a str, source: &Source, diagnostic: &Diagnostic) -> Origin
         .char_column(column as usize)
 }
 
-/// Returns the window around the diagnostic's own place, then one for each label that is far from it.
+/// Returns the window around the diagnostic's own location, then one for each label that is far from it.
 fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
     let line = |span: Span| source.line_column(span.start).0;
     let own = line(diagnostic.span);
@@ -181,7 +181,7 @@ fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
         diagnostic
             .labels
             .iter()
-            .take(PLACES)
+            .take(LOCATIONS)
             .map(|label| line(label.span))
     };
     let near = |other: &u32| other.abs_diff(own) <= NEAR;
@@ -205,13 +205,17 @@ fn snippet<'a>(
     let primary = window.range(source, diagnostic.span).map(|range| {
         AnnotationKind::Primary
             .span(range)
-            .label(at_place(diagnostic, lang))
+            .label(at_location(diagnostic, lang))
     });
-    let labels = diagnostic.labels.iter().take(PLACES).filter_map(|label| {
-        let range = window.range(source, label.span)?;
-        let kind = AnnotationKind::Context;
-        Some(kind.span(range).label(printable(label.text.in_lang(lang))))
-    });
+    let labels = diagnostic
+        .labels
+        .iter()
+        .take(LOCATIONS)
+        .filter_map(|label| {
+            let range = window.range(source, label.span)?;
+            let kind = AnnotationKind::Context;
+            Some(kind.span(range).label(printable(label.text.in_lang(lang))))
+        });
     Snippet::source(window.text.as_str())
         .line_start(window.first as usize)
         .path(name)

@@ -10,7 +10,7 @@ use tip_runtime::printable::is_control;
 /// Renders an object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one),
 /// `code`, `file`,
 /// `line`, `column` (both from 1, the column in characters) and, if there is any, `help`; then `reason`, `class` (the code
-/// that finer codes are part of), `range`, `labels` and `fixes` with the places in every unit, the file's `encoding`, the name
+/// that finer codes are part of), `range`, `labels` and `fixes` with the locations in every unit, the file's `encoding`, the name
 /// of the `robot` that the program was checked for, `related` (the labels at which the same mistake shows again, with file,
 /// line and column), and how to see the code's `page`.
 pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang: Lang) -> String {

@@ -1,4 +1,4 @@
-//! The one place where positions are converted: bytes of the text to lines and columns, in every unit, and back.
+//! The one module that converts positions: bytes of the text to lines and columns, in every unit, and back.
 
 use super::original::Original;
 use super::{STRETCH, Source, boundary, next_boundary};
@@ -18,7 +18,7 @@ pub enum Unit {
     Character,
 }
 
-/// A place as people and editors name it.
+/// A location as people and editors name it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
     /// The line, from 1.

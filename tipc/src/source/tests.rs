@@ -13,7 +13,7 @@ fn check(bytes: &[u8], encoding: Encoding, expected: &str) {
 
 /// Decodes `bytes`, which must fail at `byte` of the file, shown at `line` and `column`.
 #[track_caller]
-fn check_bad(bytes: &[u8], encoding: Encoding, byte: usize, place: (u32, u32)) {
+fn check_bad(bytes: &[u8], encoding: Encoding, byte: usize, location: (u32, u32)) {
     let (source, bad) = Source::decode("a.prg", bytes, encoding);
     let bad = Diagnostic::from(bad.expect("a decoding error"));
     assert_eq!(bad.title(), "TIP_ERR:Format error (PreprocessError)");
@@ -22,7 +22,7 @@ fn check_bad(bytes: &[u8], encoding: Encoding, byte: usize, place: (u32, u32)) {
         "{}",
         bad.reason
     );
-    assert_eq!(source.line_column(bad.span.start), place);
+    assert_eq!(source.line_column(bad.span.start), location);
     assert!(source.text().is_char_boundary(bad.span.end));
 }
 

@@ -61,7 +61,7 @@ impl Statement {
         !matches!(self.kind, StatementKind::Define { .. })
     }
 
-    /// Returns its first word if it has a place of its own, else the whole statement.
+    /// Returns its first word if it has a location of its own, else the whole statement.
     pub const fn keyword(&self) -> Span {
         match self.kind.keyword() {
             Some(keyword) => keyword,

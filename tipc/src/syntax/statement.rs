@@ -290,7 +290,7 @@ impl StatementKind {
         }
     }
 
-    /// Returns the place of its first word, if it is kept.
+    /// Returns the location of its first word, if it is kept.
     pub const fn keyword(&self) -> Option<Span> {
         match self {
             StatementKind::If { keyword, .. }

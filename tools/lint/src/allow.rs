@@ -16,7 +16,7 @@ use tipc::syntax::Module;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Allows {
     allows: Vec<Allow>,
-    /// The comments for each code on each line, or on every line, by their places among all.
+    /// The comments for each code on each line, or on every line, by their indices among all.
     by_line: HashMap<(Code, Option<u32>), Vec<usize>>,
     /// Faults of the comments themselves.
     faults: Vec<Diagnostic>,
@@ -26,7 +26,7 @@ pub(crate) struct Allows {
 struct Allow {
     code: Code,
     /// The code in the comment.
-    place: Span,
+    location: Span,
     silences: bool,
 }
 
@@ -90,8 +90,8 @@ impl Allows {
     fn read(&mut self, source: &Source, list: Result<Span, Span>, line: Option<u32>) {
         let list = match list {
             Ok(list) => list,
-            Err(place) => {
-                let fault = Diagnostic::new(Code::Allow, place, Allowing::NoList);
+            Err(location) => {
+                let fault = Diagnostic::new(Code::Allow, location, Allowing::NoList);
                 return self.faults.push(fault.help(Allowing::WriteList));
             }
         };
@@ -99,7 +99,7 @@ impl Allows {
         for part in source.slice(list).split(',') {
             let name = part.trim();
             let at = start + (part.len() - part.trim_start().len());
-            let place = Span::new(at, at + name.len());
+            let location = Span::new(at, at + name.len());
             start += part.len() + 1;
             match code(name) {
                 Ok(code) => {
@@ -107,12 +107,12 @@ impl Allows {
                     alike.push(self.allows.len());
                     self.allows.push(Allow {
                         code,
-                        place,
+                        location,
                         silences: false,
                     });
                 }
                 Err(reason) => {
-                    let fault = Diagnostic::new(Code::Allow, place, reason);
+                    let fault = Diagnostic::new(Code::Allow, location, reason);
                     self.faults.push(fault.help(Allowing::WriteList));
                 }
             }
@@ -147,7 +147,8 @@ impl Allows {
         let is_judged = |code: Code| code != Code::Allow && !is_found_later(code);
         let idle = |allow: &&Allow| !allow.silences && is_judged(allow.code);
         let idle = self.allows.iter().filter(idle).map(|allow| {
-            let diagnostic = Diagnostic::new(Code::Allow, allow.place, Allowing::SilencesNothing);
+            let diagnostic =
+                Diagnostic::new(Code::Allow, allow.location, Allowing::SilencesNothing);
             diagnostic.help(Allowing::TakeOut)
         });
         let mut found: Vec<Diagnostic> = self.faults.iter().cloned().chain(idle).collect();

@@ -111,12 +111,12 @@ impl CoveragePoints {
         self.steps.contains_key(&step)
     }
 
-    /// Returns the step that ran, by its place in [`all`](Self::all).
+    /// Returns the step that ran, by its index in [`all`](Self::all).
     pub fn step(&self, step: StepId) -> Option<usize> {
         self.steps.get(&step).copied()
     }
 
-    /// Returns the edge that a run went along, by its place in [`all`](Self::all).
+    /// Returns the edge that a run went along, by its index in [`all`](Self::all).
     pub fn edge(&self, from: ProgramPoint, to: ProgramPoint) -> Option<usize> {
         let (from, to) = (self.node(from), self.node(to));
         if self.flow.nodes().get(from).is_some_and(|node| node.returns) {
@@ -126,7 +126,7 @@ impl CoveragePoints {
         edges.find(|(end, _)| *end == to).map(|(_, point)| *point)
     }
 
-    /// Returns the edges on from a place, by their places in [`all`](Self::all).
+    /// Returns the edges on from a program point, by their indices in [`all`](Self::all).
     pub fn edges(&self, from: ProgramPoint) -> impl Iterator<Item = usize> {
         let edges = self.edges.get(&self.node(from)).into_iter().flatten();
         edges.map(|(_, point)| *point)

@@ -1,5 +1,5 @@
 //! Fixes: for what a diagnostic says, the changes of the text that put it right. It judges no program: what the checker knows
-//! is in the diagnostic's messages, the rest in the statement around its place.
+//! is in the diagnostic's messages, the rest in the statement around its location.
 
 mod blocks;
 mod characters;

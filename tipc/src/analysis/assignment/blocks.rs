@@ -2,7 +2,7 @@
 
 use crate::analysis::flow::{Flow, Next, NodeId};
 
-/// The place of a block. Blocks come in the order of their nodes.
+/// The index of a block. Blocks come in the order of their nodes.
 pub(super) type BlockId = usize;
 
 /// Ways out of the last node of a block.

@@ -36,7 +36,7 @@ impl Matcher<'_> {
             return false;
         }
         // That it is alone on its line would not help.
-        self.closes_more.insert(self.place(index).start);
+        self.closes_more.insert(self.location(index).start);
         self.open.pop();
         self.result.blocks[block].end = index;
         self.result.blocks[block].broken = true;
@@ -45,8 +45,8 @@ impl Matcher<'_> {
             word: name,
         };
         let (opener, closer) = (inner.opener(), inner.closer());
-        let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
-            .label(self.place(first), Structuring::Open { opener })
+        let fault = Diagnostic::new(Code::Structure, self.location(index), reason)
+            .label(self.location(first), Structuring::Open { opener })
             .help(Suggestion::Closes { opener, closer });
         self.found.push(fault);
         true
@@ -82,7 +82,7 @@ impl Matcher<'_> {
         );
         let fault = fault
             .about(name.node.as_str())
-            .label(self.place(first), Structuring::Open { opener })
+            .label(self.location(first), Structuring::Open { opener })
             .help(Suggestion::Closes { opener, closer });
         self.found.push(fault);
         true
@@ -132,7 +132,7 @@ impl Matcher<'_> {
             word: opener.into(),
         };
         let fault = Diagnostic::new(Code::Structure, last.span, reason)
-            .label(self.place(innermost.first), Structuring::Open { opener })
+            .label(self.location(innermost.first), Structuring::Open { opener })
             .help(help);
         self.found.push(fault);
         while let Some(open) = self.open.pop() {
@@ -162,7 +162,7 @@ impl Matcher<'_> {
             },
         };
         let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
-            .label(self.place(innermost.first), Structuring::Open { opener })
+            .label(self.location(innermost.first), Structuring::Open { opener })
             .help(help);
         // `SUB WALK` … `END SUB` is one mistake, and so is `REPEAT 5` … `END REPEAT`.
         let is_one = self.is_foreign(innermost.first)

@@ -1,4 +1,4 @@
-//! Whatever comes in, the parser answers, and every place it names exists and can be shown.
+//! Whatever comes in, the parser answers, and every location it names exists and can be shown.
 
 use crate::diagnostic::Diagnostic;
 use crate::parse::parse;

@@ -143,7 +143,7 @@ fn check_places(loaded: &Loaded, case: &Path) {
     let symbols = &loaded.symbols;
     let mut last = 0;
     for it in symbols.all_uses() {
-        let place = it.place;
+        let place = it.span;
         assert!(
             place.start >= last,
             "order or overlap in {}",
@@ -157,11 +157,11 @@ fn check_places(loaded: &Loaded, case: &Path) {
         assert!(is_in_statement(&loaded.module, place), "{}", case.display());
     }
     for definition in symbols.definitions() {
-        if let Some(place) = definition.place {
+        if let Some(place) = definition.span {
             let named: Vec<&Use> = symbols
                 .all_uses()
                 .iter()
-                .filter(|it| it.place == place)
+                .filter(|it| it.span == place)
                 .collect();
             assert_eq!(named.len(), 1, "{} in {}", definition.name, case.display());
         }
@@ -194,8 +194,8 @@ fn every_name_is_in_the_table_once_and_at_its_place() {
                 .collect();
             let is_flag_name = |it: &Use| {
                 let token = Token {
-                    text: loaded.source.slice(it.place),
-                    place: it.place,
+                    text: loaded.source.slice(it.span),
+                    place: it.span,
                     label: false,
                 };
                 is_flag(&token) && is_declared(&loaded.symbols, &token)
@@ -204,8 +204,8 @@ fn every_name_is_in_the_table_once_and_at_its_place() {
                 .symbols
                 .all_uses()
                 .iter()
-                .filter(|it| it.place.start < it.place.end && !is_flag_name(it))
-                .map(|it| it.place)
+                .filter(|it| it.span.start < it.span.end && !is_flag_name(it))
+                .map(|it| it.span)
                 .collect();
             let text = |places: &[Span]| -> Vec<String> {
                 places

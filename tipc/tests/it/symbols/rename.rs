@@ -17,7 +17,7 @@ fn new_names(loaded: &Loaded) -> Vec<Option<String>> {
     let definitions = loaded.symbols.definitions().iter();
     let renamed = definitions.map(|definition| {
         let is_fixed = match definition.kind {
-            DefinitionKind::Variable(_) => definition.place.is_none(),
+            DefinitionKind::Variable(_) => definition.span.is_none(),
             DefinitionKind::Label => definition.name == "LOOP",
             DefinitionKind::Subroutine => false,
         };
@@ -34,11 +34,11 @@ fn rename(loaded: &Loaded, names: &[Option<String>]) -> String {
     for it in loaded.symbols.all_uses() {
         if let Some(name) = names[it.definition.index()]
             .as_ref()
-            .filter(|_| it.place.start < it.place.end)
+            .filter(|_| it.span.start < it.span.end)
         {
-            renamed.push_str(&text[copied..it.place.start]);
+            renamed.push_str(&text[copied..it.span.start]);
             renamed.push_str(name);
-            copied = it.place.end;
+            copied = it.span.end;
         }
     }
     renamed + &text[copied..]

@@ -8,7 +8,7 @@ use tipc::analysis::flow::{Flow, NodeId};
 /// The subroutines of a program, each after those that it calls, as far as they do not call each other.
 pub(super) struct Calls {
     entries: Vec<NodeId>,
-    /// For each place in that order those of the subroutines that call it.
+    /// For each index in that order those of the subroutines that call it.
     callers: Vec<Vec<usize>>,
     is_recursive: Vec<bool>,
 }
@@ -74,7 +74,7 @@ impl Calls {
         self.is_recursive[place]
     }
 
-    /// Returns the places of those that call it themselves.
+    /// Returns the indices of those that call it themselves.
     pub(super) fn callers(&self, place: usize) -> impl Iterator<Item = usize> {
         self.callers[place].iter().copied()
     }

@@ -47,13 +47,13 @@ fn colon(site: &Site<'_>) -> Option<Fix> {
     if !branches || tokens.iter().any(|it| site.is(it, Keyword::Then)) {
         return Some(fix);
     }
-    let place = fix.edits.first()?.span;
+    let location = fix.edits.first()?.span;
     let then = format!(" {}", site.like(Keyword::Then.word()));
     let title = Fixing::Replace {
         old: ":".into(),
         new: Keyword::Then.into(),
     };
-    Some(Fix::certain(title, [Edit::replace(place, then)]))
+    Some(Fix::certain(title, [Edit::replace(location, then)]))
 }
 
 /// `WHILE c DO`
@@ -65,14 +65,14 @@ fn after_condition(site: &Site<'_>) -> Option<Fix> {
 }
 
 /// Creates a fix that removes something, and the blanks before it.
-fn removed(site: &Site<'_>, place: Span) -> Fix {
+fn removed(site: &Site<'_>, location: Span) -> Fix {
     let before = site.tokens().into_iter().map(|token| token.span.end);
-    let before = before.take_while(|end| *end <= place.start).last();
-    let start = before.unwrap_or(place.start);
+    let before = before.take_while(|end| *end <= location.start).last();
+    let start = before.unwrap_or(location.start);
     let title = Fixing::Remove {
-        text: site.slice(place).into(),
+        text: site.slice(location).into(),
     };
-    Fix::certain(title, [Edit::remove(Span::new(start, place.end))])
+    Fix::certain(title, [Edit::remove(Span::new(start, location.end))])
 }
 
 /// `IF c THEN A = 1`, perhaps with an ELSE and an ENDIF on the same line.

@@ -32,12 +32,12 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `ＮＥＸＴ`, at each place that the diagnostic lists.
+/// `ＮＥＸＴ`, at each location that the diagnostic lists.
 fn half_width(site: &Site<'_>) -> Option<Fix> {
     let also = |label: &&Label| label.text == Naming::AlsoHere.into();
     let others = site.diagnostic.labels.iter().filter(also);
-    let places = [site.span()].into_iter().chain(others.map(|it| it.span));
-    let statements = places.filter_map(|place| site.module.statement_at(place.start));
+    let locations = [site.span()].into_iter().chain(others.map(|it| it.span));
+    let statements = locations.filter_map(|location| site.module.statement_at(location.start));
     let mut statements: Vec<usize> = statements.collect();
     statements.dedup();
     let spans = statements.iter().map(|at| site.module.statements[*at].span);

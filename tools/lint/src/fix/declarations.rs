@@ -61,7 +61,7 @@ fn unused(site: &Site<'_>) -> Option<Fix> {
     let title = Fixing::RemoveDeclaration {
         name: site.text().into(),
     };
-    let place = match (at, tokens.get(2)) {
+    let location = match (at, tokens.get(2)) {
         // Where the line is wrong too, what stands before the name may be no part of it.
         (0, _) => return None,
         (_, None) => declaration(site)?,
@@ -69,7 +69,7 @@ fn unused(site: &Site<'_>) -> Option<Fix> {
         (1, Some(next)) => Span::new(tokens[1].span.start, next.span.start),
         (_, Some(_)) => Span::new(tokens[at - 1].span.end, tokens[at].span.end),
     };
-    Some(Fix::likely(title, [Edit::remove(place)]))
+    Some(Fix::likely(title, [Edit::remove(location)]))
 }
 
 /// Returns the line of a declaration, if it holds nothing else.

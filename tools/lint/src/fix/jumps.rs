@@ -32,9 +32,9 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
 fn colon(site: &Site<'_>) -> Fix {
     let bare = site.text().trim_end_matches(['.', '-']);
     if bare.len() < site.text().len() {
-        let place = Span::new(site.span().start + bare.len(), site.span().end);
+        let location = Span::new(site.span().start + bare.len(), site.span().end);
         let title = Fixing::Insert { text: ":".into() };
-        return Fix::certain(title, [Edit::replace(place, ":")]);
+        return Fix::certain(title, [Edit::replace(location, ":")]);
     }
     let title = Fixing::Insert { text: ":".into() };
     Fix::certain(title, [Edit::insert(site.span().end, ":")])

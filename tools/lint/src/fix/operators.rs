@@ -50,22 +50,22 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-fn certain(site: &Site<'_>, place: Span, new: &str) -> Fix {
+fn certain(site: &Site<'_>, location: Span, new: &str) -> Fix {
     let title = Fixing::Replace {
-        old: site.slice(place).into(),
+        old: site.slice(location).into(),
         new: new.into(),
     };
-    Fix::certain(title, [Edit::replace(place, new)])
+    Fix::certain(title, [Edit::replace(location, new)])
 }
 
 /// `1,000` or `4,5`.
 fn comma(site: &Site<'_>, whole: &str, point: &str) -> Option<Fix> {
     let after = site.text().len();
     let start = site.span().end.checked_sub(whole.len() + 1)?;
-    let place = Span::new(start, site.span().end);
+    let location = Span::new(start, site.span().end);
     // Three digits after a comma are thousands.
     let new = if after == 3 { whole } else { point };
-    let fix = certain(site, place, new);
+    let fix = certain(site, location, new);
     Some(Fix::likely(fix.title, fix.edits))
 }
 
@@ -89,21 +89,21 @@ fn relation(site: &Site<'_>) -> Option<Fix> {
     let at = tokens.iter().position(|token| token.span.start == start)?;
     let before = tokens[..at].iter().rev().take_while(is_sign).last();
     let last = tokens[at..].iter().take_while(is_sign).last()?;
-    let place = before.unwrap_or(&tokens[at]).span.to(last.span);
-    let text = site.slice(place);
+    let location = before.unwrap_or(&tokens[at]).span.to(last.span);
+    let text = site.slice(location);
     let (_, new) = RELATIONS.iter().find(|(old, _)| *old == text)?;
-    Some(certain(site, place, new))
+    Some(certain(site, location, new))
 }
 
 /// `A++`
 fn increment(site: &Site<'_>, sign: &str) -> Option<Fix> {
     let tokens = site.tokens();
-    let place = tokens.get(1)?.span.to(tokens.get(2)?.span);
+    let location = tokens.get(1)?.span.to(tokens.get(2)?.span);
     let title = Fixing::Replace {
-        old: site.slice(place).into(),
+        old: site.slice(location).into(),
         new: format!("{sign}= 1").into(),
     };
-    let gap = Span::new(tokens[0].span.end, place.end);
+    let gap = Span::new(tokens[0].span.end, location.end);
     Some(Fix::certain(
         title,
         [Edit::replace(gap, format!(" {sign}= 1"))],

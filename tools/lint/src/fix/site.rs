@@ -141,8 +141,8 @@ impl<'a> Site<'a> {
     }
 
     /// Returns a keyword in the place of what stands there.
-    pub(super) fn write(&self, place: Span, word: &str) -> Edit {
-        Edit::replace(place, self.like(word))
+    pub(super) fn write(&self, location: Span, word: &str) -> Edit {
+        Edit::replace(location, self.like(word))
     }
 
     /// Returns a keyword after what ends at `at`.

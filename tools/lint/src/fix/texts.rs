@@ -57,14 +57,14 @@ fn glued(site: &Site<'_>) -> Option<Fix> {
 }
 
 /// Returns opener and closer of the one text that stands there: quotes, perhaps in parentheses.
-fn quotes(site: &Site<'_>, place: Span) -> Option<[Span; 2]> {
-    let place = trimmed(site, place);
-    let mut inside = place;
-    if site.slice(place).starts_with('(')
-        && site.slice(place).ends_with(')')
-        && place.end > place.start + 1
+fn quotes(site: &Site<'_>, location: Span) -> Option<[Span; 2]> {
+    let location = trimmed(site, location);
+    let mut inside = location;
+    if site.slice(location).starts_with('(')
+        && site.slice(location).ends_with(')')
+        && location.end > location.start + 1
     {
-        inside = trimmed(site, Span::new(place.start + 1, place.end - 1));
+        inside = trimmed(site, Span::new(location.start + 1, location.end - 1));
     }
     let quoted = site.slice(inside);
     let quote = quoted
@@ -78,7 +78,10 @@ fn quotes(site: &Site<'_>, place: Span) -> Option<[Span; 2]> {
     }
     let start = inside.start + 1;
     let end = start + shown.len();
-    Some([Span::new(place.start, start), Span::new(end, place.end)])
+    Some([
+        Span::new(location.start, start),
+        Span::new(end, location.end),
+    ])
 }
 
 /// `$N`, `{N}`, `%N` of a variable.
@@ -92,10 +95,10 @@ fn value(site: &Site<'_>, name: &str) -> Fix {
 }
 
 /// Returns a span without the blanks at its ends.
-fn trimmed(site: &Site<'_>, place: Span) -> Span {
-    let text = site.slice(place);
+fn trimmed(site: &Site<'_>, location: Span) -> Span {
+    let text = site.slice(location);
     let kept = text.trim_end_matches(DELIMITERS);
-    let end = place.start + kept.len();
+    let end = location.start + kept.len();
     Span::new(end - kept.trim_start_matches(DELIMITERS).len(), end)
 }
 

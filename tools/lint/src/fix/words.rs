@@ -49,12 +49,12 @@ fn foreign_word(site: &Site<'_>, advice: &ForeignWord) -> Option<Fix> {
             Some(branch(site, &tokens))
         }
         ForeignWord::InOneWord { word } => {
-            let place = match site.reason() {
+            let location = match site.reason() {
                 // Of `DEF VAR N` the first word is what is unknown, of `PTP ANGLE` the second one.
                 Message::Commanding(_) => in_pieces(site, &tokens, word)?,
                 _ => site.span(),
             };
-            Some(certain(site, place, word))
+            Some(certain(site, location, word))
         }
         ForeignWord::Return if tokens.len() == 1 => {
             Some(certain(site, site.span(), Keyword::Return.word()))
@@ -82,8 +82,8 @@ fn in_pieces(site: &Site<'_>, tokens: &[Token], whole: &str) -> Option<Span> {
     (2..=parts.min(tokens.len())).find_map(|count| {
         let words = tokens[..count].iter().map(|token| site.slice(token.span));
         let joined = words.collect::<Vec<_>>().join("_");
-        let place = tokens[0].span.to(tokens[count - 1].span);
-        joined.eq_ignore_ascii_case(whole).then_some(place)
+        let location = tokens[0].span.to(tokens[count - 1].span);
+        joined.eq_ignore_ascii_case(whole).then_some(location)
     })
 }
 
@@ -121,16 +121,16 @@ fn then(site: &Site<'_>, tokens: &[Token]) -> Option<Edit> {
     }
 }
 
-fn certain(site: &Site<'_>, place: Span, word: &str) -> Fix {
+fn certain(site: &Site<'_>, location: Span, word: &str) -> Fix {
     let title = Fixing::Replace {
-        old: site.slice(place).into(),
+        old: site.slice(location).into(),
         new: site.like(word).into(),
     };
-    Fix::certain(title, [site.write(place, word)])
+    Fix::certain(title, [site.write(location, word)])
 }
 
-fn likely(site: &Site<'_>, place: Span, word: &str) -> Fix {
-    let fix = certain(site, place, word);
+fn likely(site: &Site<'_>, location: Span, word: &str) -> Fix {
+    let fix = certain(site, location, word);
     Fix::likely(fix.title, fix.edits)
 }
 
@@ -147,15 +147,15 @@ fn replace_by(site: &Site<'_>, near: &str) -> Option<Fix> {
     }
 }
 
-/// Returns another word for a name that is not declared, at each place that the diagnostic lists.
+/// Returns another word for a name that is not declared, at each location that the diagnostic lists.
 fn everywhere(site: &Site<'_>, word: &str) -> Fix {
     let name = site.diagnostic.subject.as_deref().unwrap_or_default();
-    let places = [site.span()].into_iter();
-    let places = places.chain(site.diagnostic.labels.iter().map(|label| label.span));
-    let edits = places.filter_map(|place| {
+    let locations = [site.span()].into_iter();
+    let locations = locations.chain(site.diagnostic.labels.iter().map(|label| label.span));
+    let edits = locations.filter_map(|location| {
         // A sign may precede the name, a member follow it.
-        let text = site.slice(place);
-        let start = place.start + text.len() - text.trim_start_matches(['+', '-']).len();
+        let text = site.slice(location);
+        let start = location.start + text.len() - text.trim_start_matches(['+', '-']).len();
         let name = Span::new(start, start + name.len());
         let found = site.slice(name);
         let is_name = found.eq_ignore_ascii_case(site.diagnostic.subject.as_deref()?);
@@ -182,11 +182,11 @@ fn subroutine(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
 /// `JUMP L1`, `GO TO L1:`.
 fn goto(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
     let second = tokens.get(1).filter(|second| site.is(second, Keyword::To));
-    let (place, rest) = match second {
+    let (location, rest) = match second {
         Some(second) => (site.span().to(second.span), &tokens[2..]),
         None => (site.span(), &tokens[1.min(tokens.len())..]),
     };
-    let mut fix = certain(site, place, Keyword::Goto.word());
+    let mut fix = certain(site, location, Keyword::Goto.word());
     match rest {
         [label] if label.kind == Kind::Word => fix.edits.push(Edit::insert(label.span.end, ":")),
         [_, colon] if colon.kind == Kind::Colon => {}
@@ -213,8 +213,8 @@ fn wait(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
     };
     let joined = format!("{}_{}", site.slice(word.span), site.slice(second.span));
     if commands::find(&joined).is_some() {
-        let place = word.span.to(second.span);
-        return Some(certain(site, place, &joined));
+        let location = word.span.to(second.span);
+        return Some(certain(site, location, &joined));
     }
     let is_number = site.slice(second.span).parse::<f64>().is_ok();
     let is_alone = is_number && rest.is_empty();

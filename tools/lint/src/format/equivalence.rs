@@ -120,7 +120,7 @@ mod tests {
             assert!(!is_same(&before, &program(other, "a = 1")), "{other}");
             assert!(!is_same(&before, &program("a = 1", other)), "{other}");
         }
-        // A line that moves from one place to the other.
+        // A line that moves from one location to the other.
         assert!(!is_same(&before, &program("", "a = 1\na = 1")));
         let endless = before.replace("end\nptp what follows\n", "");
         assert!(!is_same(&before, &endless));

@@ -38,8 +38,8 @@ impl LintContext<'_> {
             .map(|it| it.operand(self.source))
             .collect();
         let scalar = scalar_name(self.program, gap.scalars[0]);
-        let names_it = |place: &&Span| {
-            let operand = self.source.slice(**place).to_ascii_uppercase();
+        let names_it = |location: &&Span| {
+            let operand = self.source.slice(**location).to_ascii_uppercase();
             operand.trim_start_matches('-') == scalar
         };
         let operand = operands.iter().find(names_it).or(operands.first());
@@ -53,7 +53,7 @@ fn scalar_name(program: &Program, scalar: usize) -> String {
     names.nth(scalar - variable.first).unwrap_or_default()
 }
 
-fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
+fn warning(program: &Program, gap: &Gap, location: Span) -> Diagnostic {
     let variable = &program.variables()[gap.variable];
     let names: Vec<String> = gap
         .scalars
@@ -92,7 +92,7 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
         Some(path) => Linting::NoValueOnPath { path, assign },
         None => Linting::Assign { assign },
     };
-    Diagnostic::new(code, place, reason)
+    Diagnostic::new(code, location, reason)
         .about(subject)
         .help(help)
 }

@@ -75,7 +75,7 @@ fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnosti
     if !takes_marks || !leads || stays || numbers.len() < 2 || numbers.iter().any(marked) {
         return None;
     }
-    let place = mark.span.to(numbers[0].span);
-    let diagnostic = Diagnostic::new(Code::RelativeFirst, place, Linting::OthersAbsolute);
+    let location = mark.span.to(numbers[0].span);
+    let diagnostic = Diagnostic::new(Code::RelativeFirst, location, Linting::OthersAbsolute);
     Some(diagnostic.help(Linting::MarkEach))
 }

@@ -103,8 +103,8 @@ pub(super) fn warn(
             Outcome::Stops => None,
         });
     }
-    let place = |step: &StepId| constant.binary_search_by_key(step, |one| one.step);
-    let is_judged = |step: &StepId| place(step).is_err();
+    let location = |step: &StepId| constant.binary_search_by_key(step, |one| one.step);
+    let is_judged = |step: &StepId| location(step).is_err();
     let stuck = stuck(context.program, context.flow)
         .into_iter()
         .filter(is_judged);
@@ -182,8 +182,9 @@ fn never_runs(program: &Program, statement: &Statement, step: StepId) -> Diagnos
 }
 
 fn never_ends(statement: &Statement) -> Diagnostic {
-    let place = condition(statement);
-    Diagnostic::new(Code::EndlessLoop, place, Linting::NothingChanges).help(Linting::ChangeOrLoop)
+    let location = condition(statement);
+    Diagnostic::new(Code::EndlessLoop, location, Linting::NothingChanges)
+        .help(Linting::ChangeOrLoop)
 }
 
 /// Returns the location of a condition.

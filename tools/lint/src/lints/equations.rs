@@ -25,8 +25,8 @@ pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
                 name: name.into(),
                 number: number.into(),
             };
-            let place = Span::new(equation.operator.start, sign + 1);
-            found.push(Diagnostic::new(Code::SwappedSigns, place, reason).help(help));
+            let location = Span::new(equation.operator.start, sign + 1);
+            found.push(Diagnostic::new(Code::SwappedSigns, location, reason).help(help));
         }
     }
 }

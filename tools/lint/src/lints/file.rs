@@ -14,8 +14,8 @@ use tipc::syntax::Module;
 
 /// Warns of the first statement after END.
 pub(super) fn after_end(source: &Source, module: &Module) -> Option<Diagnostic> {
-    let place = parse::after_end(source, module)?;
-    let diagnostic = Diagnostic::new(Code::AfterEnd, place, ForeignWord::StandsAfterEnd);
+    let location = parse::after_end(source, module)?;
+    let diagnostic = Diagnostic::new(Code::AfterEnd, location, ForeignWord::StandsAfterEnd);
     let end = module.statements.last()?;
     Some(
         diagnostic
@@ -37,8 +37,8 @@ pub(super) fn other_encoding(
     let text = loaded.source.text();
     let at = text.find(|c: char| !c.is_ascii() || c == '\u{1B}')?;
     let length = text[at..].find(['\n', '\r']).unwrap_or(text.len() - at);
-    let place = Span::new(at, at + length);
-    let diagnostic = Diagnostic::new(Code::OtherEncoding, place, Reading::OtherCharacters);
+    let location = Span::new(at, at + length);
+    let diagnostic = Diagnostic::new(Code::OtherEncoding, location, Reading::OtherCharacters);
     Some(diagnostic.help(ForeignWord::OtherEncoding { encoding }))
 }
 
@@ -60,8 +60,8 @@ pub(super) fn title(loaded: &Loaded, options: &Options) -> Option<Diagnostic> {
     if found.have_error(titled.module.edition) {
         return None;
     }
-    let place = tokens.first()?.span.to(tokens.last()?.span);
-    let diagnostic = Diagnostic::new(Code::StatementAsTitle, place, ForeignWord::TitleHere);
+    let location = tokens.first()?.span.to(tokens.last()?.span);
+    let diagnostic = Diagnostic::new(Code::StatementAsTitle, location, ForeignWord::TitleHere);
     Some(diagnostic.help(ForeignWord::Title))
 }
 

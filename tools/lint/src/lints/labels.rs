@@ -25,8 +25,8 @@ pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
             word: label.name.clone(),
         };
         let reason = Linting::JumpInOneWord { jump };
-        let diagnostic = |place| Diagnostic::new(Code::GluedJump, place, reason).help(help);
-        found.extend(label.place.map(diagnostic));
+        let diagnostic = |location| Diagnostic::new(Code::GluedJump, location, reason).help(help);
+        found.extend(label.span.map(diagnostic));
     }
 }
 

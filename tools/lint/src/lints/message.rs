@@ -70,10 +70,10 @@ pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
 fn foreign_values(
     context: &LintContext<'_>,
     names: &Names<'_>,
-    place: Span,
+    location: Span,
     found: &mut Diagnostics,
 ) {
-    let text = context.source.slice(place);
+    let text = context.source.slice(location);
     let is_var = |name: &str| names.is_var(name);
     let mut signs = text.match_indices(['%', '$', '{']);
     let first = signs.find_map(|(at, sign)| {
@@ -93,7 +93,7 @@ fn foreign_values(
     let Some((at, length, name)) = first.or_else(whole) else {
         return;
     };
-    let span = Span::new(place.start + at, place.start + at + length);
+    let span = Span::new(location.start + at, location.start + at + length);
     let diagnostic = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
     found.push(match name {
         Some(name) => diagnostic
@@ -122,12 +122,12 @@ fn is_format(text: &str) -> bool {
 }
 
 /// Returns the whole text in quotes or parentheses. Single words in them are part of a text.
-fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
+fn quoted(text: &str, location: Span) -> Option<Diagnostic> {
     let mut inside = text.chars().skip(1);
     if text.starts_with('(')
         && inside.position(|it| it == ')') == text.chars().count().checked_sub(2)
     {
-        let diagnostic = Diagnostic::new(Code::QuotedMessage, place, Linting::ParenthesesShown);
+        let diagnostic = Diagnostic::new(Code::QuotedMessage, location, Linting::ParenthesesShown);
         return Some(diagnostic.help(Linting::LeaveParenthesesOut));
     }
     let quotes = [
@@ -149,7 +149,7 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
         _ => return None,
     };
     let reason = Linting::QuotesShown;
-    Some(Diagnostic::new(Code::QuotedMessage, place, reason).help(help))
+    Some(Diagnostic::new(Code::QuotedMessage, location, reason).help(help))
 }
 
 /// Warns of everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run
@@ -157,10 +157,10 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
 fn placeholders(
     context: &LintContext<'_>,
     names: &Names<'_>,
-    place: Span,
+    location: Span,
     found: &mut Diagnostics,
 ) {
-    let text = context.source.slice(place);
+    let text = context.source.slice(location);
     let mut from = 0;
     while let Some(at) = text[from..].find('%').map(|at| from + at) {
         from = at + 1;
@@ -183,7 +183,7 @@ fn placeholders(
             continue;
         }
         from = end;
-        let span = Span::new(place.start + at, place.start + end);
+        let span = Span::new(location.start + at, location.start + end);
         let diagnostic = Diagnostic::new(Code::Placeholder, span, fault.0);
         found.push(diagnostic.about(inner).help(fault.1));
     }
@@ -281,8 +281,8 @@ pub(super) fn placeholder_names(found: &[Diagnostic]) -> HashSet<SmolStr> {
 const SIGNS: [char; 2] = ['%', '％'];
 
 /// Warns of the first one that would show a VAR, were it half-width.
-fn wide_placeholder(context: &LintContext<'_>, place: Span, found: &mut Diagnostics) {
-    let text = context.source.slice(place);
+fn wide_placeholder(context: &LintContext<'_>, location: Span, found: &mut Diagnostics) {
+    let text = context.source.slice(location);
     if text.is_ascii() {
         return;
     }
@@ -297,7 +297,7 @@ fn wide_placeholder(context: &LintContext<'_>, place: Span, found: &mut Diagnost
         (is_var && !text[whole.clone()].is_ascii()).then_some((whole, name))
     });
     if let Some((whole, name)) = wide {
-        let span = Span::new(place.start + whole.start, place.start + whole.end);
+        let span = Span::new(location.start + whole.start, location.start + whole.end);
         let is_told =
             |it: &Diagnostic| it.code == Code::ForeignValue && it.span.start == span.start;
         if found.iter().any(is_told) {

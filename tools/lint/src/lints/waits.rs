@@ -32,7 +32,7 @@ pub(super) fn warn(context: &LintContext<'_>, unreachable: &Unreachable, found: 
             && let Some(statement) = context.statement(step)
         {
             let help = way_out(&reason);
-            let diagnostic = Diagnostic::new(Code::WaitsForNothing, place(statement), reason);
+            let diagnostic = Diagnostic::new(Code::WaitsForNothing, location(statement), reason);
             found.push(diagnostic.help(help));
         }
     }
@@ -114,7 +114,7 @@ fn way_out(reason: &Linting) -> Linting {
 }
 
 /// Returns the target of a command, or the flag.
-fn place(statement: &Statement) -> Span {
+fn location(statement: &Statement) -> Span {
     match &statement.kind {
         StatementKind::Command { arguments, .. } => {
             let target = arguments.first();

@@ -374,7 +374,7 @@ impl Slot {
     }
 }
 
-/// The place of each variable among those of its type.
+/// The index of each variable among those of its type.
 pub(super) struct Variables<'a> {
     program: &'a Program,
     places: Vec<u32>,

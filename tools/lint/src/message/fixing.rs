@@ -58,9 +58,9 @@ tipc::message_table! {
         "`tip check --fix` fixes {diagnostics}",
         "`tip check --fix` で{diagnostics}を直せます";
     CanFixMore { diagnostics: Diagnostics, all: usize }
-        "`tip check --fix` fixes {diagnostics}, with `--unsafe-fixes` {all}: look at what it writes",
+        "`tip check --fix` fixes {diagnostics}, with `--unsafe-fixes` {all}: review what it writes",
         "`tip check --fix` で{diagnostics}、`--unsafe-fixes` も付けると{all}件を直せます。結果を確かめてください";
     CanFixLikely { diagnostics: Diagnostics }
-        "`tip check --fix --unsafe-fixes` fixes {diagnostics}: look at what it writes",
+        "`tip check --fix --unsafe-fixes` fixes {diagnostics}: review what it writes",
         "`tip check --fix --unsafe-fixes` で{diagnostics}を直せます。結果を確かめてください";
 }

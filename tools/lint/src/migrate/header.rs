@@ -65,10 +65,10 @@ pub(super) struct Header {
 impl Migrator<'_> {
     /// Brings line 1 to version 3.1; `None` if nothing else is to be done.
     pub(super) fn header(&mut self) -> Option<Header> {
-        let place = version_word(self.source);
-        let word = self.slice(place).to_owned();
+        let location = version_word(self.source);
+        let word = self.slice(location).to_owned();
         let Some(version) = version_number(&word) else {
-            self.question(place, Migrating::WhichVersion);
+            self.question(location, Migrating::WhichVersion);
             return None;
         };
         if version == CURRENT {
@@ -76,11 +76,11 @@ impl Migrator<'_> {
         }
         let known = (1.0..CURRENT).contains(&version) || version == ODD;
         if !known {
-            self.question(place, Migrating::UnknownVersion { version: word });
+            self.question(location, Migrating::UnknownVersion { version: word });
             return None;
         }
-        self.edits.replace(place, "3.1");
-        self.change(place, Migrating::Version { version: word });
+        self.edits.replace(location, "3.1");
+        self.change(location, Migrating::Version { version: word });
         let style = self.style(version);
         Some(Header {
             style,

@@ -6,7 +6,7 @@ use tipc::source::{Source, Span};
 /// A label or a statement.
 #[derive(Debug)]
 pub(super) enum Piece {
-    /// `NAME:`; the place of the name.
+    /// `NAME:`; the location of the name.
     Label {
         name: Span,
         line: u32,
@@ -42,7 +42,7 @@ pub(super) struct Statement {
     pub(super) line: u32,
     /// The first word, upper-cased.
     pub(super) keyword: String,
-    /// Its place.
+    /// Its location.
     pub(super) word: Span,
     /// Everything, the first word included.
     pub(super) tokens: Vec<Token>,

@@ -14,10 +14,10 @@ impl Migrator<'_> {
     /// Placeholders of today, and what would be read otherwise today.
     pub(super) fn message(&mut self, statement: &Statement, variables: &Variables) {
         let text = self.slice(statement.text).to_owned();
-        let place =
+        let location =
             |start, end| Span::new(statement.text.start + start, statement.text.start + end);
         if let Some(at) = text.find(';') {
-            self.question(place(at, at + 1), Migrating::Semicolon);
+            self.question(location(at, at + 1), Migrating::Semicolon);
         }
         let old = old_placeholders(&text);
         let behind = old
@@ -29,11 +29,11 @@ impl Migrator<'_> {
             .chain(old.iter().map(|placeholder| placeholder.end));
         for (start, end) in before.zip(behind) {
             if let Some(name) = names_a_variable(&text[start..end], variables) {
-                self.question(place(start, end), Migrating::PlainText { name });
+                self.question(location(start, end), Migrating::PlainText { name });
             }
         }
         for placeholder in &old {
-            let span = place(placeholder.start, placeholder.end);
+            let span = location(placeholder.start, placeholder.end);
             let name = variables.var(&placeholder.digits).unwrap_or_default();
             let new = if placeholder.real {
                 format!("%{name}.{DECIMALS}%")

@@ -55,8 +55,8 @@ impl Migrator<'_> {
         ] = values
         else {
             if !values.is_empty() {
-                let place = values[0].span;
-                self.question(place, Migrating::OneTolerance);
+                let location = values[0].span;
+                self.question(location, Migrating::OneTolerance);
             }
             return;
         };
@@ -95,9 +95,9 @@ impl Migrator<'_> {
         self.change(word.span, Migrating::TwoSteps { setting });
     }
 
-    fn ask_measure(&mut self, place: Span, target: &str) {
+    fn ask_measure(&mut self, location: Span, target: &str) {
         let target = target.to_owned();
-        self.question(place, Migrating::WhichMeasure { target });
+        self.question(location, Migrating::WhichMeasure { target });
     }
 }
 

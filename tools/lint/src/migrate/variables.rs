@@ -105,8 +105,8 @@ impl Variables {
         }
     }
 
-    /// Returns the spelling of the variable at `place`, and records it if it is new.
-    fn name_of(&mut self, prefix: Prefix, digits: &str, place: Span) -> String {
+    /// Returns the spelling of the variable at `location`, and records it if it is new.
+    fn name_of(&mut self, prefix: Prefix, digits: &str, location: Span) -> String {
         let entry = match self.spelling.entry(key(prefix, digits)) {
             Entry::Occupied(known) => return known.get().clone(),
             Entry::Vacant(entry) => entry,
@@ -114,7 +114,7 @@ impl Variables {
         let (_, name) = Prefix::ALL[prefix as usize];
         let name = format!("{name}{digits}");
         if name.len() > names::LIMIT {
-            self.too_long.push((place, name.clone()));
+            self.too_long.push((location, name.clone()));
         }
         if prefix == Prefix::Var {
             self.vars.insert(name.clone());

@@ -70,8 +70,8 @@ fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
         found.retain(|one| matches!(one.code, Code::Argument | Code::UnknownCommand));
         let mut seen = vec![false; module.statements.len()];
         for fault in found {
-            let place = fault.span.start;
-            let before = |statement: &Statement| statement.span.start <= place;
+            let location = fault.span.start;
+            let before = |statement: &Statement| statement.span.start <= location;
             let behind = module.statements.partition_point(before);
             let Some(at) = behind.checked_sub(1) else {
                 continue;

@@ -21,8 +21,8 @@ pub(super) fn news(
     let mut anywhere: HashMap<Key, usize> = HashMap::new();
     for (index, diagnostic) in before.diagnostics.iter().enumerate() {
         if !fixed.contains(&index) {
-            let place = ends.moved(diagnostic.span.start);
-            *here.entry((key(diagnostic), place)).or_default() += 1;
+            let location = ends.moved(diagnostic.span.start);
+            *here.entry((key(diagnostic), location)).or_default() += 1;
             *anywhere.entry(key(diagnostic)).or_default() += 1;
         }
     }
