@@ -6,7 +6,7 @@ use std::iter::Peekable;
 use tipc::source::Encoding;
 use tipc::{Robot, emit, published};
 
-/// Something wrong with the invocation itself.
+/// Fault of the invocation itself.
 #[derive(Debug)]
 pub(crate) struct Misuse {
     pub(crate) span: Span,

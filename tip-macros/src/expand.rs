@@ -1,4 +1,4 @@
-//! From an invocation to the items that replace it.
+//! Expansion of an invocation to the items that replace it.
 
 use crate::arguments::{self, Arguments, Misuse};
 use crate::file::{self, Fault, Found};

@@ -1,4 +1,4 @@
-//! From the bytes of a file to a program, or to all that is wrong with it.
+//! Loading: from the bytes of a file to a program, or to all that is wrong with it.
 //!
 //! Lints belong in the crate `tip-lint`.
 

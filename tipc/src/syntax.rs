@@ -11,7 +11,7 @@ pub use statement::{Jump, JumpKind, Shape, StatementKind, Then};
 use crate::source::Span;
 use smol_str::{SmolStr, StrExt};
 
-/// Something with its location.
+/// A node of the syntax with its location.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spanned<T> {
     /// The thing.

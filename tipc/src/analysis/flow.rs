@@ -1,4 +1,4 @@
-//! Which steps can follow which (T.I.P. 3.1 §7-6).
+//! The control flow between steps (T.I.P. 3.1 §7-6).
 //!
 //! A node is a step; ELSEIF and ELSE are two, since what they do depends on how they are reached.
 //! Conditions and loops over constants follow only the branch that they really take.

@@ -14,7 +14,7 @@ use quote::quote;
 /// Reads and assignments of one step.
 pub(super) struct Values<'a> {
     pub(super) program: &'a Program,
-    /// Which reads need no test.
+    /// Reads that need no test.
     pub(super) assignment: &'a Assignment,
     /// The step.
     pub(super) step: StepId,

@@ -8,7 +8,7 @@ use std::fmt;
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// Which keyword.
+    /// The keyword.
     pub keyword: Keyword,
     /// Spelling of the word.
     pub word: &'static str,

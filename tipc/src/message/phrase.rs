@@ -123,7 +123,7 @@ messages! {
 }
 
 messages! {
-    /// Which numbers a command takes.
+    /// Numbers that a command takes.
     Bounds;
 
     FromTo { min: f64, max: f64 } "{min} to {max}", "{min}から{max}まで";

@@ -44,7 +44,7 @@ pub trait Say {
     fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// Something as it is said in a language.
+/// A value with the language of its text.
 pub struct Said<'a, T: ?Sized>(pub &'a T, pub Lang);
 
 impl<T: Say + ?Sized> Display for Said<'_, T> {

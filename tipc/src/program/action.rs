@@ -137,7 +137,7 @@ pub enum Action {
     TeachScalar {
         /// Measured quantity.
         what: Teach,
-        /// Which joint.
+        /// Joint number.
         target: Target,
         /// The scalar that receives it.
         into: Scalar,

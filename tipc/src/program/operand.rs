@@ -21,7 +21,7 @@ pub enum Operand {
     Constant(f64),
     /// A scalar, its sign changed if `negative`.
     Scalar {
-        /// Which scalar.
+        /// The scalar.
         scalar: Scalar,
         /// `-` precedes it.
         negative: bool,

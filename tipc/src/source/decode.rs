@@ -39,7 +39,7 @@ impl Charset {
 pub struct Undecodable {
     /// Character set that was read.
     pub charset: Charset,
-    /// Which byte of the file, from 0.
+    /// Offset in the file, from 0.
     pub byte: usize,
     /// The replacement character in the text instead.
     pub span: Span,

@@ -9,7 +9,7 @@ use tipc::program::{Action, Program, StepId};
 pub struct CoveragePoint {
     /// The step, or the one that the edge leaves.
     pub step: StepId,
-    /// Which edge it is, such as `true` or `passed`; none for a step.
+    /// Name of the edge, such as `true` or `passed`; none for a step.
     pub way: Option<&'static str>,
 }
 

@@ -38,7 +38,7 @@ use turns::turns;
 /// A part of a program, and how many cycles it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Which part.
+    /// Kind of part.
     pub span: Span,
     /// Number of cycles it takes.
     pub cycles: Count,

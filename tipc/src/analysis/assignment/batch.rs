@@ -360,7 +360,7 @@ impl Sorted {
     }
 }
 
-/// Which nodes come first.
+/// Order of the nodes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
     /// From early steps on.

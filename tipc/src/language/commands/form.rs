@@ -89,7 +89,7 @@ pub struct Targets {
     pub floor: bool,
 }
 
-/// Which joints may be used as a target.
+/// Joints that may be used as a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joints {
     /// None.

@@ -1,4 +1,4 @@
-//! Which bodies of FORs assign their own counters, themselves or in what they call.
+//! Assignments of counters in the bodies of FORs, direct or in what they call.
 
 use super::components::components;
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,4 +1,4 @@
-//! Which subroutines call which.
+//! The call graph of subroutines.
 
 use super::components::components;
 use super::distance::Work;

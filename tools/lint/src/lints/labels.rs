@@ -9,8 +9,8 @@ use tipc::language::Keyword;
 use tipc::parse::glued;
 use tipc::symbols::{Access, Definition, DefinitionKind, Symbols};
 
-/// Silent about a label that something jumps to, and where no label has the rest of its name. That nothing comes to the
-/// label that was meant follows from it.
+/// Warns of labels like `GOTOL1:`. Silent about a label that something jumps to, and where no label has the rest of
+/// its name. That nothing comes to the label that was meant follows from it.
 pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
     let suspects = suspects(context.symbols);
     let meant: HashSet<&str> = suspects.iter().map(|it| it.meant).collect();

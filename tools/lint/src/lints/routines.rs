@@ -11,8 +11,8 @@ use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::program::{Action, End, Program, StepId};
 use tipc::syntax::StatementKind;
 
-/// Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a SUBROUTINE, since
-/// another warning speaks of running into that.
+/// Warns of GOSUB and RETURN that do not match. Silent about a part that ends the program by EXIT, or repeats without
+/// an end; and about a RETURN in a SUBROUTINE, since another warning speaks of running into that.
 pub(super) fn warn(context: &LintContext<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
     let mut inside = Vec::new();
     let mut is_inside = false;

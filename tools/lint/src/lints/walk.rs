@@ -5,7 +5,7 @@ use tipc::analysis::flow::{Flow, NodeId};
 /// Maximum number of nodes on a path that is followed: the time stays in proportion to the program.
 const FARTHEST: usize = 1_000;
 
-/// Which nodes of a path count.
+/// Nodes of a path that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Into {
     /// Nodes of its own routine: a call is passed.
