@@ -71,7 +71,7 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
         parser.statements_of_line();
         for statement in std::mem::take(&mut parser.module.statements) {
             let is_label = matches!(statement.kind, StatementKind::Label(_));
-            if !is_label && parser.is_meant(&statement) {
+            if !is_label && parser.is_statement_after_end(&statement) {
                 return Some(label.unwrap_or(statement.span));
             }
             label = is_label.then(|| label.unwrap_or(statement.span));
@@ -187,7 +187,7 @@ impl Parser<'_> {
     }
 
     /// Returns true if a statement after END, on the line that was read last, is more than the words of a note.
-    fn is_meant(&self, statement: &Statement) -> bool {
+    fn is_statement_after_end(&self, statement: &Statement) -> bool {
         let span = statement.span;
         let is_wrong = |it: &Diagnostic| {
             it.code.kind().is_some() && span.start <= it.span.start && it.span.start <= span.end

@@ -80,7 +80,7 @@ mod tests {
     use super::{differing, distance, nearest};
 
     #[test]
-    fn names_what_was_meant() {
+    fn suggests_the_nearest_name() {
         let known = ["PTP", "REL_PTP", "WAIT_INPOS", "SLEEP"];
         assert_eq!(nearest("WAIT_INPSO", known), Some("WAIT_INPOS"));
         assert_eq!(nearest("SLEP", known), Some("SLEEP"));

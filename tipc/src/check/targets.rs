@@ -53,10 +53,10 @@ impl Resolver<'_> {
             return self.refuse_target(command.span, reason);
         };
         let Some(target) = word(first).and_then(|word| word.parse().ok()) else {
-            let instead = self.suggest_target(command, targets, arguments);
+            let suggestion = self.suggest_target(command, targets, arguments);
             let targets = self.wanted(targets);
             let reason = Commanding::TargetBelongsHere { targets };
-            if let Some(help) = instead {
+            if let Some(help) = suggestion {
                 let fault = Diagnostic::new(Code::Argument, first.span, reason);
                 self.report(fault.help(help));
                 return None;

@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn each_fault_is_reported_at_its_place() {
+    fn each_fault_is_reported_at_its_location() {
         check(
             "robto = \"hand\"\n[[programs]]\nencoding = \"latin1\"\n",
             &[

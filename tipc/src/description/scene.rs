@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn every_fault_is_told_at_its_place() {
+    fn every_fault_is_reported_at_its_location() {
         let wrong = "s.toml:LINE: error: TIP_ERR:Wrong scene (RobotError)";
         let at = |lines: &[&str]| -> Vec<String> {
             lines

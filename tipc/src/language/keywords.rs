@@ -287,7 +287,7 @@ mod tests {
     use crate::language::Edition;
 
     #[test]
-    fn every_keyword_is_found_by_its_word_and_has_the_row_of_its_place() {
+    fn every_keyword_is_found_by_its_word_and_has_the_row_of_its_index() {
         for row in KEYWORDS {
             assert_eq!(row.keyword.row(), row);
             assert_eq!(find(row.word, Edition::V3_1), Some(row.keyword));

@@ -88,7 +88,7 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
                 return Err(fault);
             }
             let reason = Parsing::OperatorOrNothing;
-            let help = instead(reader, &left, token);
+            let help = suggest(reader, &left, token);
             return Err(reader.fault_with_help(token.span, reason, help));
         }
     };
@@ -133,7 +133,7 @@ fn unknown_function(reader: &Reader<'_>, left: &Operand, next: Token) -> Option<
 }
 
 /// Suggests a replacement for what follows the first operand.
-fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
+fn suggest(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     let word = upper_case(reader.slice(token.span));
     let first = upper_case(reader.slice(left.span));
     let next = reader.peek();

@@ -221,7 +221,7 @@ fn flags_stand_alone_or_negated() {
 
 // clauses: 5.1
 #[test]
-fn relations_of_other_languages_are_read_as_what_was_meant() {
+fn relations_of_other_languages_are_read_as_intended() {
     let fault = "1:6: Wrong argument";
     check("IF A = B THEN", &["if (A == B) then", fault]);
     check("IF A != B THEN", &["if (A <> B) then", fault]);
@@ -236,7 +236,7 @@ fn relations_of_other_languages_are_read_as_what_was_meant() {
 
 // clauses: 5.1
 #[test]
-fn malformed_conditions_are_shown_at_their_place() {
+fn malformed_conditions_are_shown_at_their_location() {
     wrong_condition("A >< B", 7);
     wrong_condition("A ==", 9);
     wrong_condition("== A", 4);

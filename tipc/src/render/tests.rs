@@ -149,7 +149,7 @@ fn colour_is_only_there_when_asked_for() {
 
 // clauses: 8.1
 #[test]
-fn the_classical_line_stands_after_the_place() {
+fn the_classical_line_follows_the_location() {
     let source = source("dir/walk.prg", "3.1\nt\n　あGOTO X:\nEND");
     let error = at(&source, Code::UnknownLabel, "X", "nowhere").about("X");
     assert_eq!(
@@ -165,7 +165,7 @@ fn the_classical_line_stands_after_the_place() {
 
 // clauses: 8.1
 #[test]
-fn short_is_the_reason_and_the_classical_message_after_the_place() {
+fn short_is_the_reason_and_the_classical_message_after_the_location() {
     let source = source("dir/walk.prg", "3.1\nt\n　あGOTO X:\nEND");
     let error = at(&source, Code::UnknownLabel, "X", "nowhere").about("X");
     assert_eq!(

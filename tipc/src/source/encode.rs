@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_that_stay_keep_their_bytes_and_new_ones_are_spelled_alike() {
+    fn lines_that_stay_keep_their_bytes_and_new_ones_are_encoded_alike() {
         // An editor gives back LF.
         let file = source(b"3.1\r\n\x95\xE0\x82\xAD \xEE\xFA\r\nEND\r\n\x1A");
         let edited = file

@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn a_call_is_returned_from_and_what_nothing_leads_to_is_no_spot() {
+    fn a_call_has_a_return_edge_and_unreachable_steps_are_no_coverage_points() {
         let program = "GOSUB L1:\nIF KB_HIT GOSUB L1:\nEXIT\nL1:\nRETURN\nEND";
         let points = points(program);
         let returned = |step| CoveragePoint {

@@ -139,7 +139,7 @@ fn is_flag(token: &Token<'_>) -> bool {
 }
 
 /// Checks what is true of every table, also of a program that is refused.
-fn check_places(loaded: &Loaded, case: &Path) {
+fn check_locations(loaded: &Loaded, case: &Path) {
     let symbols = &loaded.symbols;
     let mut last = 0;
     for it in symbols.all_uses() {
@@ -174,7 +174,7 @@ fn is_in_statement(module: &Module, place: Span) -> bool {
 }
 
 #[test]
-fn every_name_is_in_the_table_once_and_at_its_place() {
+fn every_name_is_in_the_table_once_and_at_its_location() {
     let mut compared = 0;
     for (path, bytes) in programs() {
         for robot in Robot::ALL {
@@ -183,7 +183,7 @@ fn every_name_is_in_the_table_once_and_at_its_place() {
                 ..Options::default()
             };
             let loaded = load("case.prg", &bytes, &options);
-            check_places(&loaded, &path);
+            check_locations(&loaded, &path);
             if loaded.program.is_none() {
                 continue;
             }

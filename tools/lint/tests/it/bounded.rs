@@ -342,7 +342,7 @@ fn fixes_are_tried_within_a_budget() {
 }
 
 #[test]
-fn findings_are_capped_and_the_others_counted() {
+fn diagnostics_are_capped_and_the_others_counted() {
     let options = Options::default();
     for (mistake, count) in [(":", 250_000), ("ENDWHILE\n", 20_000), ("SLEEP V\n", 1_500)] {
         let mistakes = match mistake {

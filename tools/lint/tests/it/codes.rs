@@ -55,7 +55,7 @@ fn check(path: &Path, bytes: &[u8]) {
 }
 
 #[test]
-fn every_finding_about_a_program_or_a_variant_of_it_has_its_finest_code() {
+fn every_diagnostic_of_a_program_or_a_variant_of_it_has_its_finest_code() {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();
     programs(&package.join("tests/diagnostics"), &mut found);

@@ -137,7 +137,7 @@ fn any_character_may_stand_in_what_another_language_shows() {
 
 // clauses: 3.1 5.1 7.32
 #[test]
-fn habits_of_declarations_inputs_and_conditions() {
+fn foreign_declarations_inputs_and_conditions() {
     let help = |statements: &str| {
         let loaded = check(statements);
         let [diagnostic] = loaded.diagnostics.as_slice() else {

@@ -66,7 +66,7 @@ fn with(loaded: &Loaded, fix: &Fix) -> Loaded {
 }
 
 #[test]
-fn after_every_certain_fix_the_finding_is_gone_and_none_is_new() {
+fn after_every_certain_fix_the_diagnostic_is_gone_and_none_is_new() {
     let mut fixes = 0;
     let mut wrong = Vec::new();
     for program in programs() {
