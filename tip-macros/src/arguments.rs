@@ -6,7 +6,7 @@ use std::iter::Peekable;
 use tipc::source::Encoding;
 use tipc::{Robot, emit, published};
 
-/// Something wrong with the invocation itself.
+/// Fault of the invocation itself.
 #[derive(Debug)]
 pub(crate) struct Misuse {
     pub(crate) span: Span,
@@ -30,7 +30,7 @@ pub(crate) struct Arguments {
     pub(crate) load: tipc::Options,
     /// The path of a description that takes the place of the robot in `load`.
     pub(crate) robot_file: Option<Text>,
-    pub(crate) spelling: emit::Options,
+    pub(crate) emit_options: emit::Options,
 }
 
 const INCLUDE_TIP: &str =
@@ -56,7 +56,7 @@ pub(crate) fn tip(input: TokenStream) -> Result<Arguments, Misuse> {
     input.comma()?;
     let text = input.string()?;
     let mut arguments = Arguments::new(text, visibility);
-    arguments.spelling.name = Some(name);
+    arguments.emit_options.name = Some(name);
     arguments.with(input.options()?)
 }
 
@@ -66,20 +66,22 @@ pub(crate) fn tip(input: TokenStream) -> Result<Arguments, Misuse> {
 pub(crate) struct RobotArguments {
     /// The path of the description.
     pub(crate) text: Text,
-    pub(crate) spelling: emit::Options,
+    pub(crate) emit_options: emit::Options,
 }
 
 /// `[visibility] "path" [as NAME] [, runtime = path]`
 #[cfg(feature = "robot-files")]
 pub(crate) fn include_robot(input: TokenStream) -> Result<RobotArguments, Misuse> {
     let mut input = Input::new(input, INCLUDE_ROBOT);
-    let Arguments { text, spelling, .. } = input.file()?;
-    let mut arguments = RobotArguments { text, spelling };
+    let Arguments {
+        text, emit_options, ..
+    } = input.file()?;
+    let mut arguments = RobotArguments { text, emit_options };
     for (option, value) in input.options()? {
         if option != "runtime" {
             return Err(Misuse::new(option.span(), input.expected));
         }
-        arguments.spelling.runtime = runtime(&option, value)?;
+        arguments.emit_options.runtime = runtime(&option, value)?;
     }
     Ok(arguments)
 }
@@ -90,7 +92,7 @@ impl Arguments {
             text,
             load: tipc::Options::default(),
             robot_file: None,
-            spelling: emit::Options {
+            emit_options: emit::Options {
                 visibility,
                 ..emit::Options::default()
             },
@@ -125,7 +127,7 @@ impl Arguments {
                 Some(encoding) => self.load.encoding = encoding,
                 None => return wrong("`auto`, `utf8` or `shift_jis`"),
             },
-            "runtime" => self.spelling.runtime = runtime(option, value)?,
+            "runtime" => self.emit_options.runtime = runtime(option, value)?,
             _ => {
                 let message = format!("unknown option `{name}`: {OPTIONS}");
                 return Err(Misuse::new(option.span(), message));
@@ -145,7 +147,7 @@ fn runtime(option: &Ident, value: Vec<TokenTree>) -> Result<TokenStream, Misuse>
     }
 }
 
-/// The path of a description, or the name of a robot that has one here.
+/// Returns the path of a description, or the name of a robot that has one here.
 fn description(value: &[TokenTree]) -> Option<Text> {
     let [token] = value else {
         return None;
@@ -184,7 +186,7 @@ impl Input {
         }
     }
 
-    /// The invocation does not have its form, here.
+    /// Returns the error that the invocation does not have its form, here.
     fn misuse<T>(&mut self) -> Result<T, Misuse> {
         let span = self
             .tokens
@@ -244,12 +246,12 @@ impl Input {
         let text = self.string()?;
         let mut arguments = Arguments::new(text, visibility);
         if self.keyword("as") {
-            arguments.spelling.name = Some(self.name()?);
+            arguments.emit_options.name = Some(self.name()?);
         }
         Ok(arguments)
     }
 
-    /// Everything after path or program: any number of `, option = value`, and a last comma.
+    /// Reads everything after path or program: any number of `, option = value`, and a last comma.
     fn options(&mut self) -> Result<Vec<(Ident, Vec<TokenTree>)>, Misuse> {
         let mut options: Vec<(Ident, Vec<TokenTree>)> = Vec::new();
         while self.tokens.peek().is_some() {
@@ -279,7 +281,7 @@ fn is_punct(token: &TokenTree, c: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == c)
 }
 
-/// The tokens without the invisible groups that surround what another macro passes on.
+/// Returns the tokens without the invisible groups that surround what another macro passes on.
 fn ungrouped(input: TokenStream) -> TokenStream {
     input
         .into_iter()
@@ -305,21 +307,23 @@ mod tests {
         let arguments = include_tip(tokens("\"walk.prg\"")).unwrap();
         assert_eq!(arguments.text.value, "walk.prg");
         assert_eq!(arguments.load, tipc::Options::default());
-        assert!(arguments.spelling.name.is_none());
-        assert!(arguments.spelling.visibility.is_empty());
+        assert!(arguments.emit_options.name.is_none());
+        assert!(arguments.emit_options.visibility.is_empty());
     }
 
     #[test]
     fn every_option_is_taken() {
         let input = "pub(crate) \"x.prg\" as Afc, robot = hand, tip_version = 2.0,
             encoding = shift_jis, runtime = crate::robot,";
-        let Arguments { load, spelling, .. } = include_tip(tokens(input)).unwrap();
+        let Arguments {
+            load, emit_options, ..
+        } = include_tip(tokens(input)).unwrap();
         assert_eq!(load.robot, Robot::Hand);
         assert_eq!(load.tip_version, 2.0);
         assert_eq!(load.encoding, Encoding::ShiftJis);
-        assert_eq!(spelling.name.unwrap(), "Afc");
-        assert_eq!(spelling.visibility.to_string(), "pub (crate)");
-        assert_eq!(spelling.runtime.to_string(), "crate :: robot");
+        assert_eq!(emit_options.name.unwrap(), "Afc");
+        assert_eq!(emit_options.visibility.to_string(), "pub (crate)");
+        assert_eq!(emit_options.runtime.to_string(), "crate :: robot");
     }
 
     #[test]
@@ -329,7 +333,7 @@ mod tests {
         ))
         .unwrap();
         assert_eq!(arguments.text.value, "3.1\nwave\nEND");
-        assert_eq!(arguments.spelling.name.unwrap(), "Wave");
+        assert_eq!(arguments.emit_options.name.unwrap(), "Wave");
         assert_eq!(arguments.load.robot, Robot::Generic);
     }
 

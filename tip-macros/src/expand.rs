@@ -1,4 +1,4 @@
-//! From an invocation to the items that replace it.
+//! Expansion of an invocation to the items that replace it.
 
 use crate::arguments::{self, Arguments, Misuse};
 use crate::file::{self, Fault, Found};
@@ -23,12 +23,12 @@ pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenS
             let Arguments {
                 text,
                 load,
-                spelling,
+                emit_options,
                 ..
             } = &arguments;
             let compile = |bytes: &[u8]| compiled(&text.value, bytes, &arguments, invoking);
             included(text, invoking, compile).unwrap_or_else(|failure| {
-                failure.beside(emit::skeleton(&text.value, load.robot, spelling))
+                failure.with_skeleton(emit::skeleton(&text.value, load.robot, emit_options))
             })
         }
         Err(misuse) => complaint(&misuse),
@@ -41,12 +41,12 @@ pub(crate) fn tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
             let Arguments {
                 text,
                 load,
-                spelling,
+                emit_options,
                 ..
             } = &arguments;
-            let name = spelling.name_for("").to_string();
+            let name = emit_options.name_for("").to_string();
             compiled(&name, text.value.as_bytes(), &arguments, invoking).unwrap_or_else(|failure| {
-                failure.beside(emit::skeleton(&name, load.robot, spelling))
+                failure.with_skeleton(emit::skeleton(&name, load.robot, emit_options))
             })
         }
         Err(misuse) => complaint(&misuse),
@@ -57,15 +57,16 @@ pub(crate) fn tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
 pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
     use tipc::description::{self, skeleton};
     match arguments::include_robot(input) {
-        Ok(arguments::RobotArguments { text, spelling }) => {
+        Ok(arguments::RobotArguments { text, emit_options }) => {
             let compile = |bytes: &[u8]| {
                 let described = description::parse(&text.value, bytes);
                 described
-                    .map(|description| description.to_rust(&spelling))
+                    .map(|description| description.to_rust(&emit_options))
                     .map_err(|loaded| Failure::of(&text, &loaded))
             };
-            on_description(&text, invoking, compile)
-                .unwrap_or_else(|failure| failure.beside(skeleton(&text.value, &spelling)))
+            on_description(&text, invoking, compile).unwrap_or_else(|failure| {
+                failure.with_skeleton(skeleton(&text.value, &emit_options))
+            })
         }
         Err(misuse) => complaint(&misuse),
     }
@@ -76,7 +77,8 @@ pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> Toke
 const NO_ROBOT_FILES: &str = "robots from description files need the feature `robot-files` of tip-macros: \
                               `tip-macros = { version = \"…\", features = [\"robot-files\"] }`";
 
-/// The macro exists without its feature as well, so that a crate that uses it learns what is missing.
+/// Reports the missing feature: the macro exists without it as well, so that a crate that uses it learns what is
+/// missing.
 #[cfg(not(feature = "robot-files"))]
 pub(crate) fn include_robot(_: TokenStream, _: Option<&Path>) -> TokenStream {
     error(proc_macro2::Span::call_site(), NO_ROBOT_FILES)
@@ -105,8 +107,8 @@ impl Failure {
         }
     }
 
-    /// The errors, and what replaces the item that could not be made.
-    fn beside(&self, skeleton: TokenStream) -> TokenStream {
+    /// Returns the errors, and what replaces the item that could not be made.
+    fn with_skeleton(&self, skeleton: TokenStream) -> TokenStream {
         let errors = self.errors.iter();
         let errors = errors.map(|text| error(self.span, text));
         quote!(#(#errors)* #skeleton)
@@ -156,7 +158,7 @@ fn find(path: &Text, invoking: Option<&Path>) -> Result<Found, Failure> {
     })
 }
 
-/// The items of a program, checked for the robot that its options name.
+/// Returns the items of a program, checked for the robot that its options name.
 fn compiled(
     name: &str,
     bytes: &[u8],
@@ -164,7 +166,7 @@ fn compiled(
     invoking: Option<&Path>,
 ) -> Result<TokenStream, Failure> {
     let compile = |load: &tipc::Options| {
-        embed(name, bytes, load, &arguments.spelling)
+        embed(name, bytes, load, &arguments.emit_options)
             .map_err(|loaded| Failure::of(&arguments.text, &loaded))
     };
     match &arguments.robot_file {
@@ -191,7 +193,7 @@ fn described(path: &Text, _: &[u8]) -> Result<tipc::Robot, Failure> {
     Err(Failure::at(path, NO_ROBOT_FILES))
 }
 
-/// The language that errors of programs are in.
+/// Returns the language that errors of programs are in.
 fn lang() -> Lang {
     let asked = env::var(embed::LANG).unwrap_or_default();
     Lang::of(&asked)
@@ -201,7 +203,7 @@ fn complaint(misuse: &Misuse) -> TokenStream {
     error(misuse.span, &misuse.message)
 }
 
-/// An error at `span`.
+/// Returns an error at `span`.
 fn error(span: proc_macro2::Span, text: &str) -> TokenStream {
     let text = text.trim_end();
     quote_spanned!(span=> ::core::compile_error! { #text })
@@ -225,7 +227,7 @@ mod tests {
         assert!(!items.contains("compile_error"), "{items}");
     }
 
-    /// The tokens as a formatted file.
+    /// Returns the tokens as a formatted file.
     fn formatted(tokens: TokenStream) -> String {
         prettyplease::unparse(&syn::parse2(tokens).unwrap())
     }

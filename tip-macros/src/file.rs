@@ -1,4 +1,4 @@
-//! Finding the file of `include_tip!`.
+//! Diagnostic the file of `include_tip!`.
 
 use crate::literal::Text;
 use std::path::{Path, PathBuf};
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_nowhere_names_every_place() {
+    fn a_missing_file_names_every_searched_folder() {
         let looked = |path: &str| {
             let folders = ["one", "two"].map(PathBuf::from).into_iter();
             match search(Path::new(path), folders) {

@@ -3,7 +3,7 @@
 use proc_macro2::{Span, TokenTree};
 use std::path::PathBuf;
 
-/// A string with its place.
+/// A string with its location.
 #[derive(Debug)]
 pub(crate) struct Text {
     pub(crate) value: String,
@@ -11,7 +11,8 @@ pub(crate) struct Text {
 }
 
 impl Text {
-    /// The file that it is written in, if the compiler knows one: that of the crate that wrote it, whichever macros passed it on.
+    /// Returns the file that it is written in, if the compiler knows one: that of the crate that wrote it, whichever
+    /// macros passed it on.
     pub(crate) fn file(&self) -> Option<PathBuf> {
         extern crate proc_macro;
         let is_in_macro = proc_macro::is_available();
@@ -19,15 +20,15 @@ impl Text {
     }
 }
 
-/// The value of a string literal, raw or not; `None` for any other token.
+/// Returns the value of a string literal, raw or not; `None` for any other token.
 pub(crate) fn string(token: &TokenTree) -> Option<Text> {
     let TokenTree::Literal(literal) = token else {
         return None;
     };
-    let spelled = literal.to_string();
-    let value = match spelled.strip_prefix('r') {
+    let literal_text = literal.to_string();
+    let value = match literal_text.strip_prefix('r') {
         Some(raw) => raw_content(raw)?.to_owned(),
-        None => unescaped(spelled.strip_prefix('"')?.strip_suffix('"')?)?,
+        None => unescaped(literal_text.strip_prefix('"')?.strip_suffix('"')?)?,
     };
     Some(Text {
         value: value.replace("\r\n", "\n"),
@@ -35,7 +36,7 @@ pub(crate) fn string(token: &TokenTree) -> Option<Text> {
     })
 }
 
-/// A value that is one word: an identifier, a number or a string.
+/// Returns a value that is one word: an identifier, a number or a string.
 pub(crate) fn word(value: &[TokenTree]) -> Option<String> {
     match value {
         [TokenTree::Ident(ident)] => Some(ident.to_string()),
@@ -55,7 +56,7 @@ fn raw_content(raw: &str) -> Option<&str> {
         .strip_suffix('"')
 }
 
-/// The characters that a string's content stands for.
+/// Returns the characters that a string's content stands for.
 fn unescaped(content: &str) -> Option<String> {
     let mut value = String::new();
     let mut rest = content.chars();

@@ -4,13 +4,13 @@
 
 mod arguments;
 mod blocks;
-mod causes;
+mod cascading;
 mod conditions;
+mod did_you_mean;
 mod equations;
 mod inputs;
 mod jumps;
 mod labels;
-mod meant;
 mod names;
 mod ranges;
 mod resolve;
@@ -22,7 +22,7 @@ mod uses;
 mod values;
 
 use crate::code::Code;
-use crate::diagnostic::Findings;
+use crate::diagnostic::Diagnostics;
 use crate::robot::Robot;
 use crate::source::Source;
 use crate::symbols::Symbols;
@@ -34,15 +34,15 @@ pub(crate) use resolved::{
     Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
 };
 
-/// What the passes found out about a module.
+/// Results of the passes over a module.
 #[derive(Debug)]
 pub(crate) struct Checked<'m> {
-    /// What the program names.
+    /// Definitions and uses of names.
     pub(crate) symbols: Symbols,
     /// The module with all that its words stand for, unless a statement of it could not be resolved.
     pub(crate) resolved: Option<ResolvedModule<'m>>,
-    /// All findings, those of the parser among them.
-    pub(crate) found: Findings,
+    /// All diagnostics, those of the parser among them.
+    pub(crate) found: Diagnostics,
 }
 
 /// Runs every pass over a module, in which the parser found these mistakes.
@@ -50,7 +50,7 @@ pub(crate) fn check<'m>(
     source: &Source,
     module: &'m Module,
     robot: Robot,
-    mut found: Findings,
+    mut found: Diagnostics,
 ) -> Checked<'m> {
     let names = Names::collect(module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);
@@ -67,11 +67,14 @@ pub(crate) fn check<'m>(
     };
     let (statements, named) = resolve::statements(&known, &mut found);
     // What a variable is used for shows only where the blocks are whole.
-    if found.iter().all(|finding| finding.code != Code::Structure) {
+    if found
+        .iter()
+        .all(|diagnostic| diagnostic.code != Code::Structure)
+    {
         uses::report(source, &names, &named, &mut found);
         jumps::warn_of_entries(module, &mut found);
     }
-    causes::join(source, module, &mut found);
+    cascading::merge(source, module, &mut found);
     let resolved = statements.map(|statements| ResolvedModule {
         variables: names.variables,
         labels: labels.all,

@@ -9,7 +9,7 @@ use crate::language::Edition;
 use crate::message::Lang;
 use tip_runtime::fault::{Fault, Kind, UNASSIGNED};
 
-/// How grave a diagnostic is.
+/// Severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Level {
@@ -31,7 +31,7 @@ impl Level {
 
 macro_rules! codes {
     ($( $(#[$doc:meta])* $variant:ident $id:literal $kind:expr, $message:expr $(, $japanese:literal)?; )*) => {
-        /// What a diagnostic is about. `{}` in a message stands for the diagnostic's subject.
+        /// Subject of a diagnostic. `{}` in a message stands for the name that the diagnostic is about.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Code {
@@ -42,22 +42,22 @@ macro_rules! codes {
             /// Every code.
             pub const ALL: &'static [Code] = &[$( Code::$variant, )*];
 
-            /// The stable identifier: `E…` for errors, `W…` for warnings.
+            /// Returns the stable identifier: `E…` for errors, `W…` for warnings.
             pub const fn id(self) -> &'static str {
                 match self { $( Code::$variant => $id, )* }
             }
 
-            /// The class of an error; `None` for a warning.
+            /// Returns the class of an error; `None` for a warning.
             pub const fn kind(self) -> Option<Kind> {
                 match self { $( Code::$variant => $kind, )* }
             }
 
-            /// The classical message (T.I.P. 3.1 §9); of a warning, ours.
+            /// Returns the classical message (T.I.P. 3.1 §9); of a warning, ours.
             pub const fn template(self) -> &'static str {
                 match self { $( Code::$variant => $message, )* }
             }
 
-            /// The message in a language; the classical ones are English.
+            /// Returns the message in a language; the classical ones are English.
             pub const fn template_in(self, lang: Lang) -> &'static str {
                 match (self, lang) {
                     $( $( (Code::$variant, Lang::Japanese) => $japanese, )? )*
@@ -223,7 +223,7 @@ codes! {
 }
 
 impl Code {
-    /// How grave a diagnostic with this code is, by the rules of an edition. So far they are alike.
+    /// Returns the severity of a diagnostic with this code, by the rules of an edition. So far they are alike.
     pub const fn level(self, edition: Edition) -> Level {
         match (self.kind(), edition) {
             (Some(_), _) => Level::Error,
@@ -231,7 +231,7 @@ impl Code {
         }
     }
 
-    /// The code of what ended a run. Its message is the fault's, its `{}` stands for what the fault names.
+    /// Returns the code of what ended a run. Its message is the fault's, its `{}` stands for what the fault names.
     pub const fn of_fault(fault: &Fault) -> Code {
         match fault {
             Fault::Domain => Code::Domain,

@@ -29,13 +29,13 @@ mod legs;
 mod model;
 mod name;
 mod project;
+mod rotation;
 mod rust;
 mod scene;
 mod section;
 mod settings;
 mod shape;
 mod spread;
-mod turn;
 
 #[cfg(test)]
 mod tests;
@@ -71,7 +71,7 @@ pub struct Description {
     lamps: u8,
     forces: Option<Forces>,
     slider: Option<Slider>,
-    /// Of the body.
+    /// Shapes of the body.
     shapes: Vec<Shape>,
 }
 
@@ -81,7 +81,7 @@ struct Leg {
     base: Point,
     joints: Vec<Joint>,
     initial: Vec<f64>,
-    /// Of the link after each joint.
+    /// Shapes of the link after each joint.
     shapes: Vec<Vec<Shape>>,
 }
 
@@ -90,7 +90,7 @@ struct Leg {
 /// The robot's name stays in memory for good: programs and models refer to it as long as they please.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its place; there is no program in it.
+/// Everything that is wrong with the file, each fault at its location; there is no program in it.
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Description, Box<Loaded>> {
     open(name, bytes, Part::Robot, describe)
 }
@@ -145,17 +145,17 @@ fn read<T>(
     }
 }
 
-/// A place where the text is not even TOML.
+/// Reports the location where the text is not even TOML.
 fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
-    let place = error.span().unwrap_or_default();
+    let location = error.span().unwrap_or_default();
     let reason = Describing::NotToml {
         error: error.message().to_owned().into(),
     };
     let help = Describing::DescriptionsAreToml;
-    fault(part, Span::new(place.start, place.end), reason, help)
+    fault(part, Span::new(location.start, location.end), reason, help)
 }
 
-/// Everything is read before anything is given up, so that every fault is found.
+/// Reads everything before anything is given up, so that every fault is found.
 fn describe(source: &Source, robot: Section<'_>, found: &mut Found) -> Option<Description> {
     let name = name::read(robot, found);
     let legs = legs::read(robot, found);

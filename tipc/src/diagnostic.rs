@@ -6,23 +6,23 @@ use crate::message::{Cut, Lang, Message, Naming, Reading, Structuring};
 use crate::source::{Span, Undecodable};
 use smol_str::SmolStr;
 
-mod findings;
+mod list;
 
-pub(crate) use findings::in_place;
-pub use findings::{Findings, MOST, Omitted};
+pub(crate) use list::by_location;
+pub use list::{Diagnostics, MOST, Omitted};
 
-/// A second place that a diagnostic points at.
+/// A second location that a diagnostic points at.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Label {
-    /// Where.
+    /// Location of the label.
     pub span: Span,
-    /// What is there.
+    /// Text of the label.
     pub text: Message,
 }
 
 impl Label {
-    /// Whether the same mistake shows again here, as at each other use of a name that is not declared.
+    /// Returns true if the same mistake shows again here, as at each other use of a name that is not declared.
     pub const fn is_again(&self) -> bool {
         matches!(
             self.text,
@@ -31,7 +31,7 @@ impl Label {
     }
 }
 
-/// One finding about a source file.
+/// One diagnostic about a source file.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Diagnostic {
@@ -39,11 +39,11 @@ pub struct Diagnostic {
     pub code: Code,
     /// The name or file that the message's `{}` stands for.
     pub subject: Option<String>,
-    /// Where.
+    /// Location in the source.
     pub span: Span,
-    /// The reason: of an error, its headline; of a warning, what is said at the place.
+    /// The reason: of an error, its headline; of a warning, what is said at the location.
     pub reason: Message,
-    /// Other places that matter.
+    /// Other locations that matter.
     pub labels: Vec<Label>,
     /// The help: what to do about it.
     pub help: Option<Message>,
@@ -51,12 +51,12 @@ pub struct Diagnostic {
     pub fixes: Vec<Fix>,
     /// Whose rules it is judged by.
     pub edition: Edition,
-    /// The mistake, if it is one mistake wherever it shows: the first finding of it is reported, the others are its labels.
+    /// The mistake, if it is one mistake wherever it shows: the first diagnostic of it is reported, the others are its labels.
     pub(crate) once: Option<SmolStr>,
 }
 
 impl Diagnostic {
-    /// A finding of `code` at `span`, with the reason in this case.
+    /// Creates a diagnostic of `code` at `span`, with the reason in this case.
     pub fn new(code: Code, span: Span, reason: impl Into<Message>) -> Self {
         Diagnostic {
             code,
@@ -85,7 +85,7 @@ impl Diagnostic {
         self
     }
 
-    /// Points at a second place.
+    /// Points at a second location.
     #[must_use]
     pub fn label(mut self, span: Span, text: impl Into<Message>) -> Self {
         self.labels.push(Label {
@@ -102,23 +102,24 @@ impl Diagnostic {
         self
     }
 
-    /// Its finest code: that of its kind of mistake, as `E205-03`, or that of its class if this covers one kind only.
+    /// Returns its finest code: that of its kind of mistake, as `E205-03`, or that of its class if this covers one
+    /// kind only.
     pub fn id(&self) -> &'static str {
         let mistake = Mistake::of(self.code, &self.reason);
         mistake.map_or(self.code.id(), |mistake| mistake.id)
     }
 
-    /// How grave it is.
+    /// Returns its severity.
     pub fn level(&self) -> Level {
         self.code.level(self.edition)
     }
 
-    /// The classical message, its subject filled in.
+    /// Returns the classical message, its subject filled in.
     pub fn message(&self) -> String {
         self.filled(self.code.template())
     }
 
-    /// A template with the subject in it: a path whole, of a name as much as is shown.
+    /// Fills the subject into a template: a path whole, of a name as much as is shown.
     fn filled(&self, template: &str) -> String {
         let subject = self.subject.as_deref().unwrap_or_default();
         match self.code {
@@ -127,7 +128,7 @@ impl Diagnostic {
         }
     }
 
-    /// What people read first: of an error its reason, of a warning its message.
+    /// Returns what people read first: of an error its reason, of a warning its message.
     pub fn headline(&self, lang: Lang) -> String {
         match self.level() {
             Level::Error => self.reason.in_lang(lang).to_string(),
@@ -135,7 +136,7 @@ impl Diagnostic {
         }
     }
 
-    /// What is printed of it in one line (T.I.P. 3.1 §9): `TIP_ERR:<message> (<kind>)`; of a warning, its message.
+    /// Returns the title line (T.I.P. 3.1 §9): `TIP_ERR:<message> (<kind>)`; of a warning, its message.
     pub fn title(&self) -> String {
         match self.code.kind() {
             Some(kind) => format!("TIP_ERR:{} ({kind})", self.message()),
@@ -144,7 +145,7 @@ impl Diagnostic {
     }
 }
 
-/// How sure it is that a fix is what was meant.
+/// Certainty that a fix is what was meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Applicability {
     /// Every reader would mean exactly this.
@@ -154,7 +155,7 @@ pub enum Applicability {
 }
 
 impl Applicability {
-    /// Its name for tools.
+    /// Returns its name for tools.
     pub const fn name(self) -> &'static str {
         match self {
             Applicability::Certain => "certain",
@@ -166,9 +167,9 @@ impl Applicability {
 /// One change of the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// What goes; empty where something is only put in.
+    /// Replaced text; empty where something is only put in.
     pub span: Span,
-    /// What comes in its place: ASCII, which every encoding spells alike.
+    /// Replacement: ASCII, which has the same bytes in every encoding.
     pub text: String,
 }
 
@@ -184,25 +185,25 @@ impl Edit {
         Edit::replace(Span::new(at, at), text)
     }
 
-    /// Nothing in the place of `span`.
+    /// Creates an edit that removes the text at `span`.
     pub fn remove(span: Span) -> Self {
         Edit::replace(span, "")
     }
 }
 
-/// A way to put a finding right.
+/// A way to put a diagnostic right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fix {
-    /// What it does.
+    /// Description of the change.
     pub title: Message,
-    /// How sure it is.
+    /// Certainty of the fix.
     pub applicability: Applicability,
     /// The changes, which belong together and do not overlap.
     pub edits: Vec<Edit>,
 }
 
 impl Fix {
-    /// What every reader would mean.
+    /// Creates a fix that every reader would mean.
     pub fn certain(title: impl Into<Message>, edits: impl Into<Vec<Edit>>) -> Self {
         Fix {
             title: title.into(),
@@ -211,7 +212,7 @@ impl Fix {
         }
     }
 
-    /// What most readers would mean.
+    /// Creates a fix that most readers would mean.
     pub fn likely(title: impl Into<Message>, edits: impl Into<Vec<Edit>>) -> Self {
         Fix {
             applicability: Applicability::Likely,

@@ -1,4 +1,4 @@
-//! From a file to Rust items: the one road that macros and build scripts share, and the one place that opens input files.
+//! From a file to Rust items: the one path that macros and build scripts share, and the one module that opens input files.
 
 use crate::emit::{self, emit};
 use crate::load::{self, Loaded, load};
@@ -101,11 +101,11 @@ pub fn embed(
     name: &str,
     bytes: &[u8],
     options: &load::Options,
-    spelling: &emit::Options,
+    emit_options: &emit::Options,
 ) -> Result<TokenStream, Box<Loaded>> {
     let loaded = load(name, bytes, options);
     match &loaded.program {
-        Some(program) => Ok(emit(program, spelling)),
+        Some(program) => Ok(emit(program, emit_options)),
         None => Err(Box::new(loaded)),
     }
 }
@@ -117,18 +117,18 @@ mod tests {
 
     #[test]
     fn a_program_becomes_its_type() {
-        let (options, spelling) = (load::Options::default(), emit::Options::default());
+        let (options, emit_options) = (load::Options::default(), emit::Options::default());
         let program = b"3.1\nnothing to do\nEND\n";
-        let items = embed("motions/end_only.prg", program, &options, &spelling).unwrap();
+        let items = embed("motions/end_only.prg", program, &options, &emit_options).unwrap();
         assert!(items.to_string().contains("struct EndOnly"));
     }
 
     // clauses: 1.3
     #[test]
     fn errors_are_handed_over_as_they_were_found() {
-        let (options, spelling) = (load::Options::default(), emit::Options::default());
+        let (options, emit_options) = (load::Options::default(), emit::Options::default());
         let old = b"2.0\nold\nEND\n";
-        let loaded = embed("motions/old.prg", old, &options, &spelling).unwrap_err();
+        let loaded = embed("motions/old.prg", old, &options, &emit_options).unwrap_err();
         let codes: Vec<Code> = loaded.errors().map(|one| one.code).collect();
         assert_eq!(codes, [Code::Version]);
         assert_eq!(loaded.source.name(), "motions/old.prg");

@@ -1,4 +1,4 @@
-//! How Rust spells a [`Program`]: a struct that holds its variables and one state for each step.
+//! Rust tokens of a [`Program`]: a struct that holds its variables and one state for each step.
 //!
 //! Each state is a row of a table: a command of constants, a move to another step, or else a function, which
 //! costs one indirect call however long the program is. A row costs rustc next to nothing; functions make up its
@@ -36,7 +36,7 @@ use quote::quote;
 use table::States;
 use tip_runtime::program::Signature;
 
-/// How the generated type is called and what it refers to.
+/// Name of the generated type, and paths that it refers to.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The type's name; [`type_name`] of the source if absent.
@@ -58,7 +58,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The name of the generated type for a source of this name.
+    /// Returns the name of the generated type for a source of this name.
     pub fn name_for(&self, source_name: &str) -> Ident {
         self.name
             .clone()
@@ -66,12 +66,12 @@ impl Options {
     }
 }
 
-/// The line that marks generated code: the tool, its version, the source and its hash.
+/// Returns the line that marks generated code: the tool, its version, the source and its hash.
 pub fn header(program: &Program) -> String {
     header_of(&program.source_name, program.source_hash)
 }
 
-/// The line that marks what was generated from a source of this name and hash.
+/// Returns the line that marks what was generated from a source of this name and hash.
 pub(crate) fn header_of(source: &str, hash: u64) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let source = ident::in_comment(source);
@@ -79,13 +79,13 @@ pub(crate) fn header_of(source: &str, hash: u64) -> String {
 }
 
 /// Spells a program as Rust items: the version lock, the type and its implementations.
-/// The same program and options give the same tokens, always.
+/// Equal programs and options give equal tokens.
 pub fn emit(program: &Program, options: &Options) -> TokenStream {
     let emitter = Emitter::new(program, options);
     emitter.items(&emitter.states())
 }
 
-/// A type of the program's name that causes no further errors: it implements the trait and does
+/// Returns a type of the program's name that causes no further errors: it implements the trait and does
 /// nothing. It stands in for a program for `robot` that does not load, so that only the program is reported.
 pub fn skeleton(source_name: &str, robot: Robot, options: &Options) -> TokenStream {
     let Options {
@@ -186,7 +186,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Everything, with these states.
+    /// Generates all items, with these states.
     fn items(&self, states: &States) -> TokenStream {
         let lock = self.version_lock();
         let structure = self.structure(&states.mentioned);

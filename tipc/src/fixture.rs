@@ -7,7 +7,7 @@ use crate::program::{
 };
 use tip_runtime::model::titan8;
 
-/// A program for TITAN VIII: `VAR_KEY`, the variables of these names and types, and a step for
+/// Returns a program for TITAN VIII: `VAR_KEY`, the variables of these names and types, and a step for
 /// each action, one a line from line 3 on.
 pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) -> Program {
     let signature = titan8::MODEL.signature();
@@ -41,7 +41,7 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
     }
 }
 
-/// The same program with labels.
+/// Adds labels to a program.
 pub(crate) fn labelled(mut program: Program, labels: &[(&str, StepId)]) -> Program {
     program.labels = labels
         .iter()
@@ -54,17 +54,17 @@ pub(crate) fn labelled(mut program: Program, labels: &[(&str, StepId)]) -> Progr
     program
 }
 
-/// The scalar of a VAR.
+/// Returns the scalar of a VAR.
 pub(crate) fn scalar(variable: usize) -> Scalar {
     member(variable, 0)
 }
 
-/// A member of a struct.
+/// Returns a member of a struct.
 pub(crate) fn member(variable: usize, member: usize) -> Scalar {
     Scalar { variable, member }
 }
 
-/// A scalar as an operand.
+/// Returns a scalar as an operand.
 pub(crate) fn read(variable: usize) -> Operand {
     Operand::Scalar {
         scalar: scalar(variable),
@@ -72,12 +72,12 @@ pub(crate) fn read(variable: usize) -> Operand {
     }
 }
 
-/// A constant as an operand.
+/// Returns a constant as an operand.
 pub(crate) fn constant(value: f64) -> Operand {
     Operand::Constant(value)
 }
 
-/// A constant as an argument.
+/// Returns a constant as an argument.
 pub(crate) fn argument(value: f64) -> Argument {
     Argument {
         operand: constant(value),
@@ -85,7 +85,7 @@ pub(crate) fn argument(value: f64) -> Argument {
     }
 }
 
-/// A comparison.
+/// Returns a comparison.
 pub(crate) fn compare(left: Operand, relation: Relation, right: Operand) -> Condition {
     Condition::Compare {
         left,

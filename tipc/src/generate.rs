@@ -91,18 +91,18 @@ impl Default for Config {
 }
 
 impl Config {
-    /// The standard settings.
+    /// Creates the standard settings.
     pub fn new() -> Self {
         Config::default()
     }
 
-    /// The robot that programs are checked for; TITAN VIII if not called.
+    /// Sets the robot that programs are checked for; TITAN VIII if not called.
     pub fn robot(&mut self, robot: Robot) -> &mut Self {
         self.load.robot = robot;
         self
     }
 
-    /// The robot that programs are checked for, as a file describes it, or one of those that are
+    /// Sets the robot that programs are checked for, as a file describes it, or one of those that are
     /// [`published`], by its name; it takes the place of [`robot`](Self::robot).
     #[cfg(feature = "robot-files")]
     pub fn robot_file(&mut self, path: impl Into<PathBuf>) -> &mut Self {
@@ -110,37 +110,37 @@ impl Config {
         self
     }
 
-    /// The folder for generated files; Cargo's `OUT_DIR` if not called.
+    /// Sets the folder for generated files; Cargo's `OUT_DIR` if not called.
     pub fn out_dir(&mut self, folder: impl Into<PathBuf>) -> &mut Self {
         self.out_dir = Some(folder.into());
         self
     }
 
-    /// The version number that programs must have on their first line; 3.1 if not called.
+    /// Sets the version number that programs must have on their first line; 3.1 if not called.
     pub fn tip_version(&mut self, version: f64) -> &mut Self {
         self.load.tip_version = version;
         self
     }
 
-    /// How sources are encoded; found out by looking if not called.
+    /// Sets the encoding of sources; detected if not called.
     pub fn encoding(&mut self, encoding: Encoding) -> &mut Self {
         self.load.encoding = encoding;
         self
     }
 
-    /// The path under which generated code finds the crate `tip-runtime`; `::tip_runtime` if not called.
+    /// Sets the path under which generated code finds the crate `tip-runtime`; `::tip_runtime` if not called.
     pub fn runtime_path(&mut self, path: impl Into<String>) -> &mut Self {
         self.runtime_path = path.into();
         self
     }
 
-    /// The name of the generated type; the file's name in UpperCamelCase if not called. For one program only.
+    /// Sets the name of the generated type; the file's name in UpperCamelCase if not called. For one program only.
     pub fn type_name(&mut self, name: impl Into<String>) -> &mut Self {
         self.type_name = Some(name.into());
         self
     }
 
-    /// The visibility of the generated type, such as `pub(crate)` or nothing; `pub` if not called.
+    /// Sets the visibility of the generated type, such as `pub(crate)` or nothing; `pub` if not called.
     pub fn visibility(&mut self, visibility: impl Into<String>) -> &mut Self {
         self.visibility = visibility.into();
         self
@@ -180,7 +180,7 @@ impl Config {
     }
 
     fn generate(&self, paths: &[&Path], report: &mut Report) -> Result<(), BuildError> {
-        let spelling = self.spelling(paths.len())?;
+        let emit_options = self.emit_options(paths.len())?;
         let folder = files::out_dir(self.out_dir.as_deref())?;
         let outputs = outputs(paths, &folder)?;
         let load = self.load(report)?;
@@ -190,7 +190,7 @@ impl Config {
             let Some(program) = program(input, &load, report) else {
                 continue;
             };
-            let text = emit::pretty(&program, &spelling).map_err(|error| no_rust(&error))?;
+            let text = emit::pretty(&program, &emit_options).map_err(|error| no_rust(&error))?;
             files::write_if_changed(&output, &text)?;
         }
         report.outcome()
@@ -198,14 +198,14 @@ impl Config {
 
     #[cfg(feature = "robot-files")]
     fn generate_robot(&self, path: &Path, report: &mut Report) -> Result<(), BuildError> {
-        let spelling = self.spelling(1)?;
+        let emit_options = self.emit_options(1)?;
         let folder = files::out_dir(self.out_dir.as_deref())?;
         if let Some(description) = describe(path, report)? {
             let outputs = outputs(&[path], &folder)?;
             for output in outputs.keys() {
                 files::claim(output, path)?;
                 let text = description
-                    .pretty(&spelling)
+                    .pretty(&emit_options)
                     .map_err(|error| no_rust(&error))?;
                 files::write_if_changed(output, &text)?;
             }
@@ -213,7 +213,7 @@ impl Config {
         report.outcome()
     }
 
-    /// What programs are loaded for: with the robot that the file describes, if there is one.
+    /// Returns the options for loading programs: with the robot that the file describes, if there is one.
     #[cfg(feature = "robot-files")]
     fn load(&self, report: &mut Report) -> Result<load::Options, BuildError> {
         let mut load = self.load;
@@ -231,7 +231,7 @@ impl Config {
         Ok(self.load)
     }
 
-    fn spelling(&self, programs: usize) -> Result<emit::Options, BuildError> {
+    fn emit_options(&self, programs: usize) -> Result<emit::Options, BuildError> {
         if self.type_name.is_some() && programs > 1 {
             return Err(BuildError::setting(Building::OneType));
         }
@@ -271,7 +271,7 @@ fn describe(path: &Path, report: &mut Report) -> Result<Option<Description>, Bui
     Ok(described.map_err(|loaded| report.add_all(&loaded)).ok())
 }
 
-/// What is reported to Cargo.
+/// Report to Cargo.
 #[derive(Default)]
 struct Report {
     lang: Lang,
@@ -281,7 +281,7 @@ struct Report {
 }
 
 impl Report {
-    /// In the language that the environment asks for.
+    /// Begins a report in the language that the environment asks for.
     fn begin() -> Self {
         let asked = env::var(embed::LANG).unwrap_or_default();
         Report {
@@ -330,7 +330,7 @@ impl Report {
     }
 }
 
-/// Each program with the file that it compiles to.
+/// Returns each program with the file that it compiles to.
 fn outputs<'a>(
     paths: &[&'a Path],
     folder: &Path,
@@ -354,13 +354,13 @@ fn same_output(one: &Path, other: &Path) -> BuildError {
     })
 }
 
-/// The tokens of a setting that must be a `T`.
+/// Returns the tokens of a setting that must be a `T`.
 fn tokens<T: syn::parse::Parse>(text: &str) -> Result<TokenStream, BuildError> {
     syn::parse_str::<T>(text).map_err(|error| no_such_rust(text, &error))?;
     text.parse().map_err(|error| no_such_rust(text, &error))
 }
 
-/// A setting that is not Rust.
+/// Creates the error for a setting that is not Rust.
 fn no_such_rust(text: &str, error: &dyn Display) -> BuildError {
     BuildError::setting(Building::NoRust {
         text: text.to_owned(),
@@ -385,13 +385,13 @@ fn unreadable(name: &str, reason: Reading) -> Loaded {
     Loaded::refused(source, vec![finding.about(name)])
 }
 
-/// Why nothing could be generated. It displays every error with its place in the source.
+/// Error of a failed generation. It displays every error with its location in the source.
 pub struct BuildError {
     message: String,
 }
 
 impl BuildError {
-    /// A setting of [`Config`](self::Config) that makes no sense.
+    /// Creates the error for a setting of [`Config`](self::Config) that makes no sense.
     pub(super) fn setting(message: Building) -> Self {
         BuildError {
             message: message.to_string(),
@@ -412,7 +412,7 @@ impl fmt::Display for BuildError {
     }
 }
 
-/// As displayed: a build script that returns the error prints its `Debug`.
+/// Formats like `Display`: a build script that returns the error prints its `Debug`.
 impl fmt::Debug for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

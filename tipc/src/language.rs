@@ -1,6 +1,6 @@
-//! The language as tables: each word with its edition, its place in the reference and one line that says what it is.
+//! The language as tables: each word with its edition, its clause of the reference and one line that says what it is.
 //!
-//! Words are spelled here; what a trace prints is spelled in [`tip_runtime::command`], and rows refer to it.
+//! Words are listed here; what a trace prints is listed in [`tip_runtime::command`], and rows refer to it.
 
 mod bilingual;
 pub mod commands;

@@ -9,7 +9,7 @@ pub use pieces::{Piece, Pieces, split_comment};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Relation};
 
-/// What a token is.
+/// Kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A name, a number or anything else between delimiters and operators.
@@ -29,15 +29,15 @@ pub enum Kind {
 /// A word or operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// What it is.
+    /// Kind of the token.
     pub kind: Kind,
-    /// Where it is.
+    /// Location in the source.
     pub span: Span,
     /// A delimiter precedes it.
     pub spaced: bool,
 }
 
-/// The full-width space as UTF-8 spells it.
+/// The full-width space in UTF-8.
 const FULL_WIDTH_SPACE: &[u8] = b"\xE3\x80\x80";
 
 /// The characters that only take up room.
@@ -47,7 +47,7 @@ pub const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
 
 /// Reads the tokens of `span` into `tokens` and returns the first characters that no statement may hold.
 ///
-/// Those characters become part of words, so that the tokens around them stay usable.
+/// Such characters become part of words, so that the tokens around them stay usable.
 pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     let bytes = &text.as_bytes()[..span.end];
     // Nearly no statement holds one.
@@ -75,7 +75,7 @@ pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     }
 }
 
-/// The first place from `at` on without a delimiter.
+/// Returns the first offset from `at` on without a delimiter.
 pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
     while let length @ 1.. = delimiter(bytes, at) {
         at += length;
@@ -83,7 +83,7 @@ pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
     at
 }
 
-/// Where the delimiters begin that end a stretch of text.
+/// Returns the start of the delimiters that end a stretch of text.
 pub(crate) fn trim_delimiters(bytes: &[u8]) -> usize {
     let mut end = bytes.len();
     loop {
@@ -95,7 +95,7 @@ pub(crate) fn trim_delimiters(bytes: &[u8]) -> usize {
     }
 }
 
-/// How long the delimiter at `at` is; 0 if there is none.
+/// Returns the length of the delimiter at `at`; 0 if there is none.
 pub(crate) fn delimiter(bytes: &[u8], at: usize) -> usize {
     match bytes.get(at) {
         Some(b' ' | b'\t' | b',') => 1,
@@ -104,7 +104,7 @@ pub(crate) fn delimiter(bytes: &[u8], at: usize) -> usize {
     }
 }
 
-/// The end of the word that starts at `start`.
+/// Returns the end of the word that starts at `start`.
 pub fn word_end(bytes: &[u8], start: usize) -> usize {
     let end = plain_word_end(bytes, start);
     if is_open_exponent(&bytes[start..end], &bytes[end..]) {
@@ -129,7 +129,7 @@ fn plain_word_end(bytes: &[u8], start: usize) -> usize {
     at
 }
 
-/// Whether `word` is a number up to its `E` and `rest` goes on with the exponent's sign and digits.
+/// Returns true if `word` is a number up to its `E` and `rest` goes on with the exponent's sign and digits.
 fn is_open_exponent(word: &[u8], rest: &[u8]) -> bool {
     let [b'+' | b'-', b'0'..=b'9', ..] = rest else {
         return false;
@@ -168,12 +168,12 @@ fn operator(bytes: &[u8], at: usize) -> Option<(Kind, usize)> {
     Some((kind, at + length))
 }
 
-/// Whether a byte is of such a character.
+/// Returns true if a byte is of such a character.
 const fn is_foreign(byte: u8) -> bool {
     !byte.is_ascii() || byte.is_ascii_control()
 }
 
-/// The first run of characters in `span` that only comments and texts may hold.
+/// Returns the first run of characters in `span` that only comments and texts may hold.
 pub fn foreign_run(text: &str, span: Span) -> Option<Span> {
     let word = &text[span.start..span.end];
     let start = word.bytes().position(is_foreign)?;

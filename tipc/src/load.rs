@@ -1,14 +1,14 @@
-//! From the bytes of a file to a program, or to all that is wrong with it.
+//! Loading: from the bytes of a file to a program, or to all that is wrong with it.
 //!
 //! Lints belong in the crate `tip-lint`.
 
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
 pub use crate::diagnostic::MOST;
-use crate::diagnostic::{Diagnostic, Findings, Omitted, in_place};
+use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, by_location};
 use crate::language::Edition;
 use crate::lower::lower;
-use crate::message::{Habit, Message, Parsing};
+use crate::message::{ForeignWord, Message, Parsing};
 use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
@@ -16,7 +16,7 @@ use crate::source::{Encoding, Source, looks_like};
 use crate::symbols::Symbols;
 use crate::syntax::Module;
 
-/// What a program is read and checked for.
+/// Options for reading and checking a program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// The robot.
@@ -37,7 +37,7 @@ impl Default for Options {
     }
 }
 
-/// What came of a file.
+/// Result of loading a file.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Loaded {
@@ -45,20 +45,20 @@ pub struct Loaded {
     pub source: Source,
     /// The statements, as far as the text could be read.
     pub module: Module,
-    /// What the program names, and where; as far as it is understood.
+    /// Names in the program and their locations; as far as it is understood.
     pub symbols: Symbols,
     /// The program, unless there is an error among the diagnostics.
     pub program: Option<Program>,
     /// The robot that the program was checked for; none if it is no program.
     pub robot: Option<Robot>,
-    /// The findings, in order of their places: no more than [`MOST`], of many the first errors.
+    /// The diagnostics, in order of their locations: no more than [`MOST`], of many the first errors.
     pub diagnostics: Vec<Diagnostic>,
-    /// The findings beyond that.
+    /// The diagnostics beyond that.
     pub omitted: Omitted,
 }
 
 impl Loaded {
-    /// What came of a file that was not read as a program.
+    /// Creates the result for a file that was not read as a program.
     pub fn refused(source: Source, diagnostics: Vec<Diagnostic>) -> Self {
         Loaded {
             source,
@@ -77,9 +77,9 @@ impl Loaded {
         diagnostics.filter(|one| one.level() == Level::Error)
     }
 
-    /// Takes findings in, in the order of their places.
-    pub fn report(&mut self, found: Findings) {
-        let mut all = Findings::from(std::mem::take(&mut self.diagnostics));
+    /// Takes diagnostics in, in the order of their locations.
+    pub fn report(&mut self, found: Diagnostics) {
+        let mut all = Diagnostics::from(std::mem::take(&mut self.diagnostics));
         all.append(found);
         let (diagnostics, omitted) = in_order(all, self.module.edition);
         self.diagnostics = diagnostics;
@@ -94,8 +94,8 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     loaded
 }
 
-/// Reads, checks and lowers a program without an analysis of it. The findings are apart, and in no order.
-pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Findings) {
+/// Reads, checks and lowers a program without an analysis of it. The diagnostics are separate, and in no order.
+pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Diagnostics) {
     let Parsed {
         source,
         module,
@@ -134,7 +134,7 @@ pub struct Parsed {
     /// True if the file is text, of the version that is asked for.
     pub is_program: bool,
     /// The diagnostics of the parser.
-    pub diagnostics: Findings,
+    pub diagnostics: Diagnostics,
 }
 
 impl Parsed {
@@ -169,7 +169,7 @@ pub fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
 
 /// Checks a module for a robot and returns the diagnostics, in no order.
 pub fn check_module(source: &Source, module: &Module, robot: Robot) -> Vec<Diagnostic> {
-    check(source, module, robot, Findings::default())
+    check(source, module, robot, Diagnostics::default())
         .found
         .into_parts()
         .0
@@ -184,12 +184,12 @@ fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModu
     }
 }
 
-/// Puts findings in the order of their places, judged by the rules of an edition. Of too many the last ones are omitted,
+/// Puts diagnostics in the order of their locations, judged by the rules of an edition. Of too many the last ones are omitted,
 /// warnings before errors.
-fn in_order(found: Findings, edition: Edition) -> (Vec<Diagnostic>, Omitted) {
+fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) {
     let (mut diagnostics, mut omitted) = found.into_parts();
     judge(&mut diagnostics, edition);
-    in_place(&mut diagnostics);
+    by_location(&mut diagnostics);
     // One mistake is reported once, however many passes find it.
     diagnostics.dedup_by(|later, first| {
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
@@ -200,7 +200,7 @@ fn in_order(found: Findings, edition: Edition) -> (Vec<Diagnostic>, Omitted) {
         let (mut kept, warnings): (Vec<_>, Vec<_>) = diagnostics.into_iter().partition(is_error);
         kept.extend(warnings);
         kept.drain(MOST..).for_each(|one| omitted.add(one.code));
-        in_place(&mut kept);
+        by_location(&mut kept);
         return (kept, omitted);
     }
     (diagnostics, omitted)
@@ -218,7 +218,7 @@ fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
     if let Some(first) = unreadable.next()
         && let Some(encoding) = looks_like(bytes)
     {
-        first.help = Some(Habit::OtherEncoding { encoding }.into());
+        first.help = Some(ForeignWord::OtherEncoding { encoding }.into());
     }
 }
 

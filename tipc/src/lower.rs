@@ -66,7 +66,7 @@ struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// What a statement does; a declaration is not a step.
+    /// Returns the action of a statement; `None` for a declaration, which is not a step.
     fn action(&self, resolved: Resolved) -> Option<Action> {
         Some(match resolved {
             Resolved::Define => return None,
@@ -153,7 +153,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A struct is given as its members.
+    /// Returns the members of a struct as arguments.
     fn members(&self, variable: VariableId, mark: Mark) -> Vec<Argument> {
         let members = 0..self.variables[variable].size();
         let argument = |member| Argument {
@@ -194,12 +194,12 @@ fn equation(assignment: Assignment) -> Action {
     }
 }
 
-/// FOR counts by 1 if it names no other number.
+/// Returns the increment of a FOR: 1 if it names no other number.
 fn increment(counting: Counting) -> Operand {
     counting.step.unwrap_or(Operand::Constant(1.0))
 }
 
-/// The number of the native command comes before its values.
+/// Puts the number of the native command before its values.
 fn special(number: f64, values: Vec<Operand>) -> Action {
     let operands = std::iter::once(Operand::Constant(number)).chain(values);
     let argument = |operand| Argument {

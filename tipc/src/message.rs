@@ -1,7 +1,7 @@
-//! What findings say, as data: a reason, a help or a label is a row of a table and the arguments of its text.
+//! Messages of diagnostics, as data: a reason, a help or a label is a row of a table and the arguments of its text.
 //!
 //! Each module that finds something has a table, and [`phrase`] one for each part of a sentence that
-//! varies. Nothing else spells a sentence, so that a text is changed in one place. Each language is a column.
+//! varies. No other module contains sentences, so that a text is changed in one place. Each language is a column.
 //! Quoted words are cut to 80 characters.
 
 use say::Say;
@@ -18,7 +18,7 @@ mod building;
 mod checking;
 #[cfg(feature = "robot-files")]
 mod describing;
-mod habit;
+mod foreign_words;
 pub mod list;
 mod parsing;
 pub mod phrase;
@@ -30,8 +30,8 @@ pub use building::Building;
 pub use checking::{Calculating, Commanding, Naming, Structuring};
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
-pub use habit::{Habit, Instead};
-pub use parsing::{Parsing, Reading, Suggesting};
+pub use foreign_words::{ForeignWord, Suggestion};
+pub use parsing::{Parsing, Reading};
 pub use say::{Decimal, Lang, Letter};
 
 tables! {
@@ -41,9 +41,8 @@ tables! {
     Calculating,
     Naming,
     Structuring,
-    Suggesting,
-    Habit,
-    Instead,
+    ForeignWord,
+    Suggestion,
     #[cfg(feature = "robot-files")]
     Describing,
     #[cfg(feature = "build")]
@@ -59,7 +58,7 @@ impl Message {
         }
     }
 
-    /// Its text in a language.
+    /// Returns its text in a language.
     pub fn in_lang(&self, lang: Lang) -> impl Display {
         say::Said(self, lang)
     }
@@ -75,7 +74,7 @@ impl Display for Message {
 #[derive(Clone)]
 pub struct Other(Arc<dyn AnyMessage>);
 
-/// What [`Other`] needs of a message.
+/// Requirements of [`Other`] on a message.
 trait AnyMessage: Any + Debug + Say + Send + Sync {
     /// Returns true if the other message is of the same table and row, with the same arguments.
     fn equals(&self, other: &dyn Any) -> bool;
@@ -122,7 +121,7 @@ impl Say for Other {
 /// The characters of a quoted word that are shown.
 const WORD: usize = 80;
 
-/// Those of a [`Text`]: as many as the longest path of Linux has bytes.
+/// Maximum length of a [`Text`], bytes: that of the longest path of Linux.
 const TEXT: usize = 4096;
 
 /// A path, or a sentence that somebody else wrote: cut only beyond all reason.
@@ -143,7 +142,7 @@ pub(crate) struct Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    /// As much of a quoted word as is shown.
+    /// Shortens a quoted word for display.
     pub(crate) const fn word(text: &'a str) -> Self {
         Cut { text, most: WORD }
     }

@@ -19,7 +19,7 @@ pub(crate) use jump::label_of;
 pub use line::{LONG_VOWEL, narrow};
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::Edition;
 use crate::language::commands;
 use crate::lex::Token;
@@ -33,7 +33,7 @@ pub const LINE_LIMIT: usize = 1023;
 /// Parses a source for version `tip_version` of the language.
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
-pub fn parse(source: &Source, tip_version: f64) -> (Module, Findings) {
+pub fn parse(source: &Source, tip_version: f64) -> (Module, Diagnostics) {
     if let Err(wrong) = header::version(source, tip_version) {
         return (Module::default(), vec![*wrong].into());
     }
@@ -47,7 +47,7 @@ pub fn parse_taking(
     source: &Source,
     tip_version: f64,
     take: &mut dyn FnMut(&mut Vec<Statement>),
-) -> (Module, Findings) {
+) -> (Module, Diagnostics) {
     if let Err(wrong) = header::version(source, tip_version) {
         return (Module::default(), vec![*wrong].into());
     }
@@ -71,7 +71,7 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
         parser.statements_of_line();
         for statement in std::mem::take(&mut parser.module.statements) {
             let is_label = matches!(statement.kind, StatementKind::Label(_));
-            if !is_label && parser.is_meant(&statement) {
+            if !is_label && parser.is_statement_after_end(&statement) {
                 return Some(label.unwrap_or(statement.span));
             }
             label = is_label.then(|| label.unwrap_or(statement.span));
@@ -83,7 +83,7 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
     None
 }
 
-/// What is at the end of a piece of text.
+/// End of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flow {
     /// The program goes on.
@@ -102,20 +102,20 @@ struct Parser<'a> {
     step: StepId,
     /// The current statement's tokens; kept to use its memory again.
     tokens: Vec<Token>,
-    /// What ends the comment of another language that has begun.
+    /// End mark of the comment of another language that has begun.
     in_comment: Option<&'static str>,
     /// The braces that are open, which are reported: whether each begins a block.
     braces: Vec<bool>,
     /// Names with a `-`, as written in declarations, which are reported.
     hyphened: Vec<String>,
-    /// The finding about lines with numbers.
+    /// The diagnostic about lines with numbers.
     numbered: Option<usize>,
     module: Module,
-    diagnostics: Findings,
+    diagnostics: Diagnostics,
 }
 
 impl<'a> Parser<'a> {
-    /// Before the first line.
+    /// Creates a parser before the first line.
     fn new(source: &'a Source, tip_version: f64) -> Self {
         Parser {
             source,
@@ -133,7 +133,7 @@ impl<'a> Parser<'a> {
                 statements: Vec::new(),
                 after_end: None,
             },
-            diagnostics: Findings::default(),
+            diagnostics: Diagnostics::default(),
         }
     }
 }
@@ -157,7 +157,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether the line belongs to a comment of another language, `/* … */`, whose start is reported.
+    /// Returns true if the line belongs to a comment of another language, `/* … */`, whose start is reported.
     fn is_in_comment(&mut self) -> bool {
         let Some(closes) = self.in_comment else {
             return false;
@@ -181,13 +181,13 @@ impl Parser<'_> {
 
     fn report_missing_end(&mut self) {
         // All lines are read, so this is the last one.
-        let place = self.trim(self.line.span, char::is_whitespace);
-        let missing = Diagnostic::new(Code::NoEnd, place, Parsing::ProgramEndsHere);
+        let location = self.trim(self.line.span, char::is_whitespace);
+        let missing = Diagnostic::new(Code::NoEnd, location, Parsing::ProgramEndsHere);
         self.report(missing.help(Parsing::PutEnd));
     }
 
-    /// Whether a statement after END, on the line that was read last, is more than the words of a note.
-    fn is_meant(&self, statement: &Statement) -> bool {
+    /// Returns true if a statement after END, on the line that was read last, is more than the words of a note.
+    fn is_statement_after_end(&self, statement: &Statement) -> bool {
         let span = statement.span;
         let is_wrong = |it: &Diagnostic| {
             it.code.kind().is_some() && span.start <= it.span.start && it.span.start <= span.end

@@ -30,62 +30,62 @@ pub struct Program {
 }
 
 impl Program {
-    /// The source's name as the user gave it, without folders.
+    /// Returns the source's name as the user gave it, without folders.
     pub fn source_name(&self) -> &str {
         &self.source_name
     }
 
-    /// FNV-1a 64 of the source's bytes.
+    /// Returns FNV-1a 64 of the source's bytes.
     pub fn source_hash(&self) -> u64 {
         self.source_hash
     }
 
-    /// The edition of the language, which line 1 chose.
+    /// Returns the edition of the language, which line 1 chose.
     pub fn edition(&self) -> Edition {
         self.edition
     }
 
-    /// Line 2 of the source.
+    /// Returns line 2 of the source.
     pub fn title(&self) -> &str {
         &self.title
     }
 
-    /// The robot it was checked for.
+    /// Returns the robot it was checked for.
     pub fn signature(&self) -> Signature {
         self.signature
     }
 
-    /// The variables, `VAR_KEY` first, then in order of declaration.
+    /// Returns the variables, `VAR_KEY` first, then in order of declaration.
     pub fn variables(&self) -> &[Variable] {
         &self.variables
     }
 
-    /// The labels in order of their steps.
+    /// Returns the labels in order of their steps.
     pub fn labels(&self) -> &[Label] {
         &self.labels
     }
 
-    /// The steps. The last one is the END that closes the source.
+    /// Returns the steps. The last one is the END that closes the source.
     pub fn steps(&self) -> &[Step] {
         &self.steps
     }
 
-    /// The number of scalars that the variables hold.
+    /// Returns the number of scalars that the variables hold.
     pub fn scalar_count(&self) -> usize {
         self.variables.iter().map(Variable::size).sum()
     }
 
-    /// Name of every scalar (`A`, `P.X`, `Q.J2`) in declaration order.
+    /// Returns the name of every scalar (`A`, `P.X`, `Q.J2`) in declaration order.
     pub fn scalar_names(&self) -> impl Iterator<Item = String> {
         self.variables.iter().flat_map(Variable::scalar_names)
     }
 
-    /// The place of a scalar among all scalars.
+    /// Returns the index of a scalar among all scalars.
     pub fn scalar_index(&self, scalar: Scalar) -> usize {
         self.variables[scalar.variable].first + scalar.member
     }
 
-    /// The variable that holds the scalar at a place among all scalars.
+    /// Returns the variable that holds the scalar at an index among all scalars.
     pub fn variable_of(&self, scalar: usize) -> VariableId {
         let holds_it_or_earlier = |variable: &Variable| variable.first <= scalar;
         self.variables.partition_point(holds_it_or_earlier) - 1
@@ -99,14 +99,14 @@ pub struct Variable {
     pub name: String,
     /// Its type.
     pub kind: VariableKind,
-    /// The place of its first scalar among all scalars.
+    /// The index of its first scalar among all scalars.
     pub first: usize,
-    /// How many members a JOINT has on this robot.
+    /// Number of members of a JOINT on this robot.
     pub joints: usize,
 }
 
 impl Variable {
-    /// How many scalars it holds.
+    /// Returns the number of scalars it holds.
     pub fn size(&self) -> usize {
         match self.kind {
             VariableKind::Var => 1,
@@ -115,7 +115,7 @@ impl Variable {
         }
     }
 
-    /// The names of its scalars.
+    /// Returns the names of its scalars.
     pub fn scalar_names(&self) -> impl Iterator<Item = String> {
         (0..self.size()).map(|member| match self.kind {
             VariableKind::Var => self.name.clone(),
@@ -139,7 +139,7 @@ pub struct Label {
 /// One step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// What it does.
+    /// Action of the step.
     pub action: Action,
     /// Its source line, from 1.
     pub line: u32,

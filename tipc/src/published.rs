@@ -12,7 +12,7 @@
 /// A robot, and the text that describes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Published {
-    /// What options, macros and `tip.toml` call it.
+    /// Name in options, macros and `tip.toml`.
     pub name: &'static str,
     /// Its description: figures, their sources and licences.
     pub text: &'static str,
@@ -30,19 +30,19 @@ macro_rules! published {
 
 published! { "a1" "phantomx" "solo12" "spotmicro" "trifinger" }
 
-/// The robot of that name.
+/// Returns the robot of that name.
 pub fn find(name: &str) -> Option<&'static Published> {
     ALL.iter().find(|robot| robot.name == name)
 }
 
 impl Published {
-    /// What it is, in a line.
+    /// Returns a description of one line.
     pub fn summary(&self) -> &'static str {
         let first = self.text.lines().next().unwrap_or_default();
         first.trim_start_matches(['#', ' '])
     }
 
-    /// What messages call the text.
+    /// Returns the name of the text in messages.
     pub fn file(&self) -> String {
         format!("{}.toml", self.name)
     }

@@ -22,7 +22,7 @@ use tip_runtime::printable::Printable;
 /// The most bytes of a line that are shown.
 const SHOWN: usize = 4096;
 
-/// The part of a line that is shown.
+/// Returns the part of a line that is shown.
 fn shown(line: &str) -> &str {
     let mut end = line.len().min(SHOWN);
     while !line.is_char_boundary(end) {
@@ -31,7 +31,7 @@ fn shown(line: &str) -> &str {
     &line[..end]
 }
 
-/// As it can be shown: what could act on a terminal is an escape.
+/// Formats a text for display: what could act on a terminal is escaped.
 fn printable(text: impl Display) -> String {
     Printable::line(text).to_string()
 }

@@ -18,25 +18,25 @@ pub enum Robot {
     Described(Facts),
 }
 
-/// What a program can meet on a robot: all that checking needs of a model or a description.
+/// Properties of a robot that a program can meet: all that checking needs of a model or a description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facts {
-    /// What a program for it must state.
+    /// Robot statement that its programs need.
     pub signature: Signature,
     /// The sampling time that programs begin with: ms.
     pub period: f64,
     /// The sampling times that it accepts: ms.
     pub periods: Range,
-    /// How many lamps and relays it has.
+    /// Number of lamps and relays.
     pub lamps: u8,
-    /// Whether it senses and gives torques.
+    /// True if it senses and gives torques.
     pub has_forces: bool,
-    /// Whether it has a slider (`FLOOR`).
+    /// True if it has a slider (`FLOOR`).
     pub has_slider: bool,
 }
 
 impl Facts {
-    /// Those of a model.
+    /// Returns the facts of a model.
     pub const fn of<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
         Facts {
             signature: model.signature(),
@@ -53,7 +53,7 @@ impl Robot {
     /// Every robot that has a name of its own.
     pub const ALL: &'static [Robot] = &[Robot::Titan8, Robot::Hand, Robot::Generic];
 
-    /// The robot of that name.
+    /// Returns the robot of that name.
     pub fn from_name(name: &str) -> Option<Robot> {
         Robot::ALL
             .iter()
@@ -61,17 +61,17 @@ impl Robot {
             .find(|robot| robot.name() == name)
     }
 
-    /// The name that options and messages use.
+    /// Returns the name that options and messages use.
     pub const fn name(self) -> &'static str {
         self.signature().robot
     }
 
-    /// What a program for it must state.
+    /// Returns the robot statement that its programs need.
     pub const fn signature(self) -> Signature {
         self.facts().signature
     }
 
-    /// What a program can meet on it.
+    /// Returns what a program can meet on it.
     pub const fn facts(self) -> Facts {
         match self {
             Robot::Titan8 => Facts::of(&titan8::MODEL),
@@ -81,12 +81,12 @@ impl Robot {
         }
     }
 
-    /// Whether it has the commands and inputs of the Hiroshima Hand.
+    /// Returns true if it has the commands and inputs of the Hiroshima Hand.
     pub(crate) fn is_hand(self) -> bool {
         self.signature().family == Family::Hand
     }
 
-    /// Whether the robot has the leg, joint or slider.
+    /// Returns true if the robot has the leg, joint or slider.
     pub(crate) fn has(self, target: Target) -> bool {
         let Signature { legs, joints, .. } = self.signature();
         match target {
@@ -97,7 +97,7 @@ impl Robot {
         }
     }
 
-    /// Its targets, in rows: `F1…F4`, `J11…J43`, `FLOOR`.
+    /// Returns its targets, in rows: `F1…F4`, `J11…J43`, `FLOOR`.
     pub(crate) fn inventory(self) -> Vec<String> {
         let Facts {
             signature,

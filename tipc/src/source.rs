@@ -22,10 +22,10 @@ use original::Original;
 use position::ColumnIndex;
 
 mod decode;
+mod encode;
 mod lines;
 mod original;
 mod position;
-mod respelled;
 
 pub use decode::looks_like;
 pub use decode::{Charset, Encoding, Undecodable};
@@ -34,11 +34,11 @@ pub use position::byte_length;
 pub(crate) use position::first_beyond;
 pub use position::{Position, Unit};
 
-/// What DOS puts after the last line of a text file.
+/// Byte that DOS puts after the last line of a text file.
 const TAIL: &[u8] = b"\x1A";
 
-/// How many bytes of text an index counts together. A search looks at no more, and a line of the longest length that is
-/// allowed costs the index of lines one byte.
+/// Number of bytes of text that an index counts together. A search looks at no more, and a line of the longest length
+/// that is allowed costs the index of lines one byte.
 const STRETCH: usize = 4096;
 
 /// A decoded source file.
@@ -57,8 +57,8 @@ pub struct Source {
 impl Source {
     /// Decodes a file (T.I.P. 3.1 §3).
     ///
-    /// Of bytes that are not text, the first ones are returned; the text then has replacement characters, good enough
-    /// to show the place but not to be compiled.
+    /// If bytes are not text, the first ones are returned; the text then has replacement characters, good enough
+    /// to show the location but not to be compiled.
     pub fn decode(
         name: impl Into<String>,
         bytes: &[u8],
@@ -89,57 +89,57 @@ impl Source {
         (source, bad)
     }
 
-    /// The file's name as the user gave it.
+    /// Returns the file's name as the user gave it.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// FNV-1a 64 of the file's bytes.
+    /// Returns FNV-1a 64 of the file's bytes.
     pub fn hash(&self) -> u64 {
         let original = self.original(Span::new(0, self.text.len()));
         let pieces = [self.mark, original, self.tail];
         fnv1a(pieces.into_iter().flatten())
     }
 
-    /// How the file spells its text.
+    /// Returns the character set of the file.
     pub fn charset(&self) -> Charset {
         self.charset
     }
 
-    /// The whole text: neither byte order mark nor DOS end of file is part of it.
+    /// Returns the whole text: neither byte order mark nor DOS end of file is part of it.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The text at `span`; empty if the span is not of this source.
+    /// Returns the text at `span`; empty if the span is not of this source.
     pub fn slice(&self, span: Span) -> &str {
         self.text.get(span.start..span.end).unwrap_or_default()
     }
 
-    /// The byte order mark before the text of the file, if there is one.
+    /// Returns the byte order mark before the text of the file, if there is one.
     pub fn mark(&self) -> &[u8] {
         self.mark
     }
 
-    /// The bytes of the file that spell the text at `span`, even if they spell it badly. Spans that follow each other
-    /// give bytes that follow each other; characters that begin in a span are given back completely.
+    /// Returns the bytes of the file for the text at `span`, even if they are invalid. Spans that follow
+    /// each other give bytes that follow each other; characters that begin in a span are given back completely.
     pub fn original(&self, span: Span) -> &[u8] {
         let at = |offset| self.units_before(next_boundary(&self.text, offset), Unit::Byte);
         self.original.get(&self.text, at(span.start), at(span.end))
     }
 
-    /// The byte of the file at which a byte of the text is spelled.
+    /// Returns the byte of the file for a byte of the text.
     pub fn file_offset(&self, offset: usize) -> usize {
         self.mark.len() + self.units_before(offset, Unit::Byte)
     }
 
-    /// The bytes of the file.
+    /// Returns the bytes of the file.
     pub fn bytes(&self) -> Vec<u8> {
         self.changed(std::iter::empty())
     }
 
-    /// The bytes of the file with other texts in the place of some spans, which follow each other and do not overlap. The
-    /// texts are ASCII, so they are the same in every encoding; all other bytes are those of the file.
+    /// Returns the bytes of the file with other texts in the place of some spans, which follow each other and do not
+    /// overlap. The texts are ASCII, so they are the same in every encoding; all other bytes are those of the file.
     pub fn changed<'a>(&self, changes: impl Iterator<Item = (Span, &'a str)>) -> Vec<u8> {
         let mut out = self.mark().to_vec();
         let mut at = 0;
@@ -153,13 +153,13 @@ impl Source {
         out
     }
 
-    /// The DOS end of file that follows the text in the file, if one does.
+    /// Returns the DOS end of file that follows the text in the file, if one does.
     pub fn tail(&self) -> &[u8] {
         self.tail
     }
 }
 
-/// The start of the character that holds a byte of the text; its end, if there is no such byte.
+/// Returns the start of the character that holds a byte of the text; its end, if there is no such byte.
 fn boundary(text: &str, offset: usize) -> usize {
     let mut at = offset.min(text.len());
     while !text.is_char_boundary(at) {
@@ -168,7 +168,7 @@ fn boundary(text: &str, offset: usize) -> usize {
     at
 }
 
-/// The first start of a character from a byte of the text on, or its end.
+/// Returns the first start of a character from a byte of the text on, or its end.
 fn next_boundary(text: &str, offset: usize) -> usize {
     let mut at = offset.min(text.len());
     while !text.is_char_boundary(at) {
@@ -193,12 +193,12 @@ pub struct Span {
 }
 
 impl Span {
-    /// From `start` up to `end`.
+    /// Creates a span from `start` up to `end`.
     pub const fn new(start: usize, end: usize) -> Self {
         Span { start, end }
     }
 
-    /// From the start of `self` to the end of `other`.
+    /// Returns the span from the start of `self` to the end of `other`.
     pub const fn to(self, other: Span) -> Span {
         Span::new(self.start, other.end)
     }

@@ -1,12 +1,12 @@
 //! The nearest known name for a misspelt one.
 
-/// How many candidates are looked at: a suggestion must not cost more than the check.
+/// Maximum number of candidates: a suggestion must not cost more than the check.
 const CANDIDATES: usize = 500;
 
 /// The longest word that something is suggested for: the time grows with the square of the length.
 const LONGEST: usize = 80;
 
-/// The candidate nearest to `word`, if it is near enough to be meant.
+/// Returns the candidate nearest to `word`, if it is near enough to be meant.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().take(CANDIDATES).collect();
     let mut alike = candidates.iter().copied().filter(|it| looks_like(word, it));
@@ -28,12 +28,12 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
-/// Whether a word differs from another one in one letter, or in the order of two.
+/// Returns true if a word differs from another one in one letter, or in the order of two.
 pub(crate) fn is_near(word: &str, other: &str) -> bool {
     word.len().abs_diff(other.len()) <= 1 && distance(word.as_bytes(), other.as_bytes()) == 1
 }
 
-/// Whether two names differ only in letters that look like digits: `L1` and `LI`, `NO` and `N0`.
+/// Returns true if two names differ only in letters that look like digits: `L1` and `LI`, `NO` and `N0`.
 fn looks_like(a: &str, b: &str) -> bool {
     let shape = |byte: u8| match byte {
         b'O' => b'0',
@@ -44,7 +44,7 @@ fn looks_like(a: &str, b: &str) -> bool {
     a != b && a.len() == b.len() && a.len() <= LONGEST && same()
 }
 
-/// How many letters are in only one of the words: a cheap lower bound of twice their distance.
+/// Counts the letters that are in only one of the words: a cheap lower bound of twice their distance.
 fn differing(a: &str, b: &str) -> u32 {
     (letters(a) ^ letters(b)).count_ones()
 }
@@ -53,7 +53,7 @@ fn letters(word: &str) -> u64 {
     word.bytes().fold(0, |set, byte| set | 1 << (byte % 64))
 }
 
-/// The Levenshtein distance, an exchange of neighbours counted once.
+/// Returns the Levenshtein distance, an exchange of neighbours counted once.
 fn distance(a: &[u8], b: &[u8]) -> usize {
     let mut before = vec![0; b.len() + 1];
     let mut last: Vec<usize> = (0..=b.len()).collect();
@@ -80,7 +80,7 @@ mod tests {
     use super::{differing, distance, nearest};
 
     #[test]
-    fn names_what_was_meant() {
+    fn suggests_the_nearest_name() {
         let known = ["PTP", "REL_PTP", "WAIT_INPOS", "SLEEP"];
         assert_eq!(nearest("WAIT_INPSO", known), Some("WAIT_INPOS"));
         assert_eq!(nearest("SLEP", known), Some("SLEEP"));

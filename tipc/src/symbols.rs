@@ -1,4 +1,4 @@
-//! The names of a program: what defines them, and every place that names them.
+//! The names of a program: what defines them, and every location that names them.
 
 use crate::program::VariableId;
 use crate::source::{Source, Span};
@@ -12,7 +12,7 @@ pub struct Symbols {
     uses: Vec<Use>,
 }
 
-/// A definition, by its place among [`Symbols::definitions`].
+/// A definition, by its index among [`Symbols::definitions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DefinitionId(u32);
 
@@ -21,13 +21,13 @@ pub struct DefinitionId(u32);
 pub struct Definition {
     /// Its name, upper case.
     pub name: SmolStr,
-    /// What it is.
+    /// Kind of the definition.
     pub kind: DefinitionKind,
     /// The name where it is defined; `VAR_KEY` is defined nowhere.
-    pub place: Option<Span>,
+    pub span: Option<Span>,
 }
 
-/// What a name stands for.
+/// Kind of a definition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DefinitionKind {
     /// A variable of this type.
@@ -38,14 +38,14 @@ pub enum DefinitionKind {
     Subroutine,
 }
 
-/// A place that names a definition.
+/// A location that names a definition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Use {
     /// The name alone, without sign, member and colon. It is empty where the name is left out, after KEY_IN, NEXT and GOTO.
-    pub place: Span,
-    /// What it names.
+    pub span: Span,
+    /// Definition that it names.
     pub definition: DefinitionId,
-    /// What the statement does with it.
+    /// Access by the statement.
     pub access: Access,
     /// The member of a POS or JOINT that is meant, from 0; none means the whole.
     pub member: Option<u8>,
@@ -53,7 +53,7 @@ pub struct Use {
     pub negative: bool,
 }
 
-/// What a statement does with what it names.
+/// Access of a statement to what it names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {
     /// Defines it; a second time, which is refused.
@@ -75,41 +75,41 @@ pub enum Access {
 }
 
 impl DefinitionId {
-    /// The place among [`Symbols::definitions`].
+    /// Returns the index among [`Symbols::definitions`].
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// The definition of a variable: they come first.
+    /// Creates the definition of a variable: they come first.
     pub const fn of_variable(variable: VariableId) -> Self {
         DefinitionId(variable as u32)
     }
 
-    /// The definition of a label, by its place among all labels. They come after all variables.
+    /// Creates the definition of a label, by its index among all labels. They come after all variables.
     pub(crate) const fn of_label(label: usize, variables: usize) -> Self {
         DefinitionId((variables + label) as u32)
     }
 }
 
 impl Symbols {
-    /// The uses have to be in the order of their places.
+    /// Creates the table. The uses have to be in the order of their locations.
     pub(crate) const fn new(definitions: Vec<Definition>, uses: Vec<Use>) -> Self {
         Symbols { definitions, uses }
     }
 
-    /// The variables, `VAR_KEY` first, as [`Program::variables`](crate::program::Program::variables) has them; then the
-    /// labels, as [`Program::labels`](crate::program::Program::labels) has them. Of several of one name only the first is
-    /// here; but each LOOP is a label of its own.
+    /// Returns the variables, `VAR_KEY` first, as [`Program::variables`](crate::program::Program::variables) has them;
+    /// then the labels, as [`Program::labels`](crate::program::Program::labels) has them. Of several of one name only
+    /// the first is here; but each LOOP is a label of its own.
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions
     }
 
-    /// Every place that names one of the definitions, and every definition, in the order of the text.
+    /// Returns every location that names one of the definitions, and every definition, in the order of the text.
     pub fn all_uses(&self) -> &[Use] {
         &self.uses
     }
 
-    /// One of the definitions.
+    /// Returns one of the definitions.
     ///
     /// # Panics
     ///
@@ -118,41 +118,42 @@ impl Symbols {
         &self.definitions[id.index()]
     }
 
-    /// The places that name a definition, itself among them.
+    /// Returns the locations that name a definition, itself among them.
     pub fn uses(&self, id: DefinitionId) -> impl Iterator<Item = &Use> {
         self.uses.iter().filter(move |it| it.definition == id)
     }
 
-    /// What is named at a byte of the text, in the name, in the member after it, or right after them.
+    /// Returns the use at a byte of the text: in the name, in the member after it, or right after them.
     pub fn at(&self, offset: usize) -> Option<&Use> {
-        let behind = self.uses.partition_point(|it| it.place.start <= offset);
+        let behind = self.uses.partition_point(|it| it.span.start <= offset);
         let last = self.uses[..behind].last()?;
-        let is_named = last.place.start < last.place.end;
+        let is_named = last.span.start < last.span.end;
         (is_named && offset <= self.end(last)).then_some(last)
     }
 
-    /// The uses inside a stretch of the text, such as a statement.
+    /// Returns the uses inside a stretch of the text, such as a statement.
     pub fn within(&self, span: Span) -> &[Use] {
-        let start = self.uses.partition_point(|it| it.place.start < span.start);
+        let start = self.uses.partition_point(|it| it.span.start < span.start);
         let rest = &self.uses[start..];
-        &rest[..rest.partition_point(|it| it.place.end <= span.end)]
+        &rest[..rest.partition_point(|it| it.span.end <= span.end)]
     }
 
-    /// Where a name ends, with its member.
+    /// Returns the end of a name, with its member.
     fn end(&self, named: &Use) -> usize {
         let point_and_member = match (named.member, self.definition(named.definition).kind) {
             (None, _) => 0,
             (Some(_), DefinitionKind::Variable(VariableKind::Joint)) => ".J1".len(),
             (Some(_), _) => ".X".len(),
         };
-        named.place.end + point_and_member
+        named.span.end + point_and_member
     }
 }
 
 impl Use {
-    /// The operand that the name is part of: with its sign and member, and in a MESSAGE with its percent signs.
+    /// Returns the operand that the name is part of: with its sign and member, and in a MESSAGE with its percent
+    /// signs.
     pub fn operand(&self, source: &Source) -> Span {
-        let Span { start, end } = self.place;
+        let Span { start, end } = self.span;
         let text = source.text();
         let before = text.get(..start).unwrap_or_default();
         let behind = text.get(end..).unwrap_or_default();

@@ -11,12 +11,12 @@ pub use statement::{Jump, JumpKind, Shape, StatementKind, Then};
 use crate::source::Span;
 use smol_str::{SmolStr, StrExt};
 
-/// Something with its place.
+/// A node of the syntax with its location.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spanned<T> {
     /// The thing.
     pub node: T,
-    /// Where it is.
+    /// Location in the source.
     pub span: Span,
 }
 
@@ -26,7 +26,7 @@ pub type StepId = u32;
 /// A word, upper-cased.
 pub type Word = Spanned<SmolStr>;
 
-/// A piece of the source in capital letters, as it is usually written.
+/// Returns a piece of the source in capital letters, as it is usually written.
 pub fn upper_case(text: &str) -> SmolStr {
     match text.bytes().any(|byte| byte.is_ascii_lowercase()) {
         true => text.to_ascii_uppercase_smolstr(),
@@ -48,7 +48,7 @@ pub enum VariableKind {
 /// An operand or argument as written: `-12.5`, `A`, `-P.X`, `F1`, `ALL`, `HS`, `J11`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operand {
-    /// What it is.
+    /// Kind of the operand.
     pub kind: OperandKind,
     /// A minus precedes a name (a constant holds its own sign).
     pub negative: bool,
@@ -56,7 +56,7 @@ pub struct Operand {
     pub span: Span,
 }
 
-/// What an operand is.
+/// Kind of an operand.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OperandKind {
     /// A constant with its sign.
@@ -138,7 +138,7 @@ pub struct Equation {
     pub target: Operand,
     /// `None` for `=`, else the operation of `+= -= *= /=`.
     pub update: Option<Arithmetic>,
-    /// The operator's place.
+    /// The operator's location.
     pub operator: Span,
     /// The right side.
     pub value: Expression,

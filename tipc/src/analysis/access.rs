@@ -1,4 +1,4 @@
-//! The scalars that a step reads and assigns, as places among all scalars.
+//! The scalars that a step reads and assigns, as indices among all scalars.
 
 use crate::program::{
     Action, Condition, MessagePart, Operand, Program, Scalar, ScalarExpression, StructExpression,
@@ -11,7 +11,7 @@ pub fn reads(program: &Program, action: &Action, found: impl FnMut(usize)) {
     Reads { program, found }.action(action);
 }
 
-/// The scalars that have a value once the step is done: neighbours.
+/// Returns the scalars that have a value once the step is done: neighbours.
 pub fn assigns(program: &Program, action: &Action) -> Range<usize> {
     match action {
         Action::SetScalar { target: into, .. }
@@ -43,7 +43,7 @@ pub fn assigns(program: &Program, action: &Action) -> Range<usize> {
     }
 }
 
-/// The scalars of a variable.
+/// Returns the scalars of a variable.
 fn members(program: &Program, variable: VariableId) -> Range<usize> {
     let variable = &program.variables()[variable];
     variable.first..variable.first + variable.size()

@@ -29,7 +29,7 @@ const LEAST: usize = 16;
 /// The most batches times blocks that are followed in a longer program. Reads of the remaining scalars are not judged.
 const WORK: usize = 1_000_000;
 
-/// Whether a read finds a value.
+/// Knowledge of whether a read finds a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Assigned {
     /// On every path to it.
@@ -45,9 +45,9 @@ pub enum Assigned {
 pub struct Read {
     /// The step.
     pub step: StepId,
-    /// The scalar's place among all scalars.
+    /// The scalar's index among all scalars.
     pub scalar: usize,
-    /// Whether it has a value.
+    /// Knowledge of whether it has a value.
     pub assigned: Assigned,
 }
 
@@ -63,7 +63,7 @@ impl Assignment {
         Assignment::along(program, &Flow::of(program))
     }
 
-    /// The same where its flow is known.
+    /// Analyses a program whose flow is known.
     pub fn along(program: &Program, flow: &Flow) -> Self {
         let blocks = Blocks::of(flow);
         let (batches, certain) = Touches::of(program, flow).sorted(program.scalar_count(), &blocks);
@@ -93,13 +93,13 @@ impl Assignment {
         Assignment { reads }
     }
 
-    /// The reads, by step, then by scalar; a scalar that a step reads twice is one. Some are left out of a long program in
-    /// which blocks read thousands of scalars that others assign.
+    /// Returns the reads, by step, then by scalar; a scalar that a step reads twice is one. Some are left out of a
+    /// long program in which blocks read thousands of scalars that others assign.
     pub fn reads(&self) -> &[Read] {
         &self.reads
     }
 
-    /// Whether every run that comes to a step has a value in the scalar there.
+    /// Returns true if every run that comes to a step has a value in the scalar there.
     pub fn is_always(&self, step: StepId, scalar: usize) -> bool {
         self.reads
             .binary_search_by_key(&(step, scalar), |read| (read.step, read.scalar))
@@ -107,7 +107,7 @@ impl Assignment {
     }
 }
 
-/// The reads of one node, of those scalars that a run can come there with.
+/// Records the reads of one node, of those scalars that a run can come there with.
 fn judge(found: Found, step: StepId, scalars: &[usize], reads: &mut Vec<Read>) {
     let mut left = found.unassigned | found.assigned;
     while left != 0 {

@@ -1,4 +1,4 @@
-//! Which steps can follow which (T.I.P. 3.1 §7-6).
+//! The control flow between steps (T.I.P. 3.1 §7-6).
 //!
 //! A node is a step; ELSEIF and ELSE are two, since what they do depends on how they are reached.
 //! Conditions and loops over constants follow only the branch that they really take.
@@ -6,10 +6,10 @@
 use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
 use std::ops::Deref;
 
-/// The place of a node in its flow. Nodes come in the order of their steps.
+/// The index of a node in its flow. Nodes come in the order of their steps.
 pub type NodeId = usize;
 
-/// What a cycle may run next without a call or return: two nodes at most.
+/// Nodes that a cycle may run next without a call or return: two at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Next {
     nodes: [NodeId; 2],
@@ -42,7 +42,7 @@ pub struct Node {
     pub step: StepId,
     /// An ELSEIF or ELSE that is reached from the branch above it: passed, its condition is not read.
     pub is_passed: bool,
-    /// What the next cycle may run without a call or return.
+    /// Nodes that the next cycle may run without a call or return.
     pub next: Next,
     /// The call that it may make.
     pub call: Option<Call>,
@@ -53,9 +53,9 @@ pub struct Node {
 /// A call of a subroutine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Call {
-    /// Where the subroutine begins.
+    /// First node of the subroutine.
     pub entry: NodeId,
-    /// Where it comes back.
+    /// Node to which it returns.
     pub back: NodeId,
 }
 
@@ -66,7 +66,7 @@ pub struct Flow {
 }
 
 impl Flow {
-    /// The flow of a program. Takes time and memory linear in its length.
+    /// Computes the flow of a program. Takes time and memory linear in its length.
     pub fn of(program: &Program) -> Self {
         let ways = Ways::new(program);
         let mut nodes = Vec::new();
@@ -85,31 +85,31 @@ impl Flow {
         Flow { nodes }
     }
 
-    /// The nodes in the order of their steps.
+    /// Returns the nodes in the order of their steps.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 }
 
 impl Flow {
-    /// The first node of a step; the number of nodes for one past the last.
+    /// Returns the first node of a step; the number of nodes for one past the last.
     pub fn first(&self, step: StepId) -> NodeId {
         self.nodes.partition_point(|node| node.step < step)
     }
 
-    /// The last node of a step: what a false IF or ELSEIF leads to.
+    /// Returns the last node of a step: what a false IF or ELSEIF leads to.
     pub fn last(&self, step: StepId) -> NodeId {
         self.first(step + 1).saturating_sub(1)
     }
 }
 
 impl Flow {
-    /// Every call.
+    /// Returns every call.
     pub fn calls(&self) -> impl Iterator<Item = Call> {
         self.nodes.iter().filter_map(|node| node.call)
     }
 
-    /// For each node, those whose `next` or `call` name it.
+    /// Returns for each node those whose `next` or `call` name it.
     pub fn before(&self) -> Vec<Vec<NodeId>> {
         let mut before = vec![Vec::new(); self.nodes.len()];
         for (id, node) in self.nodes.iter().enumerate() {
@@ -122,7 +122,7 @@ impl Flow {
     }
 }
 
-/// Where steps lead.
+/// Targets of steps.
 struct Ways {
     /// The first node of each step, and one past the last.
     first: Vec<NodeId>,
@@ -146,17 +146,17 @@ impl Ways {
         ways
     }
 
-    /// A step reached "taken"; none past the last.
+    /// Returns the node of a step reached "taken"; none past the last.
     fn to(&self, step: StepId) -> Option<NodeId> {
         self.first.get(step as usize).copied()
     }
 
-    /// A step reached "not taken".
+    /// Returns the node of a step reached "not taken".
     fn otherwise(&self, step: StepId) -> Option<NodeId> {
         self.last.get(step as usize).copied()
     }
 
-    /// A step, ELSEIF and ELSE as reached "not taken".
+    /// Returns the node of a step, ELSEIF and ELSE as reached "not taken".
     fn node(&self, step: StepId, action: &Action) -> Node {
         let on = self.to(step + 1);
         let mut call = None;
@@ -241,7 +241,7 @@ fn chosen(always: Option<bool>, yes: Option<NodeId>, no: Option<NodeId>) -> [Opt
     }
 }
 
-/// What a condition always is, if that is known: two constants compared.
+/// Returns the constant result of a condition, if it is known: two constants compared.
 pub fn always(condition: Condition) -> Option<bool> {
     match condition {
         Condition::Compare {
@@ -260,7 +260,7 @@ pub fn always(condition: Condition) -> Option<bool> {
     }
 }
 
-/// What is known of FOR's first test.
+/// Knowledge of FOR's first test.
 pub enum Entry {
     /// A step of zero: the program stops.
     Fails,
@@ -270,7 +270,7 @@ pub enum Entry {
     Open,
 }
 
-/// What FOR's first test comes to.
+/// Evaluates FOR's first test as far as it is known.
 pub fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
     match (from, to, step) {
         (_, _, Operand::Constant(0.0)) => Entry::Fails,

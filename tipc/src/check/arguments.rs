@@ -10,7 +10,7 @@ use crate::language::commands::{Arguments, Command, Form, Meaning};
 use crate::language::{Keyword, commands};
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
-use crate::message::{Commanding, Habit, Message, Parsing};
+use crate::message::{Commanding, ForeignWord, Message, Parsing};
 use crate::parse::label_of;
 use crate::program::{MessagePart, Scalar};
 use crate::robot::Robot;
@@ -95,7 +95,7 @@ impl Resolver<'_> {
         Some(command)
     }
 
-    /// What to use instead of a command that the robot lacks.
+    /// Returns a replacement for a command that the robot lacks.
     fn who_has(&self, command: &Command) -> Commanding {
         let name = command.name;
         match self.robot {
@@ -120,15 +120,17 @@ impl Resolver<'_> {
             None => {
                 let command = name.node.clone();
                 let help = match self.is_after_text(name.span) {
-                    true => Habit::SemicolonEndsText.into(),
-                    false => self.meant_by(name),
+                    true => ForeignWord::SemicolonEndsText.into(),
+                    false => self.suggest_for(name),
                 };
                 (Commanding::NoCommand { word: command }, help)
             }
         };
         let mut fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
         match &help {
-            Message::Habit(Habit::NoParameters { name }) => fault = fault.once(name.clone()),
+            Message::ForeignWord(ForeignWord::NoParameters { name }) => {
+                fault = fault.once(name.clone())
+            }
             Message::Parsing(Parsing::WriteLabel { name }) => fault = fault.once(label_of(name)),
             _ => {}
         }
@@ -136,9 +138,9 @@ impl Resolver<'_> {
         None
     }
 
-    /// Whether a `;` ended a text of MESSAGE or REM right before this place.
-    fn is_after_text(&self, place: Span) -> bool {
-        let before = self.source_before(place).map(str::trim_end);
+    /// Returns true if a `;` ended a text of MESSAGE or REM right before this location.
+    fn is_after_text(&self, location: Span) -> bool {
+        let before = self.source_before(location).map(str::trim_end);
         let Some(before) = before.and_then(|before| before.strip_suffix(';')) else {
             return false;
         };
@@ -179,20 +181,20 @@ impl Resolver<'_> {
         })
     }
 
-    pub(super) fn missing<T>(&mut self, place: Span, what: Lacking) -> Option<T> {
-        self.refuse(Code::Argument, place, Commanding::Missing { what })
+    pub(super) fn missing<T>(&mut self, location: Span, what: Lacking) -> Option<T> {
+        self.refuse(Code::Argument, location, Commanding::Missing { what })
     }
 }
 
 impl Resolver<'_> {
-    /// Splits a text of the source at `place` into what is shown as it is and the values between.
-    pub(super) fn message(&mut self, text: &str, place: Span) -> Vec<MessagePart> {
+    /// Splits a text of the source at `location` into what is shown as it is and the values between.
+    pub(super) fn message(&mut self, text: &str, location: Span) -> Vec<MessagePart> {
         let mut parts = Vec::new();
         let mut plain = String::new();
         let mut rest = text;
         while let Some(first) = rest.chars().next() {
             if let Some((variable, decimals, length)) = self.placeholder(rest) {
-                let start = place.end - rest.len() + 1;
+                let start = location.end - rest.len() + 1;
                 let name = Span::new(start, start + self.names.variables[variable].name.len());
                 self.uses.variable(name, variable, Access::Read);
                 if !plain.is_empty() {

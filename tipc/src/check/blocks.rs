@@ -2,7 +2,7 @@
 
 use crate::language::Keyword;
 
-/// What a block is.
+/// Kind of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BlockKind {
     /// One branch of an IF.
@@ -50,18 +50,18 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// Whether a statement lies inside. A SUBROUTINE's own step does: only calls reach it from outside.
+    /// Returns true if a statement lies inside. A SUBROUTINE's own step does: only calls reach it from outside.
     pub(crate) fn contains(&self, statement: usize) -> bool {
         let first = self.opener + usize::from(self.kind != BlockKind::Subroutine);
         (first..self.end).contains(&statement)
     }
 }
 
-/// How a control word is tied to others, by the indices of statements.
+/// Ties of a control word to others, by the indices of statements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Link {
-    /// Of IF, ELSEIF: the next ELSEIF, ELSE or ENDIF. Of ELSE: ENDIF. Of WHILE, FOR: the closer.
-    /// Of WEND, UNTIL, NEXT: the opener.
+    /// For IF, ELSEIF: the next ELSEIF, ELSE or ENDIF. For ELSE: ENDIF. For WHILE, FOR: the closer.
+    /// For WEND, UNTIL, NEXT: the opener.
     pub(crate) partner: Option<usize>,
 }
 
@@ -88,7 +88,7 @@ struct Node {
     /// An outer one further up.
     far: usize,
     depth: usize,
-    /// How many sound FORs, and how many other sound blocks, there are from here up.
+    /// Numbers of sound FORs and of other sound blocks from here up.
     sound: [usize; 2],
 }
 
@@ -116,8 +116,8 @@ impl<'a> Tree<'a> {
         Tree { blocks, nodes }
     }
 
-    /// The outermost sound FOR, and the outermost other sound block, that are around a statement or the block `inner`
-    /// itself, but not around the statement `from`.
+    /// Returns the outermost sound FOR, and the outermost other sound block, that are around a statement or the block
+    /// `inner` itself, but not around the statement `from`.
     pub(super) fn entered(&self, inner: Option<usize>, from: usize) -> [Option<usize>; 2] {
         let inner = inner.map_or(0, |block| block + 1);
         let holds_from = |at: usize| at == 0 || self.blocks[at - 1].contains(from);
@@ -132,7 +132,8 @@ impl<'a> Tree<'a> {
         })
     }
 
-    /// The outermost node from one up of which something holds: of that node it does, and of the program it does not.
+    /// Returns the outermost node from one up of which something holds: of that node it does, and of the program it
+    /// does not.
     fn climb(&self, from: usize, holds: impl Fn(usize) -> bool) -> usize {
         let mut at = from;
         loop {

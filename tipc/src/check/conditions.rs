@@ -4,7 +4,7 @@ use super::resolve::Resolver;
 use super::targets::word;
 use crate::code::Code;
 use crate::language::flags;
-use crate::message::Habit;
+use crate::message::ForeignWord;
 use crate::program::Condition;
 use crate::syntax;
 use tip_runtime::command::CONSTANT;
@@ -44,22 +44,22 @@ impl Resolver<'_> {
         self.names.find(name).is_none() && flags::find(name, self.names.edition).is_some()
     }
 
-    /// A flag that is compared with a key: the key has to be read.
+    /// Suggests reading the key for a flag that is compared with one.
     fn suggest_reading(&mut self, right: &syntax::Operand) {
         let key = word(right).filter(|word| word.starts_with(CONSTANT));
         if let (Some(fault), Some(key)) = (self.found.last_mut(), key) {
-            fault.help = Some(Habit::KeyFirst { key: key.into() }.into());
+            fault.help = Some(ForeignWord::KeyFirst { key: key.into() }.into());
         }
     }
 
-    /// A letter that is compared with and not declared may be that of a key.
+    /// Suggests a key's constant for a letter that is compared with and not declared.
     fn suggest_key(&mut self, told: usize) {
         for fault in &mut self.found[told..] {
             let name = fault.subject.as_deref().unwrap_or_default();
             let is_key = name.len() == 1 && name.starts_with(|c: char| c.is_ascii_uppercase());
             if fault.code == Code::UnknownVariable && is_key {
                 let character = name.into();
-                fault.help = Some(Habit::CharacterOrVariable { character }.into());
+                fault.help = Some(ForeignWord::CharacterOrVariable { character }.into());
             }
         }
     }

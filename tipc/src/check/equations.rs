@@ -1,13 +1,13 @@
 //! Types of equations (T.I.P. 3.1 §5).
 
-use super::names::Meant;
+use super::names::ResolvedOperand;
 use super::resolve::Resolver;
 use super::resolved::Assignment;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
 use crate::message::phrase::{Operands, Type};
-use crate::message::{Calculating, Instead, Message, Parsing};
+use crate::message::{Calculating, Message, Parsing, Suggestion};
 use crate::program::{Axis, ScalarExpression, StructExpression, VariableId};
 use crate::source::Span;
 use crate::symbols::Access;
@@ -23,7 +23,7 @@ enum Value {
 impl Resolver<'_> {
     pub(super) fn equation(&mut self, equation: &Equation) -> Option<Assignment> {
         let guess = self.type_in(equation);
-        let target = self.meant_as(&equation.target, Code::Equation, guess);
+        let target = self.resolve_operand_as(&equation.target, Code::Equation, guess);
         if let Some(target) = target {
             let access = match equation.update {
                 Some(_) => Access::Update,
@@ -40,26 +40,32 @@ impl Resolver<'_> {
     fn assignment(
         &mut self,
         equation: &Equation,
-        target: Meant,
+        target: ResolvedOperand,
         value: Value,
     ) -> Option<Assignment> {
         let update = equation.update;
-        let place = equation.target.span;
+        let location = equation.target.span;
         match (target, value) {
-            (Meant::Constant(_), _) => {
-                let fault = Diagnostic::new(Code::Equation, place, Parsing::ConstantAssigned);
+            (ResolvedOperand::Constant(_), _) => {
+                let fault = Diagnostic::new(Code::Equation, location, Parsing::ConstantAssigned);
                 self.report(fault.help(Calculating::LeftSideIs));
                 None
             }
-            (Meant::Scalar { negative: true, .. } | Meant::Struct { negative: true, .. }, _) => {
-                self.refuse(Code::Equation, place, Calculating::LeftSideSign)
+            (
+                ResolvedOperand::Scalar { negative: true, .. }
+                | ResolvedOperand::Struct { negative: true, .. },
+                _,
+            ) => self.refuse(Code::Equation, location, Calculating::LeftSideSign),
+            (ResolvedOperand::Scalar { scalar, .. }, Value::Scalar(value)) => {
+                Some(Assignment::Scalar {
+                    target: scalar,
+                    update,
+                    value,
+                })
             }
-            (Meant::Scalar { scalar, .. }, Value::Scalar(value)) => Some(Assignment::Scalar {
-                target: scalar,
-                update,
-                value,
-            }),
-            (Meant::Struct { variable, kind, .. }, Value::Struct(of, value)) if kind == of => {
+            (ResolvedOperand::Struct { variable, kind, .. }, Value::Struct(of, value))
+                if kind == of =>
+            {
                 Some(Assignment::Struct {
                     target: variable,
                     update,
@@ -73,14 +79,15 @@ impl Resolver<'_> {
                 };
                 let fault =
                     Diagnostic::new(Code::Equation, expression_span(&equation.value), reason)
-                        .label(place, Calculating::LeftSide);
+                        .label(location, Calculating::LeftSide);
                 self.report(fault.help(Calculating::OneType));
                 None
             }
         }
     }
 
-    /// The type of an equation, as far as something in it shows it: all of its operands are of one, but those of functions.
+    /// Returns the type of an equation, as far as something in it shows it: all of its operands are of one, but those
+    /// of functions.
     fn type_in(&self, equation: &Equation) -> Option<VariableKind> {
         let known = |operand: &Operand| match &operand.kind {
             OperandKind::Number(_) | OperandKind::Member(_) => Some(VariableKind::Var),
@@ -104,16 +111,17 @@ impl Resolver<'_> {
         .or_else(|| known(&equation.target))
     }
 
-    /// The right side; `target` is the left one, if it is known, and `guess` the type of what is not declared.
+    /// Resolves the right side; `target` is the left one, if it is known, and `guess` the type of what is not
+    /// declared.
     fn expression(
         &mut self,
         expression: &Expression,
-        target: Option<Meant>,
+        target: Option<ResolvedOperand>,
         guess: Option<VariableKind>,
     ) -> Option<Value> {
         match expression {
             Expression::Operand(operand) => match self.value(operand, guess)? {
-                Meant::Struct { variable, kind, .. } => {
+                ResolvedOperand::Struct { variable, kind, .. } => {
                     Some(Value::Struct(kind, StructExpression::Copy(variable)))
                 }
                 meant => Some(Value::Scalar(ScalarExpression::Operand(meant.number()?))),
@@ -126,8 +134,8 @@ impl Resolver<'_> {
                 let (first, second) = (self.value(left, guess), self.value(right, guess));
                 match (first?, second?) {
                     (
-                        Meant::Struct { variable, kind, .. },
-                        Meant::Struct {
+                        ResolvedOperand::Struct { variable, kind, .. },
+                        ResolvedOperand::Struct {
                             variable: other,
                             kind: of,
                             ..
@@ -153,14 +161,14 @@ impl Resolver<'_> {
                                 first: type_of(kind_of(first)),
                                 second: type_of(kind_of(second)),
                             };
-                            let place = match target.map(kind_of) {
+                            let location = match target.map(kind_of) {
                                 Some(wanted) if wanted == kind_of(first) => right.span,
                                 _ => left.span.to(right.span),
                             };
-                            let fault = Diagnostic::new(Code::Equation, place, reason);
+                            let fault = Diagnostic::new(Code::Equation, location, reason);
                             let is_number = kind_of(first).is_none() || kind_of(second).is_none();
                             let help: Message = match is_number {
-                                true => Instead::MemberByMember.into(),
+                                true => Suggestion::MemberByMember.into(),
                                 false => Calculating::OneType.into(),
                             };
                             self.report(fault.help(help));
@@ -177,7 +185,7 @@ impl Resolver<'_> {
         let operation = functions::find(&name.node, self.names.edition)?;
         let wanted = operation.operands();
         if operands.len() != wanted {
-            let place = operands.get(wanted).map_or(name.span, |extra| extra.span);
+            let location = operands.get(wanted).map_or(name.span, |extra| extra.span);
             let reason = Calculating::OtherOperands {
                 function: name.node.clone(),
                 wanted: match wanted {
@@ -186,7 +194,7 @@ impl Resolver<'_> {
                 },
                 found: operands.len(),
             };
-            let fault = Diagnostic::new(Code::Equation, place, reason);
+            let fault = Diagnostic::new(Code::Equation, location, reason);
             let help = match (operation, operands.len()) {
                 // `ATAN y x`
                 (Operation::Scalar(Function::Atan), 2) => usage(Operation::Atan2),
@@ -245,14 +253,14 @@ impl Resolver<'_> {
         }
     }
 
-    /// A whole struct, of one kind if `kind` says so.
+    /// Resolves a whole struct, of one kind if `kind` says so.
     fn structure(
         &mut self,
         operand: &Operand,
         kind: Option<VariableKind>,
     ) -> Option<(VariableId, VariableKind)> {
         match self.value(operand, kind)? {
-            Meant::Struct {
+            ResolvedOperand::Struct {
                 variable, kind: of, ..
             } if kind.is_none_or(|kind| kind == of) => Some((variable, of)),
             _ => {
@@ -265,11 +273,11 @@ impl Resolver<'_> {
         }
     }
 
-    /// An operand that the equation reads, as a variable of this type; a struct has no sign.
-    fn value(&mut self, operand: &Operand, guess: Option<VariableKind>) -> Option<Meant> {
-        let meant = self.meant_as(operand, Code::Equation, guess)?;
+    /// Resolves an operand that the equation reads, as a variable of this type; a struct has no sign.
+    fn value(&mut self, operand: &Operand, guess: Option<VariableKind>) -> Option<ResolvedOperand> {
+        let meant = self.resolve_operand_as(operand, Code::Equation, guess)?;
         self.uses.operand(operand, meant, Access::Read);
-        if let Meant::Struct { negative: true, .. } = meant {
+        if let ResolvedOperand::Struct { negative: true, .. } = meant {
             let fault = Diagnostic::new(Code::Equation, operand.span, Calculating::StructSign);
             self.report(fault.help(Calculating::ChangeMembers));
             return None;
@@ -278,7 +286,7 @@ impl Resolver<'_> {
     }
 }
 
-/// How a function is written.
+/// Returns how a function is written.
 fn usage(operation: Operation) -> Calculating {
     let function = operation.word();
     match operation {
@@ -299,14 +307,14 @@ impl Value {
     }
 }
 
-fn kind_of(meant: Meant) -> Option<VariableKind> {
+fn kind_of(meant: ResolvedOperand) -> Option<VariableKind> {
     match meant {
-        Meant::Struct { kind, .. } => Some(kind),
-        Meant::Constant(_) | Meant::Scalar { .. } => None,
+        ResolvedOperand::Struct { kind, .. } => Some(kind),
+        ResolvedOperand::Constant(_) | ResolvedOperand::Scalar { .. } => None,
     }
 }
 
-/// The type of an operand; `None` is a number.
+/// Returns the type of an operand; `None` is a number.
 pub(super) fn type_of(kind: Option<VariableKind>) -> Type {
     match kind {
         Some(VariableKind::Pos) => Type::Pos,

@@ -1,6 +1,6 @@
 //! Commands that fill variables, and SPECIAL (T.I.P. 3.1 §7-5, §7-9-1, §7-9-2, §7-10-11).
 
-use super::names::{Meant, VAR_KEY_ID};
+use super::names::{ResolvedOperand, VAR_KEY_ID};
 use super::resolve::Resolver;
 use super::resolved::{Receiver, Resolved};
 use super::targets::{inventory, word};
@@ -40,9 +40,9 @@ impl Resolver<'_> {
             VariableKind::Joint => Commanding::JointVariable,
             VariableKind::Var => Commanding::VarOrJointMember,
         };
-        let meant = self.meant_as(into, Code::Argument, Some(kind))?;
+        let meant = self.resolve_operand_as(into, Code::Argument, Some(kind))?;
         match meant {
-            Meant::Struct {
+            ResolvedOperand::Struct {
                 variable,
                 kind: of,
                 negative: false,
@@ -50,7 +50,7 @@ impl Resolver<'_> {
                 self.uses.variable(into.span, variable, Access::Assign);
                 Some(Resolved::Teach(what, target, Receiver::Struct(variable)))
             }
-            Meant::Scalar {
+            ResolvedOperand::Scalar {
                 scalar,
                 negative: false,
                 ..
@@ -158,11 +158,11 @@ impl Resolver<'_> {
         Some(Resolved::Special(code + 0.0, values))
     }
 
-    /// A VAR without sign, which a command fills.
+    /// Resolves a VAR without sign, which a command fills.
     fn receiver(&mut self, operand: &Operand) -> Option<Scalar> {
-        let meant = self.meant_as(operand, Code::Argument, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, Code::Argument, Some(VariableKind::Var))?;
         match meant {
-            Meant::Scalar {
+            ResolvedOperand::Scalar {
                 scalar,
                 negative: false,
                 member: false,
@@ -175,8 +175,8 @@ impl Resolver<'_> {
     }
 
     fn constant(&mut self, operand: &Operand) -> Option<f64> {
-        match self.meant(operand, Code::Argument)? {
-            Meant::Constant(value) => Some(value),
+        match self.resolve_operand(operand, Code::Argument)? {
+            ResolvedOperand::Constant(value) => Some(value),
             _ => self.refuse(
                 Code::Argument,
                 operand.span,

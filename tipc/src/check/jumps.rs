@@ -1,12 +1,12 @@
-//! Where jumps lead, and where they may not (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
+//! Targets of jumps, and targets that are not allowed (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
 use super::blocks::{BlockKind, Blocks, Tree};
 use super::labels::Labels;
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::reserved::LOOP;
 use crate::message::phrase::Entered;
-use crate::message::{Instead, Message, Naming, Structuring};
+use crate::message::{Message, Naming, Structuring, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Jump, JumpKind, Module, StatementKind};
@@ -16,7 +16,7 @@ pub(crate) fn resolve(
     module: &Module,
     labels: &Labels<'_>,
     blocks: &Blocks,
-    found: &mut Findings,
+    found: &mut Diagnostics,
 ) -> Vec<Option<usize>> {
     let mut jumps = Jumps {
         module,
@@ -31,8 +31,8 @@ pub(crate) fn resolve(
         .enumerate()
         .map(|(index, statement)| {
             let (kind, jump) = statement.kind.jump()?;
-            let place = jump.label.as_ref().map_or(jump.keyword, |label| label.span);
-            let to = jumps.target(index, kind, jump, place)?;
+            let location = jump.label.as_ref().map_or(jump.keyword, |label| label.span);
+            let to = jumps.target(index, kind, jump, location)?;
             jumps.check(index, to, kind, jump.keyword);
             Some(to)
         })
@@ -44,17 +44,23 @@ struct Jumps<'a> {
     labels: &'a Labels<'a>,
     blocks: &'a Blocks,
     tree: Tree<'a>,
-    found: &'a mut Findings,
+    found: &'a mut Diagnostics,
 }
 
 impl Jumps<'_> {
-    fn target(&mut self, index: usize, kind: JumpKind, jump: &Jump, place: Span) -> Option<usize> {
+    fn target(
+        &mut self,
+        index: usize,
+        kind: JumpKind,
+        jump: &Jump,
+        location: Span,
+    ) -> Option<usize> {
         let name = jump
             .label
             .as_ref()
             .map_or(LOOP, |label| label.node.as_str());
         if name == LOOP {
-            return self.loop_target(index, kind, jump, place);
+            return self.loop_target(index, kind, jump, location);
         }
         let Some(to) = self.statement_of(self.labels.find(name)) else {
             let near = match self.found.are_many() {
@@ -66,14 +72,14 @@ impl Jumps<'_> {
                 None => Structuring::DeclareLabel { name: name.into() },
             };
             let reason = Structuring::NoSuchLabel { name: name.into() };
-            let fault = Diagnostic::new(Code::UnknownLabel, place, reason);
+            let fault = Diagnostic::new(Code::UnknownLabel, location, reason);
             let fault = fault.once(format!("label {name}"));
             self.found.push(fault.about(name).help(help));
             return None;
         };
         if kind == JumpKind::Call && !self.is_subroutine(to) {
             let reason = Structuring::PlainLabel { name: name.into() };
-            let fault = Diagnostic::new(Code::Argument, place, reason)
+            let fault = Diagnostic::new(Code::Argument, location, reason)
                 .label(self.module.statements[to].span, Naming::DeclaredHere)
                 .help(Structuring::GosubCalls);
             self.found.push(fault);
@@ -87,24 +93,24 @@ impl Jumps<'_> {
         index: usize,
         kind: JumpKind,
         jump: &Jump,
-        place: Span,
+        location: Span,
     ) -> Option<usize> {
         if kind != JumpKind::Goto {
-            let fault = Diagnostic::new(Code::Argument, place, Structuring::LoopForGoto);
+            let fault = Diagnostic::new(Code::Argument, location, Structuring::LoopForGoto);
             self.found.push(fault.help(Structuring::OwnLabel));
             return None;
         }
         let to = self.statement_of(self.labels.loop_above(index));
         if to.is_none() {
             let reason = Structuring::NoLoopAbove;
-            let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
+            let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(LOOP);
             let fault = fault.once(format!("label {LOOP}"));
             let near = match &jump.label {
                 Some(_) if !self.found.are_many() => nearest(LOOP, self.labels.names()),
                 _ => None,
             };
             let help: Message = match (&jump.label, near) {
-                (None, _) => Instead::GotoLoop.into(),
+                (None, _) => Suggestion::GotoLoop.into(),
                 (Some(_), Some(near)) => Structuring::DidYouMean { near: near.into() }.into(),
                 (Some(_), None) => Structuring::PutLoop.into(),
             };
@@ -124,8 +130,8 @@ impl Jumps<'_> {
         )
     }
 
-    /// A jump may leave blocks, but not enter them; GOTO may not leave a SUBROUTINE.
-    fn check(&mut self, from: usize, to: usize, kind: JumpKind, place: Span) {
+    /// Checks that a jump enters no block and a GOTO leaves no SUBROUTINE; a jump may leave blocks.
+    fn check(&mut self, from: usize, to: usize, kind: JumpKind, location: Span) {
         let mut inner = self.blocks.around[to];
         if let Some(routine) = inner
             && kind != JumpKind::Goto
@@ -136,15 +142,15 @@ impl Jumps<'_> {
         }
         let [entered_for, refused] = self.tree.entered(inner, from);
         if let Some(block) = refused {
-            return self.refuse_entry(block, to, place);
+            return self.refuse_entry(block, to, location);
         }
         if kind == JumpKind::Goto
             && let Some(left) = self.left_subroutine(from, to)
         {
-            return self.refuse_leaving(left, to, place);
+            return self.refuse_leaving(left, to, location);
         }
         if let Some(block) = entered_for {
-            self.warn_of_for(block, to, place);
+            self.warn_of_for(block, to, location);
         }
     }
 
@@ -155,7 +161,7 @@ impl Jumps<'_> {
         left.then_some(routine)
     }
 
-    fn refuse_entry(&mut self, block: usize, to: usize, place: Span) {
+    fn refuse_entry(&mut self, block: usize, to: usize, location: Span) {
         let block = self.blocks.blocks[block];
         let opener = &self.module.statements[block.opener];
         let before = Structuring::JumpBefore {
@@ -169,7 +175,7 @@ impl Jumps<'_> {
             BlockKind::Subroutine => (Entered::Subroutine, Structuring::CallIt),
         };
         let reason = Structuring::Enters { block: block_name };
-        let mut fault = Diagnostic::new(Code::Structure, place, reason)
+        let mut fault = Diagnostic::new(Code::Structure, location, reason)
             .label(opener.keyword(), Structuring::BlockStarts);
         if block.opener != to {
             fault = fault.label(self.module.statements[to].span, Structuring::Label);
@@ -177,19 +183,19 @@ impl Jumps<'_> {
         self.found.push(fault.help(help));
     }
 
-    fn refuse_leaving(&mut self, block: usize, to: usize, place: Span) {
+    fn refuse_leaving(&mut self, block: usize, to: usize, location: Span) {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
-        let fault = Diagnostic::new(Code::Structure, place, Structuring::LeavesSubroutine)
+        let fault = Diagnostic::new(Code::Structure, location, Structuring::LeavesSubroutine)
             .label(opener.keyword(), Structuring::SubroutineStarts)
             .label(self.module.statements[to].span, Structuring::Label)
             .help(Structuring::LeaveWith);
         self.found.push(fault);
     }
 
-    fn warn_of_for(&mut self, block: usize, to: usize, place: Span) {
+    fn warn_of_for(&mut self, block: usize, to: usize, location: Span) {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
         let reason = Structuring::NextCounts;
-        let warning = Diagnostic::new(Code::EntersFor, place, reason)
+        let warning = Diagnostic::new(Code::EntersFor, location, reason)
             .label(opener.keyword(), Structuring::For)
             .label(self.module.statements[to].span, Structuring::Label);
         self.found.push(warning);
@@ -197,13 +203,13 @@ impl Jumps<'_> {
 }
 
 /// Warns of each SUBROUTINE that the step above it runs into.
-pub(crate) fn warn_of_entries(module: &Module, found: &mut Findings) {
+pub(crate) fn warn_of_entries(module: &Module, found: &mut Diagnostics) {
     let mut open_above = true;
     for statement in &module.statements {
         if !statement.is_step() {
             continue;
         }
-        let is_reported = |place: Span| found.iter().any(|it| it.span == place);
+        let is_reported = |location: Span| found.iter().any(|it| it.span == location);
         if let StatementKind::Subroutine { keyword, name } = &statement.kind
             && open_above
             && !is_reported(*keyword)

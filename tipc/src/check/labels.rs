@@ -1,10 +1,10 @@
 //! Labels and subroutine names (T.I.P. 3.1 §4-3).
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::reserved::{LOOP, is_reserved};
 use crate::language::{Edition, names};
-use crate::message::{Instead, Message, Naming};
+use crate::message::{Message, Naming, Suggestion};
 use crate::syntax::{Jump, Module, Word};
 use std::collections::HashMap;
 
@@ -32,7 +32,7 @@ pub(crate) struct DeclaredLabel<'m> {
 
 impl<'m> Labels<'m> {
     /// Reads every label and SUBROUTINE.
-    pub(crate) fn collect(module: &'m Module, found: &mut Findings) -> Self {
+    pub(crate) fn collect(module: &'m Module, found: &mut Diagnostics) -> Self {
         let mut labels = Labels {
             edition: module.edition,
             ..Labels::default()
@@ -50,7 +50,7 @@ impl<'m> Labels<'m> {
         statement: usize,
         name: &'m Word,
         subroutine: bool,
-        found: &mut Findings,
+        found: &mut Diagnostics,
     ) {
         let label = DeclaredLabel {
             name,
@@ -72,7 +72,7 @@ impl<'m> Labels<'m> {
             };
             let is_call = subroutine && !self.all[*first].subroutine;
             let help: Message = match is_call {
-                true => Instead::Call {
+                true => Suggestion::Call {
                     name: name.node.clone(),
                 }
                 .into(),
@@ -88,27 +88,27 @@ impl<'m> Labels<'m> {
         self.all.push(label);
     }
 
-    /// A label other than LOOP, by its place among all.
+    /// Returns the index of a label other than LOOP.
     pub(crate) fn find(&self, name: &str) -> Option<usize> {
         self.by_name.get(name).copied()
     }
 
-    /// The nearest LOOP above a statement, by its place among all.
+    /// Returns the index of the nearest LOOP above a statement.
     pub(crate) fn loop_above(&self, statement: usize) -> Option<usize> {
         let is_above = |label: &usize| self.all[*label].statement < statement;
         let above = self.loops.partition_point(is_above);
         above.checked_sub(1).map(|last| self.loops[last])
     }
 
-    /// The label that a jump in a statement names, by its place among all.
-    pub(crate) fn meant(&self, statement: usize, jump: &Jump) -> Option<usize> {
+    /// Returns the index of the label that a jump in a statement names.
+    pub(crate) fn target_of(&self, statement: usize, jump: &Jump) -> Option<usize> {
         match &jump.label {
             Some(label) if label.node != LOOP => self.find(&label.node),
             _ => self.loop_above(statement),
         }
     }
 
-    /// The names that a jump may have meant.
+    /// Returns the names that a jump may have meant.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.all.iter().map(|label| label.name.node.as_str())
     }

@@ -2,12 +2,12 @@
 
 use crate::code::Code;
 use crate::diagnostic::MOST;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::foreign;
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, names};
-use crate::message::{Habit, Instead, Message, Naming, Suggesting};
+use crate::message::{ForeignWord, Message, Naming, Suggestion};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
 use crate::source::Span;
@@ -28,10 +28,10 @@ pub(super) const VAR_KEY_ID: VariableId = 0;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {
     pub(crate) variables: Vec<Variable>,
-    /// Where each variable is declared; `None` for VAR_KEY.
+    /// Declaration of each variable; `None` for VAR_KEY.
     pub(crate) declared: Vec<Option<Span>>,
     ids: HashMap<String, VariableId>,
-    /// What unknown names were near to, so that each is compared once.
+    /// Known names nearest to unknown ones, so that each is compared once.
     near: RefCell<HashMap<String, Option<String>>>,
     /// Names whose declaration was refused: their uses are not reported again.
     refused: HashSet<String>,
@@ -40,9 +40,9 @@ pub(crate) struct Names {
     pub(crate) edition: Edition,
 }
 
-/// What an operand stands for.
+/// Meaning of an operand.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Meant {
+pub(crate) enum ResolvedOperand {
     Constant(f64),
     Scalar {
         scalar: Scalar,
@@ -56,22 +56,22 @@ pub(crate) enum Meant {
     },
 }
 
-impl Meant {
-    /// The number, unless this is a struct.
+impl ResolvedOperand {
+    /// Returns the number, unless this is a struct.
     pub(crate) fn number(self) -> Option<program::Operand> {
         match self {
-            Meant::Constant(value) => Some(program::Operand::Constant(value)),
-            Meant::Scalar {
+            ResolvedOperand::Constant(value) => Some(program::Operand::Constant(value)),
+            ResolvedOperand::Scalar {
                 scalar, negative, ..
             } => Some(program::Operand::Scalar { scalar, negative }),
-            Meant::Struct { .. } => None,
+            ResolvedOperand::Struct { .. } => None,
         }
     }
 }
 
 impl Names {
     /// Reads every declaration.
-    pub(crate) fn collect(module: &Module, robot: Robot, found: &mut Findings) -> Self {
+    pub(crate) fn collect(module: &Module, robot: Robot, found: &mut Diagnostics) -> Self {
         let mut names = Names {
             joints: usize::from(robot.signature().joints),
             edition: module.edition,
@@ -92,8 +92,8 @@ impl Names {
         names
     }
 
-    /// A variable may be called `R`, `A` or `HS`; a motion that has the word means its flag.
-    fn warn_of_flags(&self, module: &Module, found: &mut Findings) {
+    /// Warns of variables called `R`, `A` or `HS`; a motion that has the word means its flag.
+    fn warn_of_flags(&self, module: &Module, found: &mut Diagnostics) {
         for (variable, declared) in self.variables.iter().zip(&self.declared) {
             let name = variable.name.as_str();
             let is_flag = is_motion_flag(name, self.edition);
@@ -108,13 +108,13 @@ impl Names {
         }
     }
 
-    fn insert(&mut self, name: &str, kind: VariableKind, place: Option<Span>) {
+    fn insert(&mut self, name: &str, kind: VariableKind, location: Option<Span>) {
         let first = self
             .variables
             .last()
             .map_or(0, |last| last.first + last.size());
         self.ids.insert(name.to_owned(), self.variables.len());
-        self.declared.push(place);
+        self.declared.push(location);
         self.variables.push(Variable {
             name: name.to_owned(),
             kind,
@@ -123,7 +123,7 @@ impl Names {
         });
     }
 
-    fn declare(&mut self, kind: VariableKind, word: &Word, found: &mut Findings) {
+    fn declare(&mut self, kind: VariableKind, word: &Word, found: &mut Diagnostics) {
         let name = word.node.as_str();
         if let Some(fault) = self.refusal(word) {
             found.push(fault);
@@ -140,9 +140,9 @@ impl Names {
         let fault = |reason: Naming| Diagnostic::new(Code::Argument, word.span, reason);
         if !names::is_variable(name) {
             let (mistake, help): (_, Message) = match name.split_once(['(', '[']) {
-                None if name.ends_with('$') => (name, Habit::NoText.into()),
+                None if name.ends_with('$') => (name, ForeignWord::NoText.into()),
                 Some((array, _)) if names::is_variable(array) => {
-                    (array, Habit::NoArray { name: array.into() }.into())
+                    (array, ForeignWord::NoArray { name: array.into() }.into())
                 }
                 _ => (name, Naming::VariableCharacters.into()),
             };
@@ -156,17 +156,17 @@ impl Names {
         let first = *self.ids.get(name)?;
         let again = fault(Naming::DeclaredAgain { name: name.into() }).help(Naming::DeclareOnce);
         Some(match self.declared[first] {
-            Some(place) => again.label(place, Naming::FirstDeclared),
+            Some(location) => again.label(location, Naming::FirstDeclared),
             None => again,
         })
     }
 
-    /// The variable of that name.
+    /// Returns the variable of that name.
     pub(crate) fn find(&self, name: &str) -> Option<VariableId> {
         self.ids.get(name).copied()
     }
 
-    /// What an operand stands for. `shape` is the code of a member that the variable lacks, `guess` the type that an
+    /// Resolves an operand. `shape` is the code of a member that the variable lacks, `guess` the type that an
     /// unknown variable is used as.
     ///
     /// `None` if the name's declaration was refused, which is reported already.
@@ -175,9 +175,9 @@ impl Names {
         operand: &Operand,
         shape: Code,
         guess: Option<VariableKind>,
-    ) -> Result<Option<Meant>, Box<Diagnostic>> {
+    ) -> Result<Option<ResolvedOperand>, Box<Diagnostic>> {
         let (name, member) = match &operand.kind {
-            OperandKind::Number(value) => return Ok(Some(Meant::Constant(*value))),
+            OperandKind::Number(value) => return Ok(Some(ResolvedOperand::Constant(*value))),
             OperandKind::Name(name) => (name, None),
             OperandKind::Member(words) => (&words.0, Some(words.1.as_str())),
         };
@@ -185,7 +185,7 @@ impl Names {
             && let Some(value) = reserved::constant(name, self.edition)
         {
             let value = if operand.negative { -value } else { value };
-            return Ok(Some(Meant::Constant(value)));
+            return Ok(Some(ResolvedOperand::Constant(value)));
         }
         let Some(variable) = self.find(name) else {
             if self.refused.contains(name.as_str()) {
@@ -198,7 +198,7 @@ impl Names {
             return Ok(Some(self.whole(variable, operand.negative)));
         };
         match self.member(variable, member) {
-            Some(index) => Ok(Some(Meant::Scalar {
+            Some(index) => Ok(Some(ResolvedOperand::Scalar {
                 scalar: Scalar {
                     variable,
                     member: index,
@@ -215,9 +215,9 @@ impl Names {
         }
     }
 
-    fn whole(&self, variable: VariableId, negative: bool) -> Meant {
+    fn whole(&self, variable: VariableId, negative: bool) -> ResolvedOperand {
         match self.variables[variable].kind {
-            VariableKind::Var => Meant::Scalar {
+            VariableKind::Var => ResolvedOperand::Scalar {
                 scalar: Scalar {
                     variable,
                     member: 0,
@@ -225,7 +225,7 @@ impl Names {
                 negative,
                 member: false,
             },
-            kind => Meant::Struct {
+            kind => ResolvedOperand::Struct {
                 variable,
                 kind,
                 negative,
@@ -265,42 +265,42 @@ impl Names {
             .help(help)
     }
 
-    /// What to write in place of a word of the language where a number belongs.
-    fn instead_of(&self, word: &str) -> Message {
+    /// Returns what to write in place of a word of the language where a number belongs.
+    fn suggest_for_word(&self, word: &str) -> Message {
         if flags::find(word, self.edition).is_some() {
-            return Habit::FlagAlone { flag: word.into() }.into();
+            return ForeignWord::FlagAlone { flag: word.into() }.into();
         }
         if functions::find(word, self.edition).is_some() {
             let function = word.into();
-            return Habit::FunctionInEquation { function }.into();
+            return ForeignWord::FunctionInEquation { function }.into();
         }
         let target = SmolStr::from(word);
         match word.parse() {
-            Ok(Target::Joint(..)) => return Instead::OfJoint { target }.into(),
-            Ok(Target::Foot(_)) => return Instead::OfFoot { target }.into(),
+            Ok(Target::Joint(..)) => return Suggestion::OfJoint { target }.into(),
+            Ok(Target::Foot(_)) => return Suggestion::OfFoot { target }.into(),
             _ => {}
         }
         if inputs::find(word, self.edition).is_some() {
-            return Instead::ReadInput { input: target }.into();
+            return Suggestion::ReadInput { input: target }.into();
         }
         let command = commands::find(word);
         match command.map(|command| (command.meaning, command.name)) {
-            Some((Meaning::KeyIn, _)) => Habit::KeyIn.into(),
-            Some((Meaning::AdIn, _)) => Habit::AdIn.into(),
-            Some((Meaning::Robot(_), command)) => Instead::CommandFirst { command }.into(),
+            Some((Meaning::KeyIn, _)) => ForeignWord::KeyIn.into(),
+            Some((Meaning::AdIn, _)) => ForeignWord::AdIn.into(),
+            Some((Meaning::Robot(_), command)) => Suggestion::CommandFirst { command }.into(),
             _ => Naming::NumberBelongsHere.into(),
         }
     }
 
     /// `P_X` where `P.X` was meant.
-    fn meant_member(&self, name: &str) -> Option<String> {
+    fn suggest_member(&self, name: &str) -> Option<String> {
         let (base, member) = name.rsplit_once('_')?;
         let variable = self.find(base)?;
         self.member(variable, member)
             .map(|_| format!("{base}.{member}"))
     }
 
-    /// The declared name that is nearest to an unknown one.
+    /// Returns the declared name that is nearest to an unknown one.
     fn nearest(&self, name: &str) -> Option<String> {
         let mut near = self.near.borrow_mut();
         if near.len() >= COMPARED && !near.contains_key(name) {
@@ -312,19 +312,19 @@ impl Names {
     }
 
     fn unknown(&self, name: &str, span: Span, guess: Option<VariableKind>) -> Diagnostic {
-        let near = self.meant_member(name).or_else(|| self.nearest(name));
+        let near = self.suggest_member(name).or_else(|| self.nearest(name));
         let help: Message = match near {
-            _ if name.starts_with(CONSTANT) => Instead::Keys.into(),
-            Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
-            None if is_reserved(name, self.edition) => self.instead_of(name),
+            _ if name.starts_with(CONSTANT) => Suggestion::Keys.into(),
+            Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
+            None if is_reserved(name, self.edition) => self.suggest_for_word(name),
             None => match foreign::constant(name) {
-                Some(value) => Habit::Number {
+                Some(value) => ForeignWord::Number {
                     word: name.into(),
                     value,
                 }
                 .into(),
                 None => match number_in(name).filter(|_| guess == Some(VariableKind::Var)) {
-                    Some(number) => Instead::NumberOrVariable {
+                    Some(number) => Suggestion::NumberOrVariable {
                         name: name.into(),
                         number,
                     }
@@ -362,7 +362,7 @@ fn digits(name: &str) -> Option<SmolStr> {
     (is_number && ends).then(|| name.chars().map(digit).collect())
 }
 
-/// The type that has a member of this name.
+/// Returns the type that has a member of this name.
 fn type_with(member: &str) -> Option<VariableKind> {
     let is_joint = |rest: &str| rest.parse::<u8>().is_ok();
     if POSITION.contains(&member) {
@@ -372,7 +372,7 @@ fn type_with(member: &str) -> Option<VariableKind> {
     joint.map(|_| VariableKind::Joint)
 }
 
-/// How a variable is declared, of one type if that is known.
+/// Returns the declaration of a variable, of one type if that is known.
 fn declare(name: &str, kind: Option<VariableKind>) -> Naming {
     let keyword = match kind {
         Some(VariableKind::Var) => Keyword::DefVar,
@@ -384,7 +384,7 @@ fn declare(name: &str, kind: Option<VariableKind>) -> Naming {
     Naming::DeclareAs { declaration }
 }
 
-/// Where a motion command has a word first.
+/// Finds a motion command that has the word first.
 fn used_in_motion(module: &Module, word: &str) -> Option<Span> {
     let motions = module.statements.iter().filter_map(motion_arguments);
     let is_word =

@@ -47,13 +47,13 @@ impl Resolver<'_> {
 impl Resolver<'_> {
     /// Warns of a constant for which an equation has no result, whatever its variables are.
     pub(super) fn warn_of_domain(&mut self, equation: &Equation) {
-        if let Some((place, reason, help)) = impossible(equation, self.names.edition) {
-            self.report(Diagnostic::new(Code::OutOfRange, place, reason).help(help));
+        if let Some((location, reason, help)) = impossible(equation, self.names.edition) {
+            self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
         }
     }
 }
 
-/// Where such a constant is, why it has no result, and what to write instead.
+/// Finds such a constant: its location, why it has no result, and what to write instead.
 fn impossible(equation: &Equation, edition: Edition) -> Option<(Span, Calculating, Calculating)> {
     match &equation.value {
         Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {
@@ -76,7 +76,7 @@ fn division(divisor: &syntax::Operand) -> Option<(Span, Calculating, Calculating
     (constant(divisor)? == 0.0).then_some((divisor.span, reason, help))
 }
 
-/// A constant outside the domain of a function.
+/// Finds a constant outside the domain of a function.
 fn outside(
     operation: Operation,
     operands: &[syntax::Operand],
@@ -118,7 +118,7 @@ fn constant(operand: &syntax::Operand) -> Option<f64> {
     }
 }
 
-/// The range that a value leaves.
+/// Returns the range that a value leaves.
 fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
     let from_to = |Range { min, max }: Range| Bounds::FromTo { min, max };
     let outside = |range: Range| (!range.contains(value)).then(|| from_to(range));

@@ -1,12 +1,12 @@
-//! What the operands of every statement stand for.
+//! Resolution of the operands of every statement.
 
 use super::blocks::Blocks;
 use super::labels::Labels;
-use super::names::{Meant, Names};
+use super::names::{Names, ResolvedOperand};
 use super::resolved::{Counting, Resolved, StatementId};
 use super::uses::{Named, Uses};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::lex::split_comment;
 use crate::message::{Commanding, Message};
 use crate::program::{self, Scalar};
@@ -18,7 +18,7 @@ use crate::syntax::{
 };
 use std::collections::HashMap;
 
-/// What the passes before know.
+/// Results of earlier passes.
 #[derive(Clone, Copy)]
 pub(super) struct Known<'a> {
     pub(super) source: &'a Source,
@@ -27,11 +27,11 @@ pub(super) struct Known<'a> {
     pub(super) names: &'a Names,
     pub(super) labels: &'a Labels<'a>,
     pub(super) blocks: &'a Blocks,
-    /// Where each jump leads.
+    /// Target of each jump.
     pub(super) jumps: &'a [Option<StatementId>],
 }
 
-/// Why a statement is not resolved.
+/// Reasons why a statement is not resolved.
 enum Unresolved {
     /// It is wrong in itself: reported when it was read, or here.
     Wrong,
@@ -42,7 +42,7 @@ enum Unresolved {
 /// Resolves every statement; all of them, or none if one cannot be.
 pub(super) fn statements(
     known: &Known<'_>,
-    found: &mut Findings,
+    found: &mut Diagnostics,
 ) -> (Option<Vec<Resolved>>, Named) {
     let statements = &known.module.statements;
     let mut resolver = Resolver {
@@ -76,9 +76,9 @@ pub(super) struct Resolver<'a> {
     pub(super) names: &'a Names,
     known: &'a Known<'a>,
     pub(super) uses: Uses<'a>,
-    /// What each FOR counts.
+    /// Counter of each FOR.
     counted: HashMap<StatementId, Counting>,
-    pub(super) found: &'a mut Findings,
+    pub(super) found: &'a mut Diagnostics,
 }
 
 impl Resolver<'_> {
@@ -177,7 +177,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// NEXT without a name counts the variable of its FOR.
+    /// Resolves a NEXT; without a name it counts the variable of its FOR.
     fn next(
         &mut self,
         index: StatementId,
@@ -201,13 +201,13 @@ impl Resolver<'_> {
         Ok(Resolved::Next(counting.ok_or(Unresolved::Untied)?, opener?))
     }
 
-    /// The statement that a control word is tied to.
+    /// Returns the statement that a control word is tied to.
     fn partner(&self, index: StatementId) -> Result<StatementId, Unresolved> {
         let link = self.known.blocks.links[index];
         link.partner.ok_or(Unresolved::Untied)
     }
 
-    /// The statement that a jump leads to.
+    /// Resolves the statement that a jump leads to.
     fn jump(
         &mut self,
         index: StatementId,
@@ -245,9 +245,9 @@ impl Resolver<'_> {
     }
 
     fn loop_variable(&mut self, operand: &Operand, access: Access) -> Option<Scalar> {
-        let meant = self.meant_as(operand, Code::Argument, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, Code::Argument, Some(VariableKind::Var))?;
         match meant {
-            Meant::Scalar {
+            ResolvedOperand::Scalar {
                 scalar,
                 member: false,
                 ..
@@ -264,18 +264,22 @@ impl Resolver<'_> {
         }
     }
 
-    /// What an operand stands for.
-    pub(super) fn meant(&mut self, operand: &Operand, shape: Code) -> Option<Meant> {
-        self.meant_as(operand, shape, None)
+    /// Resolves an operand.
+    pub(super) fn resolve_operand(
+        &mut self,
+        operand: &Operand,
+        shape: Code,
+    ) -> Option<ResolvedOperand> {
+        self.resolve_operand_as(operand, shape, None)
     }
 
-    /// What an operand stands for, which is used as a variable of this type.
-    pub(super) fn meant_as(
+    /// Resolves an operand that is used as a variable of this type.
+    pub(super) fn resolve_operand_as(
         &mut self,
         operand: &Operand,
         shape: Code,
         guess: Option<VariableKind>,
-    ) -> Option<Meant> {
+    ) -> Option<ResolvedOperand> {
         match self.names.operand(operand, shape, guess) {
             Ok(meant) => meant,
             Err(fault) => {
@@ -285,9 +289,9 @@ impl Resolver<'_> {
         }
     }
 
-    /// A number that the statement reads. `shape` is the code of a struct in its place.
+    /// Resolves a number that the statement reads. `shape` is the code of a struct in its place.
     pub(super) fn number(&mut self, operand: &Operand, shape: Code) -> Option<program::Operand> {
-        let meant = self.meant_as(operand, shape, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         if let Some(number) = meant.number() {
             return Some(number);
@@ -300,12 +304,12 @@ impl Resolver<'_> {
         None
     }
 
-    /// The text at a place.
+    /// Returns the text at a span.
     pub(super) fn slice(&self, span: Span) -> &str {
         self.known.source.slice(span)
     }
 
-    /// What follows a place in its statement.
+    /// Returns the rest of the statement after a location.
     pub(super) fn rest_of_statement(&self, span: Span) -> &str {
         let rest = &self.known.source.text()[span.end..];
         let end = rest.find([';', '\n', '\r']).unwrap_or(rest.len());
@@ -313,13 +317,13 @@ impl Resolver<'_> {
         &rest[..code.end]
     }
 
-    /// Whether a label of that name is a SUBROUTINE, if there is one.
+    /// Returns whether a label of that name is a SUBROUTINE, if there is one.
     pub(super) fn is_subroutine(&self, name: &str) -> Option<bool> {
         let label = self.known.labels.find(name)?;
         Some(self.known.labels.all[label].subroutine)
     }
 
-    /// What stands before a place on its line.
+    /// Returns the text before a location on its line.
     pub(super) fn source_before(&self, span: Span) -> Option<&str> {
         let start = self.known.source.start_of_line_at(span.start);
         self.known.source.text().get(start..span.start)
@@ -333,15 +337,15 @@ impl Resolver<'_> {
     pub(super) fn refuse<T>(
         &mut self,
         code: Code,
-        place: Span,
+        location: Span,
         reason: impl Into<Message>,
     ) -> Option<T> {
-        self.report(Diagnostic::new(code, place, reason));
+        self.report(Diagnostic::new(code, location, reason));
         None
     }
 }
 
-/// An operand that could not be resolved is wrong.
+/// Requires an operand to be resolved.
 fn whole<T>(resolved: Option<T>) -> Result<T, Unresolved> {
     resolved.ok_or(Unresolved::Wrong)
 }

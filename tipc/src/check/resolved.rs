@@ -13,14 +13,14 @@ pub(crate) struct ResolvedModule<'m> {
     pub(crate) variables: Vec<Variable>,
     /// The labels and SUBROUTINEs.
     pub(crate) labels: Vec<DeclaredLabel<'m>>,
-    /// What each statement of the module says.
+    /// Meaning of each statement of the module.
     pub(crate) statements: Vec<Resolved>,
 }
 
 /// A statement of a module, by its index.
 pub(crate) type StatementId = usize;
 
-/// What a statement says. What it does is for the lowering to decide.
+/// Meaning of a statement. The lowering decides what it does.
 #[derive(Debug)]
 pub(crate) enum Resolved {
     /// DEF_VAR, DEF_POS, DEF_JOINT.
@@ -79,7 +79,7 @@ pub(crate) enum Resolved {
     Command {
         /// Which one.
         op: Op,
-        /// Whether `HS` follows its name.
+        /// True if `HS` follows its name.
         hs: bool,
         /// Its target.
         target: Target,
@@ -113,7 +113,7 @@ pub(crate) enum Assignment {
     },
 }
 
-/// What FOR counts.
+/// Counting of a FOR.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Counting {
     /// The loop variable.
@@ -135,12 +135,12 @@ pub(crate) enum Arguments {
     Whole {
         /// The variable.
         variable: VariableId,
-        /// What precedes it.
+        /// Flag before it.
         mark: Mark,
     },
 }
 
-/// What a command fills.
+/// Destination that a command fills.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Receiver {
     /// A VAR or a member.

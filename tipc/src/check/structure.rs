@@ -2,9 +2,9 @@
 
 use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings, Label};
+use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::language::Keyword;
-use crate::message::{Habit, Message, Parsing, Structuring};
+use crate::message::{ForeignWord, Message, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
 use std::collections::HashSet;
@@ -12,11 +12,11 @@ use std::ops::Deref;
 
 mod other;
 
-/// How far the end of a block is looked for, and the block that an end names.
+/// Longest distance at which the end of a block, and the block that an end names, is searched.
 const FAR: usize = 1_000;
 
 /// Ties every control word to its partner and reports those without one.
-pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Findings) -> Blocks {
+pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Diagnostics) -> Blocks {
     let count = module.statements.len();
     let mut matcher = Matcher {
         module,
@@ -53,7 +53,7 @@ struct Open {
     first: usize,
     /// The latest branch of an IF, whose link is still to be set.
     branch: usize,
-    /// Whether its ELSE was read.
+    /// True if its ELSE was read.
     has_else: bool,
     /// The block of the current branch.
     block: usize,
@@ -80,7 +80,7 @@ impl Stack {
         Some(open)
     }
 
-    /// Those of a kind in the innermost SUBROUTINE, or that one itself.
+    /// Returns the open blocks of a kind in the innermost SUBROUTINE, or that one itself.
     fn within(&self, kind: BlockKind) -> &[usize] {
         let of_kind = &self.of_kind[kind as usize];
         let routine = self.of_kind[BlockKind::Subroutine as usize].last();
@@ -101,7 +101,7 @@ impl Deref for Stack {
 #[derive(Default)]
 struct AllOwed {
     all: Vec<Owed>,
-    /// How many of them may have other branches.
+    /// Number of them that may have other branches.
     branches: usize,
 }
 
@@ -109,7 +109,7 @@ struct AllOwed {
 struct Owed {
     /// The diagnostic of the construct, if it was cut off.
     fault: Option<usize>,
-    /// Whether other branches may come as well.
+    /// True if other branches may come as well.
     branches: bool,
 }
 
@@ -119,11 +119,11 @@ struct Matcher<'a> {
     open: Stack,
     /// By the kinds of the constructs.
     owed: [AllOwed; 5],
-    /// Where words stand that were to close another block: that they are not alone on their lines does not matter.
+    /// Starts of words that were to close another block: that they are not alone on their lines does not matter.
     closes_more: HashSet<usize>,
-    /// Where statements start that are those of another language, which is reported.
+    /// Starts of statements of another language, which is reported.
     foreign: HashSet<usize>,
-    found: &'a mut Findings,
+    found: &'a mut Diagnostics,
 }
 
 impl Matcher<'_> {
@@ -148,7 +148,7 @@ impl Matcher<'_> {
         }
     }
 
-    /// Its statement should be a block; so its ENDIF may be there.
+    /// Reads an IF whose statement should be a block; so its ENDIF may be there.
     fn one_line_if(&mut self, index: usize) {
         self.result.around[index] = self.current();
         self.owes(BlockKind::If, None, true);
@@ -212,8 +212,8 @@ impl Matcher<'_> {
                 self.result.blocks[outer].broken = true;
             }
             let reason = Structuring::SubroutineInside { opener };
-            let fault = Diagnostic::new(Code::Structure, self.place(*index), reason)
-                .label(self.place(open.first), Structuring::StillOpen { opener })
+            let fault = Diagnostic::new(Code::Structure, self.location(*index), reason)
+                .label(self.location(open.first), Structuring::StillOpen { opener })
                 .help(Structuring::CloseBefore { opener, closer });
             self.found.push(fault);
         }
@@ -225,8 +225,8 @@ impl Matcher<'_> {
         };
         if open.has_else {
             let reason = Structuring::BehindElse { word: name };
-            let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
-                .label(self.place(open.branch), Structuring::Else)
+            let fault = Diagnostic::new(Code::Structure, self.location(index), reason)
+                .label(self.location(open.branch), Structuring::Else)
                 .help(Structuring::ElseIsLast);
             self.found.push(fault);
         }
@@ -286,11 +286,12 @@ impl Matcher<'_> {
                 (_, BlockKind::Subroutine) => Structuring::SubEndCloses,
                 _ => Structuring::Opens { opener, closer },
             };
-            let mut fault = Diagnostic::new(Code::Structure, self.place(index), reason).help(help);
+            let mut fault =
+                Diagnostic::new(Code::Structure, self.location(index), reason).help(help);
             if let Some(open) = self.open.last() {
                 let opener = open.kind.opener();
                 let text = Structuring::Open { opener };
-                fault = fault.label(self.place(open.first), text);
+                fault = fault.label(self.location(open.first), text);
             }
             self.found.push(fault);
             return None;
@@ -303,7 +304,7 @@ impl Matcher<'_> {
         open
     }
 
-    /// Whether a construct that was cut off waits for this word. It closes only that.
+    /// Returns true if a construct that was cut off waits for this word. It closes only that.
     fn is_owed(&mut self, index: usize, kind: BlockKind, name: Keyword) -> bool {
         let owed = &mut self.owed[kind as usize];
         if name != kind.closer() {
@@ -314,8 +315,8 @@ impl Matcher<'_> {
         };
         owed.branches -= usize::from(last.branches);
         let text = Structuring::StandsHere { word: name }.into();
-        let span = self.place(index);
-        // Of too many findings it is omitted.
+        let span = self.location(index);
+        // Of too many diagnostics it is omitted.
         if let Some(fault) = last.fault.and_then(|fault| self.found.get_mut(fault)) {
             fault.labels.push(Label { span, text });
         }
@@ -335,16 +336,16 @@ impl Matcher<'_> {
             return self.owes(open.kind, None, true);
         }
         let reason = Structuring::NotClosed { opener };
-        let mut fault = Diagnostic::new(Code::Structure, self.place(open.first), reason)
+        let mut fault = Diagnostic::new(Code::Structure, self.location(open.first), reason)
             .help(Structuring::CloseWith { closer });
-        if let Some(place) = self.return_in(&open) {
+        if let Some(location) = self.return_in(&open) {
             fault = fault
-                .label(place, Structuring::ReturnOfGosub)
-                .help(Habit::SubEnd);
+                .label(location, Structuring::ReturnOfGosub)
+                .help(ForeignWord::SubEnd);
         }
         if let Some(nested) = open.nested.first() {
             let text = Structuring::SubroutineBefore { closer };
-            fault = fault.label(self.place(*nested), text);
+            fault = fault.label(self.location(*nested), text);
         }
         fault = match (met, self.module.statements.last()) {
             (Some((index, name)), _) => {
@@ -352,7 +353,7 @@ impl Matcher<'_> {
                     true => Structuring::ClosesOuter { word: name },
                     false => Structuring::WordBefore { word: name, closer },
                 };
-                fault.label(self.place(index), text)
+                fault.label(self.location(index), text)
             }
             (None, Some(last)) => fault.label(last.span, Structuring::EndsBefore { closer }),
             (None, None) => fault,
@@ -363,7 +364,7 @@ impl Matcher<'_> {
         self.found.push(fault);
     }
 
-    /// The RETURN that was to close a SUBROUTINE.
+    /// Returns the RETURN that was to close a SUBROUTINE.
     fn return_in(&self, open: &Open) -> Option<Span> {
         if open.kind != BlockKind::Subroutine {
             return None;
@@ -382,27 +383,27 @@ impl Matcher<'_> {
         }
     }
 
-    /// Whether a statement is wrong in itself, which is reported.
+    /// Returns true if a statement is wrong in itself, which is reported.
     fn is_reported(&self, index: usize) -> bool {
         let statement = &self.module.statements[index];
         matches!(statement.kind, StatementKind::Broken(_)) || self.is_foreign(index)
     }
 
-    /// Whether a statement is one of another language, which is reported.
+    /// Returns true if a statement is one of another language, which is reported.
     fn is_foreign(&self, index: usize) -> bool {
         let start = self.module.statements[index].span.start;
         self.foreign.contains(&start)
     }
 
-    fn place(&self, index: usize) -> Span {
+    fn location(&self, index: usize) -> Span {
         self.module.statements[index].keyword()
     }
 }
 
-/// Where statements start whose first word the language lacks, or that open a block as another one does.
+/// Finds the starts of statements whose first word the language lacks, or that open a block as another one does.
 fn foreign_statements(module: &Module, found: &[Diagnostic]) -> HashSet<usize> {
     let starts = found.iter().filter_map(|it| {
-        let opens = [Habit::NoColon, Habit::NoBraces].map(Message::from);
+        let opens = [ForeignWord::NoColon, ForeignWord::NoBraces].map(Message::from);
         match opens.contains(&it.reason) {
             true => module
                 .statement_at(it.span.start)
@@ -420,14 +421,14 @@ impl Matcher<'_> {
         let fors = self.open.within(BlockKind::For);
         let near = &fors[fors.len().saturating_sub(FAR)..];
         let mut near = near.iter().rev();
-        let place = near.position(|at| self.counter(self.open[*at].first) == Some(name))?;
-        let is_innermost = place == 0;
+        let location = near.position(|at| self.counter(self.open[*at].first) == Some(name))?;
+        let is_innermost = location == 0;
         // With enough others for those around it, it names the wrong variable.
         let is_outer = !is_innermost && self.later(index, BlockKind::For) < fors.len() - 1;
-        is_outer.then(|| fors[fors.len() - 1 - place])
+        is_outer.then(|| fors[fors.len() - 1 - location])
     }
 
-    /// The variable of a FOR.
+    /// Returns the variable of a FOR.
     fn counter(&self, index: usize) -> Option<&str> {
         match &self.module.statements[index].kind {
             StatementKind::For { counting, .. } => name_of(&counting.variable),
@@ -435,7 +436,7 @@ impl Matcher<'_> {
         }
     }
 
-    /// The variable that a NEXT names.
+    /// Returns the variable that a NEXT names.
     fn named(&self, index: usize) -> Option<&str> {
         match &self.module.statements[index].kind {
             StatementKind::Next { variable, .. } => name_of(variable.as_ref()?),
@@ -443,7 +444,7 @@ impl Matcher<'_> {
         }
     }
 
-    /// NEXT may name the variable of its FOR, and no other.
+    /// Checks that NEXT names the variable of its FOR, or none.
     pub(super) fn check_counter(&mut self, opener: usize, closer: usize) {
         let (
             StatementKind::For { counting, .. },

@@ -9,14 +9,14 @@ use crate::language::reserved::JOINT;
 use crate::language::{commands, flags};
 use crate::message::list::{Alternatives, List};
 use crate::message::phrase::Inventory;
-use crate::message::{Commanding, Habit, Instead, Message, Suggesting};
+use crate::message::{Commanding, ForeignWord, Message, Suggestion};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Operand, OperandKind, Word, upper_case};
 use tip_runtime::command::{CONSTANT, Flag, Target};
 
-/// The word that an operand is, if it is one without sign and member.
+/// Returns the word that an operand is, if it is one without sign and member.
 pub(super) fn word(operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) if !operand.negative => Some(name),
@@ -25,19 +25,20 @@ pub(super) fn word(operand: &Operand) -> Option<&str> {
 }
 
 impl Resolver<'_> {
-    /// What to write in place of a command for feet: the statement if it has one number, else the forms of the other command.
+    /// Suggests a replacement for a command for feet: the statement if it has one number, else the forms of the other
+    /// command.
     fn for_joint(&self, command: &Word, other: &'static str, arguments: &[Operand]) -> Message {
         if let [_, _] = arguments {
             let rest = self.rest_of_statement(command.span).trim_end();
             let text = upper_case(&format!("{other}{rest}"));
-            return Instead::Write { text }.into();
+            return Suggestion::Write { text }.into();
         }
         let usage = commands::find(other).map(|row| row.usage(self.robot));
         let forms = Alternatives(usage.unwrap_or_default());
         Commanding::Write { forms }.into()
     }
 
-    /// The target, which is the first of a command's arguments.
+    /// Resolves the target, which is the first of a command's arguments.
     pub(super) fn target(
         &mut self,
         command: &Word,
@@ -52,10 +53,10 @@ impl Resolver<'_> {
             return self.refuse_target(command.span, reason);
         };
         let Some(target) = word(first).and_then(|word| word.parse().ok()) else {
-            let instead = self.target_meant(command, targets, arguments);
+            let suggestion = self.suggest_target(command, targets, arguments);
             let targets = self.wanted(targets);
             let reason = Commanding::TargetBelongsHere { targets };
-            if let Some(help) = instead {
+            if let Some(help) = suggestion {
                 let fault = Diagnostic::new(Code::Argument, first.span, reason);
                 self.report(fault.help(help));
                 return None;
@@ -68,19 +69,19 @@ impl Resolver<'_> {
                 None => self.refuse(Code::Argument, first.span, reason),
                 Some(word) if is_joint_of_no_leg(word) => {
                     let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Habit::JointName));
+                    self.report(fault.help(ForeignWord::JointName));
                     None
                 }
                 Some(_) if self.in_one_word(command).is_some() => {
                     let word = self.in_one_word(command).unwrap_or_default().into();
                     let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Habit::InOneWord { word }));
+                    self.report(fault.help(ForeignWord::InOneWord { word }));
                     None
                 }
                 Some(word) if self.looks_like_target(word).is_some() => {
                     let near = self.looks_like_target(word).unwrap_or_default().into();
                     let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Suggesting::DidYouMean { near }));
+                    self.report(fault.help(Suggestion::DidYouMean { near }));
                     None
                 }
                 Some(_) => self.refuse_target(first.span, reason),
@@ -112,7 +113,7 @@ impl Resolver<'_> {
             if target == Target::All {
                 let command = command.node.clone();
                 let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                self.report(fault.help(Habit::OneTarget { command }));
+                self.report(fault.help(ForeignWord::OneTarget { command }));
                 return None;
             }
             return self.refuse_target(first.span, reason);
@@ -121,7 +122,7 @@ impl Resolver<'_> {
     }
 
     /// `PTP_ANGLE 11 30`, `TEACH_POSITION P F1`: what was meant by a first argument that is no target.
-    fn target_meant(
+    fn suggest_target(
         &self,
         command: &Word,
         targets: Targets,
@@ -143,14 +144,14 @@ impl Resolver<'_> {
         };
         if let Some(target) = by_number().filter(is_target).filter(|_| !rest.is_empty()) {
             let near = target.to_string().into();
-            return Some(Suggesting::DidYouMean { near }.into());
+            return Some(Suggestion::DidYouMean { near }.into());
         }
         let second = word(rest.first()?)?
             .parse::<Target>()
             .ok()
             .filter(is_target)?;
         let written = format!("{} {second} {}", command.node, upper_case(number)).into();
-        (rest.len() == 1).then(|| Habit::TargetBefore { written }.into())
+        (rest.len() == 1).then(|| ForeignWord::TargetBefore { written }.into())
     }
 
     /// `Fl`, `J1l`: the target, if letters were typed that look like digits.
@@ -165,14 +166,14 @@ impl Resolver<'_> {
         List(examples.split('|').map(str::to_owned).collect())
     }
 
-    fn refuse_target<T>(&mut self, place: Span, reason: Commanding) -> Option<T> {
-        let fault = Diagnostic::new(Code::Argument, place, reason);
+    fn refuse_target<T>(&mut self, location: Span, reason: Commanding) -> Option<T> {
+        let fault = Diagnostic::new(Code::Argument, location, reason);
         let inventory = inventory(self.robot);
         self.report(fault.help(Commanding::RobotHas { inventory }));
         None
     }
 
-    /// The event flag of a condition.
+    /// Resolves the event flag of a condition.
     pub(super) fn flag(&mut self, name: &Word) -> Option<Flag> {
         let named = flags::find(&name.node, self.names.edition);
         let found = named.filter(|(flag, row)| {
@@ -209,13 +210,13 @@ impl Resolver<'_> {
 
     fn flag_help(&self, word: &str) -> Message {
         if foreign::constant(word).is_some() {
-            return Habit::Forever.into();
+            return ForeignWord::Forever.into();
         }
         if word.starts_with(CONSTANT) {
-            return Habit::KeyFirst { key: word.into() }.into();
+            return ForeignWord::KeyFirst { key: word.into() }.into();
         }
         match nearest(word, flags::words()).filter(|near| *near != word) {
-            Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+            Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
             None => flags_of(self.robot).into(),
         }
     }
@@ -235,7 +236,7 @@ fn is_joint_of_no_leg(word: &str) -> bool {
     number.len() == 1 && number.starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// The event flags of a robot.
+/// Returns the event flags of a robot.
 fn flags_of(robot: Robot) -> Commanding {
     let inventory = inventory(robot);
     match robot.is_hand() {
@@ -247,7 +248,7 @@ fn flags_of(robot: Robot) -> Commanding {
     }
 }
 
-/// The targets that a robot has.
+/// Returns the targets that a robot has.
 pub(super) fn inventory(robot: Robot) -> Inventory {
     Inventory::Has {
         robot: robot.name(),

@@ -4,12 +4,12 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::keywords::{self, Keyword};
 use crate::lex::{Kind, Token, lex};
-use crate::message::{Habit, Message, Structuring};
+use crate::message::{ForeignWord, Message, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, upper_case};
 use std::collections::HashMap;
 
-/// The words of the title; none if it holds what no statement may hold.
+/// Returns the words of the title; none if it holds what no statement may hold.
 fn tokens(source: &Source, module: &Module) -> Vec<Token> {
     let mut tokens = Vec::new();
     match module.title.is_empty() {
@@ -27,9 +27,9 @@ pub(super) fn blame(source: &Source, module: &Module, found: &mut [Diagnostic]) 
     let word = upper_case(source.slice(first.span));
     let is_label = tokens.get(1).is_some_and(|next| next.kind == Kind::Colon);
     let keyword = keywords::find(&word, module.edition);
-    for finding in found {
-        let is_missing = match (&finding.reason, finding.code) {
-            (_, Code::UnknownLabel) => is_label && finding.subject.as_deref() == Some(&*word),
+    for diagnostic in found {
+        let is_missing = match (&diagnostic.reason, diagnostic.code) {
+            (_, Code::UnknownLabel) => is_label && diagnostic.subject.as_deref() == Some(&*word),
             (_, Code::NoEnd) => keyword == Some(Keyword::End) && tokens.len() == 1,
             (Message::Structuring(Structuring::NothingOpen { opener, .. }), _) => {
                 keyword == Some(*opener)
@@ -37,13 +37,13 @@ pub(super) fn blame(source: &Source, module: &Module, found: &mut [Diagnostic]) 
             _ => false,
         };
         if is_missing {
-            let blamed = finding.clone().label(first.span, Habit::TitleHere);
-            *finding = blamed.help(Habit::Title);
+            let blamed = diagnostic.clone().label(first.span, ForeignWord::TitleHere);
+            *diagnostic = blamed.help(ForeignWord::Title);
         }
     }
 }
 
-/// The names that line 2 would declare, if it were not the title.
+/// Returns the names that line 2 would declare, if it were not the title.
 pub(super) fn declared(source: &Source, module: &Module) -> HashMap<String, Span> {
     let tokens = tokens(source, module);
     let word = |span: Span| upper_case(source.slice(span));

@@ -1,12 +1,12 @@
-//! Notes every place that names a variable or label, in the order of the text.
+//! Notes every location that names a variable or label, in the order of the text.
 
 use super::labels::Labels;
-use super::names::{Meant, Names};
+use super::names::{Names, ResolvedOperand};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::names::LIMIT;
 use crate::message::phrase::{Assign, Lacking};
-use crate::message::{Commanding, Message, Naming, Parsing, Suggesting};
+use crate::message::{Commanding, Message, Naming, Parsing, Suggestion};
 use crate::parse::narrow;
 use crate::program::VariableId;
 use crate::source::{Source, Span};
@@ -14,7 +14,7 @@ use crate::symbols::{Access, Definition, DefinitionId, DefinitionKind, Symbols, 
 use crate::syntax::{Jump, Operand, OperandKind, VariableKind, Word};
 use std::collections::HashSet;
 
-/// What the statements name, so far.
+/// Names that the statements use, so far.
 pub(super) struct Uses<'a> {
     names: &'a Names,
     labels: &'a Labels<'a>,
@@ -54,12 +54,12 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// What follows is about the next statement.
+    /// Goes on to the next statement.
     pub(super) fn enter(&mut self) {
         self.first = self.all.len();
     }
 
-    /// All of them.
+    /// Returns all uses.
     pub(super) fn finish(self) -> Named {
         Named {
             symbols: Symbols::new(definitions(self.names, self.labels), self.all),
@@ -69,7 +69,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// The name of a declaration.
+    /// Records the name of a declaration.
     pub(super) fn declare(&mut self, word: &Word) {
         let (next, _) = self.next;
         let is_next = self.names.declared.get(next) == Some(&Some(word.span));
@@ -87,7 +87,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// A label or the name of a SUBROUTINE, defined by a statement.
+    /// Records a label or the name of a SUBROUTINE, defined by a statement.
     pub(super) fn define_label(&mut self, word: &Word, statement: usize) {
         let (_, next) = self.next;
         let is_next = self
@@ -105,21 +105,21 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// The label that a jump leads to, which GOTO may leave out.
+    /// Records the label that a jump leads to, which GOTO may leave out.
     pub(super) fn jump(&mut self, statement: usize, jump: &Jump, access: Access) {
         let left_out = Span::new(jump.keyword.end, jump.keyword.end);
-        let place = jump.label.as_ref().map_or(left_out, |label| label.span);
-        if let Some(label) = self.labels.meant(statement, jump) {
-            self.note(place, self.label(label), access);
+        let location = jump.label.as_ref().map_or(left_out, |label| label.span);
+        if let Some(label) = self.labels.target_of(statement, jump) {
+            self.note(location, self.label(label), access);
         }
     }
 
-    /// An operand that stands for something of this meaning.
-    pub(super) fn operand(&mut self, operand: &Operand, meant: Meant, access: Access) {
+    /// Records an operand that stands for something of this meaning.
+    pub(super) fn operand(&mut self, operand: &Operand, meant: ResolvedOperand, access: Access) {
         let (variable, member) = match meant {
-            Meant::Constant(_) => return,
-            Meant::Struct { variable, .. } => (variable, None),
-            Meant::Scalar { scalar, member, .. } => {
+            ResolvedOperand::Constant(_) => return,
+            ResolvedOperand::Struct { variable, .. } => (variable, None),
+            ResolvedOperand::Scalar { scalar, member, .. } => {
                 let index = u8::try_from(scalar.member).ok();
                 (scalar.variable, index.filter(|_| member))
             }
@@ -131,7 +131,7 @@ impl<'a> Uses<'a> {
         };
         let start = operand.span.start + usize::from(operand.negative);
         self.all.push(Use {
-            place: Span::new(start, start + length),
+            span: Span::new(start, start + length),
             definition: DefinitionId::of_variable(variable),
             access,
             member,
@@ -139,26 +139,26 @@ impl<'a> Uses<'a> {
         });
     }
 
-    /// A whole variable without sign: the name at this place, or none if it is empty.
-    pub(super) fn variable(&mut self, place: Span, variable: VariableId, access: Access) {
-        self.note(place, DefinitionId::of_variable(variable), access);
+    /// Records a whole variable without sign: the name at this location, or none if it is empty.
+    pub(super) fn variable(&mut self, location: Span, variable: VariableId, access: Access) {
+        self.note(location, DefinitionId::of_variable(variable), access);
     }
 
-    /// OUTPUT_VARIABLES writes every variable to a file.
+    /// Records that OUTPUT_VARIABLES writes every variable to a file.
     pub(super) fn dump(&mut self) {
         self.dumped = true;
     }
 
-    /// Something is wrong with the statement: it may do anything with the variables that its text names.
+    /// Records that a statement is wrong: it may do anything with the variables that its text names.
     pub(super) fn excuse(&mut self, source: &Source, statement: Span) {
         let text = source.slice(statement);
         let is_outside = |char: char| !(char.is_ascii_alphanumeric() || char == '_');
-        let known = self.all[self.first..].iter().map(|it| it.place.start);
+        let known = self.all[self.first..].iter().map(|it| it.span.start);
         let known: HashSet<usize> = known.collect();
         let mut start = 0;
         for word in text.split_inclusive(is_outside) {
             let name = word.trim_end_matches(is_outside);
-            let place = Span::new(
+            let location = Span::new(
                 statement.start + start,
                 statement.start + start + name.len(),
             );
@@ -173,12 +173,12 @@ impl<'a> Uses<'a> {
                 continue;
             };
             self.excuse_one(definition);
-            let is_member = source.text()[..place.start].ends_with('.');
-            if !is_member && !known.contains(&place.start) {
-                self.note(place, definition, Access::Unclear);
+            let is_member = source.text()[..location.start].ends_with('.');
+            if !is_member && !known.contains(&location.start) {
+                self.note(location, definition, Access::Unclear);
             }
         }
-        self.all[self.first..].sort_by_key(|it| it.place);
+        self.all[self.first..].sort_by_key(|it| it.span);
         if !text.is_ascii() {
             let narrow = narrow(text).to_ascii_uppercase();
             let names = narrow.split(is_outside);
@@ -187,7 +187,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// A MESSAGE was to show the variable, and does not.
+    /// Records that a MESSAGE was to show the variable, and does not.
     pub(super) fn was_to_be_shown(&mut self, variable: VariableId) {
         self.to_be_shown[variable] = true;
     }
@@ -198,7 +198,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// The variable of that name, else the label.
+    /// Returns the variable of that name, else the label.
     fn named(&self, name: &str) -> Option<DefinitionId> {
         let variable = self.names.find(name).map(DefinitionId::of_variable);
         variable.or_else(|| self.labels.find(name).map(|label| self.label(label)))
@@ -208,9 +208,9 @@ impl<'a> Uses<'a> {
         DefinitionId::of_label(label, self.names.variables.len())
     }
 
-    fn note(&mut self, place: Span, definition: DefinitionId, access: Access) {
+    fn note(&mut self, location: Span, definition: DefinitionId, access: Access) {
         self.all.push(Use {
-            place,
+            span: location,
             definition,
             access,
             member: None,
@@ -221,10 +221,10 @@ impl<'a> Uses<'a> {
 
 fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
     let variables = names.variables.iter().zip(&names.declared);
-    let variables = variables.map(|(variable, place)| Definition {
+    let variables = variables.map(|(variable, location)| Definition {
         name: variable.name.as_str().into(),
         kind: DefinitionKind::Variable(variable.kind),
-        place: *place,
+        span: *location,
     });
     let labels = labels.all.iter().map(|label| Definition {
         name: label.name.node.clone(),
@@ -232,13 +232,13 @@ fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
             true => DefinitionKind::Subroutine,
             false => DefinitionKind::Label,
         },
-        place: Some(label.name.span),
+        span: Some(label.name.span),
     });
     variables.chain(labels).collect()
 }
 
 /// Reports reads that nothing assigned, and variables that serve nothing.
-pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Findings) {
+pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Diagnostics) {
     let mut serves = vec![Service::default(); names.variables.len()];
     for used in named.symbols.all_uses() {
         if let Some(service) = serves.get_mut(used.definition.index()) {
@@ -246,10 +246,12 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         }
     }
     // A misspelled name was to use the one that it is near to.
-    let meant = found.iter().filter_map(|finding| match &finding.help {
-        Some(Message::Suggesting(Suggesting::DidYouMean { near })) => Some(near.to_string()),
-        _ => None,
-    });
+    let meant = found
+        .iter()
+        .filter_map(|diagnostic| match &diagnostic.help {
+            Some(Message::Suggestion(Suggestion::DidYouMean { near })) => Some(near.to_string()),
+            _ => None,
+        });
     let meant: HashSet<String> = meant.collect();
     let lacks_name = found.iter().any(lacks_name);
     for (id, variable) in names.variables.iter().enumerate() {
@@ -263,10 +265,10 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         if lacks_name && !assigned && variable.kind == VariableKind::Var {
             continue;
         }
-        let finding = match (read, assigned, names.declared[id]) {
+        let diagnostic = match (read, assigned, names.declared[id]) {
             (Some(read), false, declared) => {
-                let place = read.operand(source);
-                Some(never_assigned(name, variable.kind, place, declared))
+                let location = read.operand(source);
+                Some(never_assigned(name, variable.kind, location, declared))
             }
             (None, false, Some(declared)) => {
                 let reason = Naming::NothingUses;
@@ -278,20 +280,20 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
             }
             _ => None,
         };
-        found.extend(finding);
+        found.extend(diagnostic);
     }
 }
 
-/// Whether a statement lacks the variable that it assigns: `FOR 1 TO 4`, `AD_IN VR1`.
-fn lacks_name(finding: &Diagnostic) -> bool {
+/// Returns true if a statement lacks the variable that it assigns: `FOR 1 TO 4`, `AD_IN VR1`.
+fn lacks_name(diagnostic: &Diagnostic) -> bool {
     let missing = |what| Message::from(Commanding::Missing { what });
-    finding.reason == Parsing::VariableBelongsHere.into()
+    diagnostic.reason == Parsing::VariableBelongsHere.into()
         || [Lacking::Volts, Lacking::Measured]
             .into_iter()
-            .any(|what| finding.reason == missing(what))
+            .any(|what| diagnostic.reason == missing(what))
 }
 
-/// What a program does with a variable.
+/// Use of a variable by a program.
 #[derive(Clone, Copy, Default)]
 struct Service<'a> {
     /// The first read.
@@ -319,7 +321,7 @@ impl<'a> Service<'a> {
 fn never_assigned(
     name: &str,
     kind: VariableKind,
-    place: Span,
+    location: Span,
     declared: Option<Span>,
 ) -> Diagnostic {
     let reason = Naming::AssignedNowhere { name: name.into() };
@@ -330,7 +332,7 @@ fn never_assigned(
         (VariableKind::Joint, _) => Assign::Joint { name: name.into() },
     };
     let help = Naming::AssignBefore { assign };
-    let fault = Diagnostic::new(Code::NeverAssigned, place, reason).help(help);
+    let fault = Diagnostic::new(Code::NeverAssigned, location, reason).help(help);
     match declared {
         Some(declared) => fault.label(declared, Naming::DeclaredHere),
         None => fault,

@@ -1,7 +1,7 @@
 //! The values of commands: numbers with their flags, or a struct in their place.
 
 use super::equations::type_of;
-use super::names::Meant;
+use super::names::ResolvedOperand;
 use super::resolve::Resolver;
 use super::resolved;
 use super::targets::word;
@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::commands::{self, Arguments, Form, Targets, Values};
 use crate::message::phrase::Numbers;
-use crate::message::{Commanding, Habit};
+use crate::message::{Commanding, ForeignWord};
 use crate::program::{self, Argument, Mark};
 use crate::source::Span;
 use crate::symbols::Access;
@@ -54,7 +54,7 @@ impl Resolver<'_> {
         id.is_some_and(|id| self.names.variables[id].kind == VariableKind::Joint)
     }
 
-    /// Three or n scalars, or one struct in their place.
+    /// Reads three or n scalars, or one struct in their place.
     fn vector(
         &mut self,
         name: &Word,
@@ -71,7 +71,7 @@ impl Resolver<'_> {
         let id = whole.and_then(|name| self.names.find(name));
         if let (None, Some(_), [operand]) = (id, whole, &operands[flagged..]) {
             // The only operand can only be meant as a struct.
-            self.meant_as(operand, Code::Argument, Some(kind))?;
+            self.resolve_operand_as(operand, Code::Argument, Some(kind))?;
         }
         let id = match id.map(|id| (id, self.names.variables[id].kind)) {
             None | Some((_, VariableKind::Var)) => {
@@ -94,7 +94,7 @@ impl Resolver<'_> {
         Some(resolved::Arguments::Whole { variable: id, mark })
     }
 
-    /// So many scalars, each with its flag.
+    /// Reads `count` scalars, each with its flag.
     fn scalars(
         &mut self,
         name: &Word,
@@ -113,8 +113,8 @@ impl Resolver<'_> {
                     // An unknown name may be meant as a struct.
                     return None;
                 }
-                let place = flag.map_or(name.span, |flag| flag.span);
-                return self.too_few(name, form, place, count, values.len());
+                let location = flag.map_or(name.span, |flag| flag.span);
+                return self.too_few(name, form, location, count, values.len());
             };
             if let Some(flag) = flag_name(form, operand) {
                 let reason = Commanding::FlagBeforeNumber { flag: flag.into() };
@@ -146,20 +146,20 @@ impl Resolver<'_> {
         let Some(text) = word(operand) else {
             return false;
         };
-        let habit = if text.parse::<Target>().is_ok() {
+        let advice = if text.parse::<Target>().is_ok() {
             let command = name.node.clone();
-            Some(Habit::OneTarget { command })
+            Some(ForeignWord::OneTarget { command })
         } else {
             glued_flag(form, text)
         };
-        let Some((habit, fault)) = habit.zip(self.found.get_mut(told)) else {
+        let Some((advice, fault)) = advice.zip(self.found.get_mut(told)) else {
             return false;
         };
-        fault.help = Some(habit.into());
+        fault.help = Some(advice.into());
         true
     }
 
-    /// So many constants or VARs.
+    /// Reads `count` constants or VARs.
     fn plain_values(
         &mut self,
         name: &Word,
@@ -187,8 +187,8 @@ impl Resolver<'_> {
         {
             let command = name.node.clone();
             let help = match takes_target(&command) {
-                true => Habit::OneTarget { command },
-                false => Habit::NoTarget { command },
+                true => ForeignWord::OneTarget { command },
+                false => ForeignWord::NoTarget { command },
             };
             fault.help = Some(help.into());
         }
@@ -204,7 +204,7 @@ impl Resolver<'_> {
         &mut self,
         name: &Word,
         form: Arguments,
-        place: Span,
+        location: Span,
         wanted: usize,
         found: usize,
     ) -> Option<T> {
@@ -218,20 +218,22 @@ impl Resolver<'_> {
             wanted: Numbers::new(wanted, whole.map(|kind| type_of(Some(kind)))),
             found: found.into(),
         };
-        self.refuse(Code::Argument, place, reason)
+        self.refuse(Code::Argument, location, reason)
     }
 
-    /// A constant or VAR; a member is neither.
+    /// Resolves a constant or VAR; a member is neither.
     pub(super) fn variable_or_constant(
         &mut self,
         operand: &Operand,
         shape: Code,
     ) -> Option<program::Operand> {
-        let meant = self.meant_as(operand, shape, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         match meant {
-            Meant::Constant(_) | Meant::Scalar { member: false, .. } => meant.number(),
-            Meant::Scalar { .. } | Meant::Struct { .. } => {
+            ResolvedOperand::Constant(_) | ResolvedOperand::Scalar { member: false, .. } => {
+                meant.number()
+            }
+            ResolvedOperand::Scalar { .. } | ResolvedOperand::Struct { .. } => {
                 let reason = Commanding::ConstantOrVar;
                 let fault = Diagnostic::new(shape, operand.span, reason);
                 self.report(fault.help(Commanding::CopyIntoVar));
@@ -245,12 +247,12 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
-                if let Some(habit) = self.extra_word(name, operand, extra.len() > 1) {
+                if let Some(advice) = self.extra_word(name, operand, extra.len() > 1) {
                     let reason = Commanding::TooMany {
                         command: name.node.clone(),
                     };
                     let fault = Diagnostic::new(Code::Argument, operand.span, reason);
-                    self.report(fault.help(habit));
+                    self.report(fault.help(advice));
                     return None;
                 }
                 let reason = match name.node.as_str() {
@@ -265,40 +267,40 @@ impl Resolver<'_> {
         }
     }
 
-    /// What an argument too many is.
-    fn extra_word(&self, name: &Word, operand: &Operand, has_more: bool) -> Option<Habit> {
+    /// Returns the foreign spelling that an argument too many is, if it is one.
+    fn extra_word(&self, name: &Word, operand: &Operand, has_more: bool) -> Option<ForeignWord> {
         match word(operand) {
             Some(word)
                 if has_more && foreign::is_speed(word) && self.names.find(word).is_none() =>
             {
-                Some(Habit::Speed)
+                Some(ForeignWord::Speed)
             }
-            Some(FAST) => Some(Habit::FastFirst {
+            Some(FAST) => Some(ForeignWord::FastFirst {
                 command: name.node.clone(),
             }),
             Some(word) if word.parse::<Target>().is_ok() => {
                 let command = name.node.clone();
                 Some(match takes_target(&command) {
-                    true => Habit::OneTarget { command },
-                    false => Habit::NoTarget { command },
+                    true => ForeignWord::OneTarget { command },
+                    false => ForeignWord::NoTarget { command },
                 })
             }
-            Some(word) if commands::find(word).is_some() => Some(Habit::NextStatement),
+            Some(word) if commands::find(word).is_some() => Some(ForeignWord::NextStatement),
             Some(unit) if foreign::is_unit(unit) && self.names.find(unit).is_none() => {
-                Some(Habit::NoUnit)
+                Some(ForeignWord::NoUnit)
             }
             _ => self.comma_in_number(operand),
         }
     }
 
     /// `1,000` or `4,5`: digits right after a comma that digits precede.
-    fn comma_in_number(&self, operand: &Operand) -> Option<Habit> {
+    fn comma_in_number(&self, operand: &Operand) -> Option<ForeignWord> {
         let text = self.source_before(operand.span)?.strip_suffix(',')?;
         let digits = |c: char| c.is_ascii_digit();
         let before = &text[text.trim_end_matches(digits).len()..];
         let after = self.slice(operand.span);
         let is_number = !before.is_empty() && after.chars().all(digits);
-        is_number.then(|| Habit::Comma {
+        is_number.then(|| ForeignWord::Comma {
             whole: format!("{before}{after}").into(),
             point: format!("{before}.{after}").into(),
         })
@@ -310,7 +312,7 @@ impl Resolver<'_> {
         (form.motion && (name == RELATIVE || name == ABSOLUTE)).then_some(name)
     }
 
-    /// What precedes the next operand; refuses flags where the command takes none.
+    /// Reads the flag before the next operand; refuses flags where the command takes none.
     fn mark(&mut self, form: Arguments, operands: &[Operand]) -> Option<Mark> {
         match self.flag_of(form, operands) {
             None => Some(Mark::None),
@@ -325,7 +327,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Whether a motion command reads this word as its flag.
+/// Returns true if a motion command reads this word as its flag.
 fn is_flag(form: Arguments, word: &str) -> bool {
     form.motion && [RELATIVE, ABSOLUTE, FAST].contains(&word)
 }
@@ -336,18 +338,18 @@ fn takes_target(command: &str) -> bool {
 }
 
 /// `R50`, where `R 50` was meant.
-fn glued_flag(form: Arguments, word: &str) -> Option<Habit> {
+fn glued_flag(form: Arguments, word: &str) -> Option<ForeignWord> {
     let flag = [RELATIVE, ABSOLUTE].into_iter().find(|flag| {
         let number = word.strip_prefix(*flag).unwrap_or_default();
         form.motion && !number.is_empty() && number.chars().all(|c| c.is_ascii_digit())
     })?;
-    Some(Habit::FlagApart {
+    Some(ForeignWord::FlagApart {
         flag,
         number: word[flag.len()..].into(),
     })
 }
 
-/// The flag in the place of a number, even after a sign.
+/// Returns the flag in the place of a number, even after a sign.
 fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) if is_flag(form, name) => Some(name),

@@ -2,7 +2,7 @@
 
 use super::Code;
 use crate::message::{
-    Calculating, Commanding, Habit, Lang, Message, Naming, Parsing, Reading, Structuring,
+    Calculating, Commanding, ForeignWord, Lang, Message, Naming, Parsing, Reading, Structuring,
 };
 
 /// One kind of mistake, of several that a code covers.
@@ -18,12 +18,12 @@ pub struct Mistake {
 }
 
 impl Mistake {
-    /// What it is, in a few words.
+    /// Returns a title of a few words.
     pub const fn title(&self, lang: Lang) -> &'static str {
         lang.pick(self.english, self.japanese)
     }
 
-    /// Those that a code covers; none of a code that covers one kind only.
+    /// Returns the kinds that a code covers; none of a code that covers one kind only.
     pub fn of_class(class: Code) -> impl Iterator<Item = &'static Mistake> {
         Self::ALL
             .iter()
@@ -45,7 +45,7 @@ macro_rules! mistakes {
                 japanese: $japanese,
             }, )*];
 
-            /// The kind that a reason is of.
+            /// Returns the kind that a reason is of.
             pub const fn of(class: Code, reason: &Message) -> Option<&'static Mistake> {
                 match (class, reason) {
                     $( $(
@@ -78,7 +78,7 @@ mistakes! {
     Format "E105-03" "a word that must be alone on its line", "1行に単独で書く語":
         Parsing { NotAlone };
     Format "E105-04" "ELSE IF in two words", "2語に分かれたELSE IF":
-        Habit { ElseIfInTwo };
+        ForeignWord { ElseIfInTwo };
     Format "E105-05" "a line break in a MESSAGE", "MESSAGEの中の改行":
         Parsing { LineBreak };
     Format "E105-06" "bytes that are not text", "文字として読めないバイト":
@@ -102,7 +102,7 @@ mistakes! {
     Equation "E107-07" "a function with too many or too few operands", "関数に渡す値の過不足":
         Calculating { OtherOperands };
     Equation "E107-08" "an operator of another language", "ほかの言語の演算子":
-        Habit { NoOperator };
+        ForeignWord { NoOperator };
 
     UnknownCommand "E204-01" "a word that is not a command", "コマンドではない語":
         Commanding { NoCommand };
@@ -113,7 +113,7 @@ mistakes! {
     UnknownCommand "E204-04" "a label without its colon", "コロンのないラベル":
         Parsing { LabelColonMissing };
     UnknownCommand "E204-05" "an equation of another language", "ほかの言語の式":
-        Habit { NoOperator SplitOperator CompareAsStatement };
+        ForeignWord { NoOperator SplitOperator CompareAsStatement };
 
     Argument "E205-01" "too few arguments", "引数の不足":
         Commanding { TooFew Missing }
@@ -147,17 +147,17 @@ mistakes! {
         Parsing { ComparedWithNothing ConditionMissing };
     Argument "E205-15" "a wrong relation", "関係演算子の誤り":
         Parsing { NoRelation AssignsComparesNothing RelationBelongsHere }
-        Habit { NotEqual SplitOperator };
+        ForeignWord { NotEqual SplitOperator };
     Argument "E205-16" "more than a condition can say", "条件式に書けないこと":
-        Habit { AndOr Not }
+        ForeignWord { AndOr Not }
         Parsing { NotStandsBeforeFlag ConditionCannotCalculate CannotStandHere };
     Argument "E205-17" "THEN, GOTO and GOSUB of an IF", "IFのTHEN、GOTO、GOSUB":
         Parsing { ThenOrJumpBelongsHere ThenBelongsHere IfCannotCall }
-        Habit { ThenJumps OneLineIf };
+        ForeignWord { ThenJumps OneLineIf };
     Argument "E205-18" "a FOR or NEXT of another form", "FORとNEXTの形の誤り":
         Parsing { ToBelongsHere ForEnds VariableBelongsHere AssignmentBelongsHere NextNamesItsVariable }
         Commanding { CountsVar }
-        Habit { ForCounts };
+        ForeignWord { ForCounts };
     Argument "E205-19" "an incomplete label", "不完全なラベル":
         Parsing {
             LabelBelongsHere LabelMissing BlankBeforeColon LabelColonMissing LabelNameMissing
@@ -172,16 +172,16 @@ mistakes! {
     Argument "E205-23" "a declaration of anything but names", "変数名だけではない宣言":
         Parsing { OnlyNames }
         Naming { NoNames }
-        Habit { NoInitial };
+        ForeignWord { NoInitial };
     Argument "E205-24" "a sign that stands apart", "離れた符号":
         Parsing { SignStandsBefore BetweenArguments PlusBeforeConstants }
-        Habit { NoOperator };
+        ForeignWord { NoOperator };
     Argument "E205-25" "neither a number nor a name nor a member", "数値でも変数名でもメンバでもない語":
         Parsing { NoNumber NoMember ForeignInName ConstantTooLarge NoOperand }
         Naming { NoMember };
     Argument "E205-26" "words after the end of a statement", "文の終わりの後に続く語":
         Parsing { NothingBehind }
-        Habit { NoBraces NoColon };
+        ForeignWord { NoBraces NoColon };
     Argument "E205-27" "a MESSAGE without a blank", "空白のないMESSAGE":
         Parsing { BlankBehindMessage };
 
@@ -200,7 +200,7 @@ mistakes! {
     Structure "E207-07" "a GOTO out of a SUBROUTINE", "SUBROUTINEの外へのGOTO":
         Structuring { LeavesSubroutine };
     Structure "E207-08" "END and a word in the place of one", "2語に分かれた終わりの語":
-        Habit { EndInTwo };
+        ForeignWord { EndInTwo };
 }
 
 #[cfg(test)]

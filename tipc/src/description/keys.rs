@@ -56,8 +56,8 @@ impl Part {
     /// Every table of `tip.toml`, in the order of the documentation.
     pub const PROJECT: &'static [Part] = &[Part::Project, Part::Programs];
 
-    /// The tables of the same file.
-    pub(super) fn beside(self) -> &'static [Part] {
+    /// Returns the tables of the same file.
+    pub(super) fn same_file(self) -> &'static [Part] {
         if Part::SCENE.contains(&self) {
             Part::SCENE
         } else if Part::PROJECT.contains(&self) {
@@ -67,7 +67,7 @@ impl Part {
         }
     }
 
-    /// The code of what is wrong with its file.
+    /// Returns the code of what is wrong with its file.
     pub(super) fn code(self) -> Code {
         if Part::SCENE.contains(&self) {
             Code::Scene
@@ -78,7 +78,7 @@ impl Part {
         }
     }
 
-    /// What messages call it.
+    /// Returns its name in messages.
     pub(super) fn table(self) -> Table {
         match self {
             Part::Robot => Table::Robot,
@@ -88,7 +88,7 @@ impl Part {
         }
     }
 
-    /// How the file spells it; nothing for what is above the first table.
+    /// Returns its name in the file; nothing for what is above the first table.
     pub const fn name(self) -> &'static str {
         match self {
             Part::Robot | Part::Scene | Part::Project => "",
@@ -106,12 +106,12 @@ impl Part {
         }
     }
 
-    /// Its keys.
+    /// Returns its keys.
     pub fn keys(self) -> impl Iterator<Item = &'static Key> {
         KEYS.iter().filter(move |key| key.part == self)
     }
 
-    /// The key of that name.
+    /// Returns the key of that name.
     pub(super) fn key(self, name: &str) -> Option<&'static Key> {
         self.keys().find(|key| key.name == name)
     }
@@ -120,15 +120,15 @@ impl Part {
 /// A key of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key {
-    /// Where it may appear.
+    /// Part of the file where it may appear.
     pub part: Part,
     /// Its name.
     pub name: &'static str,
-    /// How its value is written.
+    /// Form of its value.
     pub form: Bilingual,
-    /// What it is without the key; `None` if it is required.
+    /// Default value; `None` if the key is required.
     pub default: Option<&'static str>,
-    /// What it says.
+    /// Meaning of the key.
     pub meaning: Bilingual,
 }
 

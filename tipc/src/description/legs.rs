@@ -2,16 +2,16 @@
 
 use super::Leg;
 use super::keys::Part;
+use super::rotation::sin_cos;
 use super::section::{Found, SMALLEST, Section, Sign, fault};
 use super::shape::{self, Shape};
 use super::spread;
-use super::turn::sin_cos;
 use crate::message::{Describing, Letter};
 use crate::source::Span;
 use tip_runtime::command::MAX;
 use tip_runtime::model::{Joint, Range, Spread};
 
-/// How far the potentiometers go beyond the working limits, unless the file says so: deg.
+/// Distance from the working limits to those of the potentiometers, unless the file says so: deg.
 const OUTER: f64 = 5.0;
 
 /// A joint as the file draws it, and the shapes of the link after it.
@@ -20,7 +20,7 @@ struct Drawn {
     shapes: Vec<Shape>,
 }
 
-/// Every leg of the robot, F1 first; `None` after a fault that leaves none.
+/// Reads every leg of the robot, F1 first; `None` after a fault that leaves none.
 pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
     let common = joints(robot, found);
     let sections = robot.tables("leg", Part::Leg, found)?;
@@ -29,7 +29,7 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
             most: MAX,
             found: sections.len(),
         };
-        return robot.refuse("leg", robot.place_of("leg"), reason, found);
+        return robot.refuse("leg", robot.location_of("leg"), reason, found);
     }
     let initial = robot
         .list("initial", Sign::Any, found)
@@ -42,13 +42,13 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
         if drawn.is_none() && !robot.has("joint") && !section.has("joint") {
             let reason = Describing::NoJoints { leg: number };
             let help = Describing::DescribeJoints;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
         }
         let leg = leg(*section, drawn, initial.as_deref(), found);
         if leg.as_ref().is_some_and(Leg::is_point) {
             let reason = Describing::NoLength { leg: number };
             let help = Describing::OneLinkNotZero;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
         }
         legs.extend(leg);
     }
@@ -56,7 +56,7 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
     (whole && same_size(&sections, &legs, found)).then_some(legs)
 }
 
-/// Whether each leg has as many joints as the first one.
+/// Returns true if each leg has as many joints as the first one.
 fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool {
     let first = legs.first().map_or(0, |leg| leg.joints.len());
     let mut same = true;
@@ -69,14 +69,14 @@ fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool 
                 first,
             };
             let help = Describing::SameNumberOfJoints;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
             same = false;
         }
     }
     same
 }
 
-/// The `joint` tables of a leg, or of all legs; `None` if there are none, or none that can be used.
+/// Reads the `joint` tables of a leg, or of all legs; `None` if there are none, or none that can be used.
 fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Drawn>> {
     let sections = section.tables("joint", Part::Joint, found)?;
     if !(1..=MAX).contains(&sections.len()) {
@@ -84,7 +84,7 @@ fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Drawn>> {
             most: MAX,
             found: sections.len(),
         };
-        return section.refuse("joint", section.place_of("joint"), reason, found);
+        return section.refuse("joint", section.location_of("joint"), reason, found);
     }
     let joints: Vec<Option<Drawn>> = sections.iter().map(|own| joint(*own, found)).collect();
     joints.into_iter().collect()
@@ -102,7 +102,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
             min: limits.min,
             max: limits.max,
         };
-        section.refuse::<()>("outer", section.place_of("outer"), reason, found);
+        section.refuse::<()>("outer", section.location_of("outer"), reason, found);
     }
     let mass = section.number("mass", Sign::NotNegative, found);
     let mass = mass.unwrap_or(0.1);
@@ -122,7 +122,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     Some(Drawn { joint, shapes })
 }
 
-/// A unit vector: `"z"`, `"-y"` or any direction.
+/// Reads a unit vector: `"z"`, `"-y"` or any direction.
 fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
     if section.is_text("axis") {
         let words = [
@@ -139,13 +139,13 @@ fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
     let length = axis.iter().map(|part| part * part).sum::<f64>().sqrt();
     if length < 1e-6 {
         let reason = Describing::NoDirection;
-        return section.refuse("axis", section.place_of("axis"), reason, found);
+        return section.refuse("axis", section.location_of("axis"), reason, found);
     }
     Some(axis.map(|part| part / length))
 }
 
 impl Leg {
-    /// Whether its foot cannot be anywhere but at its base.
+    /// Returns true if its foot cannot be anywhere but at its base.
     fn is_point(&self) -> bool {
         self.joints.iter().all(|joint| {
             let squares = joint.link.map(|part| part * part);
@@ -154,7 +154,7 @@ impl Leg {
     }
 }
 
-/// A leg whose joints are those of `drawn`, turned and mirrored as the leg says.
+/// Creates a leg with the joints of `drawn`, turned and mirrored as the leg's table demands.
 fn leg(
     section: Section<'_>,
     drawn: Option<&[Drawn]>,
@@ -177,7 +177,7 @@ fn leg(
     })
 }
 
-/// A joint and its shapes, turned about z, then mirrored.
+/// Turns a joint and its shapes about z, then mirrors them.
 fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
     let Drawn { joint, shapes } = drawn;
     let [sin, cos] = sin_cos(turn);
@@ -195,9 +195,9 @@ fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
     (joint, shapes.collect())
 }
 
-/// The sign that a mirror gives each coordinate.
+/// Reads the sign that a mirror gives each coordinate.
 fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
-    let (place, letters) = section.text("mirror", found)?;
+    let (location, letters) = section.text("mirror", found)?;
     let mut signs = [1.0; 3];
     for letter in letters.chars() {
         let sign = "xyz".find(letter).and_then(|axis| signs.get_mut(axis));
@@ -207,14 +207,14 @@ fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
                 let reason = Describing::NoCoordinate {
                     letter: Letter(letter),
                 };
-                return section.refuse("mirror", place, reason, found);
+                return section.refuse("mirror", location, reason, found);
             }
         }
     }
     Some(signs)
 }
 
-/// The leg's own initial posture, that of all legs, or the middle of all limits.
+/// Reads the leg's own initial posture, that of all legs, or the middle of all limits.
 fn initial(
     section: Section<'_>,
     joints: &[Drawn],
@@ -222,7 +222,9 @@ fn initial(
     common: Option<&[f64]>,
     found: &mut Found,
 ) -> Option<Vec<f64>> {
-    let place = own.as_ref().map_or(section.place, |(place, _)| *place);
+    let location = own
+        .as_ref()
+        .map_or(section.location, |(location, _)| *location);
     let middle = |Drawn { joint, .. }: &Drawn| (joint.limits.min + joint.limits.max) / 2.0;
     let angles = match (own, common) {
         (Some((_, own)), _) => own,
@@ -234,7 +236,7 @@ fn initial(
             angles: angles.len(),
             joints: joints.len().into(),
         };
-        return section.refuse("initial", place, reason, found);
+        return section.refuse("initial", location, reason, found);
     }
     for (number, (angle, Drawn { joint, .. })) in (1..).zip(angles.iter().zip(joints)) {
         let Range { min, max } = joint.limits;
@@ -245,7 +247,7 @@ fn initial(
                 min,
                 max,
             };
-            return section.refuse("initial", place, reason, found);
+            return section.refuse("initial", location, reason, found);
         }
     }
     Some(angles)

@@ -1,4 +1,4 @@
-//! What a description is turned into: what programs are checked for, and a model of the runtime.
+//! Results of a description: facts that programs are checked against, and a model of the runtime.
 
 use super::section::{Found, Section};
 use super::{Description, Leg, Shapes};
@@ -7,7 +7,7 @@ use crate::robot::{Facts, Robot};
 use tip_runtime::model::{self, Family, Inverse, Model};
 use tip_runtime::program::Signature;
 
-/// What is to be done with the model of a robot, whatever the number of its legs and joints.
+/// Action on the model of a robot, whatever the number of its legs and joints.
 pub trait WithModel {
     /// The result.
     type Output;
@@ -36,22 +36,22 @@ macro_rules! any_size {
 }
 
 impl Description {
-    /// What the robot is called.
+    /// Returns the robot's name.
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// The number of joints on each leg.
+    /// Returns the number of joints on each leg.
     pub(super) fn joints(&self) -> usize {
         self.legs.first().map_or(0, |leg| leg.joints.len())
     }
 
-    /// The robot that programs are checked for.
+    /// Returns the robot that programs are checked for.
     pub fn robot(&self) -> Robot {
         Robot::Described(self.facts())
     }
 
-    /// All that checking needs of it.
+    /// Returns all that checking needs of it.
     pub fn facts(&self) -> Facts {
         Facts {
             signature: Signature {
@@ -68,7 +68,7 @@ impl Description {
         }
     }
 
-    /// The robot as the runtime knows it; `None` unless it has `L` legs with `J` joints each.
+    /// Returns the robot as the runtime knows it; `None` unless it has `L` legs with `J` joints each.
     pub fn model<const L: usize, const J: usize>(&self) -> Option<Model<L, J>> {
         let one = self.with_one_leg::<J>()?;
         let mut model = one.with_legs([one.legs[0]; L]);
@@ -106,7 +106,7 @@ impl Description {
         Some(())
     }
 
-    /// What its links and its body look like; no model holds it.
+    /// Returns the shapes of its links and its body; no model holds them.
     pub fn shapes(&self) -> Shapes {
         Shapes {
             body: self.shapes.clone(),
@@ -133,7 +133,7 @@ impl Leg {
     }
 }
 
-/// The inverse kinematics: as `chosen`, if every leg is such a chain; else the first that fits all legs.
+/// Reads the inverse kinematics: as `chosen`, if every leg is such a chain; else the first that fits all legs.
 pub(super) fn inverse(
     robot: Section<'_>,
     chosen: Option<Inverse>,
@@ -157,5 +157,5 @@ pub(super) fn inverse(
         leg: leg + 1,
         wanted: inverse.wanted(),
     };
-    robot.refuse("inverse", robot.place_of("inverse"), reason, found)
+    robot.refuse("inverse", robot.location_of("inverse"), reason, found)
 }

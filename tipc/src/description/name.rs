@@ -1,4 +1,4 @@
-//! What the robot is called.
+//! Name of the robot.
 
 use super::section::{Found, Section};
 use crate::message::{Describing, Letter};
@@ -7,9 +7,9 @@ use crate::robot::Robot;
 /// The longest name, in characters.
 const LONGEST: usize = 40;
 
-/// The robot's name, if it is one.
+/// Reads the robot's name, if it is one.
 pub(super) fn read<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str> {
-    let (place, name) = robot.text("name", found)?;
+    let (location, name) = robot.text("name", found)?;
     let allowed = |c: char| c.is_alphanumeric() || " -_.".contains(c);
     let reason = if name.trim().is_empty() {
         Describing::NeedsName
@@ -26,5 +26,5 @@ pub(super) fn read<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str>
     } else {
         return Some(name);
     };
-    robot.refuse("name", place, reason, found)
+    robot.refuse("name", location, reason, found)
 }

@@ -1,4 +1,4 @@
-//! `tip.toml`: what the programs beside it are for.
+//! `tip.toml`: settings of the programs in its folder.
 
 use super::keys::Part;
 use super::open;
@@ -11,7 +11,7 @@ use crate::source::Encoding;
 use glob::{MatchOptions, Pattern};
 use tip_runtime::scene::Scene;
 
-/// What a `tip.toml` says of the programs in its folder and below.
+/// Settings of a `tip.toml` for the programs in its folder and below.
 ///
 /// ```
 /// let text = b"robot = \"hand\"\n[[programs]]\nfiles = \"old/*.prg\"\nencoding = \"shift_jis\"\n";
@@ -33,14 +33,14 @@ struct Said {
     scene: Option<String>,
 }
 
-/// What is said of one program.
+/// Settings of one program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings<'a> {
     /// The robot: a name, or a description by its path from the folder of `tip.toml`.
     pub robot: Option<&'a str>,
-    /// How the file spells its text.
+    /// Encoding of the file.
     pub encoding: Option<Encoding>,
-    /// What surrounds the robot: a name, or a file by its path from that folder.
+    /// Surroundings of the robot: a name, or a file by its path from that folder.
     pub scene: Option<&'a str>,
 }
 
@@ -48,7 +48,7 @@ pub struct Settings<'a> {
 /// folder.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its place; there is no program in it.
+/// Everything that is wrong with the file, each fault at its location; there is no program in it.
 pub fn parse_project(
     name: &str,
     bytes: &[u8],
@@ -62,11 +62,11 @@ pub fn parse_project(
         let parts = top.tables("programs", Part::Programs, found);
         for part in parts.unwrap_or_default() {
             let said = said(part, &is_there, found);
-            if let Some((place, files)) = part.text("files", found) {
+            if let Some((location, files)) = part.text("files", found) {
                 let pattern = Pattern::new(files).ok();
                 let key = "files".to_owned();
                 let refused =
-                    || part.refuse("files", place, Describing::CannotBeThis { key }, found);
+                    || part.refuse("files", location, Describing::CannotBeThis { key }, found);
                 if let Some(pattern) = pattern.or_else(refused) {
                     project.some.push((pattern, said));
                 }
@@ -95,7 +95,7 @@ fn said(section: Section<'_>, is_there: &dyn Fn(&str) -> bool, found: &mut Found
     }
 }
 
-/// A name that is known, or a file that is there.
+/// Reads a name that is known, or the path of a file that exists.
 fn named(
     section: Section<'_>,
     key: &str,
@@ -103,21 +103,21 @@ fn named(
     is_there: &dyn Fn(&str) -> bool,
     found: &mut Found,
 ) -> Option<String> {
-    let (place, text) = section.text(key, found)?;
+    let (location, text) = section.text(key, found)?;
     let is_file = text.ends_with(".toml");
     if known.clone().any(|name| name == text) || is_file && is_there(text) {
         return Some(text.to_owned());
     }
     if is_file {
         let file = text.to_owned();
-        return section.refuse(key, place, Describing::NoFile { file }, found);
+        return section.refuse(key, location, Describing::NoFile { file }, found);
     }
-    section.refuse_word(key, (place, text), known, found)
+    section.refuse_word(key, (location, text), known, found)
 }
 
 impl Project {
-    /// What it says of a program, by its path from the folder of `tip.toml`, with `/` between folders. Of several parts
-    /// that mean the program the last one counts.
+    /// Returns the settings of a program, by its path from the folder of `tip.toml`, with `/` between folders. If
+    /// several parts match, the last one counts.
     pub fn of(&self, path: &str) -> Settings<'_> {
         let meant = self.some.iter();
         let meant = meant.filter(|(files, _)| files.matches_with(path, AS_IN_SHELLS));
@@ -133,7 +133,7 @@ impl Project {
     }
 }
 
-/// As in shells: `?` is a character of a name, `*` any characters of one, `**` any folders.
+/// Glob rules of shells: `?` is a character of a name, `*` any characters of one, `**` any folders.
 const AS_IN_SHELLS: MatchOptions = MatchOptions {
     case_sensitive: true,
     require_literal_separator: true,
@@ -202,12 +202,12 @@ mod tests {
         assert_eq!(empty.of("walk.prg"), Settings::default());
     }
 
-    /// Whether a file is beside the wrong ones.
+    /// Returns true if a file is beside the wrong ones.
     fn is_there(file: &str) -> bool {
         file == "robots/six.toml"
     }
 
-    /// What is said of a wrong one.
+    /// Checks what is reported about a wrong one.
     #[track_caller]
     fn check(text: &str, expected: &[&str]) {
         let loaded = parse_project("tip.toml", text.as_bytes(), is_there).expect_err("it is wrong");
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn each_fault_is_reported_at_its_place() {
+    fn each_fault_is_reported_at_its_location() {
         check(
             "robto = \"hand\"\n[[programs]]\nencoding = \"latin1\"\n",
             &[
@@ -260,10 +260,10 @@ mod tests {
         );
         // The first file is there.
         let parts = "[[programs]]\nfiles = \"*\"\nrobot = \"sixth.toml\"\nscene = \"step.toml\"\n";
-        let missing = |place, file| {
+        let missing = |location, file| {
             let reason =
                 format!("there is no file `{file}`: paths begin at the folder of tip.toml");
-            format!("tip.toml:{place}: error[E408]: {reason} (TIP_ERR:Wrong tip.toml)")
+            format!("tip.toml:{location}: error[E408]: {reason} (TIP_ERR:Wrong tip.toml)")
         };
         check(
             &format!("robot = \"robots/six.toml\"\n{parts}"),

@@ -1,4 +1,4 @@
-//! How Rust spells a robot: a constant that holds its model.
+//! Rust tokens of a robot: a constant that holds its model.
 
 use super::{Description, Leg};
 #[cfg(feature = "build")]
@@ -11,8 +11,8 @@ use tip_runtime::model::{
 };
 
 impl Description {
-    /// The robot as a `const` of the runtime's `Model`. Its name is `options.name`, else [`const_name`] of the file.
-    /// The same description and options give the same tokens, always.
+    /// Returns the robot as a `const` of the runtime's `Model`. Its name is `options.name`, else [`const_name`] of the
+    /// file. Equal descriptions and options give equal tokens.
     pub fn to_rust(&self, options: &Options) -> TokenStream {
         let Options {
             name,
@@ -65,7 +65,7 @@ impl Description {
 
 #[cfg(feature = "build")]
 impl Description {
-    /// The tokens of [`to_rust`](Self::to_rust) as formatted source text under a header comment.
+    /// Returns the tokens of [`to_rust`](Self::to_rust) as formatted source text under a header comment.
     ///
     /// # Errors
     /// The tokens are not a Rust file; a visibility or runtime path that is none can cause it.
@@ -75,7 +75,8 @@ impl Description {
     }
 }
 
-/// A constant of the robot's name that stands in for one whose description cannot be used, so that only that is reported.
+/// Returns a constant of the robot's name in place of one whose description cannot be used, so that only that is
+/// reported.
 pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
     let point = Range::new(0.0, 0.0);
     let joint = Joint {
@@ -112,7 +113,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
     stands_in.to_rust(options)
 }
 
-/// The constant that a description gets: its file's name without folders and extension, in capitals
+/// Returns the constant that a description gets: its file's name without folders and extension, in capitals
 /// (`my robot.toml` is `MY_ROBOT`). Characters other than ASCII letters and digits separate words; where no
 /// word is left the name is `ROBOT`.
 pub fn const_name(source_name: &str) -> Ident {

@@ -11,7 +11,7 @@ use tip_runtime::scene::{Block, Object, Scene, SceneError, Shape, Simulation};
 /// Reads a scene. `name` is how diagnostics call the file.
 ///
 /// # Errors
-/// Everything that is wrong with the file, each fault at its place; there is no program in it.
+/// Everything that is wrong with the file, each fault at its location; there is no program in it.
 pub fn parse_scene(name: &str, bytes: &[u8]) -> Result<Scene, Box<Loaded>> {
     open(name, bytes, Part::Scene, |_, top, found| {
         Some(read(top, found))
@@ -84,7 +84,7 @@ fn object(section: Section<'_>, found: &mut Found) -> Option<Object> {
     })
 }
 
-/// A box or a disc, as the one key or the other says.
+/// Reads a box or a disc, as the one key or the other says.
 fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
     match (section.has("size"), section.has("radius")) {
         (true, false) => {
@@ -102,13 +102,13 @@ fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
                 Describing::NoShape
             };
             let help = Describing::Shapes;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
             None
         }
     }
 }
 
-/// What the plant cannot simulate.
+/// Reports what the plant cannot simulate.
 fn refused(section: Section<'_>, error: SceneError) -> crate::diagnostic::Diagnostic {
     let (key, help) = match error {
         SceneError::Full | SceneError::Blocks => ("", Describing::TakeOneAway),
@@ -120,7 +120,7 @@ fn refused(section: Section<'_>, error: SceneError) -> crate::diagnostic::Diagno
     let reason = Describing::Simulated {
         error: error.to_string().into(),
     };
-    fault(section.part, section.place_of(key), reason, help)
+    fault(section.part, section.location_of(key), reason, help)
 }
 
 #[cfg(test)]
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn every_fault_is_told_at_its_place() {
+    fn every_fault_is_reported_at_its_location() {
         let wrong = "s.toml:LINE: error: TIP_ERR:Wrong scene (RobotError)";
         let at = |lines: &[&str]| -> Vec<String> {
             lines

@@ -1,11 +1,11 @@
-//! A table of the file, read key by key: every value that cannot be used is reported at its place.
+//! A table of the file, read key by key: every value that cannot be used is reported at its location.
 
 use super::keys::Part;
 use crate::diagnostic::Diagnostic;
 use crate::language::Bilingual;
 use crate::message::list::List;
 use crate::message::phrase::Kind;
-use crate::message::{Describing, Message, Suggesting};
+use crate::message::{Describing, Message, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use toml::Spanned;
@@ -16,7 +16,7 @@ const LARGEST: f64 = 1e6;
 /// No size is smaller: programs that read exported robots take it for nothing.
 pub(super) const SMALLEST: f64 = 1e-6;
 
-/// What a number must be.
+/// Range that a number must lie in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sign {
     Any,
@@ -26,31 +26,40 @@ pub(super) enum Sign {
     Size,
 }
 
-/// A table with its place.
+/// A table with its location.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Section<'a> {
     pub(super) part: Part,
-    pub(super) place: Span,
+    pub(super) location: Span,
     table: &'a DeTable<'a>,
 }
 
-/// Where faults are collected.
+/// Faults found so far.
 pub(super) type Found = Vec<Diagnostic>;
 
-/// A finding about the file that a table is of.
+/// Creates a diagnostic about the file that a table is of.
 pub(super) fn fault(
     part: Part,
-    place: Span,
+    location: Span,
     reason: impl Into<Message>,
     help: impl Into<Message>,
 ) -> Diagnostic {
-    Diagnostic::new(part.code(), place, reason).help(help)
+    Diagnostic::new(part.code(), location, reason).help(help)
 }
 
 impl<'a> Section<'a> {
-    /// The table; reports the keys that it cannot have and those that it lacks.
-    pub(super) fn new(part: Part, place: Span, table: &'a DeTable<'a>, found: &mut Found) -> Self {
-        let section = Section { part, place, table };
+    /// Wraps a table; reports the keys that it cannot have and those that it lacks.
+    pub(super) fn new(
+        part: Part,
+        location: Span,
+        table: &'a DeTable<'a>,
+        found: &mut Found,
+    ) -> Self {
+        let section = Section {
+            part,
+            location,
+            table,
+        };
         for key in table.keys() {
             let name: &str = key.get_ref();
             if part.key(name).is_none() {
@@ -68,19 +77,19 @@ impl<'a> Section<'a> {
                     form: key.form,
                     meaning: key.meaning,
                 };
-                found.push(fault(part, place, reason, help));
+                found.push(fault(part, location, reason, help));
             }
         }
         section
     }
 
-    fn unknown(self, name: &str, place: Span) -> Diagnostic {
+    fn unknown(self, name: &str, location: Span) -> Diagnostic {
         let (table, key) = (self.part.table(), name.to_owned());
         let names = || self.part.keys().map(|key| key.name);
-        let mut beside = self.part.beside().iter();
-        let elsewhere = beside.find(|part| part.key(name).is_some());
+        let mut same_file = self.part.same_file().iter();
+        let elsewhere = same_file.find(|part| part.key(name).is_some());
         let help: Message = match (nearest(name, names()), elsewhere) {
-            (Some(near), _) => Suggesting::DidYouMean { near: near.into() }.into(),
+            (Some(near), _) => Suggestion::DidYouMean { near: near.into() }.into(),
             (None, Some(part)) => Describing::BelongsTo {
                 key: key.clone(),
                 table: part.table(),
@@ -93,7 +102,7 @@ impl<'a> Section<'a> {
             .into(),
         };
         let reason = Describing::NoKey { table, key };
-        fault(self.part, place, reason, help)
+        fault(self.part, location, reason, help)
     }
 
     fn value(self, key: &str) -> Option<(Span, &'a DeValue<'a>)> {
@@ -101,16 +110,17 @@ impl<'a> Section<'a> {
         Some((span(value), value.get_ref()))
     }
 
-    /// The place of a key's value, else of the table.
-    pub(super) fn place_of(self, key: &str) -> Span {
-        self.value(key).map_or(self.place, |(place, _)| place)
+    /// Returns the location of a key's value, else of the table.
+    pub(super) fn location_of(self, key: &str) -> Span {
+        self.value(key)
+            .map_or(self.location, |(location, _)| location)
     }
 
     /// Refuses the value of `key`, and says how it is written.
     pub(super) fn refuse<T>(
         self,
         key: &str,
-        place: Span,
+        location: Span,
         reason: impl Into<Message>,
         found: &mut Found,
     ) -> Option<T> {
@@ -118,27 +128,27 @@ impl<'a> Section<'a> {
         let key = key.to_owned();
         found.push(fault(
             self.part,
-            place,
+            location,
             reason,
             Describing::KeyIs { key, form },
         ));
         None
     }
 
-    /// A number; `None` if there is none or it was refused.
+    /// Reads a number; `None` if there is none or it was refused.
     pub(super) fn number(self, key: &str, sign: Sign, found: &mut Found) -> Option<f64> {
-        let (place, value) = self.value(key)?;
-        self.sound(key, place, value, sign, found)
+        let (location, value) = self.value(key)?;
+        self.sound(key, location, value, sign, found)
     }
 
-    /// As many numbers as there are places in the array.
+    /// Reads an array of `N` numbers.
     pub(super) fn numbers<const N: usize>(
         self,
         key: &str,
         sign: Sign,
         found: &mut Found,
     ) -> Option<[f64; N]> {
-        let (place, numbers) = self.list(key, sign, found)?;
+        let (location, numbers) = self.list(key, sign, found)?;
         let count = numbers.len();
         match numbers.try_into() {
             Ok(numbers) => Some(numbers),
@@ -147,23 +157,23 @@ impl<'a> Section<'a> {
                     wanted: N,
                     found: count,
                 };
-                self.refuse(key, place, reason, found)
+                self.refuse(key, location, reason, found)
             }
         }
     }
 
-    /// Any number of numbers, with the place of the list.
+    /// Reads a list of numbers, with its location.
     pub(super) fn list(self, key: &str, sign: Sign, found: &mut Found) -> Option<(Span, Vec<f64>)> {
-        let (place, value) = self.value(key)?;
+        let (location, value) = self.value(key)?;
         let DeValue::Array(items) = value else {
-            return self.wrong_type(key, place, value, found);
+            return self.wrong_type(key, location, value, found);
         };
         let told = found.len();
         let numbers: Vec<f64> = items
             .iter()
             .filter_map(|item| self.sound(key, span(item), item.get_ref(), sign, found))
             .collect();
-        (found.len() == told).then_some((place, numbers))
+        (found.len() == told).then_some((location, numbers))
     }
 
     /// `[min, max]`, in this order.
@@ -178,7 +188,7 @@ impl<'a> Section<'a> {
             return Some(tip_runtime::model::Range::new(min, max));
         }
         let reason = Describing::Above { min, max };
-        self.refuse(key, self.place_of(key), reason, found)
+        self.refuse(key, self.location_of(key), reason, found)
     }
 
     /// `[min, max]` of what has a size.
@@ -188,31 +198,31 @@ impl<'a> Section<'a> {
             return Some(range);
         }
         let reason = Describing::Flat { least: SMALLEST };
-        self.refuse(key, self.place_of(key), reason, found)
+        self.refuse(key, self.location_of(key), reason, found)
     }
 
-    /// Text with its place.
+    /// Reads a text, with its location.
     pub(super) fn text(self, key: &str, found: &mut Found) -> Option<(Span, &'a str)> {
-        let (place, value) = self.value(key)?;
+        let (location, value) = self.value(key)?;
         match value {
-            DeValue::String(text) => Some((place, text)),
-            _ => self.wrong_type(key, place, value, found),
+            DeValue::String(text) => Some((location, text)),
+            _ => self.wrong_type(key, location, value, found),
         }
     }
 
-    /// One of some words.
+    /// Reads one of some words.
     pub(super) fn choice<T: Copy>(
         self,
         key: &str,
         words: &[(&str, T)],
         found: &mut Found,
     ) -> Option<T> {
-        let (place, text) = self.text(key, found)?;
+        let (location, text) = self.text(key, found)?;
         match words.iter().find(|(word, _)| *word == text) {
             Some((_, meant)) => Some(*meant),
             None => {
                 let known = words.iter().map(|(word, _)| *word);
-                self.refuse_word(key, (place, text), known, found)
+                self.refuse_word(key, (location, text), known, found)
             }
         }
     }
@@ -221,7 +231,7 @@ impl<'a> Section<'a> {
     pub(super) fn refuse_word<'w, T>(
         self,
         key: &str,
-        (place, word): (Span, &str),
+        (location, word): (Span, &str),
         known: impl IntoIterator<Item = &'w str>,
         found: &mut Found,
     ) -> Option<T> {
@@ -229,31 +239,31 @@ impl<'a> Section<'a> {
             key: key.to_owned(),
         };
         let Some(near) = nearest(&word.to_lowercase(), known) else {
-            return self.refuse(key, place, reason, found);
+            return self.refuse(key, location, reason, found);
         };
-        let help = Suggesting::DidYouMean { near: near.into() };
-        found.push(fault(self.part, place, reason, help));
+        let help = Suggestion::DidYouMean { near: near.into() };
+        found.push(fault(self.part, location, reason, help));
         None
     }
 
-    /// Whether the key is there at all.
+    /// Returns true if the key is there at all.
     pub(super) fn has(self, key: &str) -> bool {
         self.table.contains_key(key)
     }
 
-    /// Whether the value is text.
+    /// Returns true if the value is text.
     pub(super) fn is_text(self, key: &str) -> bool {
         self.table
             .get(key)
             .is_some_and(|value| value.get_ref().is_str())
     }
 
-    /// A table.
+    /// Reads a table.
     pub(super) fn table(self, key: &str, part: Part, found: &mut Found) -> Option<Section<'a>> {
-        let (place, value) = self.value(key)?;
+        let (location, value) = self.value(key)?;
         match value {
-            DeValue::Table(table) => Some(Section::new(part, place, table, found)),
-            _ => self.wrong_type(key, place, value, found),
+            DeValue::Table(table) => Some(Section::new(part, location, table, found)),
+            _ => self.wrong_type(key, location, value, found),
         }
     }
 
@@ -264,9 +274,9 @@ impl<'a> Section<'a> {
         part: Part,
         found: &mut Found,
     ) -> Option<Vec<Section<'a>>> {
-        let (place, value) = self.value(key)?;
+        let (location, value) = self.value(key)?;
         let DeValue::Array(items) = value else {
-            return self.wrong_type(key, place, value, found);
+            return self.wrong_type(key, location, value, found);
         };
         let mut sections = Vec::new();
         for item in items.iter() {
@@ -283,7 +293,7 @@ impl<'a> Section<'a> {
     fn sound(
         self,
         key: &str,
-        place: Span,
+        location: Span,
         value: &DeValue<'_>,
         sign: Sign,
         found: &mut Found,
@@ -292,12 +302,12 @@ impl<'a> Section<'a> {
             DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
                 .map_or(f64::INFINITY, |number| number as f64),
             DeValue::Float(digits) => digits.as_str().parse().unwrap_or(f64::NAN),
-            _ => return self.wrong_type(key, place, value, found),
+            _ => return self.wrong_type(key, location, value, found),
         };
         // A comparison with NaN is false.
         if !(-LARGEST..=LARGEST).contains(&number) {
             let reason = Describing::OutOfReach { most: LARGEST };
-            return self.refuse(key, place, reason, found);
+            return self.refuse(key, location, reason, found);
         }
         let wrong = match sign {
             Sign::Any => None,
@@ -308,14 +318,14 @@ impl<'a> Section<'a> {
         };
         match wrong {
             None => Some(number),
-            Some(reason) => self.refuse(key, place, reason, found),
+            Some(reason) => self.refuse(key, location, reason, found),
         }
     }
 
     fn wrong_type<T>(
         self,
         key: &str,
-        place: Span,
+        location: Span,
         value: &DeValue<'_>,
         found: &mut Found,
     ) -> Option<T> {
@@ -327,11 +337,11 @@ impl<'a> Section<'a> {
             DeValue::Array(_) => Kind::List,
             DeValue::Table(_) => Kind::Table,
         };
-        self.refuse(key, place, Describing::WrongKind { kind }, found)
+        self.refuse(key, location, Describing::WrongKind { kind }, found)
     }
 }
 
-/// Where a key or value is.
+/// Returns the location of a key or value.
 fn span<T>(spanned: &Spanned<T>) -> Span {
     let range = spanned.span();
     Span::new(range.start, range.end)

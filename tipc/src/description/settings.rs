@@ -1,4 +1,4 @@
-//! What a description says besides its legs; everything has a default.
+//! Settings of a description besides its legs; everything has a default.
 
 use super::Leg;
 use super::keys::Part;
@@ -40,24 +40,24 @@ pub(super) fn standards(robot: Section<'_>, periods: Range, found: &mut Found) -
     if !periods.contains(standards.period) {
         let Range { min, max } = periods;
         let reason = Describing::SamplingTimes { min, max };
-        section.refuse::<()>("period", section.place_of("period"), reason, found);
+        section.refuse::<()>("period", section.location_of("period"), reason, found);
     }
     standards
 }
 
-/// The sampling times that the robot accepts.
+/// Reads the sampling times that the robot accepts.
 pub(super) fn periods(robot: Section<'_>, found: &mut Found) -> Range {
     let periods = robot.range("periods", Sign::Positive, found);
     periods.unwrap_or(generic::MODEL.periods)
 }
 
-/// The voltage of a sole that stands on something.
+/// Reads the voltage of a sole that stands on something.
 pub(super) fn contact(robot: Section<'_>, found: &mut Found) -> f64 {
     let contact = robot.number("contact", Sign::Positive, found);
     contact.unwrap_or(generic::MODEL.contact)
 }
 
-/// How many lamps there are.
+/// Returns the number of lamps.
 pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
     let standard = generic::MODEL.lamps;
     let Some(number) = robot.number("lamps", Sign::NotNegative, found) else {
@@ -65,13 +65,13 @@ pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
     };
     if number > f64::from(u8::MAX) || number.fract() != 0.0 {
         let reason = Describing::NoNumberOfLamps;
-        robot.refuse::<()>("lamps", robot.place_of("lamps"), reason, found);
+        robot.refuse::<()>("lamps", robot.location_of("lamps"), reason, found);
         return standard;
     }
     number as u8
 }
 
-/// The body and its shapes, if the robot walks.
+/// Reads the body and its shapes, if the robot walks.
 pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<Shape>)> {
     let section = robot.table("body", Part::Body, found)?;
     let [x, y, z] = ["x", "y", "z"].map(|key| section.extent(key, found));
@@ -91,7 +91,7 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<S
     Some((body, shapes))
 }
 
-/// What torques the robot senses and gives, if it does. The search commands of the hand are none of its.
+/// Reads the torques that the robot senses and gives, if it does. Such a robot lacks the search commands of the hand.
 pub(super) fn forces(robot: Section<'_>, legs: &[Leg], found: &mut Found) -> Option<Forces> {
     let section = robot.table("forces", Part::Forces, found)?;
     let units = TorqueUnit::ALL.map(|unit| (unit.symbol(), unit));
@@ -116,7 +116,7 @@ pub(super) fn forces(robot: Section<'_>, legs: &[Leg], found: &mut Found) -> Opt
     })
 }
 
-/// The slider that carries the floor, if there is one.
+/// Reads the slider that carries the floor, if there is one.
 pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
     let section = robot.table("slider", Part::Slider, found)?;
     let initial: [f64; 3] = section.numbers("initial", Sign::Any, found)?;
@@ -128,13 +128,13 @@ pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
         *travel = given;
         if !given.contains(at) {
             let reason = Describing::SliderOutside { at };
-            section.refuse::<()>(key, section.place_of(key), reason, found);
+            section.refuse::<()>(key, section.location_of(key), reason, found);
         }
     }
     Some(Slider { initial, travel })
 }
 
-/// The inverse kinematics that the file asks for.
+/// Reads the inverse kinematics that the file asks for.
 pub(super) fn inverse(robot: Section<'_>, found: &mut Found) -> Option<Inverse> {
     let words = Inverse::ALL.map(|inverse| (inverse.name(), inverse));
     robot.choice("inverse", &words, found)

@@ -1,8 +1,8 @@
 //! Shapes of links and bodies, for exported files. No plant of this project looks at them, and no `Model` holds them.
 
 use super::keys::Part;
+use super::rotation::sin_cos;
 use super::section::{Found, Section, Sign, fault};
-use super::turn::sin_cos;
 use crate::message::Describing;
 use tip_runtime::model::Point;
 
@@ -21,14 +21,14 @@ use tip_runtime::model::Point;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shapes {
-    /// Those of the body, in the robot frame.
+    /// Shapes of the body, in the robot frame.
     pub body: Vec<Shape>,
-    /// Those of the link after each joint of each leg, from the joint on.
+    /// Shapes of the link after each joint of each leg, from the joint on.
     pub legs: Vec<Vec<Vec<Shape>>>,
 }
 
 impl Shapes {
-    /// Those of the link after a joint of a leg, both counted from 1 as the language has them.
+    /// Returns the shapes of the link after a joint of a leg, both counted from 1 as the language has them.
     pub fn of(&self, leg: u8, joint: u8) -> &[Shape] {
         let [leg, joint] = [leg, joint].map(|number| usize::from(number).checked_sub(1));
         let links = leg.and_then(|leg| self.legs.get(leg));
@@ -40,7 +40,7 @@ impl Shapes {
 /// A part of what a link or a body looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
-    /// What it is.
+    /// Geometric form.
     pub form: Form,
     /// Its middle, from its joint or in the robot frame: mm.
     pub at: Point,
@@ -67,7 +67,7 @@ pub enum Form {
     },
 }
 
-/// What the key `shape` of a table says.
+/// Reads the key `shape` of a table.
 pub(super) fn read(section: Section<'_>, found: &mut Found) -> Vec<Shape> {
     let sections = section.tables("shape", Part::Shape, found);
     let sections = sections.unwrap_or_default().into_iter();
@@ -85,7 +85,7 @@ fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
     })
 }
 
-/// What the one key of three says.
+/// Reads the form from the one key of three that is present.
 fn form(section: Section<'_>, found: &mut Found) -> Option<Form> {
     let given = ["block", "cylinder", "sphere"].map(|key| section.has(key));
     match given {
@@ -107,13 +107,13 @@ fn form(section: Section<'_>, found: &mut Found) -> Option<Form> {
                 false => Describing::NoForm,
             };
             let help = Describing::Forms;
-            found.push(fault(section.part, section.place, reason, help));
+            found.push(fault(section.part, section.location, reason, help));
             None
         }
     }
 }
 
-/// The axes of what is turned about the fixed x, y and z, one after the other: deg.
+/// Returns the axes of what is turned about the fixed x, y and z, one after the other: deg.
 fn axes(turned: [f64; 3]) -> [Point; 3] {
     let [[sr, cr], [sp, cp], [sy, cy]] = turned.map(sin_cos);
     [
@@ -124,7 +124,8 @@ fn axes(turned: [f64; 3]) -> [Point; 3] {
 }
 
 impl Shape {
-    /// The same of a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror` the sign of each coordinate.
+    /// Returns the shape on a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror` the
+    /// sign of each coordinate.
     pub(super) fn placed(&self, turned: impl Fn([f64; 3]) -> [f64; 3], mirror: [f64; 3]) -> Shape {
         let put = |of: Point| {
             let of = turned(of);

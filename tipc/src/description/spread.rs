@@ -1,10 +1,11 @@
-//! How the mass of a link or a body is spread, where the file says so.
+//! Mass distribution of a link or a body, where the file gives it.
 
 use super::section::{Found, Section, Sign};
 use crate::message::Describing;
 use tip_runtime::model::Spread;
 
-/// What the keys `centre` and `inertia` of a table say, and what stands for the one that it leaves out; `None` if it has neither.
+/// Reads the keys `centre` and `inertia` of a table, with a default for the one that it leaves out; `None` if it has
+/// neither.
 pub(super) fn read(section: Section<'_>, even: Spread, found: &mut Found) -> Option<Spread> {
     let centre = section.numbers("centre", Sign::Any, found);
     let inertia = section.numbers("inertia", Sign::Any, found);
@@ -18,11 +19,12 @@ pub(super) fn read(section: Section<'_>, even: Spread, found: &mut Found) -> Opt
     if spread.is_sound() {
         return Some(spread);
     }
-    let place = section.place_of("inertia");
-    section.refuse("inertia", place, Describing::NoBodysInertia, found)
+    let location = section.location_of("inertia");
+    section.refuse("inertia", location, Describing::NoBodysInertia, found)
 }
 
-/// The same of a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror` the sign of each coordinate.
+/// Returns the distribution for a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror`
+/// the sign of each coordinate.
 pub(super) fn placed(
     spread: &Spread,
     turned: impl Fn([f64; 3]) -> [f64; 3],

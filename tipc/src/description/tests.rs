@@ -16,7 +16,7 @@ joint = [
 ]
 "#;
 
-/// A robot with one leg at the origin.
+/// Returns a robot with one leg at the origin.
 fn one_leg(joints: &str) -> String {
     format!("name = \"test\"\nleg = [{{ base = [0, 0, 0] }}]\njoint = [{joints}]\n")
 }
@@ -124,7 +124,7 @@ fn mirrors_follow_the_turn() {
     assert_eq!(model.legs[0].joints[0].link, [0.0, -10.0, -3.0]);
 }
 
-/// How the only link is spread, in a leg with these keys.
+/// Returns the mass distribution of the only link, in a leg with these keys.
 fn spread(leg: &str, keys: &str) -> Spread {
     let text = one_leg(&format!(
         "{{ axis = \"x\", link = [0, 0, -60], mass = 2, {keys} }}"

@@ -1,4 +1,4 @@
-//! How Rust spells what commands and messages are given.
+//! Rust tokens of the arguments of commands and messages.
 
 use super::expression::Values;
 use super::ident;
@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 impl Values<'_> {
-    /// The operands of a command, as an array of values. An array of numbers alone is a constant of the
+    /// Returns the operands of a command, as an array of values. An array of numbers alone is a constant of the
     /// program, which a step need not make, since it calls no function.
     pub(super) fn of_arguments(&self, arguments: &[Argument]) -> TokenStream {
         if let Some(members) = self.whole_struct(arguments) {
@@ -24,7 +24,7 @@ impl Values<'_> {
         quote!([#(#values),*])
     }
 
-    /// The members of a struct, if they are the operands, all and in order.
+    /// Returns the members of a struct, if they are the operands, all and in order.
     fn whole_struct(&self, arguments: &[Argument]) -> Option<TokenStream> {
         let variable = match arguments.first()?.operand {
             Operand::Scalar { scalar, .. } => scalar.variable,

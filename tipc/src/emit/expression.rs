@@ -1,4 +1,4 @@
-//! How Rust spells operands, equations and conditions. Evaluation order is that of the tokens:
+//! Rust tokens of operands, equations and conditions. Evaluation order is that of the tokens:
 //! operands left to right, then the operation, then the left side of `op=`, then the result.
 
 use super::ident;
@@ -11,17 +11,17 @@ use crate::program::{
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// What one step reads and assigns.
+/// Reads and assignments of one step.
 pub(super) struct Values<'a> {
     pub(super) program: &'a Program,
-    /// Which reads need no test.
+    /// Reads that need no test.
     pub(super) assignment: &'a Assignment,
     /// The step.
     pub(super) step: StepId,
 }
 
 impl Values<'_> {
-    /// The place that holds a scalar.
+    /// Returns the place expression of a scalar.
     pub(super) fn place(&self, scalar: Scalar) -> TokenStream {
         let variable = &self.program.variables[scalar.variable];
         let name = field(variable);
@@ -34,7 +34,7 @@ impl Values<'_> {
         }
     }
 
-    /// The value of a scalar, or its fault where it may have none.
+    /// Returns the value of a scalar, or its fault where it may have none.
     pub(super) fn read(&self, scalar: Scalar) -> TokenStream {
         let place = self.place(scalar);
         let index = self.program.scalar_index(scalar);
@@ -45,7 +45,7 @@ impl Values<'_> {
         quote!(#place.get(#index)?)
     }
 
-    /// The members of a struct, or the fault of the first one without a value.
+    /// Returns the members of a struct, or the fault of the first one without a value.
     pub(super) fn read_struct(&self, variable: VariableId) -> TokenStream {
         let variable = &self.program.variables[variable];
         let name = field(variable);
@@ -74,7 +74,7 @@ impl Values<'_> {
         }
     }
 
-    /// What comes before an assignment, and the value to assign or its fault: a `Result`.
+    /// Returns the code before an assignment, and the value to assign or its fault: a `Result`.
     pub(super) fn update(
         &self,
         target: Scalar,
@@ -99,7 +99,7 @@ impl Values<'_> {
         )
     }
 
-    /// The value of an expression or its fault: a `Result`.
+    /// Returns the value of an expression or its fault: a `Result`.
     pub(super) fn calculated(&self, value: ScalarExpression) -> TokenStream {
         match value {
             ScalarExpression::Operand(operand) => {

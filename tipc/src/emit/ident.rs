@@ -6,7 +6,7 @@ use quote::quote;
 use std::collections::BTreeMap;
 use std::fmt::{Debug, Write};
 
-/// The type that a source file's program gets: its name without folders and extension, in
+/// Returns the type that a source file's program gets: its name without folders and extension, in
 /// UpperCamelCase (`walk_fast.prg` is `WalkFast`). Characters other than ASCII letters and digits
 /// separate words; where no word is left the name is `Program`.
 pub fn type_name(source_name: &str) -> String {
@@ -42,17 +42,17 @@ fn capitalised(word: &str) -> String {
     format!("{}{rest}", first.to_ascii_uppercase())
 }
 
-/// The field that holds a variable. The prefix keeps it clear of keywords and of the other fields.
+/// Returns the field that holds a variable. The prefix keeps it clear of keywords and of the other fields.
 pub(super) fn field(variable: &Variable) -> Ident {
     identifier(&format!("v_{}", variable.name.to_ascii_lowercase()))
 }
 
-/// The function of a step.
+/// Returns the function of a step.
 pub(super) fn state(step: StepId) -> Ident {
     identifier(&format!("step_{step}"))
 }
 
-/// Step and constant of each label whose name stands for one step only; LOOP may stand for many.
+/// Returns step and constant of each label whose name stands for one step only; LOOP may stand for many.
 pub(super) fn label_constants(labels: &[Label]) -> Vec<(u32, Ident)> {
     let mut declared = BTreeMap::<&str, usize>::new();
     for label in labels {
@@ -69,7 +69,7 @@ pub(super) fn identifier(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
-/// The text with an escape in the place of each character that a comment may not hold; a tab stays.
+/// Returns the text with an escape in the place of each character that a comment may not hold; a tab stays.
 pub(crate) fn in_comment(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for char in text.chars() {
@@ -82,7 +82,7 @@ pub(crate) fn in_comment(text: &str) -> String {
     shown
 }
 
-/// Control characters, line separators, and characters that set the direction of text.
+/// Returns true for control characters, line separators, and characters that set the direction of text.
 fn breaks_comments(char: char) -> bool {
     let sets_direction = matches!(
         char,
@@ -92,7 +92,7 @@ fn breaks_comments(char: char) -> bool {
     sets_direction || parts_lines || (char.is_control() && char != '\t')
 }
 
-/// A number that reads back to the same bits.
+/// Returns a number that reads back to the same bits.
 pub(crate) fn number(value: f64) -> TokenStream {
     let magnitude = Literal::f64_unsuffixed(value.abs());
     if value.is_sign_negative() {
@@ -102,10 +102,10 @@ pub(crate) fn number(value: f64) -> TokenStream {
     }
 }
 
-/// A variant of the vocabulary: Rust spells it as `Debug` does, after the name of its type.
+/// Returns a variant of the vocabulary: its `Debug` form after the name of its type.
 fn variant(of: &str, variant: impl Debug) -> TokenStream {
-    let spelled = format!("{of}::{variant:?}");
-    spelled.parse().unwrap_or_default()
+    let path = format!("{of}::{variant:?}");
+    path.parse().unwrap_or_default()
 }
 
 pub(super) fn op(op: Op) -> TokenStream {
@@ -128,8 +128,8 @@ pub(super) fn flag(flag: Flag) -> TokenStream {
     let Some(of) = flag.target() else {
         return variant("Flag", flag);
     };
-    let spelled = format!("{flag:?}");
-    let name = identifier(spelled.split('(').next().unwrap_or_default());
+    let variant = format!("{flag:?}");
+    let name = identifier(variant.split('(').next().unwrap_or_default());
     let of = target(of);
     quote!(Flag::#name(#of))
 }

@@ -3,21 +3,21 @@
 //! Tokens and their syntax tree take many times what their text takes. Those of a long program are therefore made, laid out and
 //! dropped a few steps at a time; the text is the same as of all at once.
 
-use super::table::Spelled;
+use super::table::GeneratedStep;
 use super::{Emitter, Options, emit, header};
 use crate::program::{Program, StepId};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
 
-/// How many steps are in memory at once. The tables of a longer program fit on no line.
+/// Number of steps in memory at once. The tables of a longer program fit on no line.
 const STEPS: usize = 64;
 
 /// The columns of a line, and those before a number of a table in an `impl`.
 const COLUMNS: usize = 89;
 const INDENT: usize = 8;
 
-/// The items of [`emit`](super::emit) as formatted source text under a header comment.
+/// Returns the items of [`emit`](super::emit) as formatted source text under a header comment.
 ///
 /// # Errors
 /// They are not a Rust file; a visibility or runtime path that is none can cause it.
@@ -38,7 +38,7 @@ fn laid_out(tokens: TokenStream) -> Result<String, syn::Error> {
     Ok(prettyplease::unparse(&syn::parse2(tokens)?))
 }
 
-/// The outline of the program with its steps put in.
+/// Returns the outline of the program with its steps put in.
 fn piecewise(program: &Program, options: &Options) -> Result<String, syn::Error> {
     let emitter = Emitter::new(program, options);
     let outline = emitter.items(&emitter.outline(quote!(Step::run(Self::rows))));
@@ -54,24 +54,28 @@ fn piecewise(program: &Program, options: &Options) -> Result<String, syn::Error>
     out += "    ];\n";
     out += between;
     out += "        const STEPS: &'static [Step<Self>] = &[\n";
-    emitter.each(&mut out, |Spelled { row, .. }| row, rows)?;
+    emitter.each(&mut out, |GeneratedStep { row, .. }| row, rows)?;
     out += "        ];\n";
-    emitter.each(&mut out, |Spelled { function, .. }| function, functions)?;
+    emitter.each(
+        &mut out,
+        |GeneratedStep { function, .. }| function,
+        functions,
+    )?;
     out += behind;
     Ok(out)
 }
 
-/// What stands before and after a line.
+/// Returns the text before and after a line.
 fn split<'a>(text: &'a str, line: &str) -> (&'a str, &'a str) {
     text.split_once(line).unwrap_or((text, ""))
 }
 
 impl Emitter<'_> {
-    /// A part of each step, a few steps at a time.
+    /// Writes a part of each step, a few steps at a time.
     fn each(
         &self,
         out: &mut String,
-        part: impl Fn(Spelled) -> TokenStream,
+        part: impl Fn(GeneratedStep) -> TokenStream,
         lay_out: impl Fn(TokenStream) -> Result<String, syn::Error>,
     ) -> Result<(), syn::Error> {
         let ids: Vec<StepId> = self
@@ -82,7 +86,7 @@ impl Emitter<'_> {
             .map(|(_, id)| id)
             .collect();
         for ids in ids.chunks(STEPS) {
-            *out += &lay_out(ids.iter().map(|id| part(self.spelled(*id))).collect())?;
+            *out += &lay_out(ids.iter().map(|id| part(self.generate_step(*id))).collect())?;
         }
         Ok(())
     }
@@ -142,7 +146,7 @@ mod tests {
     use crate::load::{self, load};
     use std::fmt::Write;
 
-    /// Every kind of row and function, in programs of such lengths.
+    /// Returns every kind of row and function, in programs of such lengths.
     fn program(steps: usize) -> Program {
         let mut text = "3.1\nlong\nDEF_VAR V W\nDEF_POS P\n".to_owned();
         for step in 0..steps / 8 {

@@ -1,4 +1,4 @@
-//! How Rust spells a program's state: the struct, its constructor and its implementations.
+//! Rust tokens of a program's state: the struct, its constructor and its implementations.
 
 use super::ident::field;
 use super::ident::in_comment;
@@ -15,7 +15,7 @@ impl Emitter<'_> {
         mentioned.contains("calls")
     }
 
-    /// The struct; `mentioned` are the words of its states.
+    /// Returns the struct; `mentioned` are the words of its states.
     pub(super) fn structure(&self, mentioned: &BTreeSet<String>) -> TokenStream {
         let Emitter {
             visibility,
@@ -53,7 +53,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The constructor and the tables.
+    /// Returns the constructor and the tables.
     pub(super) fn inherent_impl(&self, states: &States) -> TokenStream {
         let name = &self.name;
         let constructor = self.constructor(&states.mentioned);
@@ -102,7 +102,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The source line of each step, and the steps of the labels that states name.
+    /// Returns the source line of each step, and the steps of the labels that states name.
     fn tables(&self, states: &States) -> TokenStream {
         let States {
             lines, mentioned, ..
@@ -121,7 +121,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What the rows that are data need of a program.
+    /// Implements the runtime's `State`, which rows of data need.
     pub(super) fn state_impl(&self, name: &TokenStream) -> TokenStream {
         let taken = self
             .has_taken_state
@@ -140,7 +140,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The other paths from a state to the next one; only those that a state takes.
+    /// Returns the other paths from a state to the next one; only those that a state takes.
     pub(super) fn moves(&self, mentioned: &BTreeSet<String>) -> TokenStream {
         let skip = quote! {
             fn skip(&mut self, step: u32) -> Result<Flow, Fault> {
@@ -263,19 +263,19 @@ impl Emitter<'_> {
         }
     }
 
-    /// The arms that give name and value of each scalar.
+    /// Returns the arms that give name and value of each scalar.
     fn scalars(&self) -> TokenStream {
         let arm = |(index, name, place)| quote!(#index => (#name, #place.assigned()),);
         self.places().map(arm).collect()
     }
 
-    /// The arms that assign each scalar.
+    /// Returns the arms that assign each scalar.
     fn assignments(&self) -> TokenStream {
         let arm = |(index, _, place)| quote!(#index => #place.set(value),);
         self.places().map(arm).collect()
     }
 
-    /// Index, name and place of each scalar.
+    /// Returns index, name and place expression of each scalar.
     fn places(&self) -> impl Iterator<Item = (Literal, String, TokenStream)> + '_ {
         self.program.variables.iter().flat_map(|variable| {
             let field = field(variable);

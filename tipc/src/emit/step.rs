@@ -1,4 +1,4 @@
-//! How Rust spells a step: as a row of the table of states, or as a function that the row leads to.
+//! Rust tokens of a step: a row of the table of states, or a function that the row leads to.
 
 use super::expression::Values;
 use super::ident::field;
@@ -7,7 +7,7 @@ use crate::program::{Action, Argument, End, Operand, ScalarExpression, StepId};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// What a step becomes.
+/// The generated form of a step.
 pub(super) enum State {
     /// A row that needs no code.
     Row(TokenStream),
@@ -16,7 +16,7 @@ pub(super) enum State {
 }
 
 impl Emitter<'_> {
-    /// What a step with this action becomes.
+    /// Generates the form of a step with this action.
     pub(super) fn state(&self, step: StepId, action: &Action) -> State {
         let next = step + 1;
         let values = Values {
@@ -199,19 +199,19 @@ impl Emitter<'_> {
         State::Function(body)
     }
 
-    /// Only on to a step.
+    /// Returns a row that only leads on to a step.
     fn row_of_move(&self, to: StepId) -> State {
         let to = self.step_number(to);
         State::Row(quote!(Step::go(#to)))
     }
 
-    /// On to a step, "taken".
+    /// Returns the code that goes on to a step, "taken".
     fn go(&self, step: StepId) -> TokenStream {
         let step = self.step_number(step);
         quote!(self.go(#step))
     }
 
-    /// From a false IF or ELSEIF on to a step, "not taken".
+    /// Returns the code that goes from a false IF or ELSEIF on to a step, "not taken".
     fn skip(&self, step: StepId) -> TokenStream {
         let step = self.step_number(step);
         if self.has_taken_state {
@@ -226,8 +226,8 @@ impl Emitter<'_> {
         quote!(self.call(#to, #back))
     }
 
-    /// On to a step after what may fail: one `?` for all steps, since compiling one takes longer than
-    /// all the rest of a short step.
+    /// Returns the code that goes on to a step after what may fail: one `?` for all steps, since compiling one takes
+    /// longer than all the rest of a short step.
     fn after(&self, done: TokenStream, step: StepId) -> TokenStream {
         let step = self.step_number(step);
         quote! {
@@ -236,7 +236,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// On to one of two steps after a test that may fail.
+    /// Returns the code that goes on to one of two steps after a test that may fail.
     fn branch(&self, test: TokenStream, yes: StepId, no: StepId) -> TokenStream {
         let (yes, no) = (self.step_number(yes), self.step_number(no));
         quote! {
@@ -245,7 +245,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// A step's number, or the constant of the label that stands there.
+    /// Returns a step's number, or the constant of the label that stands there.
     fn step_number(&self, step: StepId) -> TokenStream {
         match self.labels.binary_search_by_key(&step, |(at, _)| *at) {
             Ok(label) => {

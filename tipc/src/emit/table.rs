@@ -1,4 +1,4 @@
-//! How Rust spells the table of states: one row for each step, and a function for each row that needs code.
+//! Rust tokens of the table of states: one row for each step, and a function for each row that needs code.
 
 use super::Emitter;
 use super::ident::in_comment;
@@ -15,27 +15,27 @@ pub(super) struct States {
     /// The source line of each step.
     pub(super) lines: TokenStream,
     rows: TokenStream,
-    /// Those of the rows that need code, and what moves between states.
+    /// Functions of the rows that need code, and of what moves between states.
     functions: TokenStream,
     /// The words that rows and functions mention.
     pub(super) mentioned: BTreeSet<String>,
 }
 
-/// What a step becomes.
-pub(super) struct Spelled {
+/// Generated code of a step.
+pub(super) struct GeneratedStep {
     pub(super) row: TokenStream,
-    /// What the row leads to, if it needs code.
+    /// Function that the row leads to, if it needs code.
     pub(super) function: TokenStream,
 }
 
 impl Emitter<'_> {
-    /// The states, and what moves between them.
+    /// Returns the states, and what moves between them.
     pub(super) fn states(&self) -> States {
         let mut states = States::default();
         for (step, id) in self.program.steps.iter().zip(0..) {
             let line = Literal::u32_unsuffixed(step.line);
             states.lines.extend(quote!(#line,));
-            let Spelled { row, function } = self.spelled(id);
+            let GeneratedStep { row, function } = self.generate_step(id);
             states.mention([&row, &function]);
             states.rows.extend(row);
             states.functions.extend(function);
@@ -43,7 +43,7 @@ impl Emitter<'_> {
         self.with_moves(states)
     }
 
-    /// The states with one row, no line and no function in the place of all.
+    /// Returns the states with one row, no line and no function in the place of all.
     #[cfg(feature = "build")]
     pub(super) fn outline(&self, row: TokenStream) -> States {
         let mut states = States {
@@ -51,7 +51,7 @@ impl Emitter<'_> {
             ..States::default()
         };
         for (_, id) in self.program.steps.iter().zip(0..) {
-            let Spelled { row, function } = self.spelled(id);
+            let GeneratedStep { row, function } = self.generate_step(id);
             states.mention([&row, &function]);
         }
         self.with_moves(states)
@@ -66,19 +66,19 @@ impl Emitter<'_> {
         states
     }
 
-    /// What one step becomes.
-    pub(super) fn spelled(&self, id: StepId) -> Spelled {
+    /// Generates the code of one step.
+    pub(super) fn generate_step(&self, id: StepId) -> GeneratedStep {
         let step = &self.program.steps[id as usize];
         let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
         let doc = in_comment(&doc);
         match self.state(id, &step.action) {
-            State::Row(row) => Spelled {
+            State::Row(row) => GeneratedStep {
                 row: quote!(#[doc = #doc] #row,),
                 function: TokenStream::new(),
             },
             State::Function(body) => {
                 let name = state(id);
-                Spelled {
+                GeneratedStep {
                     row: quote!(Step::run(Self::#name),),
                     function: function(&name, &doc, &body),
                 }
@@ -86,7 +86,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The table and its functions, in a scope of their own for what they import.
+    /// Returns the table and its functions, in a scope of their own for what they import.
     pub(super) fn table(&self, states: &States) -> TokenStream {
         let States {
             rows,
@@ -118,7 +118,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What the states mention: no name of the surrounding scope can get in between.
+    /// Imports what the states mention: no name of the surrounding scope can get in between.
     fn imports(&self, words: &BTreeSet<String>) -> TokenStream {
         let runtime = self.runtime;
         let option = import(quote!(::core::option::Option), words, &["Some"]);
@@ -174,7 +174,7 @@ fn function(name: &Ident, doc: &str, body: &TokenStream) -> TokenStream {
     }
 }
 
-/// A `use` of those candidates that are mentioned.
+/// Returns a `use` of those candidates that are mentioned.
 fn import(from: TokenStream, words: &BTreeSet<String>, candidates: &[&str]) -> TokenStream {
     let names: Vec<Ident> = candidates
         .iter()

@@ -36,7 +36,7 @@ const SAME: &[(&str, &str)] = &[
 /// The most parts that a name may have.
 const PARTS: usize = 6;
 
-/// The one command that says the same as this word.
+/// Returns the one command that says the same as this word.
 pub fn command(word: &str) -> Option<&'static str> {
     /// The commands with the same parts.
     static NAMES: LazyLock<HashMap<Vec<&str>, Vec<&str>>> = LazyLock::new(|| {
@@ -56,7 +56,7 @@ pub fn command(word: &str) -> Option<&'static str> {
     }
 }
 
-/// The parts of a name as commands have them, in order of the alphabet.
+/// Returns the parts of a name as commands have them, in order of the alphabet.
 fn parts(word: &str) -> Option<Vec<&str>> {
     if word.matches('_').count() >= PARTS {
         return None;

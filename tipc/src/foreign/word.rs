@@ -3,7 +3,7 @@
 use crate::language::reserved::POSITION;
 use tip_runtime::command::Flag;
 
-/// The flag that another language asks a function for, and whether it is negated: `!kbhit()`.
+/// Returns the flag that another language asks a function for, and true if it is negated: `!kbhit()`.
 pub fn flag(text: &str) -> Option<(&'static str, bool)> {
     const KEYS: &str = "KBHIT _KBHIT KEYPRESSED KEY_PRESSED KEYHIT KEY_HIT";
     let (text, is_negated) = match text.strip_prefix('!') {
@@ -15,7 +15,7 @@ pub fn flag(text: &str) -> Option<(&'static str, bool)> {
     is_key.then_some((Flag::KbHit.stem(), is_negated))
 }
 
-/// Whether a function tells the time.
+/// Returns true if a function tells the time.
 pub fn tells_time(name: &str) -> bool {
     const NAMES: &str = "MILLIS MICROS TIME CLOCK TIC TOC NOW TIMER GETTICKCOUNT TICKS";
     NAMES.split(' ').any(|one| one.eq_ignore_ascii_case(name))
@@ -27,7 +27,7 @@ pub fn is_g_code(word: &str) -> bool {
     !rest.is_empty() && rest.bytes().all(|it| it.is_ascii_digit())
 }
 
-/// Whether a word names a speed; one command sets it for all the motions after it.
+/// Returns true if a word names a speed; one command sets it for all the motions after it.
 pub fn is_speed(word: &str) -> bool {
     const SPEEDS: &str = "V F VEL VELOCITY SPEED FEED";
     SPEEDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))

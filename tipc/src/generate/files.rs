@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::{env, fs};
 
-/// What this build script generated so far: each file, and from what.
+/// Files that this build script generated so far, each with its source.
 static GENERATED: Mutex<BTreeMap<PathBuf, PathBuf>> = Mutex::new(BTreeMap::new());
 
-/// Where generated files go.
+/// Returns the folder of generated files.
 pub(super) fn out_dir(chosen: Option<&Path>) -> Result<PathBuf, BuildError> {
     match (chosen, env::var_os("OUT_DIR")) {
         (Some(folder), _) => Ok(folder.to_owned()),

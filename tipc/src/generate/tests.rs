@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 const GOOD: &str = "3.1\ngood\nEND\n";
 const BAD: &str = "2.0\nbad\nEND\n";
 
-/// An empty folder for one test, with these files in it.
+/// Returns an empty folder for one test, with these files in it.
 fn folder(test: &str, files: &[(&str, &str)]) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("tip-generate-{}-{test}", std::process::id()));
     let _ = fs::remove_dir_all(&folder);

@@ -1,6 +1,6 @@
 //! Texts of the tables.
 
-/// What a row says of its word, in each language that messages are written in.
+/// A text in each language that messages are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bilingual {
     /// In English.
@@ -13,7 +13,7 @@ impl Bilingual {
     /// Nothing to say.
     pub const EMPTY: Bilingual = Bilingual::new("", "");
 
-    /// A text in each language.
+    /// Creates a text in each language.
     pub(super) const fn new(english: &'static str, japanese: &'static str) -> Self {
         Bilingual { english, japanese }
     }

@@ -35,7 +35,7 @@ pub struct Command {
     pub section: &'static str,
     /// The clause of the language reference.
     pub clause: &'static str,
-    /// What it does.
+    /// Effect of the command.
     pub meaning: Meaning,
     /// Its arguments.
     pub form: Form,
@@ -43,9 +43,9 @@ pub struct Command {
     pub robots: Robots,
     /// The unit of its values, empty if they have none; `torque` is the robot's torque unit.
     pub unit: &'static str,
-    /// What it brings under control.
+    /// Parts that it brings under control.
     pub moves: Moves,
-    /// How many control cycles it takes.
+    /// Number of control cycles it takes.
     pub cycles: Cycles,
     /// The runtime errors of its own step, besides those of its operands.
     pub failures: &'static [Failure],
@@ -53,7 +53,7 @@ pub struct Command {
     pub description: Bilingual,
 }
 
-/// What a command does.
+/// Effect of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
     /// The robot carries it out.
@@ -125,13 +125,13 @@ static INDEX: Index<{ 2 * COUNT }> = {
     Index::of(words)
 };
 
-/// The command of that name or alias, whatever the case.
+/// Returns the command of that name or alias, whatever the case.
 pub fn find(name: &str) -> Option<&'static Command> {
     ROWS.get(INDEX.find(name)?)
 }
 
 impl Command {
-    /// A command of 3.1 that every robot has, that takes no argument and one cycle, and that cannot fail.
+    /// Creates a command of 3.1 that every robot has, that takes no argument and one cycle, and that cannot fail.
     const fn new(name: &'static str, meaning: Meaning) -> Self {
         Command {
             name,
@@ -150,12 +150,12 @@ impl Command {
         }
     }
 
-    /// One that the robot carries out.
+    /// Creates a command that the robot carries out.
     const fn robot(op: Op) -> Self {
         Command::new(op.name(), Meaning::Robot(op))
     }
 
-    /// One that the parser reads, without arguments.
+    /// Creates a command that the parser reads, without arguments.
     const fn keyword(keyword: Keyword) -> Self {
         let row = keyword.row();
         Command {
@@ -166,7 +166,7 @@ impl Command {
         }
     }
 
-    /// Its section of T.I.P. 3.1 and its clause of the language reference.
+    /// Sets its section of T.I.P. 3.1 and its clause of the language reference.
     const fn place(self, section: &'static str, clause: &'static str) -> Self {
         Command {
             section,
@@ -175,7 +175,7 @@ impl Command {
         }
     }
 
-    /// What it does, in one line.
+    /// Sets the description, one line.
     const fn does(self, english: &'static str, japanese: &'static str) -> Self {
         Command {
             description: Bilingual { english, japanese },
@@ -183,7 +183,7 @@ impl Command {
         }
     }
 
-    /// Another name that older programs use.
+    /// Sets another name that older programs use.
     const fn alias(self, alias: &'static str) -> Self {
         Command {
             alias: Some(alias),
@@ -191,37 +191,37 @@ impl Command {
         }
     }
 
-    /// Its arguments.
+    /// Sets its arguments.
     const fn takes(self, arguments: Arguments) -> Self {
         self.form(Form::Robot(arguments))
     }
 
-    /// Its arguments, in a form of its own.
+    /// Sets its arguments, in a form of its own.
     const fn form(self, form: Form) -> Self {
         Command { form, ..self }
     }
 
-    /// Its arguments as the parser reads them.
+    /// Sets its arguments as the parser reads them.
     const fn words(self, text: &'static str) -> Self {
         self.form(Form::Words(text))
     }
 
-    /// The unit of its values.
+    /// Sets the unit of its values.
     const fn unit(self, unit: &'static str) -> Self {
         Command { unit, ..self }
     }
 
-    /// What it brings under control.
+    /// Sets what it brings under control.
     const fn moves(self, moves: Moves) -> Self {
         Command { moves, ..self }
     }
 
-    /// The robots that have it.
+    /// Sets the robots that have it.
     const fn only(self, robots: Robots) -> Self {
         Command { robots, ..self }
     }
 
-    /// It is not a step.
+    /// Marks it as no step.
     const fn no_step(self) -> Self {
         Command {
             cycles: Cycles::Zero,
@@ -229,7 +229,7 @@ impl Command {
         }
     }
 
-    /// The program stays on it until this holds.
+    /// Sets the condition until which the program stays on it.
     const fn until(self, english: &'static str, japanese: &'static str) -> Self {
         Command {
             cycles: Cycles::Until(Bilingual { english, japanese }),
@@ -237,13 +237,13 @@ impl Command {
         }
     }
 
-    /// The runtime errors of its own step.
+    /// Sets the runtime errors of its own step.
     const fn fails(self, failures: &'static [Failure]) -> Self {
         Command { failures, ..self }
     }
 }
 
-/// Whether a command of the robot can take more than one control cycle.
+/// Returns true if a command of the robot can take more than one control cycle.
 pub fn waits(op: Op) -> bool {
     let mut rows = COMMANDS.iter();
     rows.any(|command| {
@@ -251,7 +251,7 @@ pub fn waits(op: Op) -> bool {
     })
 }
 
-/// The command that does to joints what this one does to feet.
+/// Returns the command that does to joints what this one does to feet.
 pub fn of_joints(word: &str) -> Option<&'static str> {
     let op = Op::ALL.iter().find(|op| op.name() == word)?;
     let other = match op {
@@ -271,11 +271,11 @@ pub fn of_joints(word: &str) -> Option<&'static str> {
     Some(other.name())
 }
 
-/// What an older version's command is called now (T.I.P. 3.1 §1-1).
+/// Returns the present name of an older version's command (T.I.P. 3.1 §1-1).
 pub fn renamed(word: &str) -> Option<&'static str> {
     let bare = word.strip_prefix("SET_").unwrap_or(word);
     let name = match word {
-        // So the tables of contents and of changes spell some names.
+        // Some names in the tables of contents and of changes.
         _ if bare.starts_with("T_MAX") => format!("SET_TORQUE{}", &bare[1..]),
         _ if bare.starts_with("OMEGA_") && !bare.contains("_MAX") => {
             let (limit, rate) = bare.rsplit_once('_')?;

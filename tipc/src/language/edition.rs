@@ -15,7 +15,7 @@ macro_rules! editions {
             /// Every edition, the oldest first.
             pub const ALL: &'static [Edition] = &[$( Edition::$variant, )*];
 
-            /// The number that line 1 names it by.
+            /// Returns the number that line 1 names it by.
             pub const fn number(self) -> f64 {
                 match self { $( Edition::$variant => $number, )* }
             }
@@ -30,7 +30,7 @@ editions! {
 }
 
 impl Edition {
-    /// The edition of that number; 3.1 if it names none.
+    /// Returns the edition of that number; 3.1 if it names none.
     pub fn of(number: f64) -> Edition {
         let mut all = Edition::ALL.iter().copied();
         all.find(|edition| edition.number() == number)

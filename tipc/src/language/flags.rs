@@ -8,13 +8,13 @@ use tip_runtime::command::{Flag, Port, Target};
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// The flag; of a family, one of its members. It spells itself.
+    /// The flag; of a family, one of its members. `Display` gives its word.
     pub flag: Flag,
     /// The first edition that has it.
     pub since: Edition,
     /// The robots that have it.
     pub robots: Robots,
-    /// What from outside makes it true.
+    /// Outside cause that makes it true.
     pub cause: Cause,
     /// The section of T.I.P. that describes it.
     pub section: &'static str,
@@ -24,7 +24,7 @@ pub struct Row {
     pub description: Bilingual,
 }
 
-/// What makes a flag true.
+/// Cause that makes a flag true.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
     /// Someone asks the program to stop.
@@ -76,7 +76,7 @@ pub const FLAGS: &[Row] = &[
 ];
 
 impl Row {
-    /// A flag of 3.1 that every robot has and sets itself.
+    /// Creates a flag of 3.1 that every robot has and sets itself.
     const fn new(flag: Flag, english: &'static str, japanese: &'static str) -> Self {
         Row {
             flag,
@@ -97,36 +97,36 @@ impl Row {
         Row { cause, ..self }
     }
 
-    /// Its word; of a family, what its words begin with.
+    /// Returns its word; of a family, what its words begin with.
     pub const fn word(&self) -> &'static str {
         self.flag.stem()
     }
 
-    /// Whether a target or a number follows its word.
+    /// Returns true if a target or a number follows its word.
     pub fn is_family(&self) -> bool {
         self.flag.to_string() != self.word()
     }
 }
 
-/// The row of a flag.
+/// Returns the row of a flag.
 pub fn row(flag: Flag) -> Option<&'static Row> {
     let mut rows = FLAGS.iter();
     rows.find(|row| discriminant(&row.flag) == discriminant(&flag))
 }
 
-/// The flag that an edition writes so, in capital letters, and its row.
+/// Returns the flag that an edition writes so, in capital letters, and its row.
 pub fn find(word: &str, edition: Edition) -> Option<(Flag, &'static Row)> {
     let flag = word.parse().ok()?;
     let row = row(flag).filter(|row| row.since <= edition)?;
     Some((flag, row))
 }
 
-/// The words that are not families.
+/// Returns the words that are not families.
 pub fn words() -> impl Iterator<Item = &'static str> {
     FLAGS.iter().filter(|row| !row.is_family()).map(Row::word)
 }
 
-/// What the words of each family begin with.
+/// Returns the first letters of the words of each family.
 pub fn families() -> impl Iterator<Item = &'static str> {
     FLAGS.iter().filter(|row| row.is_family()).map(Row::word)
 }

@@ -7,9 +7,9 @@ use tip_runtime::function::Function;
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// How it is written.
+    /// Spelling of the word.
     pub word: &'static str,
-    /// What it calculates.
+    /// Operation of the function.
     pub operation: Operation,
     /// The first edition that has it.
     pub since: Edition,
@@ -21,7 +21,7 @@ pub struct Row {
     pub description: Bilingual,
 }
 
-/// What a function calculates, which decides its operands.
+/// Operation of a function, which decides its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// A number from a number.
@@ -48,7 +48,7 @@ pub enum Axis {
 }
 
 impl Operation {
-    /// How many operands it takes.
+    /// Returns the number of operands.
     pub const fn operands(self) -> usize {
         match self {
             Operation::Scalar(_) | Operation::Norm | Operation::UnitVect => 1,
@@ -56,7 +56,7 @@ impl Operation {
         }
     }
 
-    /// The word that it is written by.
+    /// Returns the word that it is written by.
     pub fn word(self) -> &'static str {
         let row = FUNCTIONS.iter().find(|row| row.operation == self);
         row.map_or("", |row| row.word)
@@ -64,7 +64,7 @@ impl Operation {
 }
 
 impl Row {
-    /// A function of 3.1.
+    /// Creates a function of 3.1.
     const fn new(
         word: &'static str,
         operation: Operation,
@@ -82,7 +82,7 @@ impl Row {
         }
     }
 
-    /// A function of 3.1 from number to number.
+    /// Creates a function of 3.1 from number to number.
     const fn scalar(
         word: &'static str,
         function: Function,
@@ -210,13 +210,13 @@ static INDEX: Index<{ FUNCTIONS.len() }> = {
     Index::of(words)
 };
 
-/// The function that an edition writes so, whatever the case.
+/// Returns the function that an edition writes so, whatever the case.
 pub fn find(word: &str, edition: Edition) -> Option<Operation> {
     let row = &FUNCTIONS[INDEX.find(word)?];
     (row.since <= edition).then_some(row.operation)
 }
 
-/// How the functions are written.
+/// Returns the words of the functions.
 pub fn words() -> impl Iterator<Item = &'static str> {
     FUNCTIONS.iter().map(|row| row.word)
 }

@@ -1,4 +1,4 @@
-//! Finding a word's row.
+//! Diagnostic a word's row.
 
 /// The most bytes that a word of the language has.
 const LONGEST: usize = 32;
@@ -7,12 +7,12 @@ const LONGEST: usize = 32;
 pub(super) struct Index<const N: usize> {
     /// Each word and the number of its row.
     words: [(&'static str, u8); N],
-    /// Where the words of each length begin.
+    /// Start of the words of each length.
     starts: [u8; LONGEST + 2],
 }
 
 impl<const N: usize> Index<N> {
-    /// An index of these words.
+    /// Builds an index of these words.
     pub(super) const fn of(words: [(&'static str, u8); N]) -> Self {
         let mut starts = [0; LONGEST + 2];
         let mut at = 0;
@@ -40,7 +40,7 @@ impl<const N: usize> Index<N> {
         }
     }
 
-    /// The row of a word, whatever its case.
+    /// Returns the row of a word, whatever its case.
     pub(super) fn find(&self, word: &str) -> Option<usize> {
         let first = word.bytes().next()?;
         let start = *self.starts.get(word.len())?;

@@ -9,7 +9,7 @@ use tip_runtime::command::Port;
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// The input; of several of a kind, one of them. It spells itself.
+    /// The input; of several of a kind, one of them. `Display` gives its word.
     pub port: Port,
     /// The first edition that has it.
     pub since: Edition,
@@ -52,7 +52,7 @@ pub const INPUTS: &[Row] = &[
 ];
 
 impl Row {
-    /// An input of 3.1.
+    /// Creates an input of 3.1.
     const fn new(
         port: Port,
         robots: Robots,
@@ -70,7 +70,7 @@ impl Row {
     }
 }
 
-/// The input that an edition writes so, in capital letters, and its row.
+/// Returns the input that an edition writes so, in capital letters, and its row.
 pub fn find(word: &str, edition: Edition) -> Option<(Port, &'static Row)> {
     let port: Port = word.parse().ok()?;
     let mut rows = INPUTS.iter();
@@ -78,12 +78,12 @@ pub fn find(word: &str, edition: Edition) -> Option<(Port, &'static Row)> {
     (row.since <= edition).then_some((port, row))
 }
 
-/// The inputs besides joints.
+/// Returns the inputs besides joints.
 pub fn named() -> impl Iterator<Item = Port> {
     INPUTS.iter().flat_map(|row| row.port.named())
 }
 
-/// The kinds that a robot has besides knobs and joints, each as its inputs are named.
+/// Returns the kinds that a robot has besides knobs and joints, each as its inputs are named.
 pub(crate) fn others(robot: Robot) -> impl Iterator<Item = String> {
     let rows = INPUTS.iter().filter(move |row| row.robots.contains(robot));
     let rows = rows.filter(|row| !matches!(row.port, Port::Knob(_)));

@@ -8,9 +8,9 @@ use std::fmt;
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// Which keyword.
+    /// The keyword.
     pub keyword: Keyword,
-    /// How it is written.
+    /// Spelling of the word.
     pub word: &'static str,
     /// The first edition that has it.
     pub since: Edition,
@@ -237,17 +237,17 @@ keywords! {
 }
 
 impl Keyword {
-    /// Its row.
+    /// Returns its row.
     pub const fn row(self) -> &'static Row {
         &KEYWORDS[self as usize]
     }
 
-    /// Whether it is allowed only after another one.
+    /// Returns true if it is allowed only after another one.
     pub const fn is_particle(self) -> bool {
         matches!(self, Keyword::Then | Keyword::To | Keyword::Step)
     }
 
-    /// How it is written.
+    /// Returns its spelling.
     pub const fn word(self) -> &'static str {
         self.row().word
     }
@@ -275,7 +275,7 @@ static INDEX: Index<{ KEYWORDS.len() }> = {
     Index::of(words)
 };
 
-/// The keyword that an edition writes so, whatever the case.
+/// Returns the keyword that an edition writes so, whatever the case.
 pub fn find(word: &str, edition: Edition) -> Option<Keyword> {
     let row = &KEYWORDS[INDEX.find(word)?];
     (row.since <= edition).then_some(row.keyword)
@@ -287,7 +287,7 @@ mod tests {
     use crate::language::Edition;
 
     #[test]
-    fn every_keyword_is_found_by_its_word_and_has_the_row_of_its_place() {
+    fn every_keyword_is_found_by_its_word_and_has_the_row_of_its_index() {
         for row in KEYWORDS {
             assert_eq!(row.keyword.row(), row);
             assert_eq!(find(row.word, Edition::V3_1), Some(row.keyword));

@@ -1,15 +1,15 @@
-//! What the names that a program chooses itself look like (T.I.P. 3.1 §4-3, §4-4).
+//! Syntax of the names that a program chooses itself (T.I.P. 3.1 §4-3, §4-4).
 
 /// The most bytes of a name.
 pub const LIMIT: usize = 32;
 
-/// Whether a word, in capital letters, is spelled as the name of a variable.
+/// Returns true if a word, in capital letters, has the form of the name of a variable.
 pub fn is_variable(word: &str) -> bool {
     let starts_well = word.starts_with(|first: char| first.is_ascii_uppercase() || first == '_');
     starts_well && is_label(word)
 }
 
-/// Whether a word, in capital letters, is spelled as the name of a label.
+/// Returns true if a word, in capital letters, has the form of the name of a label.
 pub fn is_label(word: &str) -> bool {
     let is_fit = |byte: u8| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_';
     !word.is_empty() && word.bytes().all(is_fit)

@@ -8,7 +8,7 @@ use tip_runtime::command::{self, CONSTANT, Target};
 pub struct Row {
     /// The word; of a family, what its words begin with.
     pub word: &'static str,
-    /// What it is.
+    /// Kind of the word.
     pub kind: Kind,
     /// The first edition that has it.
     pub since: Edition,
@@ -20,10 +20,10 @@ pub struct Row {
     pub description: Bilingual,
 }
 
-/// What such a word is.
+/// Kind of a word of the language.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// What a command acts on; of feet and joints, one of them.
+    /// A target of commands; of feet and joints, one of them.
     Target(Target),
     /// A variable that every program has.
     Variable,
@@ -48,7 +48,7 @@ pub const LOOP: &str = "LOOP";
 /// The members of a POS.
 pub const POSITION: [&str; 3] = ["X", "Y", "Z"];
 
-/// What the members of a JOINT begin with; a number follows.
+/// First letter of the members of a JOINT; a number follows.
 pub const JOINT: &str = "J";
 
 /// Every such word.
@@ -160,7 +160,7 @@ pub const RESERVED: &[Row] = &[
 ];
 
 impl Row {
-    /// A word of 3.1.
+    /// Creates a word of 3.1.
     const fn new(
         word: &'static str,
         kind: Kind,
@@ -179,13 +179,13 @@ impl Row {
         }
     }
 
-    /// A target of 3.1.
+    /// Creates a target of 3.1.
     const fn target(target: Target, english: &'static str, japanese: &'static str) -> Self {
         let kind = Kind::Target(target);
         Row::new(target.stem(), kind, "§4-4", "3.2", english, japanese)
     }
 
-    /// Whether it says what this word is, and nothing may have the word as a name.
+    /// Returns true if the row describes this word and reserves it, so that nothing may have it as a name.
     fn reserves(&self, word: &str) -> bool {
         match self.kind {
             Kind::Target(_) => {
@@ -201,7 +201,7 @@ impl Row {
     }
 }
 
-/// The digit or letter after what the names of such constants begin with.
+/// Returns the digit or letter after what the names of such constants begin with.
 fn character(word: &str, stem: &str) -> Option<u8> {
     match word.strip_prefix(stem)?.as_bytes() {
         [char @ (b'0'..=b'9' | b'A'..=b'Z')] => Some(*char),
@@ -209,12 +209,12 @@ fn character(word: &str, stem: &str) -> Option<u8> {
     }
 }
 
-/// The rows that an edition has.
+/// Returns the rows that an edition has.
 fn rows(edition: Edition) -> impl Iterator<Item = &'static Row> {
     RESERVED.iter().filter(move |row| row.since <= edition)
 }
 
-/// The value of a constant's name.
+/// Returns the value of a constant's name.
 pub fn constant(word: &str, edition: Edition) -> Option<f64> {
     rows(edition).find_map(|row| match row.kind {
         Kind::Constant(value) => (word == row.word).then_some(value),
@@ -223,18 +223,19 @@ pub fn constant(word: &str, edition: Edition) -> Option<f64> {
     })
 }
 
-/// The flags of motions.
+/// Returns the flags of motions.
 pub fn motion_flags() -> impl Iterator<Item = &'static str> {
     let flags = RESERVED.iter().filter(|row| row.kind == Kind::MotionFlag);
     flags.map(|row| row.word)
 }
 
-/// Whether motions read this word as their flag.
+/// Returns true if motions read this word as their flag.
 pub fn is_motion_flag(word: &str, edition: Edition) -> bool {
     rows(edition).any(|row| row.kind == Kind::MotionFlag && row.word == word)
 }
 
-/// Whether an edition's word, in capital letters, belongs to the language, so that nothing may have it as a name.
+/// Returns true if an edition's word, in capital letters, belongs to the language, so that nothing may have it as a
+/// name.
 pub fn is_reserved(word: &str, edition: Edition) -> bool {
     commands::find(word).is_some_and(|command| command.since <= edition)
         || keywords::find(word, edition).is_some()

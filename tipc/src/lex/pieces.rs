@@ -4,7 +4,7 @@ use super::{skip_delimiters, trim_delimiters, word_end};
 use crate::language::Keyword;
 use crate::source::Span;
 
-/// What is on a line before its comment.
+/// A part of a line before its comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Piece {
     /// `NAME:`, a label.
@@ -20,7 +20,7 @@ pub enum Piece {
         word: Span,
         /// All of it, without the delimiters at its end.
         span: Span,
-        /// How far a text goes on: up to the next `;`, or to the end of the code.
+        /// End of a text: the next `;`, or the end of the code.
         text_end: usize,
     },
 }
@@ -29,20 +29,20 @@ pub enum Piece {
 #[derive(Debug)]
 pub struct Pieces<'a> {
     text: &'a str,
-    /// Where the line's code ends.
+    /// End of the line's code.
     code_end: usize,
     /// `;` is an ordinary character of texts.
     single: bool,
-    /// What is still to read.
+    /// Position of the next byte to read.
     at: usize,
-    /// Where the delimiters before `part_end` begin.
+    /// Start of the delimiters before `part_end`.
     trimmed_end: usize,
     /// The next `;`, or the end of the code.
     part_end: usize,
 }
 
 impl<'a> Pieces<'a> {
-    /// Those of `code`; `single`: a MESSAGE or REM goes on to its end, as before version 3.0.
+    /// Splits `code` into pieces; `single`: a MESSAGE or REM goes on to its end, as before version 3.0.
     pub fn new(text: &'a str, code: Span, single: bool) -> Self {
         let mut pieces = Pieces {
             text,
@@ -78,7 +78,8 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// The place after the colon if `word` is a label. MESSAGE and REM may go on with a text that starts with one.
+    /// Returns the offset after the colon if `word` is a label. MESSAGE and REM may go on with a text that starts with
+    /// one.
     fn label_end(&self, word: Span) -> Option<usize> {
         let bytes = &self.text.as_bytes()[..self.trimmed_end];
         let colon = skip_delimiters(bytes, word.end);
@@ -116,7 +117,7 @@ impl Iterator for Pieces<'_> {
     }
 }
 
-/// Whether the word is followed by a text instead of operands.
+/// Returns true if the word is followed by a text instead of operands.
 fn takes_text(word: &str) -> bool {
     let texts = [Keyword::Message, Keyword::Rem];
     texts
@@ -124,7 +125,7 @@ fn takes_text(word: &str) -> bool {
         .any(|text| word.eq_ignore_ascii_case(text.word()))
 }
 
-/// The code of a line, and its comment.
+/// Returns the code of a line, and its comment.
 pub fn split_comment(text: &str, line: Span) -> (Span, Option<Span>) {
     let bytes = &text.as_bytes()[line.start..line.end];
     match bytes.windows(2).position(|pair| pair == b"//") {
@@ -141,7 +142,7 @@ mod tests {
     use super::{Piece, Pieces, split_comment};
     use crate::source::Span;
 
-    /// The labels and statements of a line, its texts each up to where they end.
+    /// Checks the labels and statements of a line, its texts each up to where they end.
     #[track_caller]
     fn check(line: &str, single: bool, expected: &[&str]) {
         let (code, _) = split_comment(line, Span::new(0, line.len()));

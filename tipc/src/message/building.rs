@@ -1,9 +1,9 @@
-//! What is said to build scripts.
+//! Messages to build scripts.
 
 use super::Text;
 
 messages! {
-    /// What a compilation in a build script says, beside what is wrong with the program.
+    /// Messages of a compilation in a build script, besides what is wrong with the program.
     Building;
 
     Rust { error: Text } "{error}", "{error}";
@@ -17,7 +17,7 @@ messages! {
         "{path} does not name a file",
         "{path}はファイルを指していません";
     LineBreak { path: Text }
-        "{path}: Cargo cannot be told of a path with a line break: rename the file or its folder",
+        "{path}: Cargo cannot track a path with a line break: rename the file or its folder",
         "{path}: 改行を含むパスはCargoに渡せません。ファイルかフォルダの名前を変えてください";
     SameOutput { one: Text, other: Text }
         "{one} and {other} would compile to the same file: give them different names or folders",

@@ -9,7 +9,7 @@ use smol_str::SmolStr;
 use tip_runtime::command::Target;
 
 messages! {
-    /// What is said of commands.
+    /// Messages about commands.
     Commanding;
 
     // Which command.
@@ -168,7 +168,7 @@ messages! {
 }
 
 messages! {
-    /// What is said of equations.
+    /// Messages about equations.
     Calculating;
 
     // The left side.
@@ -190,7 +190,7 @@ messages! {
         "{first} and {second} do not go together",
         "{first}と{second}は一緒に計算できません";
     OneType
-        "all of an equation is numbers, or POS, or JOINT; members, as `P.X`, are numbers",
+        "an equation is all numbers, all POS or all JOINT; members, as `P.X`, are numbers",
         "式の全体を、数値だけ、POSだけ、JOINTだけのどれかにします。`P.X` のようなメンバは数値です";
     BelongsHere { wanted: Type }
         "{wanted} belongs here",
@@ -256,7 +256,7 @@ messages! {
 }
 
 messages! {
-    /// What is said of names.
+    /// Messages about names.
     Naming;
 
     // Labels and variables.
@@ -357,7 +357,7 @@ messages! {
 }
 
 messages! {
-    /// What is said of blocks and jumps.
+    /// Messages about blocks and jumps.
     Structuring;
 
     // Openers and closers.

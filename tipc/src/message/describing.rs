@@ -1,4 +1,4 @@
-//! What is said of descriptions of robots, and of scenes.
+//! Messages about descriptions of robots, and about scenes.
 
 use super::Text;
 use super::list::List;
@@ -7,7 +7,7 @@ use super::say::Letter;
 use crate::language::Bilingual;
 
 messages! {
-    /// What the reader of descriptions and scenes says.
+    /// Messages of the reader of descriptions and scenes.
     Describing;
 
     // Any table of the file.
@@ -78,7 +78,7 @@ messages! {
         "{character} cannot be part of a name",
         "名前の中に{character}は使えません";
     KnownRobot
-        "this is the name of a robot that the compiler knows itself",
+        "this is the name of a built-in robot",
         "これはコンパイラに組み込まれたロボットの名前です";
 
     // Legs and joints.
@@ -113,7 +113,7 @@ messages! {
         "an axis of length 0 has no direction",
         "長さ0の軸には向きがありません";
     NoCoordinate { letter: Letter }
-        "{letter} is not a coordinate, or stands here twice",
+        "{letter} is not a coordinate, or appears twice",
         "{letter}は座標ではないか、二度書かれています";
     OtherNumberOfAngles { angles: usize, joints: Joints }
         "the initial posture has {angles} angles, the leg has {joints}",

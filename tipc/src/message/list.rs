@@ -73,7 +73,7 @@ fn piece((first, last): &(u32, u32)) -> String {
     }
 }
 
-/// What is wrong with something, one after the other: `this; that`.
+/// A list of faults: `this; that`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Faults(pub Vec<Message>);
 
@@ -87,7 +87,7 @@ impl Say for Faults {
     }
 }
 
-/// What can be written: `` `this`, or `that` ``.
+/// A list of possible spellings: `` `this`, or `that` ``.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Alternatives(pub Vec<String>);
 

@@ -6,7 +6,7 @@ use super::say::Decimal;
 use smol_str::SmolStr;
 
 messages! {
-    /// What parsing says.
+    /// Messages of the parser.
     Parsing;
 
     // Lines 1 and 2.
@@ -285,15 +285,15 @@ messages! {
 }
 
 messages! {
-    /// What reading says.
+    /// Messages about reading files.
     Reading;
 
     System { error: Text } "{error}", "{error}";
     NoFile
-        "there is no such file: look at its name and its folder",
+        "there is no such file: check its name and its folder",
         "このファイルはありません。名前とフォルダを確かめてください";
     NotAllowed
-        "the file may not be read: look at its permissions",
+        "the file may not be read: check its permissions",
         "ファイルを読む権限がありません。アクセス権を確かめてください";
     TwoFiles { first: Text, second: Text }
         "the path leads to two files, {first} and {second}; write a path that leads to one of them only",
@@ -305,7 +305,7 @@ messages! {
         "this is a device, a pipe or a socket, which may never end: name a regular file",
         "これはデバイス、パイプ、またはソケットで、読み込みが終わらないことがあります。通常のファイルを指定してください";
     TooLarge { limit: usize }
-        "the file is larger than {limit} MiB, the limit: split it, or look at whether it is the right file",
+        "the file is larger than {limit} MiB, the limit: split it, or check that it is the right file",
         "ファイルが上限の{limit} MiBを超えています。分割するか、正しいファイルかどうか確かめてください";
     Changed
         "the file has changed since it was read, and is left as it is: read it again",
@@ -325,13 +325,4 @@ messages! {
     SaveInThatEncoding
         "save the file in that encoding, or name the right one",
         "その文字コードで保存するか、正しい文字コードを指定してください";
-}
-
-messages! {
-    /// What a suggestion says.
-    Suggesting;
-
-    DidYouMean { near: SmolStr }
-        "did you mean `{near}`?",
-        "`{near}` の間違いではありませんか?";
 }

@@ -4,7 +4,7 @@ use super::list::List;
 use smol_str::SmolStr;
 
 messages! {
-    /// What ends a statement: nothing may stand after it.
+    /// Word that ends a statement: nothing may stand after it.
     End;
 
     Word { word: SmolStr } "{word}", "{word}";
@@ -15,7 +15,7 @@ messages! {
 }
 
 messages! {
-    /// How a variable gets its value.
+    /// Statement that gives a variable its value.
     Assign;
 
     Var { name: String } "assign it first, as `{name} = 0`", "先に `{name} = 0` のように代入してください";
@@ -26,7 +26,7 @@ messages! {
 }
 
 counted! {
-    /// So many joints.
+    /// A number of joints.
     Joints: "1 joint", "1関節"; "{count} joints", "{count}関節";
 }
 
@@ -41,7 +41,7 @@ messages! {
 }
 
 messages! {
-    /// What stands for a value in a description or scene.
+    /// Kind of a value in a description or scene.
     Kind;
 
     Text "text", "文字列";
@@ -53,7 +53,7 @@ messages! {
 }
 
 messages! {
-    /// What an operand is.
+    /// Type of an operand.
     Type;
 
     Number "a number", "数値";
@@ -63,7 +63,7 @@ messages! {
 }
 
 messages! {
-    /// So many numbers, or one variable that holds them.
+    /// A number of operands, or one variable that holds them.
     Numbers;
 
     One "one number", "数値1個";
@@ -73,7 +73,7 @@ messages! {
 }
 
 impl Numbers {
-    /// So many, or a variable of the type `whole` if there is one.
+    /// Creates `count` of them, or a variable of the type `whole` if there is one.
     pub fn new(count: usize, whole: Option<Type>) -> Self {
         match (count, whole) {
             (1, None) => Numbers::One,
@@ -85,7 +85,7 @@ impl Numbers {
 }
 
 messages! {
-    /// So many stand somewhere.
+    /// A number of things in one location.
     Standing;
 
     None "there is none", "一つもありません";
@@ -104,7 +104,7 @@ impl From<usize> for Standing {
 }
 
 messages! {
-    /// So many operands of a function.
+    /// A number of operands of a function.
     Operands;
 
     One "one operand", "オペランド1個";
@@ -112,7 +112,7 @@ messages! {
 }
 
 messages! {
-    /// What a command lacks.
+    /// Missing part of a command.
     Lacking;
 
     Measured "the variable that receives what is measured", "測定値を受け取る変数";
@@ -123,7 +123,7 @@ messages! {
 }
 
 messages! {
-    /// Which numbers a command takes.
+    /// Numbers that a command takes.
     Bounds;
 
     FromTo { min: f64, max: f64 } "{min} to {max}", "{min}から{max}まで";
@@ -145,7 +145,7 @@ messages! {
 }
 
 messages! {
-    /// What can be a target on a robot.
+    /// Possible targets on a robot.
     Inventory;
 
     Has { robot: &'static str, targets: List } "{robot} has {targets}", "{robot}にあるのは{targets}です";

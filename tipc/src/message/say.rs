@@ -1,4 +1,4 @@
-//! How a message is put into words, in one language or another.
+//! Messages in words, in one language or another.
 
 use super::Message;
 use crate::language::{Bilingual, Keyword};
@@ -20,7 +20,8 @@ impl Lang {
     /// Every language.
     pub const ALL: &'static [Lang] = &[Lang::English, Lang::Japanese];
 
-    /// The language of a locale or of its language alone, as POSIX names them: `ja`, `ja_JP.UTF-8`; English for others.
+    /// Returns the language of a locale or of its language alone, as POSIX names them: `ja`, `ja_JP.UTF-8`; English
+    /// for others.
     pub fn of(locale: &str) -> Self {
         match locale.starts_with("ja") {
             true => Lang::Japanese,
@@ -28,7 +29,7 @@ impl Lang {
         }
     }
 
-    /// The text in this language.
+    /// Returns the text in this language.
     pub const fn pick<'a>(self, english: &'a str, japanese: &'a str) -> &'a str {
         match self {
             Lang::English => english,
@@ -37,13 +38,13 @@ impl Lang {
     }
 }
 
-/// What a message is made of: each table of messages, and each argument.
+/// Part of a message that has a text: each table of messages, and each argument.
 pub trait Say {
     /// Writes it in a language.
     fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// Something as it is said in a language.
+/// A value with the language of its text.
 pub struct Said<'a, T: ?Sized>(pub &'a T, pub Lang);
 
 impl<T: Say + ?Sized> Display for Said<'_, T> {
@@ -66,7 +67,7 @@ macro_rules! alike {
 alike!(char, f64, u32, usize, &'static str, Keyword, Target);
 
 impl Bilingual {
-    /// The text in a language.
+    /// Returns the text in a language.
     pub const fn in_lang(self, lang: Lang) -> &'static str {
         lang.pick(self.english, self.japanese)
     }
@@ -124,7 +125,7 @@ pub fn fill(
     f.write_str(rest)
 }
 
-/// Whether every hole of a text names an argument, and every argument has a hole.
+/// Returns true if every hole of a text names an argument, and every argument has a hole.
 pub const fn fits(text: &str, arguments: &[&str]) -> bool {
     let mut used = 0;
     let mut at = 0;
@@ -152,7 +153,7 @@ pub const fn fits(text: &str, arguments: &[&str]) -> bool {
     used == (1u32 << arguments.len()) - 1
 }
 
-/// Which argument has the name that is at `start..end` of a text.
+/// Returns the index of the argument whose name is at `start..end` of a text.
 const fn position(text: &[u8], start: usize, end: usize, arguments: &[&str]) -> Option<usize> {
     let mut argument = 0;
     while argument < arguments.len() {

@@ -1,4 +1,4 @@
-//! How tables of messages are written.
+//! Macros for tables of messages.
 
 /// Defines an enum of messages in the crate that calls it, which any [`Message`](crate::message::Message) can hold.
 ///
@@ -134,7 +134,7 @@ macro_rules! messages {
                 row: stringify!($name),
             }, )*];
 
-            /// Each message once, with the arguments of a turn.
+            /// Returns each message once, with the arguments of a turn.
             pub(crate) fn each(turn: usize) -> Vec<$table> {
                 let _ = turn;
                 vec![$( $table::$name $( { $(
@@ -215,7 +215,7 @@ macro_rules! tables {
         #[cfg(test)]
         pub(crate) const ROWS: &[&[tests::Row]] = &[$( $( #[$meta] )* $table::ROWS, )*];
 
-        /// The messages of every table, with the arguments of a turn.
+        /// Returns the messages of every table, with the arguments of a turn.
         #[cfg(test)]
         fn each(turn: usize) -> Vec<Message> {
             let mut messages = Vec::new();

@@ -131,7 +131,7 @@ fn every_message_shows_odd_arguments_as_they_are() {
 
 #[test]
 fn words_are_cut_beyond_80_characters_and_texts_beyond_the_longest_path() {
-    let near = |count: usize| super::Suggesting::DidYouMean {
+    let near = |count: usize| super::Suggestion::DidYouMean {
         near: "歩".repeat(count).into(),
     };
     check(near(80), &format!("did you mean `{}`?", "歩".repeat(80)));

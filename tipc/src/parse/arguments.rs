@@ -6,7 +6,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::lex::{BLANKS, DELIMITERS, Kind, Token, delimiter};
-use crate::message::{Habit, Message, Parsing};
+use crate::message::{ForeignWord, Message, Parsing};
 use crate::source::{Span, first_beyond};
 use crate::syntax::{Operand, Shape, Spanned, StatementKind, Word, upper_case};
 
@@ -39,12 +39,12 @@ impl Reader<'_> {
                     .before()
                     .is_some_and(|it| foreign::is_unit(self.slice(it.span))) =>
             {
-                Habit::NoUnit.into()
+                ForeignWord::NoUnit.into()
             }
-            Kind::Arithmetic(_) if self.names_axes() => Habit::ArgumentNames.into(),
-            Kind::Arithmetic(_) => Habit::CalculateArgument.into(),
-            Kind::Assign(_) => Habit::ArgumentNames.into(),
-            Kind::Colon if self.names_axes() => Habit::ArgumentNames.into(),
+            Kind::Arithmetic(_) if self.names_axes() => ForeignWord::ArgumentNames.into(),
+            Kind::Arithmetic(_) => ForeignWord::CalculateArgument.into(),
+            Kind::Assign(_) => ForeignWord::ArgumentNames.into(),
+            Kind::Colon if self.names_axes() => ForeignWord::ArgumentNames.into(),
             _ => Parsing::SeparateArguments.into(),
         };
         self.fault_with_help(token.span, reason, help)
@@ -58,7 +58,7 @@ impl Reader<'_> {
 }
 
 impl Parser<'_> {
-    /// A command word and its arguments. Whether the command exists is not known here, and a misspelt one is
+    /// Reads a command word and its arguments. Whether the command exists is not known here, and a misspelt one is
     /// reported as such, whatever follows it: so faults in its arguments travel with it.
     pub(super) fn command(&self, keyword: Span, tokens: &[Token]) -> StatementKind {
         let mut reader = Reader::new(self.text, tokens, 1, Code::Argument);
@@ -70,7 +70,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The command word; an operator in its place is shown as one.
+    /// Returns the command word; an operator in its place is shown as one.
     fn command_word(&self, keyword: Span, tokens: &[Token]) -> Word {
         let span = tokens.first().map(|token| token.span).unwrap_or_default();
         let node = match tokens.first() {
@@ -85,26 +85,26 @@ impl Parser<'_> {
 const TEXT_LIMIT: usize = 70;
 
 impl Parser<'_> {
-    /// MESSAGE, whose word is at `keyword` and whose text may reach up to `end`.
+    /// Reads MESSAGE, whose word is at `keyword` and whose text may reach up to `end`.
     pub(super) fn message(&mut self, keyword: Span, end: usize, comment: Option<Span>) {
         let first = delimiter(&self.text.as_bytes()[..end], keyword.end);
         let is_blank = |char: char| BLANKS.contains(&char);
-        let place = self.trim(Span::new(keyword.end + first, end), is_blank);
+        let location = self.trim(Span::new(keyword.end + first, end), is_blank);
         if first == 0 && keyword.end < end {
-            return self.glued_message(keyword, place);
+            return self.glued_message(keyword, location);
         }
         if let Some(comment) = comment.filter(|_| first > 0) {
             self.warn_of_comment(comment);
         }
-        self.check_text(place);
+        self.check_text(location);
         let text = Spanned {
-            node: self.source.slice(place).replace('\u{3000}', "  "),
-            span: place,
+            node: self.source.slice(location).replace('\u{3000}', "  "),
+            span: location,
         };
         let end = if text.node.is_empty() {
             keyword.end
         } else {
-            place.end
+            location.end
         };
         self.push(
             StatementKind::Message { text },
@@ -124,18 +124,21 @@ impl Parser<'_> {
         self.report(Diagnostic::new(Code::CommentInMessage, comment, reason).help(help));
     }
 
-    fn check_text(&mut self, place: Span) {
-        let text = self.source.slice(place);
+    fn check_text(&mut self, location: Span) {
+        let text = self.source.slice(location);
         if let Some(at) = line_break(text) {
-            let at = place.start + at;
-            let length = text[at - place.start..].chars().take(2).map(char::len_utf8);
+            let at = location.start + at;
+            let length = text[at - location.start..]
+                .chars()
+                .take(2)
+                .map(char::len_utf8);
             let escape = Span::new(at, at + length.sum::<usize>());
             let reason = Parsing::LineBreak;
             let help = Parsing::Escapes;
             self.report(Diagnostic::new(Code::Format, escape, reason).help(help));
         }
         if let Some(at) = first_beyond(text, TEXT_LIMIT) {
-            let rest = Span::new(place.start + at, place.end);
+            let rest = Span::new(location.start + at, location.end);
             let reason = Parsing::TextTooLong { limit: TEXT_LIMIT };
             let help = Parsing::FullWidthCounts;
             self.report(Diagnostic::new(Code::LongString, rest, reason).help(help));
@@ -143,7 +146,7 @@ impl Parser<'_> {
     }
 }
 
-/// Where `\n` is; a backslash (or yen sign) and the character after it are read as one.
+/// Returns the location of `\n`; a backslash (or yen sign) and the character after it are read as one.
 fn line_break(text: &str) -> Option<usize> {
     let mut chars = text.char_indices();
     while let Some((at, char)) = chars.next() {

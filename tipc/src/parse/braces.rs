@@ -7,7 +7,7 @@ use crate::foreign;
 use crate::language::reserved::LOOP;
 use crate::language::{Keyword, commands, keywords};
 use crate::lex::{Kind, Token};
-use crate::message::{Commanding, Habit, Parsing};
+use crate::message::{Commanding, ForeignWord, Parsing};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, upper_case};
 
@@ -30,7 +30,7 @@ impl Parser<'_> {
         opens.then(|| tokens.pop())?
     }
 
-    /// A colon after a condition or THEN; one after the label of a jump is none of these.
+    /// Returns true for a colon after a condition or THEN; one after the label of a jump is none of these.
     fn opens_with_colon(&self, keyword: Keyword, tokens: &[Token]) -> bool {
         let ends_condition = || match tokens {
             [.., before, last, _] => {
@@ -50,10 +50,10 @@ impl Parser<'_> {
     }
 
     /// Reports what opened the block of a statement unless its words are reported, which `before` tells.
-    pub(super) fn opened_block(&mut self, place: Span, opening: Token, before: usize) {
-        let word = upper_case(self.source.slice(place));
+    pub(super) fn opened_block(&mut self, location: Span, opening: Token, before: usize) {
+        let word = upper_case(self.source.slice(location));
         let (reason, help) = match opening.kind {
-            Kind::Colon => (Habit::NoColon, Habit::WriteThen),
+            Kind::Colon => (ForeignWord::NoColon, ForeignWord::WriteThen),
             // That closes and opens a block, which is reported: `} ELSE {`.
             _ if word == CLOSE => return,
             // All of the statement is of another language: `SWITCH (A) {`.
@@ -61,13 +61,13 @@ impl Parser<'_> {
                 let is_routine = self.diagnostics.len() > before;
                 if word == LOOP {
                     let reason = Commanding::NoCommand { word: LOOP.into() };
-                    self.report_unknown(place, LOOP, reason, Habit::Forever);
+                    self.report_unknown(location, LOOP, reason, ForeignWord::Forever);
                 }
                 return self.braces.push(is_routine);
             }
             _ => {
                 self.braces.push(true);
-                (Habit::NoBraces, Habit::Braces)
+                (ForeignWord::NoBraces, ForeignWord::Braces)
             }
         };
         let lacks_then = |fault: &Diagnostic| {
@@ -83,7 +83,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A statement that begins with a brace.
+    /// Reads a statement that begins with a brace.
     pub(super) fn brace(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         let shape = match self.source.slice(word) {
             OPEN if tokens.len() == 1 => self.lone_brace(word),
@@ -95,7 +95,7 @@ impl Parser<'_> {
                     // The block that ends here began without a brace.
                     (None, Some(Keyword::Else)) => {
                         let reason = Commanding::NoCommand { word: CLOSE.into() };
-                        self.report_unknown(word, CLOSE, reason, Habit::Braces);
+                        self.report_unknown(word, CLOSE, reason, ForeignWord::Braces);
                         true
                     }
                     (None, _) => return None,
@@ -132,7 +132,7 @@ impl Parser<'_> {
         // Its IF lacks THEN, which is reported.
         if !matches!(before, Some(StatementKind::Broken(_))) {
             let reason = Commanding::NoCommand { word: OPEN.into() };
-            self.report_unknown(word, OPEN, reason, Habit::Braces);
+            self.report_unknown(word, OPEN, reason, ForeignWord::Braces);
         }
         Shape::Plain
     }
@@ -141,18 +141,18 @@ impl Parser<'_> {
     pub(super) fn for_of_c(&mut self, span: Span) -> Flow {
         let statement = self.source.slice(span);
         let open = statement.find('(').unwrap_or_default();
-        let place = Span::new(span.start + open, span.end);
+        let location = Span::new(span.start + open, span.end);
         let line = Span::new(span.start, self.line.span.end);
         if self.source.slice(line).trim_end().ends_with(OPEN) {
             self.braces.push(true);
         }
-        let fault = Diagnostic::new(Code::Argument, place, Habit::ForCounts);
+        let fault = Diagnostic::new(Code::Argument, location, ForeignWord::ForCounts);
         self.report(fault.help(Parsing::WriteFor));
         self.push(StatementKind::Broken(Shape::For), span);
         Flow::NextLine
     }
 
-    /// Whether the line of a FOR is that of C.
+    /// Returns true if the line of a FOR is that of C.
     pub(super) fn is_for_of_c(&self, word: Span, span: Span) -> bool {
         let rest = self.source.slice(Span::new(word.end, span.end));
         let line = self.source.slice(Span::new(span.end, self.line.span.end));

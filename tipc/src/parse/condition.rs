@@ -6,7 +6,7 @@ use crate::foreign;
 use crate::language::{Edition, Keyword, flags, functions, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{Habit, Instead, Message, Parsing};
+use crate::message::{ForeignWord, Message, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Condition, Operand, OperandKind, Relation, Word, upper_case};
 
@@ -35,14 +35,14 @@ impl Reader<'_> {
                 self.comparison(left, relation, span)
             }
             Some(token) if self.calls_function(&left) => {
-                let place = left.span.to(token.span);
+                let location = left.span.to(token.span);
                 let reason = Parsing::ConditionCannotCalculate;
-                Err(self.fault_with_help(place, reason, Habit::CalculateBefore))
+                Err(self.fault_with_help(location, reason, ForeignWord::CalculateBefore))
             }
             Some(token) if self.foreign_relation(token).is_some() => {
-                let (place, relation) = self.foreign_relation(token).unwrap_or_default();
-                let help = Habit::WriteRelation { relation };
-                Err(self.fault_with_help(place, Parsing::NoRelation, help))
+                let (location, relation) = self.foreign_relation(token).unwrap_or_default();
+                let help = ForeignWord::WriteRelation { relation };
+                Err(self.fault_with_help(location, Parsing::NoRelation, help))
             }
             Some(token) if token.kind != Kind::Word => Err(self.no_relation(&left, token)),
             _ => self.flag(left),
@@ -72,7 +72,7 @@ impl Reader<'_> {
     fn negated_flag(&mut self, not: Token) -> Parsed<Condition> {
         match self.peek() {
             Some(word) if self.slice(word.span).starts_with('(') => {
-                Err(self.fault_with_help(not.span, Habit::Not, Habit::WriteNot))
+                Err(self.fault_with_help(not.span, ForeignWord::Not, ForeignWord::WriteNot))
             }
             Some(word) if word.kind == Kind::Word && !word.spaced => {
                 self.take();
@@ -84,7 +84,7 @@ impl Reader<'_> {
             Some(word) if word.kind == Kind::Word => {
                 let text = format!("!{}", upper_case(self.slice(word.span))).into();
                 let reason = Parsing::NotStandsBeforeFlag;
-                Err(self.fault_with_help(not.span, reason, Instead::Write { text }))
+                Err(self.fault_with_help(not.span, reason, Suggestion::Write { text }))
             }
             _ => Err(self.fault_with_help(
                 not.span,
@@ -96,17 +96,17 @@ impl Reader<'_> {
 
     fn comparison(&mut self, left: Operand, relation: Relation, sign: Span) -> Parsed<Condition> {
         if let Some((token, whole)) = self.split_relation(relation) {
-            let place = sign.to(token.span);
-            let reason = Habit::SplitOperator { sign: whole.into() };
-            let help = Habit::WriteRelation { relation: whole };
-            return Err(self.fault_with_help(place, reason, help));
+            let location = sign.to(token.span);
+            let reason = ForeignWord::SplitOperator { sign: whole.into() };
+            let help = ForeignWord::WriteRelation { relation: whole };
+            return Err(self.fault_with_help(location, reason, help));
         }
         if let Some(token) = self.peek().filter(is_part_of_relation) {
             let reason = Parsing::NoRelation;
             let help: Message = match (relation, token.kind) {
-                (Relation::Gt, Kind::Relation(Relation::Lt)) => Habit::WriteNotEqual.into(),
+                (Relation::Gt, Kind::Relation(Relation::Lt)) => ForeignWord::WriteNotEqual.into(),
                 (Relation::Eq, Kind::Assign(None)) => {
-                    Habit::WriteRelation { relation: "==" }.into()
+                    ForeignWord::WriteRelation { relation: "==" }.into()
                 }
                 _ => Parsing::Relations.into(),
             };
@@ -120,8 +120,8 @@ impl Reader<'_> {
                 };
                 let help: Message = match token.kind {
                     // `1 < A < 3`
-                    Kind::Relation(_) => Habit::Nest.into(),
-                    Kind::Arithmetic(_) => Habit::CalculateBefore.into(),
+                    Kind::Relation(_) => ForeignWord::Nest.into(),
+                    Kind::Arithmetic(_) => ForeignWord::CalculateBefore.into(),
                     _ => Parsing::Conditions.into(),
                 };
                 Err(self.fault_with_help(token.span, reason, help))
@@ -146,25 +146,29 @@ impl Reader<'_> {
         Some((next, whole))
     }
 
-    /// What is wrong after a condition, if it goes on as in another language.
+    /// Returns the fault after a condition that goes on as in another language.
     pub(super) fn joined(&self) -> Option<Fault> {
         let next = self.peek()?;
         let before = self
             .before()
             .filter(|it| foreign::negates(self.slice(it.span)));
         if let Some(not) = before {
-            return Some(self.fault_with_help(not.span, Habit::Not, Habit::WriteNot));
+            return Some(self.fault_with_help(not.span, ForeignWord::Not, ForeignWord::WriteNot));
         }
         let word = self.slice(next.span);
         foreign::joins_conditions(word).then(|| {
-            let reason = Habit::AndOr { word: word.into() };
-            self.fault_with_help(next.span, reason, Habit::Nest)
+            let reason = ForeignWord::AndOr { word: word.into() };
+            self.fault_with_help(next.span, reason, ForeignWord::Nest)
         })
     }
 
     fn no_relation(&self, left: &Operand, token: Token) -> Fault {
         if token.kind == Kind::Not {
-            return self.fault_with_help(token.span, Habit::NotEqual, Habit::WriteNotEqual);
+            return self.fault_with_help(
+                token.span,
+                ForeignWord::NotEqual,
+                ForeignWord::WriteNotEqual,
+            );
         }
         let turned = match self.peek_second().filter(|next| !next.spaced) {
             Some(Token {
@@ -175,23 +179,23 @@ impl Reader<'_> {
             _ => None,
         };
         match (token.kind, turned) {
-            (Kind::Assign(None), Some((relation, place))) => {
+            (Kind::Assign(None), Some((relation, location))) => {
                 let relation = if relation == Relation::Gt { ">=" } else { "<=" };
-                let help = Habit::WriteRelation { relation };
-                self.fault_with_help(place, Parsing::NoRelation, help)
+                let help = ForeignWord::WriteRelation { relation };
+                self.fault_with_help(location, Parsing::NoRelation, help)
             }
             (Kind::Assign(None), None) => {
                 let reason = Parsing::AssignsComparesNothing;
                 let word = upper_case(self.slice(left.span));
                 let help: Message = match flags::find(&word, Edition::default()) {
-                    Some(_) => Habit::FlagAlone { flag: word }.into(),
+                    Some(_) => ForeignWord::FlagAlone { flag: word }.into(),
                     None => Parsing::Relations.into(),
                 };
                 self.fault_with_help(token.span, reason, help)
             }
             (Kind::Arithmetic(_), _) => {
                 let reason = Parsing::ConditionCannotCalculate;
-                self.fault_with_help(token.span, reason, Habit::CalculateBefore)
+                self.fault_with_help(token.span, reason, ForeignWord::CalculateBefore)
             }
             _ => self.fault_with_help(token.span, Parsing::RelationBelongsHere, Parsing::Relations),
         }
@@ -205,12 +209,12 @@ impl Reader<'_> {
         let keyword = keywords::find(keyword.trim(), Edition::default())?;
         let mut words = inside.split_whitespace();
         if words.any(foreign::joins_conditions) {
-            return Some(Instead::NestWithoutParentheses.into());
+            return Some(Suggestion::NestWithoutParentheses.into());
         }
         let joins = |word: &str| foreign::joins_conditions(word) || foreign::negates(word);
         let is_constant = foreign::constant(&upper_case(inside.trim())).is_some();
         if keyword == Keyword::While && (is_constant || inside.trim() == "1") {
-            return Some(Habit::Forever.into());
+            return Some(ForeignWord::Forever.into());
         }
         let flag = foreign::flag(inside.trim()).map(|(flag, is_negated)| match is_negated {
             true => format!("!{flag}"),
@@ -234,7 +238,7 @@ impl Reader<'_> {
             Keyword::If if !jumps(rest) => Keyword::EndIf,
             Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Until => {
                 let written = upper_case(format!("{word} {condition} {rest}").trim());
-                return Some(Instead::WithoutParentheses { written }.into());
+                return Some(Suggestion::WithoutParentheses { written }.into());
             }
             _ => return None,
         };
@@ -244,17 +248,17 @@ impl Reader<'_> {
             ""
         };
         let written = upper_case(&format!("{word} {condition}{then}"));
-        Some(Instead::OpenBlock { written, closer }.into())
+        Some(Suggestion::OpenBlock { written, closer }.into())
     }
 
-    /// What is wrong after a condition that opens a block as in another language: `WHILE A < 3 DO`.
+    /// Returns the fault after a condition that opens a block as in another language: `WHILE A < 3 DO`.
     pub(super) fn opened(&self) -> Option<Fault> {
         let word = self.peek().filter(|_| self.left() == 1)?;
         let text = self.slice(word.span);
         let opens = foreign::opens_block(text) || self.at_word(Keyword::Then);
         opens.then(|| {
             let end = End::Condition;
-            let help = Habit::BlockBegins;
+            let help = ForeignWord::BlockBegins;
             self.fault_with_help(word.span, Parsing::NothingBehind { end }, help)
         })
     }
@@ -267,20 +271,20 @@ impl Reader<'_> {
                 negated: false,
             }),
             OperandKind::Number(_) => {
-                Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Habit::Forever))
+                Err(self.fault_with_help(span, Parsing::ComparedWithNothing, ForeignWord::Forever))
             }
             _ => Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Parsing::Conditions)),
         }
     }
 }
 
-/// A fault of an operand of a condition, which shows its forms.
+/// Adds the forms of conditions to the fault of an operand.
 fn as_in_condition(mut fault: Fault) -> Fault {
     fault.help.get_or_insert_with(|| Parsing::Conditions.into());
     fault
 }
 
-/// Whether what follows a condition goes on with its IF.
+/// Returns true if what follows a condition goes on with its IF.
 fn jumps(rest: &str) -> bool {
     let first = rest.split([' ', '\t']).next().unwrap_or_default();
     let words = [Keyword::Then, Keyword::Goto, Keyword::Gosub, Keyword::Call];
@@ -296,15 +300,16 @@ fn is_part_of_relation(token: &Token) -> bool {
     )
 }
 
-/// The tokens of a statement with the relation that was meant, if that is what is wrong with it: `IF A = 1 GOTO L1`.
-pub(super) fn meant(fault: &Diagnostic, tokens: &[Token]) -> Option<Vec<Token>> {
+/// Returns the tokens of a statement with the relation that was meant, if that is what is wrong with it: `IF A = 1
+/// GOTO L1`.
+pub(super) fn with_intended_relation(fault: &Diagnostic, tokens: &[Token]) -> Option<Vec<Token>> {
     let relation = match (&fault.reason, fault.help.as_ref()?) {
         (
             Message::Parsing(Parsing::AssignsComparesNothing),
             Message::Parsing(Parsing::Relations),
         ) => Relation::Eq,
-        (_, Message::Habit(Habit::WriteRelation { relation })) => of_sign(relation)?,
-        (Message::Habit(Habit::NotEqual), _) => Relation::Ne,
+        (_, Message::ForeignWord(ForeignWord::WriteRelation { relation })) => of_sign(relation)?,
+        (Message::ForeignWord(ForeignWord::NotEqual), _) => Relation::Ne,
         _ => return None,
     };
     let first = tokens

@@ -6,7 +6,7 @@ use crate::foreign::{self, Means};
 use crate::language::{Edition, Keyword, commands, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{Habit, Instead, Message, Parsing, Suggesting};
+use crate::message::{ForeignWord, Message, Parsing, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{
@@ -48,18 +48,18 @@ impl Reader<'_> {
         Err(self.missing_then())
     }
 
-    /// A block follows THEN, on the next line. A jump in its place is read as if THEN were not there.
+    /// Reads what follows THEN: a block, on the next line. A jump in its place is read as if THEN were not there.
     fn after_then(&mut self) -> Parsed<(Then, Parsed<()>)> {
-        let place = self.rest();
+        let location = self.rest();
         for word in [Keyword::Goto, Keyword::Gosub] {
             if let Some(keyword) = self.take_word(word) {
                 let (jump, then): (_, fn(Jump) -> Then) = match word {
                     Keyword::Goto => (self.goto(keyword)?, Then::Goto),
                     _ => (self.jump(keyword, word)?, Then::Gosub),
                 };
-                let reason = Habit::ThenJumps { jump: word.into() };
-                let help = Habit::LeaveThenOut { jump: word.into() };
-                let fault = self.fault_with_help(place, reason, help);
+                let reason = ForeignWord::ThenJumps { jump: word.into() };
+                let help = ForeignWord::LeaveThenOut { jump: word.into() };
+                let fault = self.fault_with_help(location, reason, help);
                 return Ok((then(jump), Err(fault)));
             }
         }
@@ -67,9 +67,17 @@ impl Reader<'_> {
             0 => Ok((Then::Block, Ok(()))),
             _ if self.goes_to_line() => {
                 let jump = Keyword::Goto.into();
-                Err(self.fault_with_help(place, Habit::OneLineIf, Habit::LeaveThenOut { jump }))
+                Err(self.fault_with_help(
+                    location,
+                    ForeignWord::OneLineIf,
+                    ForeignWord::LeaveThenOut { jump },
+                ))
             }
-            _ => Err(self.fault_with_help(place, Habit::OneLineIf, Habit::CloseOneLineIf)),
+            _ => Err(self.fault_with_help(
+                location,
+                ForeignWord::OneLineIf,
+                ForeignWord::CloseOneLineIf,
+            )),
         }
     }
 
@@ -83,7 +91,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Nothing follows a jump, not even THEN.
+    /// Checks that nothing follows a jump, not even THEN.
     fn end_of_jump(&self, jump: Keyword) -> Parsed<()> {
         if self.at_word(Keyword::Else) {
             let end = End::Label;
@@ -92,15 +100,15 @@ impl Reader<'_> {
                 [_, next, ..] if jump == Keyword::Goto => {
                     let next = Span::new(next.span.start, self.rest().end);
                     let statement = upper_case(self.slice(next));
-                    Instead::ElseOnNextLine { statement }.into()
+                    Suggestion::ElseOnNextLine { statement }.into()
                 }
-                _ => Instead::ElseInBlock.into(),
+                _ => Suggestion::ElseInBlock.into(),
             };
             return Err(self.fault_with_help(self.rest(), reason, help));
         }
         if self.at_word(Keyword::Then) && self.left() == 1 {
-            let reason = Habit::ThenJumps { jump: jump.into() };
-            let help = Habit::LeaveThenOut { jump: jump.into() };
+            let reason = ForeignWord::ThenJumps { jump: jump.into() };
+            let help = ForeignWord::LeaveThenOut { jump: jump.into() };
             return Err(self.fault_with_help(self.here(), reason, help));
         }
         self.expect_end(End::Label)
@@ -114,17 +122,17 @@ impl Reader<'_> {
             let help = Parsing::GosubCalls;
             return self.fault_with_help(self.here(), Parsing::IfCannotCall, help);
         }
-        if let Some(habit) = self.flag_or_command() {
-            return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, habit);
+        if let Some(advice) = self.flag_or_command() {
+            return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, advice);
         }
         if let Some(text) = self.glued_jump() {
-            let help = Instead::Write { text };
+            let help = Suggestion::Write { text };
             return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help);
         }
         let word = self.peek().map(|token| upper_case(self.slice(token.span)));
         let near = word.and_then(|word| nearest(&word, AFTER_IF.map(Keyword::word)));
         let help: Message = match near {
-            Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+            Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
             None => Parsing::WriteThenOrJump.into(),
         };
         self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help)
@@ -146,7 +154,7 @@ impl Reader<'_> {
     }
 
     /// `INPOS F1` for `INPOS_F1`, or a command in the place of a condition.
-    fn flag_or_command(&self) -> Option<Habit> {
+    fn flag_or_command(&self) -> Option<ForeignWord> {
         let before = self
             .before()
             .map(|token| upper_case(self.slice(token.span)))?;
@@ -154,14 +162,14 @@ impl Reader<'_> {
             .peek()
             .map(|token| upper_case(self.slice(token.span)))?;
         if before.parse::<Flag>().is_ok() && next.parse::<Flag>().is_ok() {
-            return Some(Habit::Nest);
+            return Some(ForeignWord::Nest);
         }
         let flag = format!("{before}_{next}");
         if flag.parse::<Flag>().is_ok() {
-            return Some(Habit::FlagOfTarget { flag: flag.into() });
+            return Some(ForeignWord::FlagOfTarget { flag: flag.into() });
         }
         let command = commands::find(&before)?;
-        Some(Habit::CommandNoCondition {
+        Some(ForeignWord::CommandNoCondition {
             command: command.name,
         })
     }
@@ -173,7 +181,7 @@ impl Reader<'_> {
                 word: Keyword::Then.into(),
             }),
             None => Err(self.joined().unwrap_or_else(|| {
-                let help = Habit::ElseIf;
+                let help = ForeignWord::ElseIf;
                 self.fault_with_help(self.here(), Parsing::ThenBelongsHere, help)
             })),
         };
@@ -192,13 +200,13 @@ impl Reader<'_> {
         Ok((StatementKind::Until { keyword, condition }, end))
     }
 
-    /// A condition after which nothing may stand. In `INPOS ALL` half a flag is none.
+    /// Reads a condition after which nothing may stand. In `INPOS ALL` half a flag is none.
     fn last_condition(&mut self) -> Parsed<Condition> {
         let condition = self.condition()?;
         match self.flag_or_command() {
-            Some(habit) => {
+            Some(advice) => {
                 let end = End::Condition;
-                Err(self.fault_with_help(self.rest(), Parsing::NothingBehind { end }, habit))
+                Err(self.fault_with_help(self.rest(), Parsing::NothingBehind { end }, advice))
             }
             None => Ok(condition),
         }
@@ -232,7 +240,7 @@ impl Reader<'_> {
             _ => {
                 let calculates = |token: Token| matches!(token.kind, Kind::Arithmetic(_));
                 let help: Message = match self.peek().is_some_and(calculates) {
-                    true => Instead::Limit.into(),
+                    true => Suggestion::Limit.into(),
                     false => Parsing::WriteFor.into(),
                 };
                 Err(self.fault_with_help(self.rest(), Parsing::ForEnds, help))
@@ -285,9 +293,9 @@ impl Reader<'_> {
             _ => Some(self.loop_variable_of_next()?),
         };
         let help = match (self.peek().map(|next| next.kind), self.before()) {
-            (Some(Kind::Word) | None, _) | (_, None) => Instead::NextEach,
+            (Some(Kind::Word) | None, _) | (_, None) => Suggestion::NextEach,
             // `NEXT I:`, `NEXT I = I + 1`
-            (_, Some(last)) => Instead::Write {
+            (_, Some(last)) => Suggestion::Write {
                 text: upper_case(self.slice(keyword.to(last.span))),
             },
         };
@@ -319,7 +327,7 @@ impl Reader<'_> {
         let end = match self.peek() {
             Some(token) if token.kind == Kind::Colon => {
                 self.take();
-                self.expect_end_or(End::SubroutineAndName, Instead::NoValues)
+                self.expect_end_or(End::SubroutineAndName, Suggestion::NoValues)
             }
             _ => {
                 // `SUBROUTINE WALK()`: what calls it is not wrong.
@@ -328,7 +336,7 @@ impl Reader<'_> {
                 name.node = alone.unwrap_or_else(|| bare(&name.node));
                 let written = name.node.clone();
                 let help: Message = match takes_some {
-                    true => Habit::NoParameters { name: written }.into(),
+                    true => ForeignWord::NoParameters { name: written }.into(),
                     false => Parsing::WriteSubroutine { name: written }.into(),
                 };
                 let mut fault = self.fault_with_help(name.span, Parsing::NameColonMissing, help);
@@ -348,7 +356,7 @@ impl Reader<'_> {
     ) -> Read {
         let jump = self.jump(keyword, name)?;
         let end = match name {
-            Keyword::Call => self.expect_end_or(End::Label, Instead::NoValues),
+            Keyword::Call => self.expect_end_or(End::Label, Suggestion::NoValues),
             _ => self.expect_end(End::Label),
         };
         Ok((make(jump), end))
@@ -359,7 +367,7 @@ impl Reader<'_> {
         Ok((StatementKind::Goto(jump), self.expect_end(End::Label)))
     }
 
-    /// A word that is alone in its statement.
+    /// Reads a word that is alone in its statement.
     pub(super) fn alone(&mut self, name: Keyword, kind: StatementKind) -> Read {
         let end = self.expect_end(End::Word { word: name.into() });
         let end = end.map_err(|mut fault| {
@@ -369,26 +377,28 @@ impl Reader<'_> {
         Ok((kind, end))
     }
 
-    /// What was meant by words after one that is alone: `EXIT FOR`, `EXIT SUB`, `RETURN 0`.
+    /// Suggests a replacement for words after one that is alone: `EXIT FOR`, `EXIT SUB`, `RETURN 0`.
     fn alone_help(&self, name: Keyword) -> Option<Message> {
         let next = upper_case(self.slice(self.here()));
         let keyword = keywords::find(&next, Edition::default());
-        let foreign = foreign::statement(&next).map(|row| (row.means, &row.habit));
+        let foreign = foreign::statement(&next).map(|row| (row.means, &row.advice));
         Some(match (name, keyword, foreign) {
             (Keyword::Exit, Some(Keyword::For | Keyword::While | Keyword::Repeat), _)
-            | (Keyword::Exit, _, Some((_, Habit::Loops | Habit::LoopLabel))) => Habit::Break.into(),
+            | (Keyword::Exit, _, Some((_, ForeignWord::Loops | ForeignWord::LoopLabel))) => {
+                ForeignWord::Break.into()
+            }
             (Keyword::Exit, Some(Keyword::Subroutine), _)
             | (Keyword::Exit, _, Some((Means::Keyword(Keyword::Subroutine), _))) => {
-                Instead::LeaveSubroutine.into()
+                Suggestion::LeaveSubroutine.into()
             }
             _ if commands::find(&next).is_some() => return None,
-            (Keyword::Return, ..) => Instead::NoResult.into(),
-            _ => Instead::Alone { word: name.into() }.into(),
+            (Keyword::Return, ..) => Suggestion::NoResult.into(),
+            _ => Suggestion::Alone { word: name.into() }.into(),
         })
     }
 }
 
-/// A fault of an operand of FOR, which shows its form.
+/// Adds the form of FOR to the fault of an operand.
 fn as_in_for(mut fault: Fault) -> Fault {
     fault.help.get_or_insert_with(|| Parsing::WriteFor.into());
     fault

@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run};
-use crate::message::{Habit, Instead, Naming, Parsing};
+use crate::message::{ForeignWord, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, StatementKind, VariableKind, Word};
 
@@ -36,12 +36,12 @@ impl Parser<'_> {
         let types = self.types(tokens);
         if let (Some(first), false) = (types.first(), reported) {
             let fault = Diagnostic::new(Code::Argument, *first, Parsing::OnlyNames);
-            self.report(fault.help(Instead::TypeLeftOut));
+            self.report(fault.help(Suggestion::TypeLeftOut));
         }
         let reader = Reader::new(self.text, tokens, 0, Code::Argument);
         let glued = hyphened(tokens);
-        for place in &glued {
-            self.report_hyphen(*place);
+        for location in &glued {
+            self.report_hyphen(*location);
         }
         let is_odd = |token: &Token| token.kind != Kind::Word;
         if glued.is_empty()
@@ -52,14 +52,14 @@ impl Parser<'_> {
             self.diagnostics.extend(fault.map(|it| *it));
         }
         let is_apart = |token: &&Token| {
-            let place = token.span;
-            let inside = |run: &Span| run.start <= place.start && place.end <= run.end;
+            let location = token.span;
+            let inside = |run: &Span| run.start <= location.start && location.end <= run.end;
             !glued.iter().chain(&types).any(inside)
         };
         let names: Vec<Word> = names_in(self.text, tokens, reported)
             .filter(is_apart)
             .flat_map(|token| self.names_between_commas(token.span))
-            .map(|place| self.narrow_word(place))
+            .map(|location| self.narrow_word(location))
             .collect();
         for name in &names {
             self.check_name_length(name);
@@ -71,7 +71,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Where another declaration begins in one: `DEF_VAR A, DEF_POS P`.
+    /// Finds another declaration inside one: `DEF_VAR A, DEF_POS P`.
     fn declares_again(&self, tokens: &[Token]) -> Option<usize> {
         let declares = |token: &Token| {
             let word = self.source.slice(token.span);
@@ -82,7 +82,7 @@ impl Parser<'_> {
         Some(again + 1)
     }
 
-    /// The second of two declarations on a line is read as what it was meant to be.
+    /// Reads the second of two declarations on a line as what it was meant to be.
     fn two_declarations(
         &mut self,
         kind: VariableKind,
@@ -95,14 +95,14 @@ impl Parser<'_> {
         let first = self.define(kind, keyword, &tokens[..at], reported);
         self.push(first, keyword);
         let fault = Diagnostic::new(Code::Argument, second, Parsing::OnlyNames);
-        self.report(fault.help(Habit::NextStatement));
+        self.report(fault.help(ForeignWord::NextStatement));
         let kind = keywords::find(self.source.slice(second), self.module.edition)
             .and_then(declared_kind)
             .unwrap_or(kind);
         self.define(kind, second, &tokens[at..], true)
     }
 
-    /// The types of other languages among names: `DEF_VAR INT N`, `DEF_VAR N AS INT`.
+    /// Returns the types of other languages among names: `DEF_VAR INT N`, `DEF_VAR N AS INT`.
     fn types(&self, tokens: &[Token]) -> Vec<Span> {
         let words = tokens.get(1..).unwrap_or_default();
         let text = |token: &Token| self.source.slice(token.span);
@@ -117,7 +117,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The names of a word, which full-width commas may separate: those are reported.
+    /// Returns the names of a word, which full-width commas may separate: those are reported.
     fn names_between_commas(&self, word: Span) -> Vec<Span> {
         let text = self.source.slice(word);
         if text.bytes().all(|it| it.is_ascii_graphic()) {
@@ -125,33 +125,34 @@ impl Parser<'_> {
         }
         let mut start = word.start;
         let names = text.split_inclusive(COMMAS).map(|name| {
-            let place = Span::new(start, start + name.trim_end_matches(COMMAS).len());
+            let location = Span::new(start, start + name.trim_end_matches(COMMAS).len());
             start += name.len();
-            place
+            location
         });
-        let is_plain = |place: &Span| {
-            let name = || narrow(self.source.slice(*place));
-            place.start < place.end && foreign_run(&name(), Span::new(0, name().len())).is_none()
+        let is_plain = |location: &Span| {
+            let name = || narrow(self.source.slice(*location));
+            location.start < location.end
+                && foreign_run(&name(), Span::new(0, name().len())).is_none()
         };
         names.filter(is_plain).collect()
     }
 
-    fn report_hyphen(&mut self, place: Span) {
-        let written = self.source.slice(place).to_ascii_uppercase();
+    fn report_hyphen(&mut self, location: Span) {
+        let written = self.source.slice(location).to_ascii_uppercase();
         let reason = Naming::NoVariableName {
             word: written.as_str().into(),
         };
-        let help = Habit::NoHyphen {
+        let help = ForeignWord::NoHyphen {
             name: written.replace('-', "_").into(),
         };
-        let fault = Diagnostic::new(Code::Argument, place, reason);
+        let fault = Diagnostic::new(Code::Argument, location, reason);
         self.report(fault.once(written.as_str()).help(help));
         if self.hyphened.len() < HYPHENED {
             self.hyphened.push(written);
         }
     }
 
-    /// Whether the statement contains a name with a `-`, whose declaration is reported.
+    /// Returns true if the statement contains a name with a `-`, whose declaration is reported.
     pub(super) fn names_hyphened(&self, tokens: &[Token]) -> bool {
         let (false, [first, .., last]) = (self.hyphened.is_empty(), tokens) else {
             return false;
@@ -164,7 +165,7 @@ impl Parser<'_> {
     }
 }
 
-/// The type of variables that a keyword declares.
+/// Returns the type of variables that a keyword declares.
 fn declared_kind(keyword: Keyword) -> Option<VariableKind> {
     match keyword {
         Keyword::DefVar => Some(VariableKind::Var),
@@ -174,7 +175,7 @@ fn declared_kind(keyword: Keyword) -> Option<VariableKind> {
     }
 }
 
-/// The names with a `-`: `STEP-LENGTH`.
+/// Returns the names with a `-`: `STEP-LENGTH`.
 fn hyphened(tokens: &[Token]) -> Vec<Span> {
     let runs = tokens.chunk_by(|_, next| !next.spaced);
     runs.filter_map(|run| {
@@ -188,7 +189,7 @@ fn hyphened(tokens: &[Token]) -> Vec<Span> {
     .collect()
 }
 
-/// What may be a name: a value is not, nor is a number in the declaration of another language.
+/// Returns the possible names: a value is not one, nor is a number in the declaration of another language.
 fn names_in<'t>(text: &str, tokens: &'t [Token], foreign: bool) -> impl Iterator<Item = &'t Token> {
     let is_assignment = |token: &Token| matches!(token.kind, Kind::Assign(_));
     let no_digit = foreign || tokens.iter().any(is_assignment);
@@ -202,16 +203,16 @@ fn names_in<'t>(text: &str, tokens: &'t [Token], foreign: bool) -> impl Iterator
         .map(|at| &tokens[at])
 }
 
-/// What is wrong with the token at `odd`, which is not a name.
+/// Reports the token at `odd`, which is not a name.
 fn odd_in_declaration(
     reader: &Reader<'_>,
     kind: VariableKind,
     tokens: &[Token],
     odd: usize,
 ) -> Option<Fault> {
-    let place = tokens.get(odd)?;
+    let location = tokens.get(odd)?;
     let named = tokens[..odd].last().filter(|_| odd > 1);
-    Some(match (place.kind, named) {
+    Some(match (location.kind, named) {
         (Kind::Assign(_), Some(name)) => {
             let name = reader.word(name.span).node;
             let name = match kind {
@@ -219,8 +220,12 @@ fn odd_in_declaration(
                 VariableKind::Pos => format!("{name}.X").into(),
                 VariableKind::Joint => format!("{name}.J1").into(),
             };
-            reader.fault_with_help(place.span, Habit::NoInitial, Habit::Initial { name })
+            reader.fault_with_help(
+                location.span,
+                ForeignWord::NoInitial,
+                ForeignWord::Initial { name },
+            )
         }
-        _ => reader.fault_with_help(place.span, Parsing::OnlyNames, Parsing::SeparateNames),
+        _ => reader.fault_with_help(location.span, Parsing::OnlyNames, Parsing::SeparateNames),
     })
 }

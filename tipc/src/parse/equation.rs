@@ -7,11 +7,11 @@ use crate::foreign;
 use crate::language::commands::{self, Meaning};
 use crate::language::{Edition, functions};
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Instead, Message, Parsing};
+use crate::message::{ForeignWord, Message, Parsing, Suggestion};
 use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, upper_case};
 
-/// Whether the tokens are meant as an equation: an assignment follows the first word, or a non-word starts it.
+/// Returns true if the tokens are meant as an equation: an assignment follows the first word, or a non-word starts it.
 pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
     let is_assignment = |token: &Token| matches!(token.kind, Kind::Assign(_));
     match tokens {
@@ -88,7 +88,7 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
                 return Err(fault);
             }
             let reason = Parsing::OperatorOrNothing;
-            let help = instead(reader, &left, token);
+            let help = suggest(reader, &left, token);
             return Err(reader.fault_with_help(token.span, reason, help));
         }
     };
@@ -97,7 +97,7 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
     {
         let text = reader.slice(second.span).into();
         let reason = Parsing::NoOperand { text };
-        return Err(reader.fault_with_help(second.span, reason, Habit::Power));
+        return Err(reader.fault_with_help(second.span, reason, ForeignWord::Power));
     }
     let right = reader.operand()?;
     refuse_function(reader, &right, edition)?;
@@ -110,7 +110,7 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
         left => {
             let is_unit = left == 1 && foreign::is_unit(reader.slice(reader.here()));
             let help: Message = match is_unit {
-                true => Habit::NoUnit.into(),
+                true => ForeignWord::NoUnit.into(),
                 false => Parsing::OneOperation.into(),
             };
             Err(reader.fault_with_help(reader.rest(), Parsing::EquationEnds, help))
@@ -132,49 +132,49 @@ fn unknown_function(reader: &Reader<'_>, left: &Operand, next: Token) -> Option<
     })
 }
 
-/// What to write in place of what follows the first operand.
-fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
+/// Suggests a replacement for what follows the first operand.
+fn suggest(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     let word = upper_case(reader.slice(token.span));
     let first = upper_case(reader.slice(left.span));
     let next = reader.peek();
     match word.as_str() {
-        "^" => return Habit::Power.into(),
-        "%" | "MOD" => return Habit::Remainder.into(),
-        "!" => return Habit::Comment.into(),
+        "^" => return ForeignWord::Power.into(),
+        "%" | "MOD" => return ForeignWord::Remainder.into(),
+        "!" => return ForeignWord::Comment.into(),
         _ => {}
     }
     if let Some(number) = reader.comma_number(left.span, token.span) {
         return number.into();
     }
     match commands::find(&first).map(|command| command.meaning) {
-        Some(Meaning::AdIn) => return Habit::AdIn.into(),
-        Some(Meaning::KeyIn) => return Habit::KeyIn.into(),
+        Some(Meaning::AdIn) => return ForeignWord::AdIn.into(),
+        Some(Meaning::KeyIn) => return ForeignWord::KeyIn.into(),
         _ => {}
     }
     if let Some(command) = commands::find(&first).map(|command| command.name) {
-        return Instead::CommandFirst { command }.into();
+        return Suggestion::CommandFirst { command }.into();
     }
     if foreign::is_unit(&word) {
-        return Habit::NoUnit.into();
+        return ForeignWord::NoUnit.into();
     }
     if token.kind == Kind::Colon && next.is_some() {
-        return Instead::ColonSeparates.into();
+        return Suggestion::ColonSeparates.into();
     }
     if token.kind == Kind::Assign(None) {
         let name = reader.first_word();
-        return Habit::AssignEach { name }.into();
+        return ForeignWord::AssignEach { name }.into();
     }
     if matches!(token.kind, Kind::Relation(_)) {
-        return Habit::ChooseByIf.into();
+        return ForeignWord::ChooseByIf.into();
     }
     match next.map(|next| next.kind) {
         Some(Kind::Assign(_)) => Parsing::NextStatementElsewhere.into(),
-        Some(_) if word.starts_with(|c: char| c.is_ascii_digit()) => Habit::EachMember.into(),
+        Some(_) if word.starts_with(|c: char| c.is_ascii_digit()) => ForeignWord::EachMember.into(),
         _ => Parsing::OneOperation.into(),
     }
 }
 
-/// A fault among the operands of a function: what looks like a sign there was to be a second operation.
+/// Adds a help to a fault among the operands of a function: what looks like a sign there was to be a second operation.
 fn with_help(mut fault: Fault) -> Fault {
     if fault.reason == Parsing::SignStandsBefore.into() {
         fault.reason = Parsing::EquationEnds.into();
@@ -191,7 +191,7 @@ fn is_function(reader: &Reader<'_>, token: Token, edition: Edition) -> bool {
     token.kind == Kind::Word && functions::find(word, edition).is_some()
 }
 
-/// A function is the whole right side; it appears nowhere else.
+/// Refuses a function among operands: it is the whole right side, and appears nowhere else.
 fn refuse_function(reader: &Reader<'_>, operand: &Operand, edition: Edition) -> Parsed<()> {
     match &operand.kind {
         OperandKind::Name(name) if functions::find(name, edition).is_some() => Err(reader

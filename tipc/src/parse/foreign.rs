@@ -1,7 +1,7 @@
-//! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
+//! Statements as other languages write them: each is one diagnostic, and what it opens or closes counts as what was meant.
 
 use super::jump::{joined, label_of, marked, spread};
-use super::statement::meant;
+use super::statement::intended_shape;
 use super::{Parser, narrow};
 use crate::code::Code;
 use crate::diagnostic::MOST;
@@ -12,7 +12,7 @@ use crate::language::commands::{COMMANDS, Meaning};
 use crate::language::reserved::{JOINT, LOOP, POSITION};
 use crate::language::{Edition, Keyword, commands, keywords, names};
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Commanding, Habit, Instead, Message, Naming, Parsing, Suggesting};
+use crate::message::{Commanding, ForeignWord, Message, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{
@@ -23,7 +23,7 @@ use smol_str::SmolStr;
 /// The most statements of a line that may show parts of one text.
 const SHOWN: usize = 16;
 
-/// What a misspelt word is to the statements around it, if it is anything to them.
+/// Returns the role of a misspelt word for the statements around it, if it has one.
 fn means(command: &str) -> Option<Means> {
     let keyword = keywords::find(command, Edition::default())?;
     Some(match keyword {
@@ -46,7 +46,7 @@ fn means(command: &str) -> Option<Means> {
     })
 }
 
-/// Whether the rest of a statement is that of its misspelt keyword.
+/// Returns true if the rest of a statement is that of its misspelt keyword.
 fn fits(means: &Means, text: &str, tokens: &[Token]) -> bool {
     let Means::Keyword(keyword) = means else {
         return true;
@@ -91,18 +91,18 @@ impl Parser<'_> {
             return self.push(StatementKind::Broken(Shape::Plain), span);
         }
         let first = text.split_whitespace().next().unwrap_or_default();
-        let place = Span::new(span.start, span.start + first.len());
+        let location = Span::new(span.start, span.start + first.len());
         let help = if self.in_comment.is_some() {
-            Habit::EachLine
+            ForeignWord::EachLine
         } else {
-            Habit::Comment
+            ForeignWord::Comment
         };
         let reason = Commanding::NoCommand { word: first.into() };
-        self.report_unknown(place, first, reason, help);
+        self.report_unknown(location, first, reason, help);
         self.push(StatementKind::Broken(Shape::Plain), span);
     }
 
-    /// A statement that begins with no word of the language, if it is known from other languages.
+    /// Reads a statement that begins with no word of the language, if it is known from other languages.
     pub(super) fn unknown(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         let other = self.assignment(tokens).or_else(|| self.brace(word, tokens));
         // Nearly all statements begin with a command: for those no other language is searched.
@@ -148,7 +148,7 @@ impl Parser<'_> {
         let mut line = before.take_while(|it| it.line == self.line.number);
         let shows = |statement: Span| {
             let row = foreign::statement(foreign::name(self.source.slice(statement)));
-            row.is_some_and(|row| matches!(row.habit, Habit::ShowText | Habit::KeyIn))
+            row.is_some_and(|row| matches!(row.advice, ForeignWord::ShowText | ForeignWord::KeyIn))
         };
         let is_known = foreign::statement(self.source.slice(word)).is_some();
         // A label or an equation may begin with such a word.
@@ -173,20 +173,20 @@ impl Parser<'_> {
         if is_known || first.kind != Kind::Word {
             return None;
         }
-        let place = spread(self.text, first.span, rest)?;
-        let written = upper_case(self.source.slice(place));
+        let location = spread(self.text, first.span, rest)?;
+        let written = upper_case(self.source.slice(location));
         let name = joined(&written);
         let reason = Naming::NoLabelName { word: written };
-        let fault = Diagnostic::new(Code::Argument, place, reason).once(label_of(&name));
+        let fault = Diagnostic::new(Code::Argument, location, reason).once(label_of(&name));
         self.report(fault.help(Parsing::WriteLabel { name }));
         Some(StatementKind::Broken(Shape::Plain))
     }
 
     /// `*L1`, `LABEL L1` where a label stands.
     fn marked_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
-        let (place, name) = marked(self.text, tokens).or_else(|| self.label_said(tokens))?;
+        let (location, name) = marked(self.text, tokens).or_else(|| self.label_said(tokens))?;
         let node = name.clone();
-        let span = Span::new(place.end - node.len(), place.end);
+        let span = Span::new(location.end - node.len(), location.end);
         let first = tokens.first()?.span;
         let word = upper_case(self.source.slice(first));
         let reason = Commanding::NoCommand { word: word.clone() };
@@ -221,7 +221,7 @@ impl Parser<'_> {
             return None;
         }
         let reason = Commanding::NoCommand { word: text.clone() };
-        self.report_unknown(word, &text, reason, Habit::Comment);
+        self.report_unknown(word, &text, reason, ForeignWord::Comment);
         Some(StatementKind::Broken(Shape::Plain))
     }
 
@@ -231,12 +231,12 @@ impl Parser<'_> {
             return None;
         }
         let (means, help): (_, Message) = match foreign::statement(&text) {
-            Some(row) => (row.means, row.habit.clone().into()),
+            Some(row) => (row.means, row.advice.clone().into()),
             None => {
                 let near = self.misspelt(&text)?;
                 (
                     means(near).filter(|means| fits(means, self.text, tokens))?,
-                    Suggesting::DidYouMean { near: near.into() }.into(),
+                    Suggestion::DidYouMean { near: near.into() }.into(),
                 )
             }
         };
@@ -250,17 +250,21 @@ impl Parser<'_> {
                 if self.is_routine(means, tokens) =>
             {
                 let help = match self.names_main(tokens) {
-                    true => Habit::FromTheTop.into(),
-                    false if matches!(means, Means::Declaration(_)) => Habit::Subroutine.into(),
+                    true => ForeignWord::FromTheTop.into(),
+                    false if matches!(means, Means::Declaration(_)) => {
+                        ForeignWord::Subroutine.into()
+                    }
                     false => help,
                 };
                 self.report_unknown(word, &text, reason, help);
                 return Some(self.subroutine_named(word, tokens));
             }
-            Means::Keyword(keyword) => StatementKind::Broken(meant(keyword, self.text, tokens)),
+            Means::Keyword(keyword) => {
+                StatementKind::Broken(intended_shape(keyword, self.text, tokens))
+            }
             Means::Declaration(kind) => match self.second_of_two(tokens) {
                 Some((keyword, kind)) => {
-                    let help = Habit::InOneWord {
+                    let help = ForeignWord::InOneWord {
                         word: keyword.into(),
                     };
                     self.report_unknown(word, &text, reason, help);
@@ -304,24 +308,24 @@ impl Parser<'_> {
             word,
             &text,
             reason,
-            Suggesting::DidYouMean { near: near.into() },
+            Suggestion::DidYouMean { near: near.into() },
         );
         self.push(StatementKind::End, word);
     }
 
-    /// A first word that the language lacks.
+    /// Reports a first word that the language lacks.
     pub(super) fn report_unknown(
         &mut self,
-        place: Span,
+        location: Span,
         word: &str,
         reason: impl Into<Message>,
         help: impl Into<Message>,
     ) {
-        let fault = Diagnostic::new(Code::UnknownCommand, place, reason);
+        let fault = Diagnostic::new(Code::UnknownCommand, location, reason);
         self.report(fault.about(word).help(help));
     }
 
-    /// The keyword that a first word in full-width letters is meant to be.
+    /// Returns the keyword that a first word in full-width letters is meant to be.
     pub(super) fn narrow_keyword(&self, word: Span) -> Option<Keyword> {
         let word = self.source.slice(word);
         let narrow = (!word.is_ascii()).then(|| narrow(word))?;
@@ -335,16 +339,16 @@ impl Parser<'_> {
     }
 
     pub(super) fn report_else_if(&mut self, tokens: &[Token]) {
-        let place = match tokens {
+        let location = match tokens {
             [first, second, ..] => first.span.to(second.span),
             _ => return,
         };
         let word = Keyword::ElseIf;
-        let fault = Diagnostic::new(Code::Format, place, Habit::ElseIfInTwo);
-        self.report(fault.help(Habit::InOneWord { word: word.into() }));
+        let fault = Diagnostic::new(Code::Format, location, ForeignWord::ElseIfInTwo);
+        self.report(fault.help(ForeignWord::InOneWord { word: word.into() }));
     }
 
-    /// The word after END on its line.
+    /// Returns the word after END on its line.
     pub(super) fn word_after(&self, word: Span, span: Span) -> Option<Word> {
         let mut tokens = Vec::new();
         lex(
@@ -361,7 +365,7 @@ impl Parser<'_> {
 }
 
 impl Parser<'_> {
-    /// An assignment with an operator of another language.
+    /// Reads an assignment with an operator of another language.
     pub(super) fn assignment(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let [name, operator, rest @ ..] = tokens else {
             return None;
@@ -383,43 +387,55 @@ impl Parser<'_> {
             return None;
         }
         let word = upper_case(self.source.slice(name.span));
-        let assign = Habit::Assign { name: word.clone() };
-        let (reason, help): (Habit, Message) = match (operator.kind, next.map(|next| next.kind)) {
-            (Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)), Some(second))
-                if second == operator.kind && rest.len() == 1 =>
-            {
-                let signs = self.source.slice(both).into();
-                let sign = if sign == Arithmetic::Add { "+" } else { "-" };
-                let help = Habit::Increment {
-                    name: word.clone(),
-                    sign: sign.into(),
-                };
-                (Habit::NoOperator { sign: signs }, help.into())
-            }
-            (Kind::Relation(Relation::Eq), _) => (Habit::CompareAsStatement, assign.into()),
-            (Kind::Arithmetic(_), Some(Kind::Assign(None))) => {
-                let sign = format!("{}=", self.source.slice(operator.span)).into();
-                let help = Habit::Update { name: word.clone() };
-                (Habit::SplitOperator { sign }, help.into())
-            }
-            (Kind::Word, Some(Kind::Assign(None))) if self.source.slice(operator.span) == "%" => {
-                let sign = self.source.slice(both).into();
-                (Habit::NoOperator { sign }, Habit::Remainder.into())
-            }
-            (Kind::Arithmetic(Arithmetic::Sub), Some(Kind::Relation(Relation::Gt))) => {
-                let member = rest.get(1).map(|member| self.source.slice(member.span));
-                let text = upper_case(&format!("{word}.{}", member.unwrap_or_default()));
-                let sign = self.source.slice(both).into();
-                (Habit::NoOperator { sign }, Instead::Write { text }.into())
-            }
-            (Kind::Colon, Some(Kind::Assign(None))) => {
-                let sign = self.source.slice(both).into();
-                let fault = Diagnostic::new(Code::Equation, both, Habit::NoOperator { sign });
-                self.report(fault.help(assign));
-                return Some(StatementKind::Broken(Shape::Plain));
-            }
-            _ => return None,
-        };
+        let assign = ForeignWord::Assign { name: word.clone() };
+        let (reason, help): (ForeignWord, Message) =
+            match (operator.kind, next.map(|next| next.kind)) {
+                (Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)), Some(second))
+                    if second == operator.kind && rest.len() == 1 =>
+                {
+                    let signs = self.source.slice(both).into();
+                    let sign = if sign == Arithmetic::Add { "+" } else { "-" };
+                    let help = ForeignWord::Increment {
+                        name: word.clone(),
+                        sign: sign.into(),
+                    };
+                    (ForeignWord::NoOperator { sign: signs }, help.into())
+                }
+                (Kind::Relation(Relation::Eq), _) => {
+                    (ForeignWord::CompareAsStatement, assign.into())
+                }
+                (Kind::Arithmetic(_), Some(Kind::Assign(None))) => {
+                    let sign = format!("{}=", self.source.slice(operator.span)).into();
+                    let help = ForeignWord::Update { name: word.clone() };
+                    (ForeignWord::SplitOperator { sign }, help.into())
+                }
+                (Kind::Word, Some(Kind::Assign(None)))
+                    if self.source.slice(operator.span) == "%" =>
+                {
+                    let sign = self.source.slice(both).into();
+                    (
+                        ForeignWord::NoOperator { sign },
+                        ForeignWord::Remainder.into(),
+                    )
+                }
+                (Kind::Arithmetic(Arithmetic::Sub), Some(Kind::Relation(Relation::Gt))) => {
+                    let member = rest.get(1).map(|member| self.source.slice(member.span));
+                    let text = upper_case(&format!("{word}.{}", member.unwrap_or_default()));
+                    let sign = self.source.slice(both).into();
+                    (
+                        ForeignWord::NoOperator { sign },
+                        Suggestion::Write { text }.into(),
+                    )
+                }
+                (Kind::Colon, Some(Kind::Assign(None))) => {
+                    let sign = self.source.slice(both).into();
+                    let fault =
+                        Diagnostic::new(Code::Equation, both, ForeignWord::NoOperator { sign });
+                    self.report(fault.help(assign));
+                    return Some(StatementKind::Broken(Shape::Plain));
+                }
+                _ => return None,
+            };
         self.report_unknown(name.span, &word, reason, help);
         Some(StatementKind::Broken(Shape::Plain))
     }
@@ -433,23 +449,23 @@ impl Parser<'_> {
             .iter()
             .all(|it| names::is_variable(&upper_case(word(it))));
         let (first, last) = (names.first()?, names.last()?);
-        let place = first.span.to(last.span);
-        let text = self.source.slice(place);
+        let location = first.span.to(last.span);
+        let text = self.source.slice(location);
         let is_list = text.matches(',').count() + 1 == names.len();
         let name = upper_case(word(first));
         let is_known = commands::find(&name).is_some() || foreign::statement(&name).is_some();
         if !are_names || !is_list || is_known {
             return None;
         }
-        let fault = Diagnostic::new(Code::Equation, place, Parsing::OneVariableLeft);
+        let fault = Diagnostic::new(Code::Equation, location, Parsing::OneVariableLeft);
         let member = upper_case(word(last));
         let help: Message = match names {
             // `P,X = 1`
             [_, _] if is_member(&member) && !is_list_after(tokens, equals) => {
                 let text = format!("{name}.{member}").into();
-                Instead::Write { text }.into()
+                Suggestion::Write { text }.into()
             }
-            _ => Habit::AssignEach { name }.into(),
+            _ => ForeignWord::AssignEach { name }.into(),
         };
         self.report(fault.help(help));
         Some(StatementKind::Broken(Shape::Plain))
@@ -469,10 +485,10 @@ impl Parser<'_> {
         }
         let sign = self.source.slice(first.span);
         let both = first.span.to(second.span);
-        let reason = Habit::NoOperator {
+        let reason = ForeignWord::NoOperator {
             sign: self.source.slice(both).into(),
         };
-        let help = Habit::Increment {
+        let help = ForeignWord::Increment {
             name: upper_case(self.source.slice(name.span)),
             sign: sign.into(),
         };
@@ -481,13 +497,13 @@ impl Parser<'_> {
     }
 }
 
-/// Whether several values follow the `=`.
+/// Returns true if several values follow the `=`.
 fn is_list_after(tokens: &[Token], equals: usize) -> bool {
     let after = tokens[equals + 1..].iter();
     after.filter(|it| it.kind == Kind::Word).count() > 1
 }
 
-/// Whether a word is a member of a POS or JOINT.
+/// Returns true if a word is a member of a POS or JOINT.
 fn is_member(word: &str) -> bool {
     let is_joint = |rest: &str| rest.len() == 1 && rest.bytes().all(|it| it.is_ascii_digit());
     POSITION.contains(&word) || word.strip_prefix(JOINT).is_some_and(is_joint)
@@ -505,13 +521,13 @@ impl Parser<'_> {
             return None;
         }
         let shape = match command.map(|command| command.meaning) {
-            Some(Meaning::Keyword(keyword)) => meant(keyword, self.text, &tokens[1..]),
+            Some(Meaning::Keyword(keyword)) => intended_shape(keyword, self.text, &tokens[1..]),
             _ => Shape::Plain,
         };
         match self.numbered {
             Some(first) => {
-                let text = Instead::NumberedToo.into();
-                // Of too many findings it is omitted.
+                let text = Suggestion::NumberedToo.into();
+                // Of too many diagnostics it is omitted.
                 if let Some(first) = self.diagnostics.get_mut(first)
                     && first.labels.len() < MOST
                 {
@@ -521,7 +537,7 @@ impl Parser<'_> {
             None => {
                 self.numbered = Some(self.diagnostics.len());
                 let reason = Commanding::NoCommand { word: text.into() };
-                self.report_unknown(word, text, reason, Instead::NoNumbers);
+                self.report_unknown(word, text, reason, Suggestion::NoNumbers);
             }
         }
         Some(StatementKind::Broken(shape))

@@ -4,13 +4,13 @@ use super::reader::Parsed;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{BLANKS, split_comment};
-use crate::message::{Decimal, Habit, Instead, Message, Parsing};
+use crate::message::{Decimal, ForeignWord, Message, Parsing, Suggestion};
 use crate::source::{Source, Span};
 
 /// The versions that `migrate` reads; some programs of the time of 2.1 say 4.0 (T.I.P. 3.1 §1-1).
 const OLDER: &[f64] = &[1.0, 1.1, 2.0, 2.1, 3.0, 4.0];
 
-/// Whether line 1 names `wanted`, compared as numbers.
+/// Returns true if line 1 names `wanted`, compared as numbers.
 pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     let span = version_word(source);
     let word = source.slice(span);
@@ -26,8 +26,8 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     let first = word.split(BLANKS).next().and_then(version_number);
     let is_title_behind = first == Some(wanted);
     let help: Message = match (is_older, is_title_behind) {
-        (true, _) => Habit::Migrate.into(),
-        (_, true) => Instead::TitleInLineTwo {
+        (true, _) => ForeignWord::Migrate.into(),
+        (_, true) => Suggestion::TitleInLineTwo {
             wanted: Decimal(wanted),
         }
         .into(),
@@ -41,7 +41,7 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     ))
 }
 
-/// The place of the version number in line 1; blanks and a comment may surround it.
+/// Returns the location of the version number in line 1; blanks and a comment may surround it.
 pub fn version_word(source: &Source) -> Span {
     let (code, _) = split_comment(source.text(), source.line(1).span);
     let word = source.slice(code).trim_end_matches(BLANKS);
@@ -49,13 +49,13 @@ pub fn version_word(source: &Source) -> Span {
     Span::new(end - word.trim_start_matches(BLANKS).len(), end)
 }
 
-/// The number that a version word is, if it is one.
+/// Returns the number that a version word is, if it is one.
 pub fn version_number(word: &str) -> Option<f64> {
     let starts_like_one = word.starts_with(|first: char| first.is_ascii_digit() || first == '.');
     starts_like_one.then(|| word.parse().ok())?
 }
 
-/// Line 2, its full-width spaces as two half-width ones.
+/// Returns line 2, its full-width spaces as two half-width ones.
 pub(super) fn title(source: &Source) -> String {
     let line = source.line_text(2).trim_matches(BLANKS);
     line.replace('\u{3000}', "  ")

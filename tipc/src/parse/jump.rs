@@ -7,12 +7,12 @@ use crate::foreign::Means;
 use crate::language::reserved::LOOP;
 use crate::language::{Keyword, commands, names};
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Message, Naming, Parsing};
+use crate::message::{ForeignWord, Message, Naming, Parsing};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Jump, Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
 
-/// A label's name without quotes, parentheses and other signs around it.
+/// Returns a label's name without quotes, parentheses and other signs around it.
 pub(super) fn bare(name: &str) -> SmolStr {
     let is_sign = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
     match name.trim_matches(is_sign) {
@@ -29,20 +29,20 @@ pub fn glued(word: &str) -> Option<(Keyword, &str)> {
     jumps.into_iter().filter_map(parts).find(is_label)
 }
 
-/// The name of a routine that another language gives arguments: `WALK` of `WALK(3)`.
+/// Returns the name of a routine that another language gives arguments: `WALK` of `WALK(3)`.
 pub(super) fn with_parameters(name: &str) -> Option<SmolStr> {
     let (name, rest) = name.split_once('(')?;
     (!name.is_empty() && rest != ")").then(|| name.into())
 }
 
-/// A name in one piece: `MAIN_LOOP` of `MAIN-LOOP` and `MAIN LOOP`.
+/// Returns a name in one piece: `MAIN_LOOP` of `MAIN-LOOP` and `MAIN LOOP`.
 pub(super) fn joined(written: &str) -> SmolStr {
     let words = written.split(['-', ' ', '\t', ',', '\u{3000}']);
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     words.join("_").into()
 }
 
-/// Where the name of a label ends that has blanks or a `-` in it: the tokens after its first word, up to a colon.
+/// Finds the end of a label's name that has blanks or a `-` in it: the tokens after its first word, up to a colon.
 pub(super) fn spread(text: &str, first: Span, rest: &[Token]) -> Option<Span> {
     let colon = rest.iter().position(|token| token.kind == Kind::Colon)?;
     let (between, colon) = (&rest[..colon], rest[colon]);
@@ -78,13 +78,13 @@ pub(super) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
     }
 }
 
-/// Returns the mistake of a label that is spelled as in another language: its jumps are wrong in the same way.
+/// Returns the mistake of a label in the form of another language: its jumps are wrong in the same way.
 pub(crate) fn label_of(name: &str) -> String {
     format!("{name}:")
 }
 
 impl Reader<'_> {
-    /// The whole name of a label that is not in one piece.
+    /// Returns the whole name of a label that is not in one piece.
     fn spread_label(&self, first: Span) -> Option<Span> {
         self.left_tokens()
             .split_last()
@@ -114,11 +114,11 @@ impl Reader<'_> {
 
     fn jump_label(&mut self, jump: Keyword) -> Parsed<Word> {
         // `GOTO *L1`
-        if let Some((place, name)) = marked(self.text(), self.left_tokens()) {
+        if let Some((location, name)) = marked(self.text(), self.left_tokens()) {
             let reason = Naming::NoLabelName {
-                word: upper_case(self.slice(place)),
+                word: upper_case(self.slice(location)),
             };
-            let fault = self.fault(place, reason).once(label_of(&name));
+            let fault = self.fault(location, reason).once(label_of(&name));
             return Err(fault.help(Parsing::WriteLabel { name }).into());
         }
         let word = match self.take() {
@@ -132,11 +132,11 @@ impl Reader<'_> {
                 return Err(self.fault_with_help(self.here(), Parsing::LabelMissing, help));
             }
         };
-        if let Some(place) = self.spread_label(word.span) {
-            let written = upper_case(self.slice(place));
+        if let Some(location) = self.spread_label(word.span) {
+            let written = upper_case(self.slice(location));
             let name = joined(&written);
             let reason = Naming::NoLabelName { word: written };
-            let fault = self.fault(place, reason).once(label_of(&name));
+            let fault = self.fault(location, reason).once(label_of(&name));
             return Err(fault.help(Parsing::WriteLabel { name }).into());
         }
         match self.peek() {
@@ -153,12 +153,12 @@ impl Reader<'_> {
                 if let Some(name) = with_parameters(&word.node) {
                     let fault = self.fault(word.span, Parsing::LabelColonMissing);
                     let fault = fault.once(name.clone());
-                    return Err(fault.help(Habit::NoParameters { name }).into());
+                    return Err(fault.help(ForeignWord::NoParameters { name }).into());
                 }
                 let name = bare(&word.node);
                 let is_number = name.chars().all(|c| c.is_ascii_digit());
                 let help: Message = match is_number {
-                    true => Habit::NoLineNumbers { name }.into(),
+                    true => ForeignWord::NoLineNumbers { name }.into(),
                     false => Parsing::WriteLabel { name }.into(),
                 };
                 Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help))
@@ -179,14 +179,14 @@ impl Parser<'_> {
             || name.contains('(') && self.names_main(tokens)
     }
 
-    /// Whether a routine is the program itself in another language.
+    /// Returns true if a routine is the program itself in another language.
     pub(super) fn names_main(&self, tokens: &[Token]) -> bool {
         let name = tokens.get(1).map_or("", |it| self.source.slice(it.span));
         let (name, called) = name.split_once('(').unwrap_or((name, ""));
         foreign::is_main(name) && (!called.is_empty() || name.eq_ignore_ascii_case("MAIN"))
     }
 
-    /// A routine that begins with another word: what calls it is not wrong.
+    /// Reads a routine that begins with another word: what calls it is not wrong.
     pub(super) fn subroutine_named(&self, word: Span, tokens: &[Token]) -> StatementKind {
         let name = tokens.get(1).filter(|token| token.kind == Kind::Word);
         let Some(name) = name.map(|name| self.narrow_word(name.span)) else {

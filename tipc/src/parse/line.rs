@@ -7,12 +7,12 @@ use crate::foreign;
 use crate::language::commands::Meaning;
 use crate::language::{Keyword, commands, keywords, names};
 use crate::lex::{DELIMITERS, Piece, Pieces, foreign_run, split_comment, word_end};
-use crate::message::{Habit, Instead, Message, Naming, Parsing};
+use crate::message::{ForeignWord, Message, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
 
-/// What an IME may type for a minus.
+/// Character that an IME may type for a minus.
 pub const LONG_VOWEL: &str = "ー";
 
 /// The longest statement that is shown whole.
@@ -45,7 +45,7 @@ impl Parser<'_> {
         flow
     }
 
-    /// A label, or a word with a colon that it does not take.
+    /// Reads a label, or a word with a colon that it does not take.
     fn label_or_word(&mut self, word: Span, span: Span) -> Flow {
         let keyword = keywords::find(self.source.slice(word), self.module.edition);
         let (shape, flow) = match keyword {
@@ -65,13 +65,13 @@ impl Parser<'_> {
         let reason = Naming::WordOfLanguage {
             word: word_of.clone(),
         };
-        let help = Habit::WithoutColon { word: word_of };
+        let help = ForeignWord::WithoutColon { word: word_of };
         self.report(Diagnostic::new(Code::Argument, word, reason).help(help));
         self.push(StatementKind::Broken(shape), span);
         flow
     }
 
-    /// What to write in place of a command with a colon, if its arguments follow: `SLEEP: 100`, `GOTO :L1`.
+    /// Suggests a replacement for a command with a colon, if its arguments follow: `SLEEP: 100`, `GOTO :L1`.
     fn after_colon(&self, word: Span, span: Span) -> Option<Message> {
         let text = self.source.slice(word);
         let command = commands::find(text)?;
@@ -88,11 +88,11 @@ impl Parser<'_> {
                 Some(Parsing::WriteLabel { name }.into())
             }
             Meaning::Keyword(Keyword::Return | Keyword::Exit) if is_apart => {
-                Some(Instead::ColonSeparates.into())
+                Some(Suggestion::ColonSeparates.into())
             }
             Meaning::Keyword(_) => None,
-            _ if is_apart => Some(Instead::ColonSeparates.into()),
-            _ => Some(Habit::WithoutColon { word }.into()),
+            _ if is_apart => Some(Suggestion::ColonSeparates.into()),
+            _ => Some(ForeignWord::WithoutColon { word }.into()),
         }
     }
 
@@ -130,7 +130,7 @@ impl Parser<'_> {
         Flow::Continue
     }
 
-    /// A colon without a name before it, or with one after it: `:L1`.
+    /// Reads a colon without a name before it, or with one after it: `:L1`.
     fn nameless(&mut self, colon: Span) -> Flow {
         let fault = Diagnostic::new(Code::Argument, colon, Parsing::LabelNameMissing);
         self.push(StatementKind::Broken(Shape::Plain), colon);
@@ -145,7 +145,7 @@ impl Parser<'_> {
         Flow::NextLine
     }
 
-    /// A declared name may not be too long.
+    /// Checks that a declared name is not too long.
     pub(super) fn check_name_length(&mut self, name: &Word) {
         if name.node.len() > names::LIMIT {
             let reason = Parsing::NameTooLong {
@@ -153,47 +153,47 @@ impl Parser<'_> {
                 length: name.node.len(),
             };
             let fault = Diagnostic::new(Code::Format, name.span, reason);
-            self.report(fault.help(Instead::ShorterName));
+            self.report(fault.help(Suggestion::ShorterName));
         }
     }
 
     /// Characters that only comments and texts may hold.
-    pub(super) fn report_foreign(&mut self, place: Span) {
-        let text = self.source.slice(place);
+    pub(super) fn report_foreign(&mut self, location: Span) {
+        let text = self.source.slice(location);
         let reason = match text.chars().next() {
             Some(first) if first.is_ascii_control() => Parsing::ControlCharacter,
             _ => Parsing::ForeignCharacters,
         };
-        let mut diagnostic = Diagnostic::new(Code::Format, place, reason);
-        let before = &self.text[self.line.span.start..place.start];
+        let mut diagnostic = Diagnostic::new(Code::Format, location, reason);
+        let before = &self.text[self.line.span.start..location.start];
         if let Some(plain) = text.chars().next().and_then(foreign::plain) {
-            diagnostic = diagnostic.help(Habit::Plain { plain });
-        } else if text == LONG_VOWEL && self.text[place.end..].starts_with(is_digit) {
-            diagnostic = diagnostic.help(Habit::Plain { plain: "-" });
-        } else if foreign::is_range(text) && is_between_digits(before, &self.text[place.end..]) {
-            diagnostic = diagnostic.help(Instead::CountTo);
-        } else if text == "。" && is_between_digits(before, &self.text[place.end..]) {
-            diagnostic = diagnostic.help(Habit::Plain { plain: "." });
+            diagnostic = diagnostic.help(ForeignWord::Plain { plain });
+        } else if text == LONG_VOWEL && self.text[location.end..].starts_with(is_digit) {
+            diagnostic = diagnostic.help(ForeignWord::Plain { plain: "-" });
+        } else if foreign::is_range(text) && is_between_digits(before, &self.text[location.end..]) {
+            diagnostic = diagnostic.help(Suggestion::CountTo);
+        } else if text == "。" && is_between_digits(before, &self.text[location.end..]) {
+            diagnostic = diagnostic.help(ForeignWord::Plain { plain: "." });
         } else if text.chars().all(foreign::is_invisible) {
-            diagnostic = diagnostic.help(Instead::Invisible);
-        } else if self.is_unit(place) {
-            diagnostic = diagnostic.help(Habit::NoUnit);
-        } else if let Some(character) = self.quoted_key(place) {
-            diagnostic = diagnostic.help(Habit::Character { character });
+            diagnostic = diagnostic.help(Suggestion::Invisible);
+        } else if self.is_unit(location) {
+            diagnostic = diagnostic.help(ForeignWord::NoUnit);
+        } else if let Some(character) = self.quoted_key(location) {
+            diagnostic = diagnostic.help(ForeignWord::Character { character });
         } else if text.chars().all(char::is_whitespace) {
-            diagnostic = diagnostic.help(Habit::PlainBlank);
+            diagnostic = diagnostic.help(ForeignWord::PlainBlank);
         } else if foreign::ends_in_comment_mark(before)
             || foreign::comment_mark(text).is_some_and(|mark| !text[mark.len()..].is_ascii())
         {
-            diagnostic = diagnostic.help(Habit::Comment);
+            diagnostic = diagnostic.help(ForeignWord::Comment);
         } else if let Some(narrow) = half_width(text) {
             diagnostic = diagnostic.once(wide_name(&narrow));
-            let narrow = self.narrow_statement(place).unwrap_or(narrow);
+            let narrow = self.narrow_statement(location).unwrap_or(narrow);
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
-        } else if self.is_in_foreign_comment(place) {
-            diagnostic = diagnostic.help(Habit::Comment);
-        } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(place) {
-            diagnostic = diagnostic.help(Instead::CommentOrName);
+        } else if self.is_in_foreign_comment(location) {
+            diagnostic = diagnostic.help(ForeignWord::Comment);
+        } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(location) {
+            diagnostic = diagnostic.help(Suggestion::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
             diagnostic = diagnostic.once(text).help(Parsing::PlainNames);
         } else {
@@ -202,13 +202,13 @@ impl Parser<'_> {
         self.report(diagnostic);
     }
 
-    /// The statement around a place in half-width characters, if more than one of its words is full-width.
-    fn narrow_statement(&self, place: Span) -> Option<String> {
+    /// Returns the statement around a location in half-width characters, if more than one of its words is full-width.
+    fn narrow_statement(&self, location: Span) -> Option<String> {
         let (code, _) = split_comment(self.text, self.line.span);
-        let start = self.text[code.start..place.start].rfind(';');
+        let start = self.text[code.start..location.start].rfind(';');
         let start = start.map_or(code.start, |at| code.start + at + 1);
-        let end = self.text[place.end..code.end.max(place.end)].find(';');
-        let end = end.map_or(code.end.max(place.end), |at| place.end + at);
+        let end = self.text[location.end..code.end.max(location.end)].find(';');
+        let end = end.map_or(code.end.max(location.end), |at| location.end + at);
         let statement = self.source.slice(Span::new(start, end));
         let words = statement.split_whitespace().collect::<Vec<_>>();
         let wide = words.iter().filter(|word| !word.is_ascii()).count();
@@ -216,37 +216,37 @@ impl Parser<'_> {
         (wide > 1 && statement.len() <= SHOWN && narrow.is_ascii()).then_some(narrow)
     }
 
-    /// `30°`, `100ミリ`: whether a place is a unit right after a number.
-    fn is_unit(&self, place: Span) -> bool {
-        let before = &self.text[self.line.span.start..place.start];
-        before.ends_with(is_digit) && foreign::is_unit(self.source.slice(place))
+    /// `30°`, `100ミリ`: whether a location is a unit right after a number.
+    fn is_unit(&self, location: Span) -> bool {
+        let before = &self.text[self.line.span.start..location.start];
+        before.ends_with(is_digit) && foreign::is_unit(self.source.slice(location))
     }
 
-    /// Whether a colon or `=` follows a place: it is a label, or is assigned.
-    fn is_named(&self, place: Span) -> bool {
-        let rest = self.text[place.end..].trim_start();
+    /// Returns true if a colon or `=` follows: the name is a label, or is assigned.
+    fn is_named(&self, location: Span) -> bool {
+        let rest = self.text[location.end..].trim_start();
         rest.starts_with([':', '='])
     }
 
-    /// The key between quotes of typesetting that begin at a place.
-    fn quoted_key(&self, place: Span) -> Option<SmolStr> {
-        let mut chars = self.text[place.start..].chars();
+    /// Returns the key between quotes of typesetting that begin at a location.
+    fn quoted_key(&self, location: Span) -> Option<SmolStr> {
+        let mut chars = self.text[location.start..].chars();
         let is_quote = |char: char| matches!(char, '‘' | '’' | '“' | '”');
         let (open, key, close) = (chars.next()?, chars.next()?, chars.next()?);
         let is_key = is_quote(open) && is_quote(close) && key.is_ascii_alphanumeric();
         is_key.then(|| SmolStr::from_iter([key.to_ascii_uppercase()]))
     }
 
-    /// Whether a comment of another language begins before a place on its line.
-    fn is_in_foreign_comment(&self, place: Span) -> bool {
+    /// Returns true if a comment of another language begins before a location on its line.
+    fn is_in_foreign_comment(&self, location: Span) -> bool {
         let line = self.line.span;
-        let before = self.source.slice(Span::new(line.start, place.start));
+        let before = self.source.slice(Span::new(line.start, location.start));
         // Of a line that is too long it does not matter.
         let is_after = || before.len() <= LINE_LIMIT && foreign::comment_after(before).is_some();
         foreign::is_comment(self.source.slice(line).trim()) || is_after()
     }
 
-    /// ELSE, ENDIF, WEND and REPEAT allow no other statement on their line.
+    /// Checks that ELSE, ENDIF, WEND and REPEAT are alone on their line.
     ///
     /// The line's statements start at `first`, its diagnostics at `reported`.
     fn check_lone_words(&mut self, first: usize, reported: usize) {
@@ -278,10 +278,10 @@ impl Parser<'_> {
     }
 }
 
-/// ELSE, ENDIF, WEND or REPEAT on one line with something else.
-pub(super) fn not_alone(name: Keyword, place: Span, other: Span) -> Diagnostic {
+/// Reports ELSE, ENDIF, WEND or REPEAT on one line with something else.
+pub(super) fn not_alone(name: Keyword, location: Span, other: Span) -> Diagnostic {
     let reason = Parsing::NotAlone { word: name.into() };
-    Diagnostic::new(Code::Format, place, reason)
+    Diagnostic::new(Code::Format, location, reason)
         .label(other, Parsing::WantsOwnLine)
         .help(Parsing::LabelBeforeCommentBehind)
 }
@@ -312,25 +312,25 @@ fn wide_name(narrow: &str) -> String {
     format!("{name} wide")
 }
 
-/// The text with half-width letters, digits and signs for full-width ones.
+/// Returns the text with half-width letters, digits and signs for full-width ones.
 pub fn narrow(text: &str) -> String {
     text.chars()
         .map(|char| narrow_char(char).unwrap_or(char))
         .collect()
 }
 
-/// The same characters half-width, if they are full-width letters, digits or signs.
+/// Converts full-width letters, digits or signs to half-width; `None` if there are others.
 fn half_width(text: &str) -> Option<String> {
     text.chars().map(narrow_char).collect()
 }
 
-/// Whether a text is rather a remark in Japanese than a name: it has letters of the kind that joins words.
+/// Returns true if a text is rather a remark in Japanese than a name: it has letters of the kind that joins words.
 fn is_sentence(text: &str) -> bool {
     let is_hiragana = |char: char| matches!(char, '\u{3041}'..='\u{3096}');
     text.chars().any(is_hiragana)
 }
 
-/// Whether a place is inside a number.
+/// Returns true if a location is inside a number.
 fn is_between_digits(before: &str, after: &str) -> bool {
     before.ends_with(is_digit) && after.starts_with(is_digit)
 }
@@ -339,7 +339,7 @@ fn is_digit(char: char) -> bool {
     char.is_ascii_digit()
 }
 
-/// The half-width form of a full-width letter, digit or sign.
+/// Returns the half-width form of a full-width letter, digit or sign.
 fn narrow_char(char: char) -> Option<char> {
     match char {
         '\u{FF01}'..='\u{FF5E}' => char::from_u32(char as u32 - 0xFEE0),
@@ -351,7 +351,7 @@ fn narrow_char(char: char) -> Option<char> {
 const COLON: char = '：';
 
 impl Parser<'_> {
-    /// A name as it was meant to be typed.
+    /// Reads a name as it was meant to be typed.
     pub(super) fn narrow_word(&self, span: Span) -> Word {
         let word = self.source.slice(span);
         Word {
@@ -372,7 +372,7 @@ impl Parser<'_> {
         is_name.then(|| Span::new(word.start, word.start + name.len()))
     }
 
-    /// A label with a full-width colon, and the statement after it.
+    /// Reads a label with a full-width colon, and the statement after it.
     pub(super) fn wide_label(
         &mut self,
         name: Span,
@@ -382,10 +382,10 @@ impl Parser<'_> {
     ) -> Flow {
         let whole = Span::new(name.start, name.end + COLON.len_utf8());
         let label = self.narrow_word(name);
-        let place = foreign_run(self.text, whole).unwrap_or(whole);
+        let location = foreign_run(self.text, whole).unwrap_or(whole);
         let narrow = narrow(self.source.slice(whole));
-        let fault = Diagnostic::new(Code::Format, place, Parsing::ForeignCharacters);
-        let fault = fault.once(wide_name(&super::narrow(self.source.slice(place))));
+        let fault = Diagnostic::new(Code::Format, location, Parsing::ForeignCharacters);
+        let fault = fault.once(wide_name(&super::narrow(self.source.slice(location))));
         self.report(fault.help(Parsing::WriteHalfWidth { narrow }));
         self.check_name_length(&label);
         self.push(StatementKind::Label(label), whole);

@@ -8,7 +8,7 @@ use crate::language::functions::Operation;
 use crate::language::{Keyword, commands, functions};
 use crate::lex::{Kind, Token};
 use crate::message::list::List;
-use crate::message::{Habit, Instead, Message, Parsing, Suggesting};
+use crate::message::{ForeignWord, Message, Parsing, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Operand, OperandKind, VariableKind, upper_case};
@@ -29,7 +29,7 @@ const STOPS: &[Keyword] = &[
 const EXACT: usize = 15;
 
 impl Reader<'_> {
-    /// An operand with its sign.
+    /// Reads an operand with its sign.
     pub(super) fn operand(&mut self) -> Parsed<Operand> {
         match self.peek() {
             Some(Token {
@@ -58,16 +58,17 @@ impl Reader<'_> {
         }
     }
 
-    /// An operator among the arguments of a command calculates nothing, or was to begin a comment.
+    /// Adds a help to the fault of an operator among the arguments of a command: it calculates nothing, or was to
+    /// begin a comment.
     fn with_argument_help(&self, mut fault: Fault, token: Token) -> Fault {
         let calculates = matches!(token.kind, Kind::Arithmetic(_)) && !self.is_equation();
         let rest = self.slice(self.rest());
         if foreign::is_comment(rest) && rest.len() > token.span.end - token.span.start {
-            fault.help = Some(Habit::Comment.into());
+            fault.help = Some(ForeignWord::Comment.into());
         } else if calculates {
-            fault.help = Some(Habit::CalculateArgument.into());
+            fault.help = Some(ForeignWord::CalculateArgument.into());
         } else if token.kind == Kind::Colon {
-            fault.help = Some(Habit::NextStatement.into());
+            fault.help = Some(ForeignWord::NextStatement.into());
         } else if matches!(token.kind, Kind::Assign(_)) {
             fault.help = Some(self.without_equals().into());
         } else if self.is_equation() {
@@ -77,13 +78,13 @@ impl Reader<'_> {
     }
 
     /// `AD_IN VR1 = V`
-    fn without_equals(&self) -> Habit {
+    fn without_equals(&self) -> ForeignWord {
         let parts: Vec<&str> = self.slice(self.whole()).split('=').map(str::trim).collect();
         let written = parts.join(" ").into();
-        Habit::WithoutEquals { written }
+        ForeignWord::WithoutEquals { written }
     }
 
-    /// An operand of a condition or of FOR.
+    /// Reads an operand of a condition or of FOR.
     pub(super) fn operand_before_keyword(&mut self) -> Parsed<Operand> {
         match STOPS.iter().find(|stop| self.at_word(**stop)) {
             Some(stop) => {
@@ -96,32 +97,36 @@ impl Reader<'_> {
         }
     }
 
-    fn signed(&mut self, sign: Arithmetic, place: Span) -> Parsed<Operand> {
+    fn signed(&mut self, sign: Arithmetic, location: Span) -> Parsed<Operand> {
         let operand = match self.peek_second() {
             Some(word) if word.kind == Kind::Word && !word.spaced => word.span,
             Some(word) if word.kind == Kind::Word => {
-                if let Some(fault) = self.turned_update(place, word.span) {
+                if let Some(fault) = self.turned_update(location, word.span) {
                     return Err(fault);
                 }
-                let (sign, word) = (self.slice(place), self.slice(word.span));
+                let (sign, word) = (self.slice(location), self.slice(word.span));
                 let text = format!("{sign}{word}").into();
                 let reason = Parsing::SignStandsBefore;
-                return Err(self.fault_with_help(place, reason, Habit::WriteSigned { text }));
+                return Err(self.fault_with_help(
+                    location,
+                    reason,
+                    ForeignWord::WriteSigned { text },
+                ));
             }
             Some(Token {
                 kind: Kind::Arithmetic(_),
                 span,
                 ..
-            }) if self.left() > 2 => return Err(self.two_signs(place, span)),
+            }) if self.left() > 2 => return Err(self.two_signs(location, span)),
             _ => {
                 let reason = Parsing::SignStandsBefore;
-                return Err(self.fault(place, reason));
+                return Err(self.fault(location, reason));
             }
         };
         self.take();
         self.take();
         let operand = self.value(operand)?;
-        let span = place.to(operand.span);
+        let span = location.to(operand.span);
         match (operand.kind, sign) {
             (OperandKind::Number(number), Arithmetic::Sub) => Ok(Operand {
                 kind: OperandKind::Number(-number),
@@ -139,14 +144,14 @@ impl Reader<'_> {
                 span,
             }),
             _ => Err(self.fault_with_help(
-                place,
+                location,
                 Parsing::PlusBeforeConstants,
                 Parsing::LeavePlusOut,
             )),
         }
     }
 
-    /// A word as constant, name or member.
+    /// Reads a word as constant, name or member.
     pub(super) fn value(&self, span: Span) -> Parsed<Operand> {
         let word = self.slice(span);
         let kind = match word.as_bytes().first() {
@@ -170,12 +175,12 @@ impl Reader<'_> {
             Ok(number) if number.is_finite() => Ok(number),
             Ok(_) => {
                 let reason = Parsing::ConstantTooLarge;
-                Err(self.fault_with_help(span, reason, Instead::LargestNumber))
+                Err(self.fault_with_help(span, reason, Suggestion::LargestNumber))
             }
             Err(_) => {
                 let reason = Parsing::NoNumber { word: word.into() };
                 let fault = self.fault(span, reason).once(upper_case(word));
-                Err(fault.help(meant_by_number(word)).into())
+                Err(fault.help(suggest_for_number(word)).into())
             }
         }
     }
@@ -205,53 +210,53 @@ impl Reader<'_> {
         })
     }
 
-    fn foreign_in_name(&self, word: &str, place: Span) -> Fault {
-        let character = self.slice(place).into();
+    fn foreign_in_name(&self, word: &str, location: Span) -> Fault {
+        let character = self.slice(location).into();
         let reason = Parsing::ForeignInName { character };
-        let help = meant_by_name(word);
+        let help = suggest_for_name(word);
         let is_calculation = help == Parsing::NoParentheses.into() && self.is_equation();
         let help: Message = match word.as_bytes() {
             // `P = (391, 201, -150)`
             [b'(' | b'{', b'0'..=b'9' | b'-', ..]
                 if self.is_equation() && self.peek().is_some_and(|it| it.kind == Kind::Word) =>
             {
-                Habit::EachMember.into()
+                ForeignWord::EachMember.into()
             }
-            [b'~', _, ..] if !self.is_equation() => Habit::WriteNot.into(),
+            [b'~', _, ..] if !self.is_equation() => ForeignWord::WriteNot.into(),
             _ if help == Parsing::NoParentheses.into() && !is_calculation => self
                 .condition_in_parentheses()
-                .unwrap_or_else(|| Instead::NoParentheses.into()),
-            _ if help == Habit::NoBrackets.into() && !self.is_equation() => {
+                .unwrap_or_else(|| Suggestion::NoParentheses.into()),
+            _ if help == ForeignWord::NoBrackets.into() && !self.is_equation() => {
                 self.condition_in_parentheses().unwrap_or(help)
             }
             _ => help,
         };
-        let mut fault = self.fault_with_help(place, reason, help);
-        if let Some(Message::Habit(Habit::NoArray { name })) = &fault.help {
+        let mut fault = self.fault_with_help(location, reason, help);
+        if let Some(Message::ForeignWord(ForeignWord::NoArray { name })) = &fault.help {
             fault.once = Some(name.clone());
         }
         fault
     }
 }
 
-/// What to write in place of a word that starts as a number.
-fn meant_by_number(word: &str) -> Message {
+/// Suggests a replacement for a word that starts as a number.
+fn suggest_for_number(word: &str) -> Message {
     let digits = word.find(|c: char| !(c.is_ascii_digit() || c == '.'));
     let (number, unit) = word.split_at(digits.unwrap_or(word.len()));
     let sign = unit.trim_end_matches(|c: char| c.is_ascii_digit());
     if foreign::is_range(sign) && sign.len() < unit.len() {
-        return Instead::CountTo.into();
+        return Suggestion::CountTo.into();
     }
     let hex = word.strip_prefix("0x").or_else(|| word.strip_prefix("0X"));
     let binary = word.strip_prefix("0b").or_else(|| word.strip_prefix("0B"));
     let hex = hex.and_then(|hex| u32::from_str_radix(hex, 16).ok());
     let value = hex.or_else(|| u32::from_str_radix(binary?, 2).ok());
     if let Some(number) = misread(word) {
-        return Instead::Digits { number }.into();
+        return Suggestion::Digits { number }.into();
     }
     match value {
-        Some(value) => Habit::NoHex { value }.into(),
-        None if foreign::is_unit(unit) && !number.is_empty() => Habit::NoUnit.into(),
+        Some(value) => ForeignWord::NoHex { value }.into(),
+        None if foreign::is_unit(unit) && !number.is_empty() => ForeignWord::NoUnit.into(),
         None => Parsing::Constants.into(),
     }
 }
@@ -269,41 +274,41 @@ fn misread(word: &str) -> Option<SmolStr> {
     (is_plain && number.parse::<f64>().is_ok()).then(|| number.into())
 }
 
-/// What to write in place of a word with characters that no name has.
-fn meant_by_name(word: &str) -> Message {
+/// Suggests a replacement for a word with characters that no name has.
+fn suggest_for_name(word: &str) -> Message {
     let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
     if word.strip_prefix(['(', '[']).is_some_and(is_number) || word.starts_with('{') {
-        return Habit::NoBrackets.into();
+        return ForeignWord::NoBrackets.into();
     }
     let quotes = ['\'', '"'];
     let within = word.trim_matches(quotes);
     let is_char = word.starts_with(quotes) && within.len() == 1 && word.len() == 3;
     if is_char && within.chars().all(|c| c.is_ascii_alphanumeric()) {
         let character = within.to_ascii_uppercase().into();
-        return Habit::Character { character }.into();
+        return ForeignWord::Character { character }.into();
     }
     if foreign::is_comment(word) {
-        return Habit::Comment.into();
+        return ForeignWord::Comment.into();
     }
     if word.starts_with('"') {
-        return Habit::NoText.into();
+        return ForeignWord::NoText.into();
     }
     // `$SPEED`
     if let Some(row) = word.strip_prefix('$').and_then(foreign::statement) {
-        return row.habit.clone().into();
+        return row.advice.clone().into();
     }
     if word.contains('^') {
-        return Habit::Power.into();
+        return ForeignWord::Power.into();
     }
     if let Some(inside) = word.strip_prefix('|').and_then(|it| it.strip_suffix('|')) {
         let text = upper_case(&format!(
             "{} {inside}",
             Operation::Scalar(Function::Abs).word()
         ));
-        return Instead::Write { text }.into();
+        return Suggestion::Write { text }.into();
     }
     if word.ends_with('$') {
-        return Habit::NoText.into();
+        return ForeignWord::NoText.into();
     }
     if let Some((name, inside)) = word
         .split_once(['(', '['])
@@ -317,31 +322,31 @@ fn meant_by_name(word: &str) -> Message {
         let name = upper_case(name);
         match commands::find(&name).map(|command| (command.meaning, command.name)) {
             // `V = AD_IN(VR1)`
-            Some((Meaning::AdIn, _)) => return Habit::AdIn.into(),
-            Some((Meaning::KeyIn, _)) => return Habit::KeyIn.into(),
-            Some((_, command)) => return Instead::CommandFirst { command }.into(),
+            Some((Meaning::AdIn, _)) => return ForeignWord::AdIn.into(),
+            Some((Meaning::KeyIn, _)) => return ForeignWord::KeyIn.into(),
+            Some((_, command)) => return Suggestion::CommandFirst { command }.into(),
             None => {}
         }
         if let Some(row) = foreign::statement(&name) {
             return match row.means {
                 // `P = POS(391, 201, -150)`
                 Means::Declaration(VariableKind::Pos | VariableKind::Joint) => {
-                    Habit::EachMember.into()
+                    ForeignWord::EachMember.into()
                 }
                 Means::Declaration(_) => no_function(&name).1,
-                _ => row.habit.clone().into(),
+                _ => row.advice.clone().into(),
             };
         }
         if foreign::is_function(&name) || foreign::function(&name).is_some() {
             return no_function(&name).1;
         }
         if foreign::tells_time(&name) {
-            return Instead::NoClock.into();
+            return Suggestion::NoClock.into();
         }
         if inside == ")" {
             return no_function(&name).1;
         }
-        return Habit::NoArray { name }.into();
+        return ForeignWord::NoArray { name }.into();
     }
     match word.contains(['(', ')']) {
         true => Parsing::NoParentheses.into(),
@@ -349,14 +354,14 @@ fn meant_by_name(word: &str) -> Message {
     }
 }
 
-/// What is said of a function that the language lacks.
+/// Returns reason and help for a function that the language lacks.
 pub(super) fn no_function(word: &str) -> (Message, Message) {
     let near = foreign::function(word).or_else(|| nearest(word, functions::words()));
     let help = match near {
-        Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+        Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
         None => {
             let functions = List(functions::words().map(str::to_owned).collect());
-            Instead::Functions { functions }.into()
+            Suggestion::Functions { functions }.into()
         }
     };
     (Parsing::NoSuchFunction { word: word.into() }.into(), help)
@@ -374,11 +379,11 @@ impl Reader<'_> {
         let name = self.slice(self.whole()).split('=').next()?.trim();
         let text = format!("{name} {}= {}", self.slice(sign), self.slice(operand));
         let both = equals.span.to(sign);
-        let reason = Habit::NoOperator {
+        let reason = ForeignWord::NoOperator {
             sign: self.slice(both).into(),
         };
         let text = upper_case(&text);
-        is_glued.then(|| self.fault_with_help(both, reason, Instead::Write { text }))
+        is_glued.then(|| self.fault_with_help(both, reason, Suggestion::Write { text }))
     }
 
     /// `--391`
@@ -387,9 +392,9 @@ impl Reader<'_> {
         let third = self.left_tokens().get(2);
         let operand = third.map_or("", |it| self.slice(it.span));
         let text = format!("{}{operand}", self.slice(second)).into();
-        let reason = Habit::NoOperator {
+        let reason = ForeignWord::NoOperator {
             sign: self.slice(both).into(),
         };
-        self.fault_with_help(both, reason, Instead::Write { text })
+        self.fault_with_help(both, reason, Suggestion::Write { text })
     }
 }

@@ -5,12 +5,12 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Keyword, commands};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{Habit, Message, Parsing};
+use crate::message::{ForeignWord, Message, Parsing};
 use crate::source::Span;
 use crate::syntax::{Word, upper_case};
 use smol_str::SmolStr;
 
-/// What is wrong with a statement.
+/// Fault of a statement.
 pub(super) type Fault = Box<Diagnostic>;
 /// A piece of a statement, or what is wrong with it.
 pub(super) type Parsed<T> = Result<T, Fault>;
@@ -34,34 +34,34 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether this reads an equation, whose rules differ from those of arguments.
+    /// Returns true if this reads an equation, whose rules differ from those of arguments.
     pub(super) fn is_equation(&self) -> bool {
         self.code == Code::Equation
     }
 
-    /// The next token, which stays.
+    /// Returns the next token, which stays.
     pub(super) fn peek(&self) -> Option<Token> {
         self.tokens.get(self.at).copied()
     }
 
-    /// The token after the next one.
+    /// Returns the token after the next one.
     pub(super) fn peek_second(&self) -> Option<Token> {
         self.tokens.get(self.at + 1).copied()
     }
 
-    /// The next token.
+    /// Takes the next token.
     pub(super) fn take(&mut self) -> Option<Token> {
         let token = self.peek()?;
         self.at += 1;
         Some(token)
     }
 
-    /// The text at a place.
+    /// Returns the text at a span.
     pub(super) fn slice(&self, span: Span) -> &'a str {
         &self.text[span.start..span.end]
     }
 
-    /// The word at a place, upper-cased.
+    /// Returns the word at a span, upper-cased.
     pub(super) fn word(&self, span: Span) -> Word {
         Word {
             node: upper_case(self.slice(span)),
@@ -69,7 +69,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether the next token is the keyword `word`.
+    /// Returns true if the next token is the keyword `word`.
     pub(super) fn at_word(&self, word: Keyword) -> bool {
         self.peek().is_some_and(|token| {
             token.kind == Kind::Word && self.slice(token.span).eq_ignore_ascii_case(word.word())
@@ -82,27 +82,27 @@ impl<'a> Reader<'a> {
         token.map(|token| token.span)
     }
 
-    /// The token before the next one.
+    /// Returns the token before the next one.
     pub(super) fn before(&self) -> Option<Token> {
         self.tokens.get(self.at.checked_sub(1)?).copied()
     }
 
-    /// The text that this reads.
+    /// Returns the text that this reads.
     pub(super) fn text(&self) -> &'a str {
         self.text
     }
 
-    /// The tokens that are left.
+    /// Returns the tokens that are left.
     pub(super) fn left_tokens(&self) -> &'a [Token] {
         &self.tokens[self.at..]
     }
 
-    /// How many tokens are left.
+    /// Returns the number of tokens left.
     pub(super) fn left(&self) -> usize {
         self.tokens.len() - self.at
     }
 
-    /// The next token's place, or the one right after the last token.
+    /// Returns the next token's location, or the one right after the last token.
     pub(super) fn here(&self) -> Span {
         match (self.peek(), self.tokens.last()) {
             (Some(token), _) => token.span,
@@ -111,7 +111,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The whole statement.
+    /// Returns the whole statement.
     pub(super) fn whole(&self) -> Span {
         match self.tokens {
             [first, .., last] => first.span.to(last.span),
@@ -119,13 +119,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The first word of the statement, upper-cased.
+    /// Returns the first word of the statement, upper-cased.
     pub(super) fn first_word(&self) -> SmolStr {
         let first = self.tokens.first().map_or("", |it| self.slice(it.span));
         upper_case(first)
     }
 
-    /// All that is left.
+    /// Returns all that is left.
     pub(super) fn rest(&self) -> Span {
         match self.tokens.last() {
             Some(last) if self.left() > 0 => self.here().to(last.span),
@@ -134,22 +134,22 @@ impl<'a> Reader<'a> {
     }
 
     /// `1,000` or `4,5`: two numbers with nothing but a comma between them.
-    pub(super) fn comma_number(&self, before: Span, after: Span) -> Option<Habit> {
+    pub(super) fn comma_number(&self, before: Span, after: Span) -> Option<ForeignWord> {
         let is_glued = self.text.get(before.end..after.start) == Some(",");
         let (before, after) = (self.slice(before), self.slice(after));
         let is_number = |text: &str| text.chars().all(|c| c.is_ascii_digit());
-        (is_glued && is_number(before) && is_number(after)).then(|| Habit::Comma {
+        (is_glued && is_number(before) && is_number(after)).then(|| ForeignWord::Comma {
             whole: format!("{before}{after}").into(),
             point: format!("{before}.{after}").into(),
         })
     }
 
-    /// A fault of this statement at `span`.
+    /// Creates a fault of this statement at `span`.
     pub(super) fn fault(&self, span: Span, reason: impl Into<Message>) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason))
     }
 
-    /// A fault of this statement at `span`, with a help.
+    /// Creates a fault of this statement at `span`, with a help.
     pub(super) fn fault_with_help(
         &self,
         span: Span,
@@ -159,7 +159,7 @@ impl<'a> Reader<'a> {
         Box::new(Diagnostic::new(self.code, span, reason).help(help))
     }
 
-    /// Nothing may be left; `help` unless another statement follows.
+    /// Checks that nothing is left; `help` unless another statement follows.
     pub(super) fn expect_end_or(&self, end: End, help: impl Into<Message>) -> Parsed<()> {
         self.expect_end(end).map_err(|mut fault| {
             let next = self.slice(self.here());
@@ -170,7 +170,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Nothing may be left.
+    /// Checks that nothing is left.
     pub(super) fn expect_end(&self, end: End) -> Parsed<()> {
         if self.left() == 0 {
             return Ok(());

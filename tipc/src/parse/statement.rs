@@ -8,7 +8,7 @@ use crate::code::Code;
 use crate::foreign;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, lex};
-use crate::message::Instead;
+use crate::message::Suggestion;
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, VariableKind};
 
@@ -53,7 +53,7 @@ impl Parser<'_> {
         Flow::Continue
     }
 
-    /// A statement that is made of words.
+    /// Reads a statement that is made of words.
     fn words(&mut self, keyword: Option<Keyword>, word: Span, span: Span) {
         let mut tokens = std::mem::take(&mut self.tokens);
         tokens.clear();
@@ -88,7 +88,7 @@ impl Parser<'_> {
         self.tokens = tokens;
     }
 
-    /// Whether more than one name follows a word, and nothing else.
+    /// Returns true if more than one name follows a word, and nothing else.
     fn names_several(&self, tokens: &[Token]) -> bool {
         let is_name = |token: &Token| {
             let word = self.source.slice(token.span);
@@ -143,7 +143,7 @@ impl Parser<'_> {
         }
         let read = keyword.and_then(|keyword| self.control(keyword, word, tokens));
         if let Some(Err(fault) | Ok((_, Err(fault)))) = &read
-            && let Some(tokens) = condition::meant(fault, tokens)
+            && let Some(tokens) = condition::with_intended_relation(fault, tokens)
         {
             self.report((**fault).clone());
             return self.kind(keyword, word, &tokens, reported);
@@ -173,14 +173,14 @@ impl Parser<'_> {
             let fault = not_alone(keyword, word.span, next.span.to(last.span));
             let counts = self.source.slice(next.span).parse::<f64>().is_ok();
             self.report(match keyword {
-                Keyword::Repeat if counts => fault.help(Instead::CountTimes),
+                Keyword::Repeat if counts => fault.help(Suggestion::CountTimes),
                 _ => fault,
             });
         }
         tokens.len() == 1
     }
 
-    /// Whether the statement before is an IF without its THEN, which is reported.
+    /// Returns true if the statement before is an IF without its THEN, which is reported.
     fn follows_broken_if(&self) -> bool {
         let before = self.module.statements.last();
         before.is_some_and(|it| it.kind == StatementKind::Broken(Shape::If))
@@ -234,7 +234,7 @@ impl Parser<'_> {
     }
 }
 
-/// What is known of a statement from its keyword alone.
+/// Knowledge of a statement from its keyword alone.
 enum Start {
     /// It is this one, even if something follows its keyword.
     Lone(StatementKind),
@@ -277,7 +277,7 @@ impl Start {
     }
 }
 
-/// The shape of a statement that starts with `keyword`.
+/// Returns the shape of a statement that starts with `keyword`.
 pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> Shape {
     let Some(keyword) = keyword else {
         return Shape::Plain;
@@ -312,8 +312,8 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
     }
 }
 
-/// The shape of a statement that was meant to begin with `keyword`.
-pub(super) fn meant(keyword: Keyword, text: &str, tokens: &[Token]) -> Shape {
+/// Returns the shape of a statement that was meant to begin with `keyword`.
+pub(super) fn intended_shape(keyword: Keyword, text: &str, tokens: &[Token]) -> Shape {
     match keyword {
         Keyword::Else => Shape::Else,
         Keyword::EndIf => Shape::EndIf,
@@ -334,7 +334,7 @@ fn is(text: &str, token: &Token, keyword: Keyword) -> bool {
     text[span.start..span.end].eq_ignore_ascii_case(keyword.word())
 }
 
-/// An IF opens a block if it contains THEN, or if nothing in it looks like a jump.
+/// Returns true if an IF opens a block: it contains THEN, or nothing in it looks like a jump.
 fn opens_block(text: &str, tokens: &[Token]) -> bool {
     let jumps = |token: &Token| {
         token.kind == Kind::Colon

@@ -19,7 +19,7 @@ fn check(body: &str, expected: &[&str]) {
     );
 }
 
-/// As [`check`], without the END added.
+/// Checks a program like [`check`], without the END added.
 #[track_caller]
 fn check_whole(body: &str, expected: &[&str]) {
     assert_eq!(outcome(body), expected, "program: {body}");
@@ -191,11 +191,11 @@ mod dump {
     }
 }
 
-/// An `IF` that is wrong at `column` and keeps opening its block.
+/// Checks an `IF` that is wrong at `column` and keeps opening its block.
 #[track_caller]
 fn wrong_condition(condition: &str, column: u32) {
-    let place = format!("1:{column}: Wrong argument");
-    check(&format!("IF {condition} THEN"), &["broken If", &place]);
+    let location = format!("1:{column}: Wrong argument");
+    check(&format!("IF {condition} THEN"), &["broken If", &location]);
 }
 
 // clauses: 5.1 1.11
@@ -221,7 +221,7 @@ fn flags_stand_alone_or_negated() {
 
 // clauses: 5.1
 #[test]
-fn relations_of_other_languages_are_read_as_what_was_meant() {
+fn relations_of_other_languages_are_read_as_intended() {
     let fault = "1:6: Wrong argument";
     check("IF A = B THEN", &["if (A == B) then", fault]);
     check("IF A != B THEN", &["if (A <> B) then", fault]);
@@ -236,7 +236,7 @@ fn relations_of_other_languages_are_read_as_what_was_meant() {
 
 // clauses: 5.1
 #[test]
-fn malformed_conditions_are_shown_at_their_place() {
+fn malformed_conditions_are_shown_at_their_location() {
     wrong_condition("A >< B", 7);
     wrong_condition("A ==", 9);
     wrong_condition("== A", 4);
@@ -388,11 +388,11 @@ fn declarations_keep_the_names_as_written() {
     check("DEF_VAR A = 5", &["define Var A", "1:11: Wrong argument"]);
 }
 
-/// An equation that is wrong at `column`.
+/// Checks an equation that is wrong at `column`.
 #[track_caller]
 fn wrong(equation: &str, column: u32) {
-    let place = format!("1:{column}: Wrong equation format");
-    check(equation, &["broken Plain", &place]);
+    let location = format!("1:{column}: Wrong equation format");
+    check(equation, &["broken Plain", &location]);
 }
 
 // clauses: 4.1 1.11
@@ -524,11 +524,15 @@ fn faulty_arguments_wait_for_the_command_to_be_known() {
     check("5 6", &["command 5 6.0"]);
 }
 
-/// A `Format error` at `column` of line 1, beside `statements`.
+/// Checks for a `Format error` at `column` of line 1, besides `statements`.
 #[track_caller]
 fn format_error(body: &str, statements: &[&str], column: u32) {
-    let place = format!("1:{column}: Format error");
-    let expected: Vec<&str> = statements.iter().copied().chain([place.as_str()]).collect();
+    let location = format!("1:{column}: Format error");
+    let expected: Vec<&str> = statements
+        .iter()
+        .copied()
+        .chain([location.as_str()])
+        .collect();
     check(body, &expected);
 }
 
@@ -680,7 +684,7 @@ fn lines_have_at_most_1023_bytes() {
     check_whole(&format!("END\n{}", "a".repeat(2000)), &[]);
 }
 
-/// A line whose length is wrong from `column` on; its statements are not looked at.
+/// Checks a line whose length is wrong from `column` on; its statements are not looked at.
 #[track_caller]
 fn format_error_first(body: &str, column: u32) {
     let statements: &[&str] = if body.starts_with("REM") {

@@ -1,11 +1,11 @@
-//! What a step does.
+//! Actions of steps.
 
 use super::{
     Arithmetic, Condition, End, Op, Operand, Port, Scalar, ScalarExpression, StepId,
     StructExpression, Target, Teach, VariableId,
 };
 
-/// What a step does. Next steps are resolved; where none is named it is the following one.
+/// Action of a step. Next steps are resolved; where none is named it is the following one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Nothing: a label, REM, ENDIF, REPEAT or SUBROUTINE.
@@ -94,7 +94,7 @@ pub enum Action {
     IfGoto {
         /// The condition.
         condition: Condition,
-        /// Where true leads.
+        /// Next step if true.
         to: StepId,
     },
     /// GOSUB and CALL.
@@ -106,7 +106,7 @@ pub enum Action {
     IfGosub {
         /// The condition.
         condition: Condition,
-        /// Where true leads.
+        /// Next step if true.
         to: StepId,
     },
     /// RETURN and SUBEND.
@@ -126,18 +126,18 @@ pub enum Action {
     },
     /// A TEACH_ command that fills a struct.
     TeachStruct {
-        /// What is measured.
+        /// Measured quantity.
         what: Teach,
-        /// Where on the robot.
+        /// Measured part of the robot.
         target: Target,
         /// The POS or JOINT that receives it.
         into: VariableId,
     },
     /// A TEACH_ command that fills a scalar.
     TeachScalar {
-        /// What is measured.
+        /// Measured quantity.
         what: Teach,
-        /// Which joint.
+        /// Joint number.
         target: Target,
         /// The scalar that receives it.
         into: Scalar,
@@ -156,13 +156,13 @@ pub enum Action {
     },
     /// MESSAGE; MESSAGE_CLEAR and an empty text have no parts.
     Message {
-        /// What to show, in order.
+        /// Parts to show, in order.
         parts: Vec<MessagePart>,
     },
 }
 
 impl Action {
-    /// What decides where it leads, besides its variables.
+    /// Returns the condition that decides the next step.
     pub fn condition(&self) -> Option<&Condition> {
         match self {
             Action::If { condition, .. }
@@ -190,7 +190,7 @@ impl Action {
         }
     }
 
-    /// Whether it does more than to decide what runs next.
+    /// Returns true if it does more than decide what runs next.
     pub fn acts(&self) -> bool {
         match self {
             Action::SetScalar { .. }
@@ -218,7 +218,8 @@ impl Action {
         }
     }
 
-    /// Where ELSEIF and ELSE lead when they are reached "taken"; other steps do not ask how they are reached.
+    /// Returns the step after an ELSEIF or ELSE that is reached "taken"; `None` for other steps, for which it makes no
+    /// difference.
     pub fn passed_to(&self) -> Option<StepId> {
         match self {
             Action::ElseIf { otherwise: to, .. } | Action::Else { end: to } => Some(*to),
@@ -251,11 +252,11 @@ impl Action {
 pub struct Argument {
     /// The number.
     pub operand: Operand,
-    /// What precedes it.
+    /// Flag before it.
     pub mark: Mark,
 }
 
-/// What precedes an operand of a motion, where it says something.
+/// Flag before an operand of a motion, where it matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// Nothing; or `A` where a number without a mark is absolute.

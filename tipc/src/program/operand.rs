@@ -1,8 +1,8 @@
-//! What steps read, compare and calculate.
+//! Operands, conditions and expressions of steps.
 
 use super::{Arithmetic, Axis, Flag, Function, Relation};
 
-/// A variable, by its place in [`Program::variables`](super::Program::variables).
+/// A variable, by its index in [`Program::variables`](super::Program::variables).
 pub type VariableId = usize;
 
 /// One scalar: a VAR, or a member of a struct.
@@ -21,7 +21,7 @@ pub enum Operand {
     Constant(f64),
     /// A scalar, its sign changed if `negative`.
     Scalar {
-        /// Which scalar.
+        /// The scalar.
         scalar: Scalar,
         /// `-` precedes it.
         negative: bool,
@@ -35,7 +35,7 @@ pub enum Condition {
     Compare {
         /// The left one.
         left: Operand,
-        /// How.
+        /// Relation between the sides.
         relation: Relation,
         /// The right one.
         right: Operand,
@@ -101,7 +101,7 @@ pub enum StructExpression {
     Rotate {
         /// The axis.
         axis: Axis,
-        /// What is turned.
+        /// Turned variable.
         operand: VariableId,
         /// By how many degrees.
         angle: Operand,

@@ -1,4 +1,4 @@
-//! A diagnostic as people read it: the lines, carets under the place, the reason, the help.
+//! A diagnostic as people read it: the lines, carets under the location, the reason, the help.
 
 use super::{printable, shown};
 use crate::code::Level;
@@ -8,13 +8,13 @@ use crate::source::{Source, Span, first_beyond};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
 use std::ops::Range;
 
-/// The most lines between two places that are still shown as one snippet.
+/// The most lines between two locations that are still shown as one snippet.
 const NEAR: u32 = 30;
-/// The most other places that are shown.
-const PLACES: usize = 8;
+/// The most other locations that are shown.
+const LOCATIONS: usize = 8;
 
 /// Some lines, with a line end after each, and where they are. Lines are put together again, so that an old
-/// carriage return does not blur them, and that a far place or an endless line does not drag the whole file along.
+/// carriage return does not blur them, and that a far location or an endless line does not drag the whole file along.
 struct Window {
     first: u32,
     text: String,
@@ -49,7 +49,7 @@ impl Window {
         window
     }
 
-    /// Where a span of the source, cut to its first line, is in the window; `None` if elsewhere.
+    /// Returns the range of a span in the window, cut to its first line; `None` if elsewhere.
     fn range(&self, source: &Source, span: Span) -> Option<Range<usize>> {
         let after = self.lines.partition_point(|it| it.span.start <= span.start);
         let line = &self.lines[after.checked_sub(1)?];
@@ -57,14 +57,14 @@ impl Window {
             return None;
         }
         let (text, shown) = (source.slice(line.span), &line.range);
-        let place =
+        let location =
             |offset: usize| shown.start + width(text, offset.saturating_sub(line.span.start));
-        let (start, end) = (place(span.start), place(span.end));
+        let (start, end) = (location(span.start), location(span.end));
         (start <= shown.end).then(|| start..end.clamp(start, shown.end))
     }
 }
 
-/// How many bytes of a window the first `bytes` of a line take; as many as there are beyond its shown part.
+/// Returns how many bytes of a window the first `bytes` of a line take; as many as there are beyond its shown part.
 fn width(line: &str, bytes: usize) -> usize {
     let line = shown(line);
     match line.get(..bytes) {
@@ -73,8 +73,8 @@ fn width(line: &str, bytes: usize) -> usize {
     }
 }
 
-/// The diagnostic in the style of rustc: its headline, the lines with carets, the help, and as a note the classical
-/// message. It ends with a line end.
+/// Renders the diagnostic in the style of rustc: its headline, the lines with carets, the help, and as a note the
+/// classical message. It ends with a line end.
 pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     let windows = windows(source, diagnostic);
     let name = printable(source.name());
@@ -90,7 +90,7 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     let mut group = Group::with_title(title);
     if windows[0].range(source, diagnostic.span).is_none() {
         group = group.element(origin(&name, source, diagnostic));
-        if let Some(text) = at_place(diagnostic, style.lang) {
+        if let Some(text) = at_location(diagnostic, style.lang) {
             group = group.element(note(style.lang).message(text));
         }
     }
@@ -119,7 +119,7 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     out
 }
 
-/// The columns before the text of a help: those of line numbers, a sign, and its name.
+/// Returns the columns before the text of a help: those of line numbers, a sign, and its name.
 fn before_help(windows: &[Window], name: &str) -> usize {
     let ends = windows
         .iter()
@@ -128,13 +128,13 @@ fn before_help(windows: &[Window], name: &str) -> usize {
     digits + " = : ".len() + columns(name)
 }
 
-/// The columns before the text of a headline: those of the level and the code.
+/// Returns the columns before the text of a headline: those of the level and the code.
 fn before_headline(diagnostic: &Diagnostic, lang: Lang) -> usize {
     let level = level_name(diagnostic.level(), lang);
     columns(level) + "[]: ".len() + diagnostic.id().len()
 }
 
-/// How wide a name is that is half-width or full-width.
+/// Returns the width in columns of a name in half-width and full-width characters.
 fn columns(name: &str) -> usize {
     let columns = if name.is_ascii() { 1 } else { 2 };
     columns * name.chars().count()
@@ -159,13 +159,13 @@ fn note(lang: Lang) -> Title<'static> {
     Title::NOTE.with_name(lang.pick("note", "注"))
 }
 
-/// What is said at the place itself: nothing of an error, whose reason is the headline.
-fn at_place(diagnostic: &Diagnostic, lang: Lang) -> Option<String> {
+/// Returns the text at the location itself: nothing for an error, whose reason is the headline.
+fn at_location(diagnostic: &Diagnostic, lang: Lang) -> Option<String> {
     let is_warning = diagnostic.level() == Level::Warning;
     is_warning.then(|| printable(diagnostic.reason.in_lang(lang)))
 }
 
-/// The place alone, for one that cannot be shown.
+/// Renders the location alone, for one that cannot be shown.
 fn origin<'a>(name: &'a str, source: &Source, diagnostic: &Diagnostic) -> Origin<'a> {
     let (line, column) = source.line_column(diagnostic.span.start);
     Origin::path(name)
@@ -173,7 +173,7 @@ fn origin<'a>(name: &'a str, source: &Source, diagnostic: &Diagnostic) -> Origin
         .char_column(column as usize)
 }
 
-/// The window around the diagnostic's own place, then one for each label that is far from it.
+/// Returns the window around the diagnostic's own location, then one for each label that is far from it.
 fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
     let line = |span: Span| source.line_column(span.start).0;
     let own = line(diagnostic.span);
@@ -181,7 +181,7 @@ fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
         diagnostic
             .labels
             .iter()
-            .take(PLACES)
+            .take(LOCATIONS)
             .map(|label| line(label.span))
     };
     let near = |other: &u32| other.abs_diff(own) <= NEAR;
@@ -205,13 +205,17 @@ fn snippet<'a>(
     let primary = window.range(source, diagnostic.span).map(|range| {
         AnnotationKind::Primary
             .span(range)
-            .label(at_place(diagnostic, lang))
+            .label(at_location(diagnostic, lang))
     });
-    let labels = diagnostic.labels.iter().take(PLACES).filter_map(|label| {
-        let range = window.range(source, label.span)?;
-        let kind = AnnotationKind::Context;
-        Some(kind.span(range).label(printable(label.text.in_lang(lang))))
-    });
+    let labels = diagnostic
+        .labels
+        .iter()
+        .take(LOCATIONS)
+        .filter_map(|label| {
+            let range = window.range(source, label.span)?;
+            let kind = AnnotationKind::Context;
+            Some(kind.span(range).label(printable(label.text.in_lang(lang))))
+        });
     Snippet::source(window.text.as_str())
         .line_start(window.first as usize)
         .path(name)
@@ -224,28 +228,28 @@ fn snippet<'a>(
 pub struct Style {
     /// The language of reasons and helps.
     pub lang: Lang,
-    /// Whether there are colours, for a terminal.
+    /// True if colours are used, for a terminal.
     pub colour: bool,
     /// The columns that a line may fill, if there is a limit.
     pub width: Option<usize>,
 }
 
 impl Style {
-    /// This style in a language.
+    /// Sets the language.
     #[must_use]
     pub fn lang(mut self, lang: Lang) -> Self {
         self.lang = lang;
         self
     }
 
-    /// This style with colours, or without.
+    /// Sets whether colours are used.
     #[must_use]
     pub fn colour(mut self, colour: bool) -> Self {
         self.colour = colour;
         self
     }
 
-    /// This style for lines of so many columns.
+    /// Sets the width of lines, columns.
     #[must_use]
     pub fn width(mut self, width: Option<usize>) -> Self {
         self.width = width;
@@ -256,8 +260,8 @@ impl Style {
 /// The fewest columns that a text is broken for.
 const LEAST: usize = 20;
 
-/// The text with line breaks, so that each line fits into what `used` columns leave of the width. It breaks at blanks and
-/// beside full-width characters, not inside of code between backquotes.
+/// Returns the text with line breaks, so that each line fits into what `used` columns leave of the width. It breaks at
+/// blanks and beside full-width characters, not inside of code between backquotes.
 pub(super) fn wrapped(text: &str, width: Option<usize>, used: usize) -> String {
     let room = width.and_then(|width| width.checked_sub(used));
     let Some(room) = room.filter(|room| *room >= LEAST) else {
@@ -276,7 +280,7 @@ pub(super) fn wrapped(text: &str, width: Option<usize>, used: usize) -> String {
     out + rest
 }
 
-/// Whether a line may end before the byte `at`.
+/// Returns true if a line may end before the byte `at`.
 fn may_break(text: &str, at: usize) -> bool {
     let (line, rest) = text.split_at(at);
     let is_in_code = line.matches('`').count() % 2 == 1;

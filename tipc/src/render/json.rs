@@ -7,9 +7,10 @@ use crate::source::{Position, Source, Span, Unit};
 use std::fmt::Write;
 use tip_runtime::printable::is_control;
 
-/// An object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one), `code`, `file`,
+/// Renders an object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one),
+/// `code`, `file`,
 /// `line`, `column` (both from 1, the column in characters) and, if there is any, `help`; then `reason`, `class` (the code
-/// that finer codes are part of), `range`, `labels` and `fixes` with the places in every unit, the file's `encoding`, the name
+/// that finer codes are part of), `range`, `labels` and `fixes` with the locations in every unit, the file's `encoding`, the name
 /// of the `robot` that the program was checked for, `related` (the labels at which the same mistake shows again, with file,
 /// line and column), and how to see the code's `page`.
 pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang: Lang) -> String {
@@ -51,7 +52,7 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang
     out
 }
 
-/// The places at which the same mistake shows again.
+/// Writes the locations at which the same mistake shows again.
 fn push_related(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
     out.push_str(",\"related\":[");
     let again = diagnostic.labels.iter().filter(|label| label.is_again());
@@ -71,7 +72,7 @@ fn push_related(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang
     out.push(']');
 }
 
-/// The other places that matter, each with what is there.
+/// Writes the other locations that matter, each with its text.
 fn push_labels(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
     out.push_str(",\"labels\":[");
     for (index, label) in diagnostic.labels.iter().enumerate() {
@@ -112,7 +113,7 @@ fn push_fixes(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: 
     out.push(']');
 }
 
-/// Where a span begins and ends.
+/// Writes the start and end of a span.
 fn push_range(out: &mut String, source: &Source, span: Span) {
     out.push_str("{\"start\":");
     push_position(out, source, span.start);
@@ -121,8 +122,8 @@ fn push_range(out: &mut String, source: &Source, span: Span) {
     out.push('}');
 }
 
-/// A place: the byte of the file from 0; the line from 1; and the column from 1, in characters, in bytes of UTF-8 and in
-/// units of UTF-16.
+/// Writes a position: the byte of the file from 0; the line from 1; and the column from 1, in characters, in bytes of
+/// UTF-8 and in units of UTF-16.
 fn push_position(out: &mut String, source: &Source, offset: usize) {
     let column = |unit| source.position(offset, unit).column;
     let Position {
@@ -138,7 +139,7 @@ fn push_position(out: &mut String, source: &Source, offset: usize) {
     );
 }
 
-/// Another member of an object, a string.
+/// Writes another member of an object, a string.
 pub fn push_member(out: &mut String, key: &str, value: &str) {
     out.push(',');
     push_string(out, key);
@@ -146,13 +147,13 @@ pub fn push_member(out: &mut String, key: &str, value: &str) {
     push_string(out, value);
 }
 
-/// Another member of an object, a number.
+/// Writes another member of an object, a number.
 pub fn push_number(out: &mut String, key: &str, value: u32) {
     // Writing to a string cannot fail.
     let _ = write!(out, ",\"{key}\":{value}");
 }
 
-/// A string in quotes.
+/// Writes a string in quotes.
 pub fn push_string(out: &mut String, text: &str) {
     out.push('"');
     for char in text.chars() {

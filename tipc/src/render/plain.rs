@@ -5,18 +5,18 @@ use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
 use crate::source::Source;
 
-/// The most other places that are listed.
-const PLACES: usize = 8;
+/// The most other locations that are listed.
+const LOCATIONS: usize = 8;
 
 /// The blanks that stand for a tab.
 const TAB: &str = "    ";
 
-/// Returns `CODE: REASON` and, below, the place, the line with carets, the help and the classical message.
+/// Returns `CODE: REASON` and, below, the location, the line with carets, the help and the classical message.
 ///
 /// The caller puts a word like `error:` before it.
 pub fn plain(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     let name = printable(source.name());
-    let place = |start: usize| {
+    let location = |start: usize| {
         let (line, column) = source.line_column(start);
         format!("{name}:{line}:{column}")
     };
@@ -27,10 +27,10 @@ pub fn plain(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     let (id, headline) = (diagnostic.id(), printable(diagnostic.headline(lang)));
     let mut out = format!(
         "{id}: {headline}\n{gap}--> {}\n{gap} |\n",
-        place(span.start)
+        location(span.start)
     );
     let text = shown(source.slice(line.span));
-    // Such a place is not shown at the end of an endless line.
+    // Such a location is not shown at the end of an endless line.
     if let Some(before) = text.get(..span.start.saturating_sub(line.span.start)) {
         let marked = &text[before.len()..];
         let marked = marked.get(..span.end - span.start).unwrap_or(marked);
@@ -39,9 +39,9 @@ pub fn plain(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
         let text = typed(text);
         out += &format!("{number} | {text}\n{gap} | {blanks}{carets}\n{gap} |\n");
     }
-    for label in diagnostic.labels.iter().take(PLACES) {
+    for label in diagnostic.labels.iter().take(LOCATIONS) {
         let text = printable(label.text.in_lang(lang));
-        out += &format!("{gap} = {}: {text}\n", place(label.span.start));
+        out += &format!("{gap} = {}: {text}\n", location(label.span.start));
     }
     if let Some(help) = &diagnostic.help {
         let name = lang.pick("help", "ヘルプ");

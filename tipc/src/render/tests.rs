@@ -9,23 +9,23 @@ fn source(name: &str, text: &str) -> Source {
     Source::decode(name, text.as_bytes(), Encoding::Utf8).0
 }
 
-/// A diagnostic at the first occurrence of `place`.
-fn at(source: &Source, code: Code, place: &str, reason: &str) -> Diagnostic {
-    Diagnostic::new(code, span(source, place), text(reason))
+/// Returns a diagnostic at the first occurrence of `location`.
+fn at(source: &Source, code: Code, location: &str, reason: &str) -> Diagnostic {
+    Diagnostic::new(code, span(source, location), text(reason))
 }
 
-/// A message of any text.
+/// Returns a message of any text.
 fn text(text: &str) -> Reading {
     let error = text.to_owned().into();
     Reading::System { error }
 }
 
-fn span(source: &Source, place: &str) -> Span {
+fn span(source: &Source, location: &str) -> Span {
     let start = source
         .text()
-        .find(place)
+        .find(location)
         .expect("the place stands in the text");
-    Span::new(start, start + place.len())
+    Span::new(start, start + location.len())
 }
 
 #[track_caller]
@@ -113,8 +113,8 @@ fn of_very_many_places_the_first_are_shown() {
 #[test]
 fn a_place_at_the_end_of_a_line_has_its_caret() {
     let source = source("walk.prg", "3.1\r\nt\r\nA =\r\nEND");
-    let place = Span::new(span(&source, "A =").end, span(&source, "A =").end);
-    let diagnostic = Diagnostic::new(Code::Equation, place, Parsing::OperandMissing);
+    let location = Span::new(span(&source, "A =").end, span(&source, "A =").end);
+    let diagnostic = Diagnostic::new(Code::Equation, location, Parsing::OperandMissing);
     check_human(
         &source,
         &diagnostic,
@@ -149,7 +149,7 @@ fn colour_is_only_there_when_asked_for() {
 
 // clauses: 8.1
 #[test]
-fn the_classical_line_stands_after_the_place() {
+fn the_classical_line_follows_the_location() {
     let source = source("dir/walk.prg", "3.1\nt\n　あGOTO X:\nEND");
     let error = at(&source, Code::UnknownLabel, "X", "nowhere").about("X");
     assert_eq!(
@@ -165,7 +165,7 @@ fn the_classical_line_stands_after_the_place() {
 
 // clauses: 8.1
 #[test]
-fn short_is_the_reason_and_the_classical_message_after_the_place() {
+fn short_is_the_reason_and_the_classical_message_after_the_location() {
     let source = source("dir/walk.prg", "3.1\nt\n　あGOTO X:\nEND");
     let error = at(&source, Code::UnknownLabel, "X", "nowhere").about("X");
     assert_eq!(
@@ -187,8 +187,8 @@ fn short_is_the_reason_and_the_classical_message_after_the_place() {
 #[test]
 fn people_read_in_their_language() {
     let source = source("walk.prg", "3.1\nt\nWHILE KB_HIT DO\nEND");
-    let place = span(&source, "DO");
-    let error = Diagnostic::new(Code::Argument, place, Parsing::ThenBelongsHere)
+    let location = span(&source, "DO");
+    let error = Diagnostic::new(Code::Argument, location, Parsing::ThenBelongsHere)
         .help(Parsing::LeavePlusOut)
         .label(span(&source, "WHILE"), Parsing::TextEndsHere);
     let shown = human(&source, &error, Style::default().lang(Lang::Japanese));
@@ -312,7 +312,10 @@ error[E206]: no\u{1b}where
   |                        ^
   |
   = note: TIP_ERR:unknown variable "X\u{200f}" (SyntaxError)"#;
-    let expected = expected.replace(":3:23", &place(&human(&source, &error, Style::default())));
+    let expected = expected.replace(
+        ":3:23",
+        &location(&human(&source, &error, Style::default())),
+    );
     check_human(&source, &error, &expected);
     let object = json(&source, &error, Some(Robot::Titan8), Lang::English);
     assert!(
@@ -322,8 +325,8 @@ error[E206]: no\u{1b}where
     assert!(object.contains(r#"X\u200f"#), "{object}");
 }
 
-/// `:LINE:COLUMN` of the first place: columns count what is shown.
-fn place(shown: &str) -> String {
+/// `:LINE:COLUMN` of the first location: columns count what is shown.
+fn location(shown: &str) -> String {
     let line = shown.lines().nth(1).unwrap_or_default();
     let at = line.find(".prg").map_or(0, |at| at + ".prg".len());
     line[at..].trim_end().to_owned()

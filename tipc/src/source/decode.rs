@@ -3,7 +3,7 @@
 use super::Span;
 use encoding_rs::{DecoderResult, SHIFT_JIS};
 
-/// How to read the bytes of a source file.
+/// Choice of how to read the bytes of a source file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Encoding {
     /// UTF-8 if the bytes are valid UTF-8, else Shift_JIS.
@@ -15,7 +15,7 @@ pub enum Encoding {
     ShiftJis,
 }
 
-/// How the bytes of a source file spell its text.
+/// Character set of a source file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Charset {
     /// UTF-8.
@@ -25,7 +25,7 @@ pub enum Charset {
 }
 
 impl Charset {
-    /// Its name in messages.
+    /// Returns its name in messages.
     pub const fn name(self) -> &'static str {
         match self {
             Charset::Utf8 => "UTF-8",
@@ -37,9 +37,9 @@ impl Charset {
 /// The first bytes of a file that are not text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Undecodable {
-    /// How the file was read.
+    /// Character set that was read.
     pub charset: Charset,
-    /// Which byte of the file, from 0.
+    /// Offset in the file, from 0.
     pub byte: usize,
     /// The replacement character in the text instead.
     pub span: Span,
@@ -144,7 +144,8 @@ fn extend(text: &mut String, bytes: &[u8]) -> Option<usize> {
     }
 }
 
-/// How long the text of Shift_JIS can be: three bytes for each one that is not ASCII. The decoder needs some spare room.
+/// Returns the maximum length of Shift_JIS as text: three bytes for each one that is not ASCII. The decoder needs some
+/// spare room.
 fn room(bytes: &[u8]) -> usize {
     bytes.len() + 2 * bytes.iter().filter(|byte| !byte.is_ascii()).count() + 16
 }
@@ -162,7 +163,7 @@ fn undecodable(charset: Charset, byte: usize, offset: usize) -> Undecodable {
 /// The bytes by which ISO-2022-JP changes to Japanese characters.
 const ISO_2022_JP: &[&[u8]] = &[b"\x1b$B", b"\x1b$@"];
 
-/// The encoding that bytes look like, if it is one that programs cannot have.
+/// Returns the encoding that bytes look like, if it is one that programs cannot have.
 pub fn looks_like(bytes: &[u8]) -> Option<&'static str> {
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
         return Some("UTF-16");
@@ -175,8 +176,8 @@ pub fn looks_like(bytes: &[u8]) -> Option<&'static str> {
     (std::str::from_utf8(bytes).is_err() && is_euc_jp(bytes)).then_some("EUC-JP")
 }
 
-/// Whether there are characters beyond ASCII and all are pairs of bytes as EUC-JP has them, kana among them: what is
-/// rare in Shift_JIS.
+/// Returns true if there are characters beyond ASCII and all are pairs of bytes as EUC-JP has them, kana among them:
+/// what is rare in Shift_JIS.
 fn is_euc_jp(bytes: &[u8]) -> bool {
     let mut rest = bytes;
     let mut kana = 0;

@@ -22,7 +22,7 @@ pub struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// Those of any text.
+    /// Finds the lines of any text.
     pub(super) fn of(text: &'a str) -> Self {
         Lines {
             bytes: text.as_bytes(),
@@ -58,12 +58,12 @@ impl Iterator for Lines<'_> {
     }
 }
 
-/// Where the lines of a text are.
+/// Index of the lines of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct LineIndex {
-    /// How many line ends precede each multiple of [`STRETCH`] bytes.
+    /// Number of line ends before each multiple of [`STRETCH`] bytes.
     ends: Vec<u32>,
-    /// How many lines there are.
+    /// Number of lines.
     count: u32,
 }
 
@@ -86,12 +86,12 @@ impl LineIndex {
 }
 
 impl Source {
-    /// How many lines there are; at least one.
+    /// Returns the number of lines; at least one.
     pub fn line_count(&self) -> u32 {
         self.lines.count
     }
 
-    /// All lines in order. An end after the last line opens no further one.
+    /// Returns all lines in order. An end after the last line opens no further one.
     pub fn lines(&self) -> Lines<'_> {
         Lines {
             bytes: self.text.as_bytes(),
@@ -109,7 +109,7 @@ impl Source {
         }
     }
 
-    /// A line by its number, from 1. A line that does not exist is empty, at the end.
+    /// Returns a line by its number, from 1. A line that does not exist is empty, at the end.
     pub fn line(&self, number: u32) -> Line {
         let start = self.line_start(number);
         let rest = &self.text.as_bytes()[start..];
@@ -127,12 +127,13 @@ impl Source {
         }
     }
 
-    /// The text of a line, counted from 1, without its line end.
+    /// Returns the text of a line, counted from 1, without its line end.
     pub fn line_text(&self, number: u32) -> &str {
         self.slice(self.line(number).span)
     }
 
-    /// The number of the line that holds a byte of the text, its end included; after the text it is the last line.
+    /// Returns the number of the line that holds a byte of the text, its end included; after the text it is the last
+    /// line.
     pub(super) fn line_number(&self, offset: usize) -> u32 {
         let bytes = self.text.as_bytes();
         let offset = offset.min(bytes.len());
@@ -142,7 +143,7 @@ impl Source {
         ends.saturating_add(1).min(self.lines.count)
     }
 
-    /// Where a line starts; a line that does not exist, at the end.
+    /// Returns the start of a line; for a line that does not exist, the end.
     fn line_start(&self, number: u32) -> usize {
         let bytes = self.text.as_bytes();
         if number == 0 || number > self.lines.count {
@@ -164,7 +165,7 @@ impl Source {
             .map_or(bytes.len(), |at| at + 1)
     }
 
-    /// Where the line of a byte starts.
+    /// Returns the start of the line of a byte.
     pub(crate) fn start_of_line_at(&self, offset: usize) -> usize {
         let last = boundary(&self.text, offset.min(self.text.len().saturating_sub(1)));
         let from = boundary(&self.text, last.saturating_sub(STRETCH));
@@ -184,7 +185,7 @@ impl Source {
     }
 }
 
-/// Whether a line end ends with the byte at `at`.
+/// Returns true if a line end ends with the byte at `at`.
 fn ends_line(bytes: &[u8], at: usize) -> bool {
     match bytes[at] {
         b'\n' => true,
@@ -193,7 +194,7 @@ fn ends_line(bytes: &[u8], at: usize) -> bool {
     }
 }
 
-/// How many line ends end with a byte from `start` up to `end`.
+/// Counts the line ends that end with a byte from `start` up to `end`.
 fn count_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
     let end = end.min(bytes.len());
     let returns = count(&bytes[start..end], b'\r');
@@ -206,7 +207,8 @@ fn count_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
     (feeds + returns - pairs) as u32
 }
 
-/// How often a byte occurs there. Most stretches hold no carriage return, and those of an endless line no end at all.
+/// Counts the occurrences of a byte. Most stretches hold no carriage return, and those of an endless line no end at
+/// all.
 fn count(bytes: &[u8], wanted: u8) -> usize {
     if !bytes.contains(&wanted) {
         return 0;

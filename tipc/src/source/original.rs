@@ -1,4 +1,4 @@
-//! The bytes that spell the text in its file.
+//! The bytes of the text in its file.
 
 use super::decode::Charset;
 use super::next_boundary;
@@ -6,7 +6,7 @@ use super::next_boundary;
 /// The bytes of the text in its file, without byte order mark and DOS end of file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Original {
-    /// Those of the text.
+    /// The bytes of the text.
     Text,
     /// Others. They are kept, since encoding the text again would not always lead back to them.
     Bytes(Charset, Box<[u8]>),
@@ -20,7 +20,7 @@ impl Original {
         Original::Bytes(charset, bytes.into())
     }
 
-    /// How many bytes of the file, from `at` on there, spell the characters that start from `start` up to `end`. Bytes
+    /// Counts the bytes of the file, from `at` on there, of the characters that start from `start` up to `end`. Bytes
     /// of the text itself need not be counted.
     pub(super) fn count(&self, text: &str, at: usize, start: usize, end: usize) -> usize {
         if let Original::Text = self {
@@ -31,7 +31,7 @@ impl Original {
         text[start..end].chars().fold(at, lengths) - at
     }
 
-    /// The bytes of the file from `start` up to `end`; `text` is what they spell.
+    /// Returns the bytes of the file from `start` up to `end`; `text` is what they encode.
     pub(super) fn get<'a>(&'a self, text: &'a str, start: usize, end: usize) -> &'a [u8] {
         let bytes = match self {
             Original::Text => text.as_bytes(),
@@ -40,7 +40,7 @@ impl Original {
         bytes.get(start..end).unwrap_or_default()
     }
 
-    /// How many bytes of the file spell `char`, which is at `at`.
+    /// Returns the number of bytes of the file for `char`, which is at `at`.
     pub(super) fn length(&self, char: char, at: usize) -> usize {
         let Original::Bytes(charset, bytes) = self else {
             return char.len_utf8();
@@ -55,7 +55,8 @@ impl Original {
     }
 }
 
-/// How many bytes one replacement character of UTF-8 stands for; a file may hold the character itself.
+/// Returns the number of bytes that one replacement character of UTF-8 stands for; a file may hold the character
+/// itself.
 fn replaced_utf8(bytes: &[u8]) -> usize {
     // No sequence is longer, so the rest of the file need not be looked at.
     let start = &bytes[..bytes.len().min(4)];
@@ -66,13 +67,14 @@ fn replaced_utf8(bytes: &[u8]) -> usize {
     }
 }
 
-/// How many bytes one replacement character of Shift_JIS stands for: ASCII after a lead byte is read for itself.
+/// Returns the number of bytes that one replacement character of Shift_JIS stands for: ASCII after a lead byte is read
+/// for itself.
 fn replaced_shift_jis(bytes: &[u8]) -> usize {
     let has_trail = bytes.get(1).is_some_and(|trail| !trail.is_ascii());
     1 + usize::from(is_lead(bytes) && has_trail)
 }
 
-/// Whether the first byte is the first of two.
+/// Returns true if the first byte is the first of two.
 fn is_lead(bytes: &[u8]) -> bool {
     matches!(bytes.first(), Some(0x81..=0x9F | 0xE0..=0xFC))
 }

@@ -1,11 +1,11 @@
-//! The one place where positions are converted: bytes of the text to lines and columns, in every unit, and back.
+//! The one module that converts positions: bytes of the text to lines and columns, in every unit, and back.
 
 use super::original::Original;
 use super::{STRETCH, Source, boundary, next_boundary};
 use encoding_rs::SHIFT_JIS;
 use std::sync::LazyLock;
 
-/// What columns count.
+/// Unit of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// Bytes of the file, as it is encoded.
@@ -18,7 +18,7 @@ pub enum Unit {
     Character,
 }
 
-/// A place as people and editors name it.
+/// A location as people and editors name it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
     /// The line, from 1.
@@ -27,11 +27,11 @@ pub struct Position {
     pub column: u32,
 }
 
-/// How many units precede each multiple of [`STRETCH`] bytes; empty if the text is ASCII, where all units are one.
+/// Numbers of units before each multiple of [`STRETCH`] bytes; empty if the text is ASCII, where all units are one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ColumnIndex(Vec<Counts>);
 
-/// How many units precede some byte of the text, other than bytes of UTF-8.
+/// Numbers of units before some byte of the text, other than bytes of UTF-8.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Counts {
     bytes: usize,
@@ -56,7 +56,8 @@ impl ColumnIndex {
         ColumnIndex(stretches.collect())
     }
 
-    /// The last stretch that starts with at most `wanted` units before it; none if units are bytes of the text.
+    /// Returns the last stretch that starts with at most `wanted` units before it; none if units are bytes of the
+    /// text.
     fn known_before(&self, wanted: usize, unit: Unit) -> Option<usize> {
         let fits = |counts: &Counts| match unit {
             Unit::Byte => counts.bytes <= wanted,
@@ -70,8 +71,9 @@ impl ColumnIndex {
 }
 
 impl Source {
-    /// The position of a byte of the text. Inside a character it is the character's, inside a line end the end of the
-    /// line; after the last line end it is the first column of one more line, after the text it is the text's end.
+    /// Returns the position of a byte of the text. Inside a character it is the character's, inside a line end the end
+    /// of the line; after the last line end it is the first column of one more line, after the text it is the text's
+    /// end.
     pub fn position(&self, offset: usize, unit: Unit) -> Position {
         let offset = boundary(&self.text, offset);
         let number = self.line_number(offset);
@@ -90,8 +92,9 @@ impl Source {
         }
     }
 
-    /// The byte of the text at a position. Inside a character it is where that starts; a position after its line is
-    /// the line's end, a line after the last one the text's end; lines and columns before the first are the first.
+    /// Returns the byte of the text at a position. Inside a character it is where that starts; a position after its
+    /// line is the line's end, a line after the last one the text's end; lines and columns before the first are the
+    /// first.
     pub fn offset(&self, position: Position, unit: Unit) -> usize {
         let unit = self.unit(unit);
         let line = self.line(position.line.max(1)).span;
@@ -117,13 +120,13 @@ impl Source {
         at
     }
 
-    /// Line, and column in characters, of a byte of the text; both from 1. What comes after the last line, or in its
-    /// end, is reported on that line.
+    /// Returns line, and column in characters, of a byte of the text; both from 1. What comes after the last line, or
+    /// in its end, is reported on that line.
     pub fn line_column(&self, offset: usize) -> (u32, u32) {
         (self.line_number(offset), self.column(offset))
     }
 
-    /// Column in characters, from 1, of a byte in or after its line.
+    /// Returns the column in characters, from 1, of a byte in or after its line.
     pub(crate) fn column(&self, offset: usize) -> u32 {
         self.column_from(self.start_of_line_at(offset), offset, Unit::Character)
     }
@@ -140,7 +143,7 @@ impl Source {
         u32::try_from(units).map_or(u32::MAX, |units| units.saturating_add(1))
     }
 
-    /// In a file of UTF-8 the bytes are those of the text.
+    /// Simplifies a unit: in a file of UTF-8 the bytes are those of the text.
     fn unit(&self, unit: Unit) -> Unit {
         match (unit, &self.original) {
             (Unit::Byte, Original::Text) => Unit::Utf8,
@@ -148,7 +151,7 @@ impl Source {
         }
     }
 
-    /// How many units precede a byte of the text.
+    /// Returns the number of units before a byte of the text.
     pub(super) fn units_before(&self, offset: usize, unit: Unit) -> usize {
         let offset = offset.min(self.text.len());
         let unit = self.unit(unit);
@@ -165,19 +168,19 @@ impl Source {
     }
 }
 
-/// How many characters start in a stretch of text.
+/// Counts the characters that start in a stretch of text.
 fn characters(text: &str, start: usize, end: usize) -> usize {
     let (start, end) = (next_boundary(text, start), next_boundary(text, end));
     text[start..end].chars().count()
 }
 
-/// How many units of UTF-16 the characters are that start in a stretch of text: four bytes are two units.
+/// Counts the units of UTF-16 of the characters that start in a stretch of text: four bytes are two units.
 fn utf16_units(text: &str, start: usize, end: usize) -> usize {
     let bytes = &text.as_bytes()[start..end];
     characters(text, start, end) + bytes.iter().filter(|byte| **byte >= 0xF0).count()
 }
 
-/// One bit for each character of the basic plane: whether two bytes of code page 932 spell it.
+/// One bit for each character of the basic plane: set if code page 932 has two bytes for it.
 type DoubleByte = Box<[u64; 1024]>;
 
 static DOUBLE_BYTE: LazyLock<DoubleByte> = LazyLock::new(|| {
@@ -195,7 +198,7 @@ static DOUBLE_BYTE: LazyLock<DoubleByte> = LazyLock::new(|| {
     set
 });
 
-/// Where in `text` the first character is that does not fit into `limit` bytes of code page 932: half-width 1,
+/// Finds the first character in `text` that does not fit into `limit` bytes of code page 932: half-width 1,
 /// full-width 2; a character outside it counts its UTF-8 bytes.
 pub(crate) fn first_beyond(text: &str, limit: usize) -> Option<usize> {
     // No character is longer in code page 932 than in UTF-8.
@@ -212,7 +215,7 @@ pub(crate) fn first_beyond(text: &str, limit: usize) -> Option<usize> {
     None
 }
 
-/// How many bytes of code page 932 spell `text`; on a terminal, how many columns it takes.
+/// Returns the number of bytes of `text` in code page 932; on a terminal, the number of columns.
 pub fn byte_length(text: &str) -> usize {
     match text.is_ascii() {
         true => text.len(),

@@ -13,7 +13,7 @@ fn check(bytes: &[u8], encoding: Encoding, expected: &str) {
 
 /// Decodes `bytes`, which must fail at `byte` of the file, shown at `line` and `column`.
 #[track_caller]
-fn check_bad(bytes: &[u8], encoding: Encoding, byte: usize, place: (u32, u32)) {
+fn check_bad(bytes: &[u8], encoding: Encoding, byte: usize, location: (u32, u32)) {
     let (source, bad) = Source::decode("a.prg", bytes, encoding);
     let bad = Diagnostic::from(bad.expect("a decoding error"));
     assert_eq!(bad.title(), "TIP_ERR:Format error (PreprocessError)");
@@ -22,7 +22,7 @@ fn check_bad(bytes: &[u8], encoding: Encoding, byte: usize, place: (u32, u32)) {
         "{}",
         bad.reason
     );
-    assert_eq!(source.line_column(bad.span.start), place);
+    assert_eq!(source.line_column(bad.span.start), location);
     assert!(source.text().is_char_boundary(bad.span.end));
 }
 
@@ -121,7 +121,7 @@ fn the_hash_is_fnv1a_of_the_bytes() {
     }
 }
 
-/// How many bytes of code page 932 spell each character that it has.
+/// Returns the number of bytes of each character of code page 932.
 fn code_page() -> BTreeMap<char, usize> {
     let singles = (0..=0xFF_u8).map(|byte| vec![byte]);
     let pairs =

@@ -13,17 +13,17 @@ pub struct Module {
     pub title: String,
     /// The statements up to and including the first END.
     pub statements: Vec<Statement>,
-    /// What follows END on its line, which is not part of the program.
+    /// Text after END on its line, which is not part of the program.
     pub after_end: Option<Word>,
 }
 
 impl Module {
-    /// The statements that are steps, in order: the first is step 0.
+    /// Returns the statements that are steps, in order: the first is step 0.
     pub fn steps(&self) -> impl Iterator<Item = &Statement> {
         self.statements.iter().filter(|it| it.is_step())
     }
 
-    /// The index of the statement that is a step.
+    /// Returns the index of the statement that is a step.
     pub fn statement_of(&self, step: StepId) -> Option<usize> {
         // After declarations comes the statement whose number they share.
         let behind = self.statements.partition_point(|it| it.step <= step);
@@ -32,7 +32,7 @@ impl Module {
         (statement.is_step() && statement.step == step).then_some(index)
     }
 
-    /// The index of the statement that covers a byte of the text, or ends there.
+    /// Returns the index of the statement that covers a byte of the text, or ends there.
     pub fn statement_at(&self, offset: usize) -> Option<usize> {
         let behind = self
             .statements
@@ -45,7 +45,7 @@ impl Module {
 /// One statement. Each but a declaration is one step; `L1: CMD` is two statements, `SUBROUTINE NAME:` one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// What it is.
+    /// Kind of the statement.
     pub kind: StatementKind,
     /// The whole statement.
     pub span: Span,
@@ -56,12 +56,12 @@ pub struct Statement {
 }
 
 impl Statement {
-    /// Whether it is a step: everything but a declaration.
+    /// Returns true if it is a step: everything but a declaration.
     pub const fn is_step(&self) -> bool {
         !matches!(self.kind, StatementKind::Define { .. })
     }
 
-    /// Its first word if it has a place of its own, else the whole statement.
+    /// Returns its first word if it has a location of its own, else the whole statement.
     pub const fn keyword(&self) -> Span {
         match self.kind.keyword() {
             Some(keyword) => keyword,

@@ -4,7 +4,7 @@ use super::{Condition, Counting, Equation, Operand, Spanned, VariableKind, Word}
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
-/// What a statement is. Large parts are boxed: a long program holds many statements.
+/// Kind of a statement. Large parts are boxed: a long program holds many statements.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StatementKind {
     /// `DEF_VAR`, `DEF_POS`, `DEF_JOINT`: not a step.
@@ -62,7 +62,7 @@ pub enum StatementKind {
     For {
         /// The command word.
         keyword: Span,
-        /// What it counts.
+        /// Counter and range.
         counting: Box<Counting>,
     },
     /// `NEXT [variable]`
@@ -106,15 +106,15 @@ pub enum StatementKind {
         name: Word,
         /// Its arguments, up to the first malformed one.
         arguments: Vec<Operand>,
-        /// What is malformed after `arguments`, not yet reported: it counts only if the command exists.
+        /// Malformed part after `arguments`, not yet reported: it counts only if the command exists.
         malformed: Option<Box<Diagnostic>>,
     },
     /// A statement that the parser has already reported; it still takes its step.
     Broken(Shape),
 }
 
-/// What a statement is among the blocks; a broken one, what it was going to be, so that one mistake does not unbalance the
-/// blocks around it.
+/// Role of a statement among the blocks; of a broken one, the intended role, so that one mistake does not unbalance
+/// the blocks around it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shape {
     /// Neither opens nor closes anything.
@@ -149,7 +149,7 @@ pub enum Shape {
     SubEnd,
 }
 
-/// Where an IF leads.
+/// Continuation of an IF.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Then {
     /// `THEN`: a block follows.
@@ -169,7 +169,7 @@ pub struct Jump {
     pub label: Option<Word>,
 }
 
-/// How a jump leads to its label.
+/// Kind of jump to a label.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum JumpKind {
     /// Goes there.
@@ -181,7 +181,7 @@ pub enum JumpKind {
 }
 
 impl StatementKind {
-    /// What it is among the blocks.
+    /// Returns its role among the blocks.
     pub const fn shape(&self) -> Shape {
         match self {
             StatementKind::If {
@@ -218,7 +218,7 @@ impl StatementKind {
         }
     }
 
-    /// The jump in it.
+    /// Returns the jump in it.
     pub const fn jump(&self) -> Option<(JumpKind, &Jump)> {
         match self {
             StatementKind::Goto(jump)
@@ -259,7 +259,7 @@ impl StatementKind {
         }
     }
 
-    /// The label that it defines, and whether SUBROUTINE does.
+    /// Returns the label that it defines, and true if SUBROUTINE does.
     pub const fn label(&self) -> Option<(&Word, bool)> {
         match self {
             StatementKind::Label(name) => Some((name, false)),
@@ -290,7 +290,7 @@ impl StatementKind {
         }
     }
 
-    /// The place of its first word, if it is kept.
+    /// Returns the location of its first word, if it is kept.
     pub const fn keyword(&self) -> Option<Span> {
         match self {
             StatementKind::If { keyword, .. }
@@ -321,7 +321,7 @@ impl StatementKind {
         }
     }
 
-    /// Whether the statement after it may run next; a broken one, of which this is unknown, counts as no.
+    /// Returns true if the statement after it may run next; false for a broken one, of which this is unknown.
     pub const fn goes_on(&self) -> bool {
         match self {
             StatementKind::Goto(_)

@@ -17,7 +17,7 @@ fn the_example_is_a_hexapod() {
     assert_eq!(left, right.map(|[x, y, z]| [-x, y, z]));
 }
 
-/// Each finding about a program for the hexapod: `LINE: reason (help)`.
+/// Returns each diagnostic about a program for the hexapod: `LINE: reason (help)`.
 fn check(statements: &str) -> Vec<String> {
     check_for(HEXAPOD, statements)
 }
@@ -32,14 +32,14 @@ fn check_for(description: &str, statements: &str) -> Vec<String> {
     };
     let program = format!("3.1\ntest\n{statements}\nEND\n");
     let loaded = load("test.prg", program.as_bytes(), &options);
-    let told = loaded.diagnostics.iter().map(|finding| {
-        let (line, _) = loaded.source.line_column(finding.span.start);
-        let help = finding
+    let told = loaded.diagnostics.iter().map(|diagnostic| {
+        let (line, _) = loaded.source.line_column(diagnostic.span.start);
+        let help = diagnostic
             .help
             .as_ref()
             .map(ToString::to_string)
             .unwrap_or_default();
-        format!("{line}: {} ({help})", finding.reason)
+        format!("{line}: {} ({help})", diagnostic.reason)
     });
     told.collect()
 }

@@ -1,9 +1,9 @@
-//! What MESSAGE shows, piece by piece (T.I.P. 3.1 §7-9-4).
+//! Display of MESSAGE, piece by piece (T.I.P. 3.1 §7-9-4).
 
 use tipc::program::{Action, MessagePart, Scalar};
 use tipc::{Options, load};
 
-/// The pieces of a text in a program with the VARs A (scalar 1), BIG (2) and the POS P.
+/// Returns the pieces of a text in a program with the VARs A (scalar 1), BIG (2) and the POS P.
 fn parts(text: &str) -> Vec<MessagePart> {
     let program = format!(
         "3.1\nmessage\nDEF_VAR A BIG\nDEF_POS P\nA = 1\nBIG = A\nP.X = BIG\nMESSAGE {text}\nEND\n"

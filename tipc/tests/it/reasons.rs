@@ -1,4 +1,4 @@
-//! What people read: the places that a mistake points at, the reason and the help.
+//! Text of diagnostics: the locations that a mistake points at, the reason and the help.
 
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Message;
@@ -13,7 +13,7 @@ fn check(statements: &str, robot: Robot) -> Loaded {
     load("reasons.prg", text.as_bytes(), &options)
 }
 
-/// The only finding.
+/// Returns the only diagnostic.
 fn only(loaded: &Loaded) -> &Diagnostic {
     match loaded.diagnostics.as_slice() {
         [only] => only,
@@ -21,7 +21,7 @@ fn only(loaded: &Loaded) -> &Diagnostic {
     }
 }
 
-/// The lines that a finding points at: its own, then its labels'.
+/// Returns the lines that a diagnostic points at: its own, then its labels'.
 fn lines(loaded: &Loaded) -> Vec<u32> {
     let diagnostic = only(loaded);
     let labels = diagnostic.labels.iter().map(|label| label.span);

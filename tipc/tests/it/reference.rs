@@ -17,12 +17,12 @@ fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// A file of the workspace.
+/// Reads a file of the workspace.
 fn read(path: &str) -> String {
     fs::read_to_string(workspace().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// Every document for users, by its path in the workspace.
+/// Returns every document for users, by its path in the workspace.
 fn documents() -> Vec<String> {
     let mut paths = [
         "README.md",
@@ -47,7 +47,7 @@ fn documents() -> Vec<String> {
     paths
 }
 
-/// The document is what it should be, or becomes so.
+/// Checks that the document is up to date, or updates it.
 fn hold(path: &str, text: &str, fresh: &str) {
     if text == fresh {
         return;

@@ -11,11 +11,11 @@ fn program(statements: &str) -> Loaded {
     load("symbols.prg", text.as_bytes(), &Options::default())
 }
 
-/// One use: `line:column name access`, then the member from 0 and the sign if there are any. Lines count from the first
-/// statement; a name that is left out is written as `()`.
+/// Formats one use: `line:column name access`, then the member from 0 and the sign if there are any. Lines count from
+/// the first statement; a name that is left out is written as `()`.
 fn line(loaded: &Loaded, it: &Use) -> String {
-    let (line, column) = loaded.source.line_column(it.place.start);
-    let name = match loaded.source.slice(it.place) {
+    let (line, column) = loaded.source.line_column(it.span.start);
+    let name = match loaded.source.slice(it.span) {
         "" => "()",
         name => name,
     };
@@ -204,13 +204,13 @@ fn definitions_are_the_variables_then_the_labels() {
         .symbols
         .definitions()
         .iter()
-        .map(|Definition { name, kind, place }| {
+        .map(|Definition { name, kind, span }| {
             let kind = match kind {
                 DefinitionKind::Variable(_) => "variable",
                 DefinitionKind::Label => "label",
                 DefinitionKind::Subroutine => "subroutine",
             };
-            let line = place.map(|place| loaded.source.line_column(place.start).0 as usize - 2);
+            let line = span.map(|span| loaded.source.line_column(span.start).0 as usize - 2);
             (name.as_str(), kind, line)
         })
         .collect();

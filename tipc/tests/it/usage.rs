@@ -4,7 +4,8 @@ use tipc::code::Level;
 use tipc::language::commands::{COMMANDS, Form};
 use tipc::{Options, Robot, load};
 
-/// The statements that a usage stands for: optional parts left out and kept, each alternative, words filled in.
+/// Returns the statements that a usage stands for: optional parts left out and kept, each alternative, words filled
+/// in.
 fn statements(usage: &str) -> Vec<String> {
     let mut written = vec![String::new()];
     for word in usage.split(' ') {

@@ -1,4 +1,5 @@
-//! What version 3.1 refuses of its predecessors and of its announced successor, and what it fixes for both.
+//! Differences between versions: what 3.1 refuses of its predecessors and of its announced successor, and fixes for
+//! both.
 
 use tipc::code::Code;
 use tipc::language::Edition;
@@ -14,7 +15,7 @@ fn load(robot: Robot, version: &str, statements: &str) -> Loaded {
     tipc::load("test.prg", text.as_bytes(), &options)
 }
 
-/// The errors of one statement after declarations of N, P and Q.
+/// Returns the errors of one statement after declarations of N, P and Q.
 fn errors(robot: Robot, statement: &str) -> Vec<Code> {
     let declared = "DEF_VAR N\nDEF_POS P\nDEF_JOINT Q\nN = 1\nP.X = N\nQ.J1 = N\nMESSAGE %N%\n";
     let loaded = load(robot, "3.1", &format!("{declared}{statement}"));

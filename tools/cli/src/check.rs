@@ -225,8 +225,8 @@ fn fix_report(repaired: &Repaired, output_options: OutputOptions) -> String {
     match output_options.message_format {
         Format::Human if repaired.applied.is_empty() => String::new(),
         Format::Human => {
-            let findings = repaired.applied.len().into();
-            let fixed = Fixing::Fixed { findings };
+            let diagnostics = repaired.applied.len().into();
+            let fixed = Fixing::Fixed { diagnostics };
             let name = Printable::line(repaired.loaded.source.name());
             format!("{name}: {}\n", fixed.in_lang(lang))
         }
@@ -263,14 +263,14 @@ impl Fixable {
 
     /// Reports the counts to people.
     pub(super) fn report(self, output_options: OutputOptions) {
-        let findings = self.certain.into();
+        let diagnostics = self.certain.into();
         let can = match (self.certain, self.all) {
             (_, 0) => return,
             (0, all) => Fixing::CanFixLikely {
-                findings: all.into(),
+                diagnostics: all.into(),
             },
-            (certain, all) if all > certain => Fixing::CanFixMore { findings, all },
-            _ => Fixing::CanFix { findings },
+            (certain, all) if all > certain => Fixing::CanFixMore { diagnostics, all },
+            _ => Fixing::CanFix { diagnostics },
         };
         report::complain(&format!("{}\n", can.in_lang(output_options.lang())));
     }

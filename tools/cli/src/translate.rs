@@ -159,7 +159,7 @@ impl Fmt {
     /// Reports the reason why a file is left as it is.
     fn explain(&self, name: &str, refusal: &Refusal) {
         let reason = match refusal {
-            Refusal::Findings(loaded) => {
+            Refusal::Diagnostics(loaded) => {
                 report::diagnostics(loaded, self.output_options);
                 &Formatting::DoesNotLoad
             }

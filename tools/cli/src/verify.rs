@@ -17,7 +17,7 @@ use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use std::thread::sleep;
 use std::time::Duration;
-use tip_lint::spots::Spot;
+use tip_lint::coverage_points::CoveragePoint;
 use tip_runtime::printable::Printable;
 use tip_sim::Inputs;
 use tip_sim::lockstep::{Answer, Divergence};
@@ -151,19 +151,19 @@ fn certificate(
     );
     let (runs, cycles) = (coverage.runs(), coverage.cycles);
     let (finished, limited, stopped) = (coverage.finished, coverage.limited, coverage.stopped);
-    let all = coverage.reach.spots().all();
-    let missed: Vec<&Spot> = (0..)
+    let all = coverage.reach.points().all();
+    let missed: Vec<&CoveragePoint> = (0..)
         .zip(all)
-        .filter(|(spot, _)| !coverage.reach.has(*spot))
-        .map(|(_, spot)| spot)
+        .filter(|(point, _)| !coverage.reach.has(*point))
+        .map(|(_, point)| point)
         .collect();
-    let covered = |is_kind: fn(&Spot) -> bool| {
-        let of = all.iter().filter(|spot| is_kind(spot)).count();
-        let missed = missed.iter().filter(|spot| is_kind(spot)).count();
+    let covered = |is_kind: fn(&CoveragePoint) -> bool| {
+        let of = all.iter().filter(|point| is_kind(point)).count();
+        let missed = missed.iter().filter(|point| is_kind(point)).count();
         format!("{} of {of}", of - missed)
     };
-    let steps = covered(|spot| spot.way.is_none());
-    let edges = covered(|spot| spot.way.is_some());
+    let steps = covered(|point| point.way.is_none());
+    let edges = covered(|point| point.way.is_some());
     let mut text = format!(
         "{name}: compiled code and interpreter agree\n\
          source       {hash:016x}\n\
@@ -174,17 +174,18 @@ fn certificate(
          steps        {steps}\n\
          branch edges {edges}\n"
     );
-    let lines = missed.iter().filter(|spot| !follows(spot, &missed));
-    let lines = lines.map(|spot| {
+    let lines = missed.iter().filter(|point| !follows(point, &missed));
+    let lines = lines.map(|point| {
         (
-            spot.step,
-            spot.way
+            point.step,
+            point
+                .way
                 .map_or("not reached".to_owned(), |way| format!("never {way}")),
         )
     });
     let dead = (0..)
         .take(checked.program.steps().len())
-        .filter(|step| !coverage.reach.spots().can_reach(*step));
+        .filter(|step| !coverage.reach.points().can_reach(*step));
     let dead = dead.map(|step| (step, "no way leads here".to_owned()));
     let mut lines: Vec<_> = lines.chain(dead).collect();
     lines.sort();
@@ -207,11 +208,11 @@ fn certificate(
 }
 
 /// Returns true for an edge of a step that was not reached: the step is listed already.
-fn follows(spot: &Spot, missed: &[&Spot]) -> bool {
-    spot.way.is_some()
+fn follows(point: &CoveragePoint, missed: &[&CoveragePoint]) -> bool {
+    point.way.is_some()
         && missed
             .iter()
-            .any(|other| other.way.is_none() && other.step == spot.step)
+            .any(|other| other.way.is_none() && other.step == point.step)
 }
 
 /// The options that are replaced by the shortest inputs.

@@ -76,7 +76,7 @@ impl Document {
         let bytes = source.bytes();
         let formatted = match format(source.name(), &bytes, &self.options) {
             Ok(formatted) => formatted,
-            Err(Refusal::Findings(_)) => return Err(Formatting::DoesNotLoad),
+            Err(Refusal::Diagnostics(_)) => return Err(Formatting::DoesNotLoad),
             Err(Refusal::Because(reason)) => return Err(reason),
         };
         let (after, _) = Source::decode(source.name(), &formatted, Encoding::Utf8);

@@ -173,7 +173,7 @@ impl Document {
                 continue;
             };
             if kinds.contains(&kind) {
-                let description = match definition.place {
+                let description = match definition.span {
                     None => reserved_line(VAR_KEY),
                     Some(_) => Bilingual::EMPTY,
                 };
@@ -222,7 +222,7 @@ impl Document {
         let fits = |it: &Definition| match it.kind {
             DefinitionKind::Variable(_) => false,
             DefinitionKind::Label => {
-                let there = it.place.and_then(|place| around(place.start));
+                let there = it.span.and_then(|place| around(place.start));
                 match keyword {
                     Keyword::Goto => there == here,
                     Keyword::Gosub => it.name != LOOP && (there.is_none() || there == here),

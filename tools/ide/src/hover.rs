@@ -141,7 +141,7 @@ impl Document {
     fn name_card(&self, named: &Use, card: &mut Card) -> Option<()> {
         let definition = self.definition_of(named);
         card.code(&declaration(definition));
-        match definition.place {
+        match definition.span {
             Some(place) => card.item(Editing::DeclaredOn {
                 line: self.line_of(place.start),
             }),
@@ -196,7 +196,7 @@ impl Document {
     /// Returns the number that the equation at a use assigns.
     fn constant(&self, named: &Use) -> Option<f64> {
         let module = &self.loaded.module;
-        let statement = &module.statements[module.statement_at(named.place.start)?];
+        let statement = &module.statements[module.statement_at(named.span.start)?];
         let StatementKind::Equation(equation) = &statement.kind else {
             return None;
         };
@@ -216,7 +216,7 @@ impl Document {
             return None;
         };
         let module = &self.loaded.module;
-        let statement = &module.statements[module.statement_at(update.place.start)?];
+        let statement = &module.statements[module.statement_at(update.span.start)?];
         let StatementKind::For { counting, .. } = &statement.kind else {
             return None;
         };
@@ -253,7 +253,7 @@ impl Document {
 
     fn step_of(&self, definition: &Definition) -> Option<StepId> {
         let module = &self.loaded.module;
-        let index = module.statement_at(definition.place?.start)?;
+        let index = module.statement_at(definition.span?.start)?;
         Some(module.statements[index].step)
     }
 }

@@ -37,7 +37,7 @@ impl Document {
         let mut found: Vec<Outline> = Vec::new();
         let definitions = self.loaded.symbols.definitions().iter();
         let mut names: Vec<(Span, OutlineKind)> = definitions
-            .filter_map(|it| Some((it.place?, kind(it.kind))))
+            .filter_map(|it| Some((it.span?, kind(it.kind))))
             .collect();
         names.sort_unstable_by_key(|(name, _)| *name);
         let mut labels = names

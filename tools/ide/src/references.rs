@@ -44,7 +44,7 @@ impl Document {
     /// Returns the declaration of the name at a byte of the text; for a jump without a label, that of LOOP.
     pub fn definition(&self, offset: usize) -> Option<Span> {
         let named = self.written_or_implied(offset)?;
-        self.definition_of(named).place
+        self.definition_of(named).span
     }
 
     /// Returns all references to the name at a byte of the text in order, the declaration only if `with_declaration`.
@@ -53,9 +53,9 @@ impl Document {
             return Vec::new();
         };
         let uses = self.loaded.symbols.uses(named.definition);
-        let written = uses.filter(|it| it.place.start < it.place.end);
+        let written = uses.filter(|it| it.span.start < it.span.end);
         let references = written.map(|it| Reference {
-            span: it.place,
+            span: it.span,
             kind: self.reference_kind(it),
         });
         references
@@ -64,7 +64,7 @@ impl Document {
     }
 
     fn reference_kind(&self, named: &Use) -> ReferenceKind {
-        if self.definition_of(named).place == Some(named.place) {
+        if self.definition_of(named).span == Some(named.span) {
             return ReferenceKind::Declares;
         }
         match named.access {
@@ -81,7 +81,7 @@ impl Document {
         }
         let statement = &self.statements()[self.loaded.module.statement_at(offset)?];
         let mut uses = self.loaded.symbols.within(statement.span).iter();
-        uses.find(|it| it.place.start == it.place.end)
+        uses.find(|it| it.span.start == it.span.end)
     }
 }
 
@@ -94,8 +94,8 @@ impl Document {
     pub fn prepare_rename(&self, offset: usize) -> Result<RenameTarget, Message> {
         let named = self.renameable(offset)?;
         Ok(RenameTarget {
-            span: named.place,
-            name: self.slice(named.place).to_owned(),
+            span: named.span,
+            name: self.slice(named.span).to_owned(),
         })
     }
 
@@ -110,8 +110,8 @@ impl Document {
         let upper = name.to_ascii_uppercase();
         self.check_name(definition, &upper)?;
         let uses = self.loaded.symbols.uses(named.definition);
-        let written = uses.filter(|it| it.place.start < it.place.end);
-        let edits: Vec<Edit> = written.map(|it| Edit::replace(it.place, name)).collect();
+        let written = uses.filter(|it| it.span.start < it.span.end);
+        let edits: Vec<Edit> = written.map(|it| Edit::replace(it.span, name)).collect();
         match self.keeps_meaning(&edits, definition, &upper) {
             true => Ok(edits),
             false => Err(Editing::OtherMeaning { name: upper.into() }.into()),
@@ -130,7 +130,7 @@ impl Document {
             });
         };
         let definition = self.definition_of(named);
-        if definition.place.is_none() {
+        if definition.span.is_none() {
             let word = definition.name.clone();
             return Err(Editing::KeepsName { word }.into());
         }
@@ -167,7 +167,7 @@ impl Document {
         let mut others = others.filter(|it| {
             *it != definition && matches!(it.kind, DefinitionKind::Variable(_)) == is_variable
         });
-        match others.find(|it| it.name == name).and_then(|it| it.place) {
+        match others.find(|it| it.name == name).and_then(|it| it.span) {
             Some(place) => Err(Editing::Taken {
                 name: name.into(),
                 line: self.line_of(place.start),

@@ -124,7 +124,7 @@ impl Document {
         );
         SemanticToken {
             class,
-            declares: named.access == Access::Define || definition.place == Some(named.place),
+            declares: named.access == Access::Define || definition.span == Some(named.span),
             assigns,
             ..plain
         }

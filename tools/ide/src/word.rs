@@ -119,7 +119,7 @@ impl Document {
     fn text(&self, text: Span, words: &mut Vec<Word>) {
         let mut at = text.start;
         for named in self.loaded.symbols.within(text) {
-            let place = named.place;
+            let place = named.span;
             push(words, Span::new(at, place.start), WordKind::Text);
             push(words, place, WordKind::Name(*named));
             at = place.end;
@@ -159,8 +159,8 @@ impl Document {
 
     /// Adds a name and the member after it.
     fn name(&self, span: Span, named: Use, words: &mut Vec<Word>) {
-        push(words, named.place, WordKind::Name(named));
-        let rest = Span::new(named.place.end, span.end);
+        push(words, named.span, WordKind::Name(named));
+        let rest = Span::new(named.span.end, span.end);
         if let Some(member) = self.slice(rest).strip_prefix('.') {
             let place = Span::new(rest.start + 1, rest.end);
             push(
@@ -174,10 +174,7 @@ impl Document {
     /// Returns the first name of the program inside a word.
     fn name_in(&self, span: Span) -> Option<Use> {
         let named = self.loaded.symbols.within(span);
-        named
-            .iter()
-            .find(|it| it.place.start < it.place.end)
-            .copied()
+        named.iter().find(|it| it.span.start < it.span.end).copied()
     }
 
     fn keyword(&self, word: Span) -> Option<Keyword> {

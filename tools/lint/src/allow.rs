@@ -12,13 +12,13 @@ use tipc::lex::split_comment;
 use tipc::source::{Source, Span, Unit};
 use tipc::syntax::Module;
 
-/// What the comments of a program silence.
+/// Comments of a program that silence warnings.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Allows {
     allows: Vec<Allow>,
-    /// The comments for each code on each line, or on every line, by their places among all.
+    /// The comments for each code on each line, or on every line, by their indices among all.
     by_line: HashMap<(Code, Option<u32>), Vec<usize>>,
-    /// What is wrong with the comments themselves.
+    /// Faults of the comments themselves.
     faults: Vec<Diagnostic>,
 }
 
@@ -26,7 +26,7 @@ pub(crate) struct Allows {
 struct Allow {
     code: Code,
     /// The code in the comment.
-    place: Span,
+    location: Span,
     silences: bool,
 }
 
@@ -35,7 +35,7 @@ const START: &str = "tip:";
 const WORD: &str = "allow";
 
 impl Allows {
-    /// Those of a program.
+    /// Collects the comments of a program.
     pub(crate) fn of(source: &Source, module: &Module) -> Self {
         let mut allows = Allows::default();
         let text = source.text();
@@ -90,8 +90,8 @@ impl Allows {
     fn read(&mut self, source: &Source, list: Result<Span, Span>, line: Option<u32>) {
         let list = match list {
             Ok(list) => list,
-            Err(place) => {
-                let fault = Diagnostic::new(Code::Allow, place, Allowing::NoList);
+            Err(location) => {
+                let fault = Diagnostic::new(Code::Allow, location, Allowing::NoList);
                 return self.faults.push(fault.help(Allowing::WriteList));
             }
         };
@@ -99,7 +99,7 @@ impl Allows {
         for part in source.slice(list).split(',') {
             let name = part.trim();
             let at = start + (part.len() - part.trim_start().len());
-            let place = Span::new(at, at + name.len());
+            let location = Span::new(at, at + name.len());
             start += part.len() + 1;
             match code(name) {
                 Ok(code) => {
@@ -107,12 +107,12 @@ impl Allows {
                     alike.push(self.allows.len());
                     self.allows.push(Allow {
                         code,
-                        place,
+                        location,
                         silences: false,
                     });
                 }
                 Err(reason) => {
-                    let fault = Diagnostic::new(Code::Allow, place, reason);
+                    let fault = Diagnostic::new(Code::Allow, location, reason);
                     self.faults.push(fault.help(Allowing::WriteList));
                 }
             }
@@ -126,15 +126,15 @@ impl Allows {
         }
     }
 
-    fn silences(&mut self, source: &Source, finding: &Diagnostic) -> bool {
-        let line = source.position(finding.span.start, Unit::Character).line;
+    fn silences(&mut self, source: &Source, diagnostic: &Diagnostic) -> bool {
+        let line = source.position(diagnostic.span.start, Unit::Character).line;
         let mut silences = false;
         for of in [None, Some(line)] {
-            let Some(alike) = self.by_line.get_mut(&(finding.code, of)) else {
+            let Some(alike) = self.by_line.get_mut(&(diagnostic.code, of)) else {
                 continue;
             };
             silences = true;
-            // The first finding marks all of them.
+            // The first diagnostic marks all of them.
             for allow in alike.drain(..) {
                 self.allows[allow].silences = true;
             }
@@ -147,8 +147,9 @@ impl Allows {
         let is_judged = |code: Code| code != Code::Allow && !is_found_later(code);
         let idle = |allow: &&Allow| !allow.silences && is_judged(allow.code);
         let idle = self.allows.iter().filter(idle).map(|allow| {
-            let finding = Diagnostic::new(Code::Allow, allow.place, Allowing::SilencesNothing);
-            finding.help(Allowing::TakeOut)
+            let diagnostic =
+                Diagnostic::new(Code::Allow, allow.location, Allowing::SilencesNothing);
+            diagnostic.help(Allowing::TakeOut)
         });
         let mut found: Vec<Diagnostic> = self.faults.iter().cloned().chain(idle).collect();
         self.silence(source, &mut found);
@@ -156,7 +157,8 @@ impl Allows {
     }
 }
 
-/// What is between the parentheses of such a comment, or the comment if there are none; nothing of any other comment.
+/// Returns what is between the parentheses of such a comment, or the comment if there are none; nothing of any other
+/// comment.
 fn list(text: &str, comment: Span) -> Option<Result<Span, Span>> {
     let after = |from: usize, word: &str| {
         let rest = text.get(from..comment.end)?;
@@ -175,7 +177,7 @@ fn list(text: &str, comment: Span) -> Option<Result<Span, Span>> {
     })
 }
 
-/// Whether it is found after a program is loaded, by whoever knows the robot's geometry or the crate.
+/// Returns true if it is found after a program is loaded, where the robot's geometry or the crate is known.
 const fn is_found_later(code: Code) -> bool {
     matches!(
         code,
@@ -183,7 +185,7 @@ const fn is_found_later(code: Code) -> bool {
     )
 }
 
-/// The warning of that name.
+/// Returns the warning of that name.
 fn code(name: &str) -> Result<Code, Allowing> {
     let is_it = |code: &&Code| code.id().eq_ignore_ascii_case(name);
     match Code::ALL.iter().copied().find(|code| is_it(&code)) {

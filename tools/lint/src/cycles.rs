@@ -1,4 +1,4 @@
-//! How many control cycles parts of a program take (T.I.P. 3.1 §10-3: one command a cycle).
+//! Numbers of control cycles that parts of a program take (T.I.P. 3.1 §10-3: one command a cycle).
 //!
 //! The counts are exact over all paths of the control flow: the minimum is the shortest path,
 //! the maximum the longest one, and there is none where a path can loop. A call counts with what
@@ -7,6 +7,7 @@
 //! ten open calls are one. All together takes time O(n log n): where jumps cross so often that the same steps belong to very
 //! many parts, counting ends early, and says so.
 
+mod components;
 mod costs;
 mod count;
 mod counted;
@@ -15,7 +16,6 @@ mod distance;
 mod graph;
 mod loops;
 mod render;
-mod rings;
 mod routines;
 mod steps;
 mod turns;
@@ -38,9 +38,9 @@ use turns::turns;
 /// A part of a program, and how many cycles it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Which part.
+    /// Kind of part.
     pub span: Span,
-    /// How many cycles it takes.
+    /// Number of cycles it takes.
     pub cycles: Count,
 }
 
@@ -54,23 +54,23 @@ pub enum Span {
     },
     /// One turn of a loop: from a step that a jump leads back to until it is reached again.
     Turn {
-        /// That step; of a FOR, the first one of its body.
+        /// First step; for a FOR, the first one of its body.
         head: StepId,
         /// The steps that a turn can pass.
         steps: Steps,
-        /// How many turns a FOR over constants makes.
+        /// Number of turns of a FOR over constants.
         turns: Option<u64>,
     },
     /// From a label, or the beginning, to the next label or the end, calls included.
     Stretch {
         /// The label's step, or 0.
         from: StepId,
-        /// Where it ends.
+        /// End of the stretch.
         to: Stop,
     },
 }
 
-/// Where a stretch ends.
+/// End of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stop {
     /// Before the step of a label.
@@ -91,7 +91,7 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// Those of a robot.
+    /// Returns the figures of a robot.
     pub fn of(robot: Robot) -> Self {
         let facts = robot.facts();
         Sampling {
@@ -142,7 +142,7 @@ fn subroutines(flow: &Flow, graph: &Graph) -> Vec<Part> {
     returning.collect()
 }
 
-/// The stretches, and whether those are all.
+/// Returns the stretches, and true if those are all.
 fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
     let work = Work::of(flow.nodes().len());
     let labels: BTreeSet<NodeId> = program

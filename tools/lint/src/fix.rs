@@ -1,5 +1,5 @@
-//! Fixes: for what a finding says, the changes of the text that put it right. It judges no program: what the checker knows
-//! is in the finding's messages, the rest in the statement around its place.
+//! Fixes: for what a diagnostic says, the changes of the text that put it right. It judges no program: what the checker knows
+//! is in the diagnostic's messages, the rest in the statement around its location.
 
 mod blocks;
 mod characters;
@@ -15,8 +15,8 @@ use tipc::diagnostic::{Diagnostic, Edit, Fix};
 use tipc::source::Source;
 use tipc::syntax::Module;
 
-/// What may know a fix. The first that does is asked.
-const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
+/// Sources of fixes, asked in this order. The first answer counts.
+const FIXERS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     characters::fix,
     texts::fix,
     words::fix,
@@ -26,12 +26,12 @@ const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     declarations::fix,
 ];
 
-/// Gives each finding the fix that is known for it.
+/// Gives each diagnostic the fix that is known for it.
 pub(crate) fn attach(source: &Source, module: &Module, diagnostics: &mut [Diagnostic]) {
     let shared = Shared::default();
     for diagnostic in diagnostics {
         let site = Site::new(source, module, &shared, diagnostic);
-        let fix = ROOMS.iter().find_map(|room| room(&site));
+        let fix = FIXERS.iter().find_map(|fixer| fixer(&site));
         diagnostic.fixes = fix
             .filter(|fix| is_sound(source, fix))
             .into_iter()
@@ -39,7 +39,7 @@ pub(crate) fn attach(source: &Source, module: &Module, diagnostics: &mut [Diagno
     }
 }
 
-/// Whether its edits change the text, follow each other, and write what every encoding spells alike.
+/// Returns true if its edits change the text, follow each other, and write only what every encoding has alike.
 fn is_sound(source: &Source, fix: &Fix) -> bool {
     let is_change = |edit: &Edit| source.slice(edit.span) != edit.text && edit.text.is_ascii();
     let follows = |pair: &[Edit]| pair[0].span.end <= pair[1].span.start;

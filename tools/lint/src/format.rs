@@ -15,25 +15,25 @@
 //! );
 //! ```
 
+mod equivalence;
 mod layout;
 mod rows;
-mod same;
 
 use crate::message::Formatting;
 use crate::{Loaded, Options, load};
 use tipc::Robot;
 use tipc::load::{Parsed, parsed};
 
-/// Why a file is left as it is.
+/// Reasons why a file is left as it is.
 #[derive(Clone, Debug)]
 pub enum Refusal {
     /// It does not load; what is wrong with it.
-    Findings(Box<Loaded>),
+    Diagnostics(Box<Loaded>),
     /// It loads, and cannot be written in the style.
     Because(Formatting),
 }
 
-/// The bytes of a program in the style. `name` is how findings call the file.
+/// Formats a program in the style. `name` is the file's name in diagnostics.
 ///
 /// # Errors
 ///
@@ -47,7 +47,7 @@ pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Re
 ///
 /// # Errors
 ///
-/// The program loads for none of them: the findings are those for the robot with the fewest errors. Else as in [`format`].
+/// The program loads for none of them: the diagnostics are those for the robot with the fewest errors. Else as in [`format`].
 pub fn format_for(
     name: &str,
     bytes: &[u8],
@@ -70,15 +70,15 @@ pub fn format_for(
             (best, fewest) = (options, errors);
         }
     }
-    Err(Refusal::Findings(Box::new(load(name, bytes, &best))))
+    Err(Refusal::Diagnostics(Box::new(load(name, bytes, &best))))
 }
 
-/// The bytes of a program in the style, if they are the same program.
+/// Formats a program in the style; checks that the result is the same program.
 fn laid_out(before: &Parsed, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Formatting> {
     let rows = layout::rows(&before.source, &before.module);
     let formatted = rows.write(&before.source)?;
     if formatted != bytes {
-        same::check(before, &formatted, options)?;
+        equivalence::check(before, &formatted, options)?;
     }
     Ok(formatted)
 }

@@ -4,7 +4,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
 mod allow;
-pub mod ask;
+pub mod coverage_points;
 pub mod cycles;
 mod fix;
 pub mod format;
@@ -12,8 +12,8 @@ mod lints;
 pub mod listing;
 pub mod message;
 pub mod migrate;
+pub mod query;
 pub mod repair;
-pub mod spots;
 
 pub use tipc::{Loaded, Options};
 

@@ -19,7 +19,7 @@ use crate::{Loaded, Options};
 use tipc::Robot;
 use tipc::analysis::flow::Flow;
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::program::{Program, StepId};
 use tipc::source::Source;
 use tipc::symbols::Symbols;
@@ -27,7 +27,7 @@ use tipc::syntax::{Module, Statement};
 
 /// A program, and where its steps come from.
 #[derive(Clone, Copy)]
-struct Judged<'a> {
+struct LintContext<'a> {
     source: &'a Source,
     module: &'a Module,
     symbols: &'a Symbols,
@@ -39,12 +39,12 @@ struct Judged<'a> {
 /// Adds the lints of a file to what was found in it, and leaves out what its comments silence.
 pub(crate) fn find(
     loaded: &Loaded,
-    mut found: Findings,
+    mut found: Diagnostics,
     bytes: &[u8],
     options: &Options,
-) -> Findings {
+) -> Diagnostics {
     if let Some(program) = &loaded.program {
-        let judged = Judged {
+        let context = LintContext {
             source: &loaded.source,
             module: &loaded.module,
             symbols: &loaded.symbols,
@@ -52,7 +52,7 @@ pub(crate) fn find(
             flow: &Flow::of(program),
             robot: options.robot,
         };
-        judged.warn(&mut found);
+        context.warn(&mut found);
         let encoding = file::other_encoding(loaded, bytes, options);
         let title = file::title(loaded, options);
         let after_end = file::after_end(&loaded.source, &loaded.module);
@@ -74,31 +74,31 @@ pub(crate) fn add(loaded: &mut Loaded, mut found: Vec<Diagnostic>) {
     }
 }
 
-impl Judged<'_> {
+impl LintContext<'_> {
     /// Adds everything that its analysis gives reason to warn of to what was found before.
-    fn warn(&self, found: &mut Findings) {
+    fn warn(&self, found: &mut Diagnostics) {
         let warnings = self.warnings();
-        let meant = message::meant(&warnings);
+        let meant = message::placeholder_names(&warnings);
         let is_meant = |name: &String| meant.contains(name.as_str());
-        let follows = |finding: &Diagnostic| {
-            matches!(finding.code, Code::Unused | Code::NeverRead)
-                && finding.subject.as_ref().is_some_and(is_meant)
+        let follows = |diagnostic: &Diagnostic| {
+            matches!(diagnostic.code, Code::Unused | Code::NeverRead)
+                && diagnostic.subject.as_ref().is_some_and(is_meant)
         };
         let means_any = message::means_any(&warnings);
-        let is_unread = |finding: &Diagnostic| means_any && finding.code == Code::NeverRead;
-        found.retain(|finding| !follows(finding) && !is_unread(finding));
+        let is_unread = |diagnostic: &Diagnostic| means_any && diagnostic.code == Code::NeverRead;
+        found.retain(|diagnostic| !follows(diagnostic) && !is_unread(diagnostic));
         found.append(warnings);
     }
 
-    fn warnings(&self) -> Findings {
+    fn warnings(&self) -> Diagnostics {
         let mut found = self.of_statements();
         found.append(self.of_flow());
         found
     }
 
-    /// What statements by themselves, and the values that they read, give reason for.
-    fn of_statements(&self) -> Findings {
-        let mut found = Findings::default();
+    /// Returns warnings about statements by themselves, and the values that they read.
+    fn of_statements(&self) -> Diagnostics {
+        let mut found = Diagnostics::default();
         assignment::warn(self, &mut found);
         commands::warn(self, &mut found);
         equations::warn(self, &mut found);
@@ -106,9 +106,9 @@ impl Judged<'_> {
         found
     }
 
-    /// What conditions and jumps give reason for.
-    fn of_flow(&self) -> Findings {
-        let mut found = Findings::default();
+    /// Returns warnings about conditions and jumps.
+    fn of_flow(&self) -> Diagnostics {
+        let mut found = Diagnostics::default();
         let constant = conditions::constant(self);
         let open: Vec<StepId> = constant.iter().map(|one| one.step).collect();
         let unreachable = unreachable::Unreachable::of(self, &open);
@@ -121,7 +121,7 @@ impl Judged<'_> {
         found
     }
 
-    /// The statement that is a step.
+    /// Returns the statement that is a step.
     fn statement(&self, step: StepId) -> Option<&Statement> {
         let index = self.module.statement_of(step)?;
         Some(&self.module.statements[index])

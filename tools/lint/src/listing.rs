@@ -12,7 +12,7 @@ use tipc::render;
 use tipc::source::Source;
 use tipc::syntax::Module;
 
-/// FORMAL.TMP of the module that a source was parsed to: one line a step, fields separated by tabs.
+/// Renders FORMAL.TMP of the module that a source was parsed to: one line a step, fields separated by tabs.
 pub fn formal(source: &Source, module: &Module) -> String {
     let mut text = Vec::new();
     for statement in module.steps() {
@@ -22,7 +22,7 @@ pub fn formal(source: &Source, module: &Module) -> String {
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// LABEL.TMP: `L` or `S` (declared by SUBROUTINE), name and step of each label.
+/// Renders LABEL.TMP: `L` or `S` (declared by SUBROUTINE), name and step of each label.
 pub fn label(program: &Program) -> String {
     let line = |label: &tipc::program::Label| {
         let kind = if label.subroutine { 'S' } else { 'L' };
@@ -31,9 +31,9 @@ pub fn label(program: &Program) -> String {
     program.labels().iter().map(line).collect()
 }
 
-/// WARNING.LOG: the warnings among the findings about a source, one a line.
-pub fn warnings(source: &Source, findings: &[Diagnostic]) -> String {
-    let warnings = findings.iter().filter(|it| it.level() == Level::Warning);
+/// Renders WARNING.LOG: the warnings among the diagnostics of a source, one a line.
+pub fn warnings(source: &Source, diagnostics: &[Diagnostic]) -> String {
+    let warnings = diagnostics.iter().filter(|it| it.level() == Level::Warning);
     warnings
         .map(|warning| render::classical(source, warning) + "\n")
         .collect()

@@ -17,22 +17,22 @@ pub use linting::{Allowing, Lack, Linting, Stretch};
 pub use migrating::Migrating;
 
 tipc::count_table! {
-    /// So many changes of a program.
+    /// A number of changes of a program.
     Changes: "1 change", "変更1か所"; "{count} changes", "変更{count}か所";
 }
 
 tipc::count_table! {
-    /// So many questions about a program.
+    /// A number of questions about a program.
     Questions: "1 question", "質問1件"; "{count} questions", "質問{count}件";
 }
 
 tipc::count_table! {
-    /// So many findings.
-    Findings: "1 finding", "1件"; "{count} findings", "{count}件";
+    /// A number of diagnostics.
+    Diagnostics: "1 finding", "1件"; "{count} findings", "{count}件";
 }
 
 tipc::count_table! {
-    /// So many findings beyond those that are reported.
+    /// A number of diagnostics beyond those that are reported.
     More: "... and 1 more finding", "……ほかに1件あります"; "... and {count} more findings", "……ほかに{count}件あります";
 }
 
@@ -45,7 +45,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// Why a declaration is put in.
+    /// Reason for an added declaration.
     Declared;
 
     OneType ": variables are declared since 3.0, AGL and TRQ as one type", "(3.0から変数は宣言が必要です。AGLとTRQは一つの型になりました)";
@@ -53,7 +53,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What the formatter says.
+    /// Messages of the formatter.
     Formatting;
 
     DoesNotLoad

@@ -28,7 +28,7 @@ use near::Moves;
 use tipc::Robot;
 use tipc::source::{Encoding, Source, Span};
 
-/// Whether something was changed or has to be asked.
+/// Kind of a note: a change or a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NoteKind {
     /// A change that was made.
@@ -38,7 +38,7 @@ pub enum NoteKind {
 }
 
 impl NoteKind {
-    /// Its name in reports.
+    /// Returns its name in reports.
     pub const fn name(self) -> &'static str {
         match self {
             NoteKind::Change => "change",
@@ -56,7 +56,7 @@ pub struct Note {
     pub line: u32,
     /// The column on that line in characters, from 1.
     pub column: u32,
-    /// What was changed and why, or what is asked.
+    /// The change and its reason, or the question.
     pub text: Migrating,
 }
 
@@ -70,27 +70,27 @@ pub struct Migration {
 }
 
 impl Migration {
-    /// The old program's text.
+    /// Returns the old program's text.
     pub fn source(&self) -> &Source {
         &self.source
     }
 
-    /// The new program in the encoding of the old one; `None` if a question is open.
+    /// Returns the new program in the encoding of the old one; `None` if a question is open.
     pub fn bytes(&self) -> Option<&[u8]> {
         self.bytes.as_deref()
     }
 
-    /// The report, in order of lines.
+    /// Returns the report, in order of lines.
     pub fn notes(&self) -> &[Note] {
         &self.notes
     }
 
-    /// What was changed.
+    /// Returns the changes.
     pub fn changes(&self) -> impl Iterator<Item = &Note> {
         self.of_kind(NoteKind::Change)
     }
 
-    /// What has to be decided first.
+    /// Returns the questions to decide first.
     pub fn questions(&self) -> impl Iterator<Item = &Note> {
         self.of_kind(NoteKind::Question)
     }
@@ -99,7 +99,7 @@ impl Migration {
         self.notes.iter().filter(move |note| note.kind == kind)
     }
 
-    /// The robots that the new program loads for.
+    /// Returns the robots that the new program loads for.
     pub fn robots(&self) -> Vec<Robot> {
         let Some(bytes) = &self.bytes else {
             return Vec::new();
@@ -120,7 +120,7 @@ impl Migration {
 ///
 /// # Errors
 ///
-/// The findings about bytes that are not text, as [`load`] reports them.
+/// The diagnostics about bytes that are not text, as [`load`] reports them.
 pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let (source, undecodable) = Source::decode(name, bytes, encoding);
     if let Some(fault) = undecodable {
@@ -157,7 +157,7 @@ struct Migrator<'a> {
 }
 
 impl Migrator<'_> {
-    /// Every rule, in order; whether the program is of a known older version.
+    /// Applies every rule, in order; returns true if the program is of a known older version.
     fn program(&mut self) -> bool {
         let Some(Header { style, title }) = self.header() else {
             return false;
@@ -194,7 +194,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// The text at `span`.
+    /// Returns the text at `span`.
     fn slice(&self, span: Span) -> &str {
         self.source.slice(span)
     }

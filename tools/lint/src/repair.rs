@@ -1,6 +1,6 @@
 //! Applies fixes to a file until none is left that does what it says.
 //!
-//! A fix counts only if the changed text, read again, no longer has the finding and has no new one. All other bytes of the file stay
+//! A fix counts only if the changed text, read again, no longer has the diagnostic and has no new one. All other bytes of the file stay
 //! as they are.
 //!
 //! ```
@@ -34,29 +34,29 @@ const READINGS: usize = 200;
 /// The most bytes that are read again to try the fixes of a file: what is not tried is not offered.
 const READ: usize = 1 << 18;
 
-/// How many times a file is read again, whatever its length, if its fixes are asked for.
+/// Number of times that a file is read again, whatever its length, if its fixes are asked for.
 const FEW: usize = 8;
 
 /// The most mistakes of one line that are put right one after the other.
 const HIDDEN: usize = 4;
 
-/// A finding that was put right.
+/// A diagnostic that was put right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Applied {
     /// Its line from 1, in the text that it was found in: fixes before it may have moved it.
     pub line: u32,
     /// Its column in characters from 1.
     pub column: u32,
-    /// What was found.
-    pub finding: Diagnostic,
-    /// What put it right.
+    /// The diagnostic that was fixed.
+    pub diagnostic: Diagnostic,
+    /// The fix that removed it.
     pub fix: Fix,
 }
 
 /// A file after its fixes.
 #[derive(Clone, Debug)]
 pub struct Repaired {
-    /// What was put right, in order.
+    /// Applied fixes, in order.
     pub applied: Vec<Applied>,
     /// The file as it is then, and what is left to say of it.
     pub loaded: Loaded,
@@ -67,7 +67,7 @@ pub fn repair(loaded: Loaded, options: &Options, least: Applicability) -> Repair
     apply(loaded, options, least, FEW)
 }
 
-/// The same, as far as it takes little time, to say what [`repair`] would do at least.
+/// Returns what [`repair`] would do at least, as far as it takes little time.
 pub fn preview(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
     apply(loaded, options, least, 1)
 }
@@ -92,7 +92,7 @@ fn apply(loaded: Loaded, options: &Options, least: Applicability, often: usize) 
 }
 
 /// Keeps the fixes of what was loaded with `options` that do what they say: those that, applied alone or with others, put
-/// their finding right without a new one.
+/// their diagnostic right without a new one.
 pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
     let mut repair = Repair {
         options,
@@ -113,11 +113,11 @@ pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
         let mut accepted = None;
         repair.accept(&candidates, &mut accepted);
         tried.extend(candidates);
-        confirmed.extend(accepted.into_iter().flat_map(|it: Accepted| it.findings));
+        confirmed.extend(accepted.into_iter().flat_map(|it: Accepted| it.diagnostics));
     }
-    for (index, finding) in repair.loaded.diagnostics.iter_mut().enumerate() {
+    for (index, diagnostic) in repair.loaded.diagnostics.iter_mut().enumerate() {
         if !confirmed.contains(&index) {
-            finding.fixes.clear();
+            diagnostic.fixes.clear();
         }
     }
     repair.loaded
@@ -126,19 +126,19 @@ pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
 struct Repair<'a> {
     options: &'a Options,
     least: Applicability,
-    /// Whether what another mistake hid on its line may be put right along with it.
+    /// True if what another mistake hid on its line may be fixed along with it.
     follows: bool,
     readings: usize,
-    /// How many bytes may still be read again.
+    /// Number of bytes that may still be read again.
     bytes: Cell<usize>,
     applied: Vec<Applied>,
     loaded: Loaded,
 }
 
-/// The findings that are put right together, and what comes of the file.
+/// The diagnostics that are put right together, and what comes of the file.
 struct Accepted {
-    findings: Vec<usize>,
-    /// What they hid, which is put right as well.
+    diagnostics: Vec<usize>,
+    /// Hidden mistakes, which are fixed as well.
     hidden: Vec<Applied>,
     loaded: Loaded,
 }
@@ -152,55 +152,55 @@ impl Repair<'_> {
         let Some(accepted) = accepted else {
             return false;
         };
-        let applied = self.applied(&self.loaded, &accepted.findings);
+        let applied = self.applied(&self.loaded, &accepted.diagnostics);
         self.applied.extend(applied);
         self.applied.extend(accepted.hidden);
         self.loaded = accepted.loaded;
         true
     }
 
-    /// What is put right by the fixes of these findings.
-    fn applied(&self, before: &Loaded, findings: &[usize]) -> Vec<Applied> {
-        let applied = findings.iter().filter_map(|index| {
-            let finding = &before.diagnostics[*index];
-            let (line, column) = before.source.line_column(finding.span.start);
+    /// Returns what the fixes of these diagnostics remove.
+    fn applied(&self, before: &Loaded, diagnostics: &[usize]) -> Vec<Applied> {
+        let applied = diagnostics.iter().filter_map(|index| {
+            let diagnostic = &before.diagnostics[*index];
+            let (line, column) = before.source.line_column(diagnostic.span.start);
             Some(Applied {
                 line,
                 column,
-                finding: finding.clone(),
-                fix: self.fix(finding)?.clone(),
+                diagnostic: diagnostic.clone(),
+                fix: self.fix(diagnostic)?.clone(),
             })
         });
         applied.collect()
     }
 
-    /// The fix of a finding, if it is sure enough.
-    fn fix<'d>(&self, finding: &'d Diagnostic) -> Option<&'d Fix> {
-        let mut fixes = finding.fixes.iter();
+    /// Returns the fix of a diagnostic, if it is sure enough.
+    fn fix<'d>(&self, diagnostic: &'d Diagnostic) -> Option<&'d Fix> {
+        let mut fixes = diagnostic.fixes.iter();
         fixes.find(|fix| fix.applicability <= self.least)
     }
 
-    /// The findings, but for some, whose fixes do not touch each other.
+    /// Returns the diagnostics, but for some, whose fixes do not touch each other.
     fn candidates(&self, tried: &HashSet<usize>) -> Vec<usize> {
         let mut taken = Taken::default();
         let found = self.loaded.diagnostics.iter().enumerate();
-        let free = found.filter(|(index, finding)| {
-            let fix = self.fix(finding).filter(|_| !tried.contains(index));
+        let free = found.filter(|(index, diagnostic)| {
+            let fix = self.fix(diagnostic).filter(|_| !tried.contains(index));
             fix.is_some_and(|fix| taken.take(&fix.edits))
         });
         free.map(|(index, _)| index).collect()
     }
 
-    /// Adds these findings to those that are put right; of several that do not go together, what does.
-    fn accept(&mut self, findings: &[usize], accepted: &mut Option<Accepted>) {
-        if findings.is_empty() || self.readings == 0 {
+    /// Adds these diagnostics to those that are put right; of several that do not go together, what does.
+    fn accept(&mut self, diagnostics: &[usize], accepted: &mut Option<Accepted>) {
+        if diagnostics.is_empty() || self.readings == 0 {
             return;
         }
         self.readings -= 1;
         let mut together = accepted
             .as_ref()
-            .map_or(Vec::new(), |it| it.findings.clone());
-        together.extend(findings);
+            .map_or(Vec::new(), |it| it.diagnostics.clone());
+        together.extend(diagnostics);
         let lines = match self.attempt(together) {
             Ok(better) => {
                 *accepted = Some(better);
@@ -215,9 +215,9 @@ impl Repair<'_> {
             edits.any(|edit| lines.contains(&self.loaded.source.line_column(edit.span.start).0))
         };
         let (mut second, mut first): (Vec<usize>, Vec<usize>) =
-            findings.iter().copied().partition(is_at);
+            diagnostics.iter().copied().partition(is_at);
         if first.is_empty() || second.is_empty() {
-            let (one, other) = findings.split_at(findings.len() / 2);
+            let (one, other) = diagnostics.split_at(diagnostics.len() / 2);
             (first, second) = (one.to_vec(), other.to_vec());
         }
         if !first.is_empty() {
@@ -226,15 +226,15 @@ impl Repair<'_> {
         }
     }
 
-    /// The file with the fixes of these findings, if it is better; else the changed lines on which something new is found.
-    /// What the findings hid on their lines is put right, too.
-    fn attempt(&self, findings: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
-        let (mut loaded, mut new) = self.changed(&self.loaded, &findings)?;
+    /// Returns the file with the fixes of these diagnostics, if it is better; else the changed lines on which something
+    /// new is found. Mistakes hidden by these on their lines are fixed, too.
+    fn attempt(&self, diagnostics: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
+        let (mut loaded, mut new) = self.changed(&self.loaded, &diagnostics)?;
         let mut hidden = Vec::new();
         for _ in 0..HIDDEN {
             if new.is_empty() {
                 return Ok(Accepted {
-                    findings,
+                    diagnostics,
                     hidden,
                     loaded,
                 });
@@ -255,15 +255,17 @@ impl Repair<'_> {
         Err(HashSet::new())
     }
 
-    /// A file with the fixes of some findings, and the findings that are new then, if all of them were hidden; else the
-    /// changed lines on which the others are.
+    /// Returns a file with the fixes of some diagnostics, and the diagnostics that are new then, if all of them were hidden;
+    /// else the changed lines on which the others are.
     fn changed(
         &self,
         before: &Loaded,
-        findings: &[usize],
+        diagnostics: &[usize],
     ) -> Result<(Loaded, Vec<usize>), HashSet<u32>> {
-        let found = findings.iter().map(|index| &before.diagnostics[*index]);
-        let fixes: Vec<&Fix> = found.filter_map(|finding| self.fix(finding)).collect();
+        let found = diagnostics.iter().map(|index| &before.diagnostics[*index]);
+        let fixes: Vec<&Fix> = found
+            .filter_map(|diagnostic| self.fix(diagnostic))
+            .collect();
         let mut taken = Taken::default();
         if !fixes.iter().all(|fix| taken.take(&fix.edits)) {
             return Err(HashSet::new());
@@ -281,7 +283,7 @@ impl Repair<'_> {
         if loaded.source.text() != spliced(source.text(), changes) {
             return Err(HashSet::new());
         }
-        let new = judge::news(before, &loaded, findings, &edits);
+        let new = judge::news(before, &loaded, diagnostics, &edits);
         let is_shown = judge::not_hidden(before, &loaded, &new, &edits);
         match is_shown.is_empty() {
             true => Ok((loaded, new)),
@@ -290,7 +292,7 @@ impl Repair<'_> {
     }
 }
 
-/// A text with others in the place of some spans.
+/// Returns a text with others in the place of some spans.
 fn spliced<'a>(text: &str, changes: impl Iterator<Item = (Span, &'a str)>) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
@@ -302,14 +304,14 @@ fn spliced<'a>(text: &str, changes: impl Iterator<Item = (Span, &'a str)>) -> St
     out + &text[at..]
 }
 
-/// What stands for the level of a finding.
+/// Label in place of the level of a diagnostic.
 const LEVEL: &str = "fixed";
 
 /// `FILE:LINE:COLUMN: fixed[CODE]: <what was done>`, one line each.
 pub fn render_short(repaired: &Repaired, lang: Lang) -> String {
     let name = repaired.loaded.source.name();
     let line = |one: &Applied| {
-        let (code, title) = (one.finding.id(), one.fix.title.in_lang(lang));
+        let (code, title) = (one.diagnostic.id(), one.fix.title.in_lang(lang));
         let (line, column) = (one.line, one.column);
         let text = format_args!("{name}:{line}:{column}: {LEVEL}[{code}]: {title}");
         Printable::line(text).to_string() + "\n"
@@ -317,7 +319,8 @@ pub fn render_short(repaired: &Repaired, lang: Lang) -> String {
     repaired.applied.iter().map(line).collect()
 }
 
-/// One object a line: `level` (`fixed`), `message` (what was done), `applicability`, `code`, `file`, `line`, `column`.
+/// Returns one object a line: `level` (`fixed`), `message` (what was done), `applicability`, `code`, `file`, `line`,
+/// `column`.
 pub fn render_json(repaired: &Repaired, lang: Lang) -> String {
     let name = repaired.loaded.source.name();
     let object = |one: &Applied| {
@@ -329,7 +332,7 @@ pub fn render_json(repaired: &Repaired, lang: Lang) -> String {
             &one.fix.title.in_lang(lang).to_string(),
         );
         push_member(&mut out, "applicability", one.fix.applicability.name());
-        push_member(&mut out, "code", one.finding.id());
+        push_member(&mut out, "code", one.diagnostic.id());
         push_member(&mut out, "file", name);
         push_number(&mut out, "line", one.line);
         push_number(&mut out, "column", one.column);

@@ -51,7 +51,7 @@ use crate::timeline::Timeline;
 use breakpoints::{Breakpoints, Watches};
 use moves::PendingCommand;
 use std::sync::Arc;
-use tip_lint::ask::Asker;
+use tip_lint::query::QueryContext;
 use tip_runtime::machine::{Emergency, Mismatch};
 use tip_runtime::program::End;
 use tipc::program::Program;
@@ -68,7 +68,7 @@ pub enum Discard {
 /// A program on a simulated robot, to be run in both directions.
 pub struct Debugger {
     program: Arc<Program>,
-    asker: Asker,
+    asker: QueryContext,
     /// The run and its checkpoints.
     timeline: Timeline,
     history: History,
@@ -100,7 +100,7 @@ impl Debugger {
 
     fn of(run: Run, program: Arc<Program>, robot: &Robot) -> Self {
         Debugger {
-            asker: Asker::new(&program, robot.options(), expressions::OWN_NAMES),
+            asker: QueryContext::new(&program, robot.options(), expressions::OWN_NAMES),
             timeline: Timeline::new(run, ()),
             history: History::default(),
             breakpoints: Breakpoints::new(program.steps().len()),

@@ -7,7 +7,7 @@ mod evaluate;
 mod step;
 
 use std::sync::Arc;
-use tip_lint::spots::Place;
+use tip_lint::coverage_points::ProgramPoint;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{CallStack, Context, Flow, Program, Signature};
 use tipc::program;
@@ -38,8 +38,8 @@ impl Interpreter {
     }
 
     /// Returns its place in the program.
-    pub fn place(&self) -> Place {
-        Place {
+    pub fn place(&self) -> ProgramPoint {
+        ProgramPoint {
             step: self.at,
             not_taken: self.not_taken,
         }

@@ -35,7 +35,7 @@ use crate::robot::Robot;
 use crate::run::Run;
 use side::Side;
 use std::sync::Arc;
-use tip_lint::spots::Place;
+use tip_lint::coverage_points::ProgramPoint;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, Sink};
@@ -59,7 +59,7 @@ pub enum Evidence {
 /// Goes along with the interpreter while both engines do the same.
 pub trait Scout {
     /// Called after each step, which led on unless it was the last.
-    fn went(&mut self, cycle: u64, from: Place, to: Option<Place>) {
+    fn went(&mut self, cycle: u64, from: ProgramPoint, to: Option<ProgramPoint>) {
         let _ = (cycle, from, to);
     }
 

@@ -19,7 +19,7 @@
 //! let inputs = Inputs { cycles: Some(100), ..Inputs::default() };
 //! let (coverage, diverging) = search::verify(&mut engines, &program, &inputs, 20)?;
 //! assert!(diverging.is_none());
-//! assert!((0..coverage.reach.spots().all().len()).all(|spot| coverage.reach.has(spot)));
+//! assert!((0..coverage.reach.points().all().len()).all(|point| coverage.reach.has(point)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -21,10 +21,10 @@ fn both_engines_dance_alike_whether_all_feet_carry_or_not() {
         assert_eq!(run.divergence, None);
         assert_eq!(run.ending, Some(Ending::Program(End::End)));
     }
-    let spots = reach.spots().all();
+    let points = reach.points().all();
     let missed: Vec<_> = (0..)
-        .zip(spots)
-        .filter(|(spot, _)| !reach.has(*spot))
+        .zip(points)
+        .filter(|(point, _)| !reach.has(*point))
         .collect();
     assert_eq!(missed, []);
 }

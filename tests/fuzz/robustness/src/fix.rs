@@ -4,7 +4,7 @@ use tip_lint::load;
 use tip_lint::repair::{Applied, confirm, render_json, render_short, repair};
 use tipc::code::{Code, Level};
 use tipc::diagnostic::{Applicability, Diagnostic};
-use tipc::message::{Habit, Lang, Message};
+use tipc::message::{ForeignWord, Lang, Message};
 use tipc::{Loaded, Options};
 
 /// Puts right what is certain in the bytes, then what is likely.
@@ -60,7 +60,7 @@ fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
     let lines_stay = before.source.line_count() == after.source.line_count();
     let mut known: Vec<_> = before.diagnostics.iter().collect();
     let errors = applied.iter();
-    let errors = errors.filter(|it| it.finding.level() == Level::Error);
+    let errors = errors.filter(|it| it.diagnostic.level() == Level::Error);
     let seen = errors.filter(|it| {
         let is_same = |other: &&Diagnostic| {
             let (line, column) = before.source.line_column(other.span.start);
@@ -69,7 +69,7 @@ fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
             } else {
                 column == it.column
             };
-            is_here && other.code == it.finding.code && other.reason == it.finding.reason
+            is_here && other.code == it.diagnostic.code && other.reason == it.diagnostic.reason
         };
         let place = known.iter().position(is_same);
         place.map(|place| known.swap_remove(place)).is_some()
@@ -80,7 +80,7 @@ fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
 /// Returns true if what was fixed hid the rest of the program.
 fn shows_more(applied: &Applied) -> bool {
     matches!(
-        applied.finding.reason,
-        Message::Habit(Habit::EndInTwo { .. })
+        applied.diagnostic.reason,
+        Message::ForeignWord(ForeignWord::EndInTwo { .. })
     )
 }

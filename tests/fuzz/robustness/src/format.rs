@@ -43,7 +43,7 @@ pub fn formatted(bytes: &[u8], options: &Options) -> Option<Vec<u8>> {
             assert_eq!(comments(bytes, options), comments(&once, options), "{seen}");
             Some(once)
         }
-        Err(Refusal::Findings(loaded)) => {
+        Err(Refusal::Diagnostics(loaded)) => {
             assert!(loaded.program.is_none(), "{seen}");
             None
         }

@@ -1,4 +1,4 @@
-//! The data flow over basic blocks for as many scalars as one machine word has room for.
+//! The data flow over basic blocks for as many scalars as one machine word can hold.
 
 use super::blocks::{Block, BlockId, Blocks};
 use crate::analysis::access;
@@ -6,7 +6,7 @@ use crate::analysis::flow::{Flow, NodeId};
 use crate::program::Program;
 use std::collections::BinaryHeap;
 
-/// What happens to unassigned scalars on the path through something.
+/// Effect of the path through something on unassigned scalars.
 #[derive(Clone, Copy, PartialEq)]
 struct Effect {
     /// The scalars that it neither reads nor assigns.
@@ -28,7 +28,7 @@ impl Effect {
         }
     }
 
-    /// This, and then something after it.
+    /// Returns the effect of this, and then something after it.
     fn then(self, behind: Effect) -> Effect {
         Effect {
             untouched: self.untouched & behind.untouched,
@@ -37,7 +37,7 @@ impl Effect {
     }
 }
 
-/// What happens to unassigned scalars on the paths from a block to the return of the call that it is in:
+/// Effect of the paths from a block to the return of the call that it is in on unassigned scalars:
 /// a scalar is in a set if some path belongs there. `None` if there is no path.
 type Passage = Option<Effect>;
 
@@ -51,7 +51,7 @@ fn either(a: Passage, b: Passage) -> Passage {
     }
 }
 
-/// How runs can reach a place. A scalar that may be neither is one with which no run gets there.
+/// Possible ways to reach a location. A scalar that may be neither is one with which no run gets there.
 #[derive(Clone, Copy, Default, PartialEq)]
 struct State {
     /// The scalars that may be unassigned.
@@ -61,7 +61,7 @@ struct State {
 }
 
 impl State {
-    /// After something with an effect. If that first reads an unassigned scalar, the run is over.
+    /// Returns the state after something with an effect. If that first reads an unassigned scalar, the run is over.
     fn behind(self, effect: Effect) -> State {
         State {
             unassigned: self.unassigned & effect.untouched,
@@ -96,7 +96,7 @@ pub(super) struct Batch<'a> {
 }
 
 impl<'a> Batch<'a> {
-    /// The scalars that are touched so, in the order of the nodes.
+    /// Prepares the scalars that are touched so, in the order of the nodes.
     pub(super) fn new(blocks: &'a Blocks, touches: &'a [Touch]) -> Self {
         let mut effects = vec![Effect::NONE; blocks.all().len()];
         for touch in touches {
@@ -110,7 +110,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// What each node that reads finds, and for each block whether a run can come to it.
+    /// Returns what each node that reads finds, and for each block whether a run can come to it.
     pub(super) fn found(&self) -> (Vec<Found>, Vec<bool>) {
         let states = self.states();
         let mut found = Vec::new();
@@ -134,7 +134,7 @@ impl<'a> Batch<'a> {
         (found, states.iter().map(is_reached).collect())
     }
 
-    /// For each block, how runs come to it.
+    /// Returns for each block how runs come to it.
     fn states(&self) -> Vec<State> {
         let blocks = self.blocks.all();
         let passages = self.passages();
@@ -166,14 +166,14 @@ impl<'a> Batch<'a> {
         states
     }
 
-    /// Whether a node neither reads nor assigns any of the scalars.
+    /// Returns true if a node neither reads nor assigns any of the scalars.
     pub(super) fn is_untouched(&self, node: NodeId) -> bool {
         self.touches
             .binary_search_by_key(&node, |touch| touch.node)
             .is_err()
     }
 
-    /// Whether some path through the subroutine at a node leaves the scalar at bit 0 alone.
+    /// Returns a test: true if some path through the subroutine at a node leaves the scalar at bit 0 alone.
     pub(super) fn passes(&self) -> impl Fn(NodeId) -> bool {
         let passages = self.passages();
         move |entry| {
@@ -182,7 +182,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// For each block, the paths to the return of the call that it is in.
+    /// Returns for each block the paths to the return of the call that it is in.
     fn passages(&self) -> Vec<Passage> {
         let blocks = self.blocks.all();
         let mut passages = vec![None; blocks.len()];
@@ -204,7 +204,7 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// The paths from the end of a block.
+/// Returns the paths from the end of a block.
 fn behind(block: &Block, passages: &[Passage]) -> Passage {
     let mut ways = block.returns.then_some(Effect::NONE);
     for next in block.next.iter() {
@@ -223,10 +223,10 @@ pub(super) type Scalars = u64;
 
 /// The bit of a scalar that nothing touches: wherever a run comes, it comes there unassigned.
 pub(super) const UNTOUCHED: Scalars = 1 << 63;
-/// How many others a batch has room for.
-const ROOM: usize = 63;
+/// Number of others that a batch can hold.
+const CAPACITY: usize = 63;
 
-/// What a node does with the scalars of a batch.
+/// Accesses of a node to the scalars of a batch.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Touch {
     /// The node.
@@ -260,7 +260,7 @@ pub(super) struct Sorted {
 }
 
 impl Touches {
-    /// What the nodes of a program's flow read and assign.
+    /// Collects what the nodes of a program's flow read and assign.
     pub(super) fn of(program: &Program, flow: &Flow) -> Self {
         let mut all = Vec::with_capacity(2 * flow.nodes().len());
         for (node, content) in flow.nodes().iter().enumerate() {
@@ -283,7 +283,7 @@ impl Touches {
         Touches { all }
     }
 
-    /// The touches of one scalar, at bit 0.
+    /// Returns the touches of one scalar, at bit 0.
     pub(super) fn of_scalar(&self, scalar: usize) -> Vec<Touch> {
         let mut sorted = Sorted::default();
         for access in self.all.iter().filter(|access| access.scalar == scalar) {
@@ -292,8 +292,8 @@ impl Touches {
         sorted.touches
     }
 
-    /// The scalars that a block reads before it assigns them, in batches of 63, with all their touches; one batch at
-    /// least. And the reads of all others, which find a value wherever a run comes.
+    /// Returns the scalars that a block reads before it assigns them, in batches of 63, with all their touches; one
+    /// batch at least. And the reads of all others, which find a value wherever a run comes.
     pub(super) fn sorted(
         &self,
         scalars: usize,
@@ -305,8 +305,8 @@ impl Touches {
         for access in &self.all {
             match places[access.scalar] {
                 Some(place) => {
-                    batches.resize_with(batches.len().max(place / ROOM + 1), Sorted::default);
-                    batches[place / ROOM].add(*access, 1 << (place % ROOM));
+                    batches.resize_with(batches.len().max(place / CAPACITY + 1), Sorted::default);
+                    batches[place / CAPACITY].add(*access, 1 << (place % CAPACITY));
                 }
                 None if access.assigns => {}
                 None => certain.push((access.node, access.scalar)),
@@ -314,9 +314,9 @@ impl Touches {
         }
         for (scalar, place) in places.iter().enumerate() {
             if let Some(place) = place {
-                let names = &mut batches[place / ROOM].scalars;
-                names.resize(names.len().max(place % ROOM + 1), 0);
-                names[place % ROOM] = scalar;
+                let names = &mut batches[place / CAPACITY].scalars;
+                names.resize(names.len().max(place % CAPACITY + 1), 0);
+                names[place % CAPACITY] = scalar;
             }
         }
         (batches, certain)
@@ -360,12 +360,12 @@ impl Sorted {
     }
 }
 
-/// Which nodes come first.
+/// Order of the nodes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
-    /// Those of early steps.
+    /// From early steps on.
     Forward,
-    /// Those of late steps.
+    /// From late steps back.
     Backward,
 }
 
@@ -378,7 +378,7 @@ pub(super) struct Worklist {
 }
 
 impl Worklist {
-    /// An empty one for nodes below `nodes`.
+    /// Creates an empty queue for nodes below `nodes`.
     pub(super) fn new(nodes: usize, order: Order) -> Self {
         Worklist {
             order,

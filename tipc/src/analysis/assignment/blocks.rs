@@ -2,13 +2,13 @@
 
 use crate::analysis::flow::{Flow, Next, NodeId};
 
-/// The place of a block. Blocks come in the order of their nodes.
+/// The index of a block. Blocks come in the order of their nodes.
 pub(super) type BlockId = usize;
 
-/// What the last node of a block does.
+/// Ways out of the last node of a block.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
-    /// What may follow without a call or return.
+    /// Blocks that may follow without a call or return.
     pub(super) next: Next,
     /// The block of a subroutine that it may call, and the one where that comes back.
     pub(super) call: Option<(BlockId, BlockId)>,
@@ -28,7 +28,7 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    /// The blocks of a flow. Takes time and memory linear in its length.
+    /// Splits a flow into blocks. Takes time and memory linear in its length.
     pub(super) fn of(flow: &Flow) -> Self {
         let nodes = flow.nodes();
         let begins = beginnings(flow);
@@ -61,17 +61,17 @@ impl Blocks {
         }
     }
 
-    /// The blocks in order.
+    /// Returns the blocks in order.
     pub(super) fn all(&self) -> &[Block] {
         &self.all
     }
 
-    /// The block that a node is in.
+    /// Returns the block that a node is in.
     pub(super) fn of_node(&self, node: NodeId) -> BlockId {
         self.of_node[node]
     }
 
-    /// The blocks that lead or call to a block, or whose calls come back to it.
+    /// Returns the blocks that lead or call to a block, or whose calls come back to it.
     pub(super) fn before(&self, block: BlockId) -> &[BlockId] {
         let start = match block.checked_sub(1) {
             Some(earlier) => self.before_ends[earlier],
@@ -81,7 +81,7 @@ impl Blocks {
     }
 }
 
-/// Which nodes begin a block: all except those that only the node before them leads to.
+/// Returns which nodes begin a block: all except those that only the node before them leads to.
 fn beginnings(flow: &Flow) -> Vec<bool> {
     let nodes = flow.nodes();
     let mut begins = vec![false; nodes.len()];
@@ -105,7 +105,7 @@ fn beginnings(flow: &Flow) -> Vec<bool> {
     begins
 }
 
-/// The blocks that a block names in `next` or `call`.
+/// Returns the blocks that a block names in `next` or `call`.
 fn after(block: &Block) -> impl Iterator<Item = BlockId> {
     let called = block.call.into_iter();
     let called = called.flat_map(|(entry, back)| [entry, back]);

@@ -1,4 +1,4 @@
-//! Where a variable lacks a value, and a path that leads there.
+//! Locations where a variable lacks a value, and a path that leads there.
 
 use super::batch::Batch;
 use super::batch::Touches;
@@ -27,7 +27,7 @@ pub struct Gap {
     pub way: Vec<StepId>,
 }
 
-/// The gaps of a program, by variable: one for the reads that some run finds no value at, and one for
+/// Returns the gaps of a program, by variable: one for the reads that some run finds no value at, and one for
 /// those that every run does.
 pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
     let lacking = assignment
@@ -61,7 +61,7 @@ pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
     gaps
 }
 
-/// The steps of a shortest run to `step` on which nothing before it reads or assigns the scalar of a batch.
+/// Returns the steps of a shortest run to `step` on which nothing before it reads or assigns the scalar of a batch.
 fn way(flow: &Flow, batch: &Batch<'_>, step: StepId) -> Vec<StepId> {
     let is_untouched = |id: NodeId| batch.is_untouched(id);
     let passes = batch.passes();
@@ -89,7 +89,7 @@ fn way(flow: &Flow, batch: &Batch<'_>, step: StepId) -> Vec<StepId> {
     Vec::new()
 }
 
-/// The steps on the path from node 0 to `id`.
+/// Returns the steps on the path from node 0 to `id`.
 fn walked(flow: &Flow, from: &[Option<NodeId>], id: NodeId) -> Vec<StepId> {
     let nodes = std::iter::successors(Some(id), |id| from[*id]);
     let mut steps: Vec<StepId> = nodes.map(|id| flow.nodes()[id].step).collect();

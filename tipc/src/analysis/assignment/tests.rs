@@ -18,13 +18,13 @@ fn program(text: &str) -> Program {
         .unwrap_or_else(|| panic!("{told:#?}\n{text}"))
 }
 
-/// The gaps of statements: line 3 is the first.
+/// Returns the gaps of statements: line 3 is the first.
 fn gaps_of(statements: &str) -> Vec<Gap> {
     let program = program(&format!("3.1\ntest\n{statements}\n"));
     gaps(&program, &Assignment::of(&program))
 }
 
-/// Step, kind and path of the only gap.
+/// Returns step, kind and path of the only gap.
 fn only_gap(statements: &str) -> (u32, Assigned, Vec<u32>) {
     match gaps_of(statements).as_slice() {
         [gap] => (gap.step, gap.assigned, gap.way.clone()),
@@ -196,7 +196,7 @@ fn each_way_is_a_run_without_the_value() {
     assert!(walked > 300, "{walked} ways");
 }
 
-/// A program of that many steps: nested blocks, calls, a hundred variables assigned at the end only.
+/// Returns a program of that many steps: nested blocks, calls, a hundred variables assigned at the end only.
 fn long(steps: usize) -> String {
     let mut text = "3.1\nlong\n".to_owned();
     for name in 0..100 {

@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::Keyword;
 use crate::lex::BLANKS;
-use crate::message::{Commanding, Habit, Instead, Message, Structuring};
+use crate::message::{Commanding, ForeignWord, Message, Structuring, Suggestion};
 use crate::source::Source;
 use crate::syntax::{Shape, StatementKind};
 
@@ -36,7 +36,7 @@ impl Matcher<'_> {
             return false;
         }
         // That it is alone on its line would not help.
-        self.closes_more.insert(self.place(index).start);
+        self.closes_more.insert(self.location(index).start);
         self.open.pop();
         self.result.blocks[block].end = index;
         self.result.blocks[block].broken = true;
@@ -45,9 +45,9 @@ impl Matcher<'_> {
             word: name,
         };
         let (opener, closer) = (inner.opener(), inner.closer());
-        let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
-            .label(self.place(first), Structuring::Open { opener })
-            .help(Instead::Closes { opener, closer });
+        let fault = Diagnostic::new(Code::Structure, self.location(index), reason)
+            .label(self.location(first), Structuring::Open { opener })
+            .help(Suggestion::Closes { opener, closer });
         self.found.push(fault);
         true
     }
@@ -82,13 +82,13 @@ impl Matcher<'_> {
         );
         let fault = fault
             .about(name.node.as_str())
-            .label(self.place(first), Structuring::Open { opener })
-            .help(Instead::Closes { opener, closer });
+            .label(self.location(first), Structuring::Open { opener })
+            .help(Suggestion::Closes { opener, closer });
         self.found.push(fault);
         true
     }
 
-    /// How many ends of blocks of this kind that are open now come after a statement.
+    /// Returns the number of ends of blocks of this kind that are open now and come after a statement.
     pub(super) fn later(&self, index: usize, kind: BlockKind) -> usize {
         let (mut inside, mut later) = (0, 0);
         for statement in self.module.statements[index + 1..].iter().take(FAR) {
@@ -103,7 +103,8 @@ impl Matcher<'_> {
         later
     }
 
-    /// An END inside a block, with statements and another END after it, was to end the block, or to stop the run.
+    /// Reports an END inside a block, with statements and another END after it, that was to end the block or to stop
+    /// the run.
     pub(super) fn ended_too_early(&mut self, source: &Source) -> Option<()> {
         let innermost = self.open.last()?;
         let last = self.module.statements.last()?;
@@ -123,15 +124,15 @@ impl Matcher<'_> {
             words.iter().any(is_it)
         };
         let help: Message = match (has(closer), has(Keyword::End)) {
-            (true, _) => Habit::Exit.into(),
-            (false, true) => Instead::Closes { opener, closer }.into(),
+            (true, _) => ForeignWord::Exit.into(),
+            (false, true) => Suggestion::Closes { opener, closer }.into(),
             (false, false) => return None,
         };
-        let reason = Habit::EndInTwo {
+        let reason = ForeignWord::EndInTwo {
             word: opener.into(),
         };
         let fault = Diagnostic::new(Code::Structure, last.span, reason)
-            .label(self.place(innermost.first), Structuring::Open { opener })
+            .label(self.location(innermost.first), Structuring::Open { opener })
             .help(help);
         self.found.push(fault);
         while let Some(open) = self.open.pop() {
@@ -149,19 +150,19 @@ impl Matcher<'_> {
             return None;
         }
         let end = self.module.statements.last()?.span;
-        let reason = Habit::EndInTwo {
+        let reason = ForeignWord::EndInTwo {
             word: opener.into(),
         };
         let help = match closer {
-            Keyword::Wend => Habit::Wend,
-            Keyword::Next => Habit::Next,
-            Keyword::SubEnd => Habit::SubEnd,
-            _ => Habit::InOneWord {
+            Keyword::Wend => ForeignWord::Wend,
+            Keyword::Next => ForeignWord::Next,
+            Keyword::SubEnd => ForeignWord::SubEnd,
+            _ => ForeignWord::InOneWord {
                 word: closer.into(),
             },
         };
         let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
-            .label(self.place(innermost.first), Structuring::Open { opener })
+            .label(self.location(innermost.first), Structuring::Open { opener })
             .help(help);
         // `SUB WALK` … `END SUB` is one mistake, and so is `REPEAT 5` … `END REPEAT`.
         let is_one = self.is_foreign(innermost.first)

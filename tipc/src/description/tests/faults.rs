@@ -1,4 +1,4 @@
-//! Every fault at its place, with its reason and its help.
+//! Every fault at its location, with its reason and its help.
 
 use crate::code::Code;
 use crate::description::parse;
@@ -15,14 +15,14 @@ fn faults(text: &str) -> Vec<String> {
     told.collect()
 }
 
-/// A description whose leg and joint stand in the lines 2 and 3, and `more` from line 4 on.
+/// Returns a description whose leg and joint stand in the lines 2 and 3, and `more` from line 4 on.
 pub(super) fn with(more: &str) -> String {
     format!(
         "name = \"test\"\nleg = [{{ base = [0, 0, 0] }}]\njoint = [{{ axis = \"x\", link = [0, 0, 9] }}]\n{more}"
     )
 }
 
-/// The same with these keys in its joint as well, from column 42 on.
+/// Like [`with`], with these keys in its joint as well, from column 42 on.
 pub(super) fn with_joint(keys: &str) -> String {
     with("").replace("9] }", &format!("9], {keys} }}"))
 }
@@ -263,7 +263,7 @@ fn a_mirror_of_other_letters() {
         only(
             &text,
             &format!(
-                "2:19: {letter:?} is not a coordinate, or stands here twice (`mirror` is letters of \"x\", \"y\", \"z\")"
+                "2:19: {letter:?} is not a coordinate, or appears twice (`mirror` is letters of \"x\", \"y\", \"z\")"
             ),
         );
     }
@@ -310,10 +310,7 @@ fn a_name_that_is_none() {
         (" a", "a name neither begins nor ends with a blank"),
         ("a\\nb", "'\\n' cannot be part of a name"),
         ("a/b", "'/' cannot be part of a name"),
-        (
-            "generic",
-            "this is the name of a robot that the compiler knows itself",
-        ),
+        ("generic", "this is the name of a built-in robot"),
         (&"n".repeat(41), "a name has 40 characters at most"),
     ] {
         let text = with("").replace("\"test\"", &format!("\"{name}\""));
@@ -332,12 +329,12 @@ axis = \"x\"
 limits = [3, 2]
 [standards]
 v_max = -1";
-    let places: Vec<String> = faults(text)
+    let locations: Vec<String> = faults(text)
         .iter()
         .map(|fault| fault.split(": ").next().unwrap_or_default().to_owned())
         .collect();
     // `legz`; the leg's `base`; the joint's missing `link` and its `limits`; `v_max`.
-    assert_eq!(places, ["1:8", "2:1", "4:8", "5:1", "7:10", "9:9"]);
+    assert_eq!(locations, ["1:8", "2:1", "4:8", "5:1", "7:10", "9:9"]);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::faults::{only, with, with_joint};
 use super::{good, one_leg};
 use crate::description::{Form, Shape};
 
-/// The only shape of the only link, in a leg with these keys.
+/// Returns the only shape of the only link, in a leg with these keys.
 fn shape(leg: &str, keys: &str) -> Shape {
     let text = one_leg(&format!(
         "{{ axis = \"x\", link = [0, 0, -60], shape = [{{ {keys} }}] }}"

@@ -17,7 +17,7 @@ impl Robots {
     pub const ALL: Robots = Robots::new(true, true, true);
     /// The Hiroshima Hand and generic robots.
     pub const LATER: Robots = Robots::new(false, true, true);
-    /// Those of them that sense and give torque.
+    /// Later robots that sense and give torque.
     pub const FORCE: Robots = Robots {
         with_forces: true,
         ..Robots::LATER
@@ -38,12 +38,12 @@ impl Robots {
         }
     }
 
-    /// Whether the robot is in the set.
+    /// Returns true if the robot is in the set.
     pub const fn contains(self, robot: Robot) -> bool {
         self.has_family(robot.signature().family) && !self.misses_forces(robot)
     }
 
-    /// Whether the robot would have to sense and give torque, and does not.
+    /// Returns true if the robot would have to sense and give torque, and does not.
     pub(crate) const fn misses_forces(self, robot: Robot) -> bool {
         let facts = robot.facts();
         self.with_forces && self.has_family(facts.signature.family) && !facts.has_forces
@@ -57,14 +57,14 @@ impl Robots {
         }
     }
 
-    /// The robots' names.
+    /// Returns the robots' names.
     pub fn names(self) -> Vec<&'static str> {
         let robots = Robot::ALL.iter().copied();
         let robots = robots.filter(|robot| self.contains(*robot));
         robots.map(Robot::name).collect()
     }
 
-    /// The letters T, H, G of the language reference.
+    /// Returns the letters T, H, G of the language reference.
     pub fn letters(self) -> String {
         let letters = [(self.titan, "T"), (self.hand, "H"), (self.generic, "G")];
         let names: Vec<&str> = letters
@@ -76,7 +76,7 @@ impl Robots {
     }
 }
 
-/// What may be used as a command's target.
+/// Allowed targets of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Targets {
     /// `F`: a foot or finger.
@@ -89,7 +89,7 @@ pub struct Targets {
     pub floor: bool,
 }
 
-/// Which joints may be used as a target.
+/// Joints that may be used as a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joints {
     /// None.
@@ -179,11 +179,11 @@ pub enum Values {
     Position,
     /// Angles or torques: a scalar for each joint, or one JOINT; one scalar for a single joint.
     Angles,
-    /// As `Angles`; one constant or VAR for a single joint, and perhaps for ALL.
+    /// Like `Angles`; one constant or VAR for a single joint, and perhaps for ALL.
     PerJoint,
 }
 
-/// What the values of a command must be at runtime.
+/// Runtime limit on the values of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
     /// Anything.
@@ -215,13 +215,13 @@ pub struct Arguments {
     pub targets: Targets,
     /// The operands after it.
     pub values: Values,
-    /// Whether `R` and `A` are flags here: motion commands only.
+    /// True if `R` and `A` are flags here: motion commands only.
     pub motion: bool,
-    /// Whether `R` and `A` may precede operands.
+    /// True if `R` and `A` may precede operands.
     pub relative: bool,
-    /// Whether operands without a flag count from the target.
+    /// True if operands without a flag count from the target.
     pub from_target: bool,
-    /// What the operands must be.
+    /// Limit on the operands.
     pub limit: Limit,
 }
 
@@ -237,7 +237,7 @@ impl Arguments {
         limit: Limit::Any,
     };
 
-    /// A target alone.
+    /// Creates the form of a target alone.
     pub const fn target(targets: Targets) -> Self {
         Arguments {
             targets,
@@ -245,7 +245,7 @@ impl Arguments {
         }
     }
 
-    /// A target and values within a limit.
+    /// Creates the form of a target and values within a limit.
     pub const fn setting(targets: Targets, values: Values, limit: Limit) -> Self {
         Arguments {
             targets,
@@ -255,7 +255,7 @@ impl Arguments {
         }
     }
 
-    /// A motion whose operands may be relative.
+    /// Creates the form of a motion whose operands may be relative.
     pub const fn motion(targets: Targets, values: Values) -> Self {
         Arguments {
             targets,
@@ -266,7 +266,7 @@ impl Arguments {
         }
     }
 
-    /// The same without `R` and `A`.
+    /// Returns the arguments without `R` and `A`.
     pub const fn plain(self) -> Self {
         Arguments {
             relative: false,
@@ -274,7 +274,7 @@ impl Arguments {
         }
     }
 
-    /// The same; what has no flag counts from the target, as after `R`.
+    /// Returns the arguments with a change: operands without a flag count from the target, as after `R`.
     pub const fn from_target(self) -> Self {
         Arguments {
             from_target: true,
@@ -282,13 +282,13 @@ impl Arguments {
         }
     }
 
-    /// The same with `HS`.
+    /// Returns the arguments with `HS`.
     pub const fn fast(self) -> Self {
         Arguments { hs: true, ..self }
     }
 }
 
-/// How a command is written.
+/// Syntax of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// `[HS] target values`
@@ -301,12 +301,12 @@ pub enum Form {
     AdIn,
     /// `[VAR]`
     KeyIn,
-    /// As this text says; the parser reads it.
+    /// Described by this text; the parser reads it.
     Words(&'static str),
 }
 
 impl Form {
-    /// The arguments as the language reference writes them.
+    /// Returns the arguments as the language reference writes them.
     pub fn syntax(self) -> String {
         match self {
             Form::Robot(arguments) => arguments.syntax(),
@@ -343,7 +343,7 @@ impl Arguments {
 }
 
 impl Targets {
-    /// The targets as help texts write them.
+    /// Returns the targets as help texts write them.
     pub fn syntax(self) -> String {
         let joints = match self.joints {
             Joints::None => "",

@@ -1,11 +1,11 @@
-//! How long a command takes, and how it can fail when it runs.
+//! Duration of a command, and its possible failures at runtime.
 
 use super::{Command, Form, Limit, Values};
 use crate::language::Bilingual;
 use tip_runtime::command::{Port, Target};
 use tip_runtime::fault::Fault;
 
-/// How many control cycles a command takes.
+/// Number of control cycles that a command takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cycles {
     /// None: it is not a step.
@@ -16,7 +16,7 @@ pub enum Cycles {
     Until(Bilingual),
 }
 
-/// What a command brings under control.
+/// Parts that a command brings under control.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moves {
     /// Nothing new.
@@ -192,7 +192,7 @@ pub(super) const NATIVE: &[Failure] = &[(
 )];
 
 impl Command {
-    /// Every runtime error of its own step.
+    /// Returns every runtime error of its own step.
     pub fn failures(&self) -> Vec<Failure> {
         let operands = if self.reads() { READS } else { NONE };
         let limit = self.limit().map(|when| (Fault::Domain, when));
@@ -200,7 +200,7 @@ impl Command {
         operands.iter().copied().chain(limit).chain(own).collect()
     }
 
-    /// Which values stop the program.
+    /// Returns which values stop the program.
     pub fn limit(&self) -> Option<Bilingual> {
         let Form::Robot(arguments) = self.form else {
             return None;

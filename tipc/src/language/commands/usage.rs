@@ -1,11 +1,11 @@
-//! How a command is written, in the words of an example for the robot at hand.
+//! Syntax of a command, shown by an example for the robot at hand.
 
 use super::{Arguments, Command, Form, Joints, Meaning, Targets, Values};
 use crate::robot::Robot;
 use tip_runtime::command::{Target, Teach};
 
 impl Command {
-    /// Every form of it for a robot, as `PTP [HS] F1 [R] x [R] y [R] z`.
+    /// Returns every form of it for a robot, as `PTP [HS] F1 [R] x [R] y [R] z`.
     pub fn usage(&self, robot: Robot) -> Vec<String> {
         let behind = match self.form {
             Form::Robot(arguments) => arguments.usage(robot),
@@ -33,7 +33,7 @@ fn teaching(meaning: Meaning, targets: Targets, robot: Robot) -> Vec<String> {
 }
 
 impl Arguments {
-    /// The flag that says what no flag does not say.
+    /// Returns the flag of a default: the one that has the meaning of no flag.
     const fn flag(self) -> &'static str {
         match (self.relative, self.from_target) {
             (false, _) => "",
@@ -83,7 +83,7 @@ impl Arguments {
 }
 
 impl Targets {
-    /// One target of each sort that the robot has.
+    /// Returns one target of each sort that the robot has.
     pub(crate) fn examples(self, robot: Robot) -> String {
         let (joint, named) = match self.joints {
             Joints::Every => (1, "J11"),

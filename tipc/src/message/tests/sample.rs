@@ -15,9 +15,9 @@ pub(crate) const PLAIN: usize = 8;
 /// Turns with arguments that hardly any program has: nothing, very much, and signs that mean something to a formatter.
 pub(crate) const ODD: Range<usize> = PLAIN..PLAIN + 3;
 
-/// What can be an argument of a message. A type without it cannot be one, since its table does not compile.
+/// Possible argument of a message. A type without it cannot be one, since its table does not compile.
 pub(crate) trait Sample: Sized {
-    /// The argument of a turn.
+    /// Returns the argument of a turn.
     fn sample(turn: usize) -> Self;
 }
 

@@ -3,7 +3,8 @@
 use crate::parse::parse;
 use crate::source::{Encoding, Source};
 
-/// Whether a compiler of version `wanted` reads a program whose first line is `line`; if not, nothing else is said.
+/// Checks whether a compiler of version `wanted` reads a program whose first line is `line`; if not, nothing else is
+/// reported.
 #[track_caller]
 fn check(line: &str, wanted: f64, expected: bool) {
     let text = format!("{line}\n　two　words ;\t\nFOO");

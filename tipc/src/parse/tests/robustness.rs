@@ -1,4 +1,4 @@
-//! Whatever comes in, the parser answers, and every place it names exists and can be shown.
+//! Whatever comes in, the parser answers, and every location it names exists and can be shown.
 
 use crate::diagnostic::Diagnostic;
 use crate::parse::parse;
@@ -142,7 +142,7 @@ fn random_programs_do_no_harm() {
     }
 }
 
-/// How long the front end takes for `unit` repeated to `length` bytes.
+/// Measures how long the front end takes for `unit` repeated to `length` bytes.
 fn time(unit: &str, length: usize) -> Duration {
     let text = format!("3.1\nt\n{}", unit.repeat(length / unit.len()));
     let start = Instant::now();

@@ -105,13 +105,13 @@ fn names_of(heading: &str) -> Vec<String> {
     heading.split(", ").map(str::to_owned).collect()
 }
 
-/// The file of a line `<!-- name.prg -->`.
+/// Returns the file of a line `<!-- name.prg -->`.
 fn example_of(line: &str) -> Option<&str> {
     let file = line.strip_prefix("<!-- ")?.strip_suffix(" -->")?;
     file.ends_with(".prg").then_some(file)
 }
 
-/// The document with the text between `<!-- name.prg -->` and `<!-- end -->` generated again.
+/// Returns the document with the text between `<!-- name.prg -->` and `<!-- end -->` generated again.
 fn rewritten(text: &str) -> String {
     let mut fresh = String::new();
     let mut names = Vec::new();
@@ -150,7 +150,8 @@ fn program(example: &str) -> String {
     read(&format!("{EXAMPLES}/{example}"))
 }
 
-/// What the case says after this word: `# args:` are the options that it runs with, `# try:` what a reader adds to see more.
+/// Returns the header line of a case after this word: `# args:` has the options that it runs with, `# try:` what a
+/// reader adds to see more.
 fn header(example: &str, word: &str) -> String {
     let case = workspace().join(EXAMPLES).join(example);
     let expectation = fs::read_to_string(case.with_extension("trace"));
@@ -170,7 +171,7 @@ fn is_word(name: &str) -> bool {
         .all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_')
 }
 
-/// The words of a program, without its title and its comments.
+/// Returns the words of a program, without its title and its comments.
 fn words(program: &str) -> BTreeSet<String> {
     let statements = program.lines().skip(2);
     let code = statements.map(|line| line.split("//").next().unwrap_or_default());

@@ -1,4 +1,4 @@
-//! What the table of commands says about the commands of an entry.
+//! Facts of the table of commands about the commands of an entry.
 
 use crate::reference::read;
 use tip_runtime::command::Teach;
@@ -7,14 +7,14 @@ use tipc::language::commands::{
     Arguments, Command, Cycles, Form, Joints, Meaning, Targets, Values,
 };
 
-/// Those with a letter in the reference.
+/// Robots with a letter in the reference.
 const ROBOTS: [(&str, Robot); 3] = [
     ("T", Robot::Titan8),
     ("G", Robot::Generic),
     ("H", Robot::Hand),
 ];
 
-/// The list below an entry's words; empty for words that are not commands.
+/// Returns the list below an entry's words; empty for words that are not commands.
 pub(crate) fn facts(commands: &[&Command]) -> String {
     let Some(first) = commands.first() else {
         return String::new();
@@ -37,7 +37,7 @@ pub(crate) fn facts(commands: &[&Command]) -> String {
     lines.iter().map(|line| format!("- {line}\n")).collect()
 }
 
-/// What holds for all, or for each if they differ.
+/// Returns the fact that holds for all, or each one if they differ.
 fn of_all(commands: &[&Command], fact: fn(&Command) -> String) -> String {
     let facts: Vec<String> = commands.iter().map(|command| fact(command)).collect();
     if facts.windows(2).all(|pair| pair[0] == pair[1]) {
@@ -51,7 +51,7 @@ fn of_all(commands: &[&Command], fact: fn(&Command) -> String) -> String {
     named.join("; ")
 }
 
-/// Every form, by robot where robots differ.
+/// Returns every form, by robot where robots differ.
 fn written(commands: &[&Command]) -> String {
     let forms: Vec<String> = commands.iter().map(|command| forms(command)).collect();
     forms.join("; ")
@@ -189,7 +189,7 @@ fn rules(command: &Command) -> String {
     format!("[{clause}](language.md#{}), {section}", place(clause))
 }
 
-/// The anchor of the heading above a clause.
+/// Returns the anchor of the heading above a clause.
 fn place(clause: &str) -> String {
     let text = read("docs/language.md");
     let at = text.find(&format!("**[{clause}]**"));

@@ -23,7 +23,7 @@ fn links_lead_to_files_and_headings() {
     }
 }
 
-/// What is between `](` and `)`, without addresses.
+/// Returns what is between `](` and `)`, without addresses.
 fn links(text: &str) -> impl Iterator<Item = &str> {
     let targets = text.split("](").skip(1);
     targets
@@ -36,7 +36,7 @@ fn anchors(text: &str) -> Vec<String> {
     headings.map(anchor).collect()
 }
 
-/// The anchor that a heading gets.
+/// Returns the anchor that a heading gets.
 pub(crate) fn anchor(heading: &str) -> String {
     let words = heading.trim_start_matches('#').trim().to_lowercase();
     words

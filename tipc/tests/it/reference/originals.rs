@@ -1,11 +1,11 @@
-//! The original's own example lines that do not load: the list of docs/language.md, each line with the finding it gives.
+//! The original's own example lines that do not load: the list of docs/language.md, each line with the diagnostic it gives.
 
 use crate::reference::read;
 use tipc::code::Level;
 use tipc::diagnostic::Diagnostic;
 use tipc::{Options, Robot, load};
 
-/// Section, line, robot on which it comes nearest to loading, finding.
+/// Section, line, robot on which it comes nearest to loading, diagnostic.
 const LINES: [(&str, &str, Robot, &str); 20] = [
     (
         "§1-1",
@@ -58,9 +58,9 @@ const ARGUMENT: &str = "Wrong argument";
 const EQUATION: &str = "Wrong equation format";
 const VERSION: &str = "Wrong version number";
 
-/// What is wrong with the line, on a robot.
-fn findings(line: &str, finding: &str, robot: Robot) -> Vec<String> {
-    let text = match finding {
+/// Returns the diagnostics of the line, on a robot.
+fn diagnostics(line: &str, diagnostic: &str, robot: Robot) -> Vec<String> {
+    let text = match diagnostic {
         VERSION => format!("{line}\nan example\nEND\n"),
         _ => format!(
             "3.1\nan example\nDEF_VAR VAR01, VAR02, VAR03, VAR04\nDEF_POS POS01, POS02\nDEF_JOINT AGL01, AGL02, TRQ01\n\
@@ -89,17 +89,17 @@ fn the_examples_of_the_original_that_do_not_load_are_listed() {
         .split_once("### Examples of the original that do not load\n")
         .expect("the list");
     let (list, _) = list.split_once("\n## ").expect("the next chapter");
-    for (section, line, robot, finding) in LINES {
-        let found = findings(line, finding, robot);
+    for (section, line, robot, diagnostic) in LINES {
+        let found = diagnostics(line, diagnostic, robot);
         assert_eq!(
             found.first().map(String::as_str),
-            Some(finding),
+            Some(diagnostic),
             "{line}: {found:?}"
         );
         for robot in Robot::ALL {
-            assert_ne!(findings(line, finding, *robot), [""; 0], "{line}");
+            assert_ne!(diagnostics(line, diagnostic, *robot), [""; 0], "{line}");
         }
-        let row = format!("| {section} | `{line}` | `{finding}` |");
+        let row = format!("| {section} | `{line}` | `{diagnostic}` |");
         assert!(list.contains(&row), "{row}");
     }
     assert_eq!(list.matches("\n| §").count(), LINES.len());

@@ -1,4 +1,4 @@
-//! Programs and shell lines in documents: a block ```` ```tip ```` loads without a finding, for TITAN VIII or the robot
+//! Programs and shell lines in documents: a block ```` ```tip ```` loads without a diagnostic, for TITAN VIII or the robot
 //! behind `tip`; a program in a Rust string too; and what a shell line names exists.
 
 use crate::reference::{documents, read, workspace};
@@ -73,7 +73,7 @@ struct Block {
     text: String,
 }
 
-/// The code blocks of a document.
+/// Returns the code blocks of a document.
 fn blocks(document: &str) -> Vec<Block> {
     let mut blocks = Vec::new();
     let mut lines = document.lines();

@@ -13,7 +13,7 @@ use tipc::language::keywords::KEYWORDS;
 use tipc::language::reserved::RESERVED;
 use tipc::message::Lang;
 
-/// How many clauses each chapter has.
+/// Number of clauses of each chapter.
 const CLAUSES: [usize; 11] = [12, 25, 6, 9, 1, 7, 48, 1, 5, 1, 1];
 
 fn reference() -> String {
@@ -64,7 +64,7 @@ fn every_other_word_is_described_in_the_clause_that_its_row_names() {
     }
 }
 
-/// A clause of the reference; it ends where the next one begins.
+/// Returns a clause of the reference; it ends where the next one begins.
 fn clause_of<'a>(text: &'a str, clause: &str) -> &'a str {
     let begin = text.find(&format!("**[{clause}]**"));
     let text = &text[begin.unwrap_or_else(|| panic!("no clause {clause}"))..];
@@ -72,7 +72,7 @@ fn clause_of<'a>(text: &'a str, clause: &str) -> &'a str {
     &text[..end]
 }
 
-/// Whether a clause names a command, possibly as `…_SLOW` for a family that shares its endings.
+/// Returns true if a clause names a command, possibly as `…_SLOW` for a family that shares its endings.
 fn describes(clause: &str, name: &str) -> bool {
     let endings = [
         "_SLOW",
@@ -91,7 +91,7 @@ fn describes(clause: &str, name: &str) -> bool {
     clause.contains(name) || family
 }
 
-/// The text with the part between a pair of markers replaced.
+/// Returns the text with the part between a pair of markers replaced.
 pub(crate) fn replace(text: &str, name: &str, content: &str) -> String {
     let (begin, end) = (
         format!("<!-- {name}: begin -->\n"),
@@ -147,7 +147,7 @@ fn commands() -> String {
     table + "\n"
 }
 
-/// Its names, with a link to its entry.
+/// Returns its names, with a link to its entry.
 fn names(command: &Command, entries: &str) -> String {
     let name = command.name;
     let headings = entries.lines().filter_map(|line| line.strip_prefix("### "));

@@ -36,7 +36,7 @@ const UTF8: &[Piece] = &[
     &[('\u{FFFD}', b"\xEF\xBF\xBD")],
 ];
 
-/// What is not UTF-8: what can go on with the next byte is followed by one that ends it.
+/// Bytes that are not UTF-8: what can go on with the next byte is followed by one that ends it.
 const NOT_UTF8: &[Piece] = &[
     &[('\u{FFFD}', b"\xFF")],
     &[('\u{FFFD}', b"\x80")],
@@ -68,7 +68,7 @@ const SHIFT_JIS: &[Piece] = &[
     &[('\u{80}', b"\x80")],
 ];
 
-/// What is not Shift_JIS: a lead byte takes the next one with it only if that is not ASCII.
+/// Bytes that are not Shift_JIS: a lead byte takes the next one with it only if that is not ASCII.
 const NOT_SHIFT_JIS: &[Piece] = &[
     &[('\u{FFFD}', b"\xFF")],
     &[('\u{FFFD}', b"\xA0")],
@@ -88,7 +88,7 @@ pub(crate) struct File {
 }
 
 impl File {
-    /// A file of that many pieces. It is sometimes marked, undecodable, and ended as DOS does.
+    /// Returns a file of that many pieces. It is sometimes marked, undecodable, and ended as DOS does.
     pub(crate) fn random(random: &mut Random, pieces: usize) -> File {
         let (encoding, good, bad) = match random.below(2) {
             0 => (Encoding::Utf8, UTF8, NOT_UTF8),
@@ -120,7 +120,7 @@ impl File {
         }
     }
 
-    /// The file, decoded to the characters that it is made of.
+    /// Returns the file, decoded to the characters that it is made of.
     pub(crate) fn source(&self) -> Source {
         let (source, _) = Source::decode("hostile.prg", &self.bytes, self.encoding);
         let text: String = self.characters.iter().map(|(char, _)| *char).collect();

@@ -8,7 +8,7 @@ use tipc::source::{Encoding, Line, Source, Span};
 
 const ENCODINGS: [Encoding; 3] = [Encoding::Auto, Encoding::Utf8, Encoding::ShiftJis];
 
-/// The mark, the text cut at `cuts`, the tail.
+/// Returns the mark, the text cut at `cuts`, the tail.
 fn joined(source: &Source, cuts: impl IntoIterator<Item = Span>) -> Vec<u8> {
     let mut bytes = source.mark().to_vec();
     for span in cuts {
@@ -44,7 +44,7 @@ fn examine(bytes: &[u8], encoding: Encoding, random: &mut Random) {
     }
 }
 
-/// All files under a folder.
+/// Collects all files under a folder.
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).into_iter().flatten() {
         let path = entry.expect("an entry").path();

@@ -1,4 +1,4 @@
-//! What a file asks of memory: its text, and next to nothing for its lines.
+//! Memory use of a file: its text, and next to nothing for its lines.
 
 use allocation_counter::measure;
 use tipc::source::{Encoding, Source};
@@ -6,7 +6,7 @@ use tipc::{Options, load};
 
 const MEGABYTES: usize = 5 << 20;
 
-/// The most bytes that are in use while the file is decoded, and how many lines it has.
+/// Returns the most bytes that are in use while the file is decoded, and how many lines it has.
 fn decoding(bytes: &[u8], encoding: Encoding) -> (u64, u64) {
     let mut lines = 0;
     let used = measure(|| {

@@ -6,20 +6,20 @@ use tipc::source::{Encoding, Position, Source, Unit};
 
 const UNITS: [Unit; 4] = [Unit::Byte, Unit::Utf8, Unit::Utf16, Unit::Character];
 
-/// Where a character starts.
+/// Start of a character.
 struct Place {
     offset: usize,
     /// The line, and the column in each of [`UNITS`].
     position: (u32, [u32; 4]),
     /// Line and column as reports give them: what is behind a line counts on.
     reported: (u32, u32),
-    /// How many of each unit it is.
+    /// Width in each unit.
     width: [u32; 4],
     /// It is part of a line's end.
     ends: bool,
 }
 
-/// The places of all characters, and of the end, by counting.
+/// Returns the places of all characters, and of the end, by counting.
 fn counted(file: &File) -> Vec<Place> {
     let mut places = Vec::new();
     let (mut offset, mut line, mut columns) = (0, 1, [1; 4]);
@@ -75,7 +75,7 @@ fn examine(source: &Source, place: &Place) {
     }
 }
 
-/// The way back, also from inside a character and from after the line.
+/// Checks the way back, also from inside a character and from after the line.
 fn examine_back(source: &Source, places: &[Place], index: usize) {
     let place = &places[index];
     let (line, columns) = place.position;

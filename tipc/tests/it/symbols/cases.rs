@@ -7,7 +7,7 @@ use tipc::symbols::{DefinitionKind, Symbols, Use};
 use tipc::syntax::{Module, StatementKind, VariableKind};
 use tipc::{Loaded, Options, Robot, load};
 
-/// The bytes of every program among the tests; none if the package stands alone.
+/// Returns the bytes of every program among the tests; none if the package stands alone.
 pub(crate) fn programs() -> Vec<(PathBuf, Vec<u8>)> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/language/cases");
     let mut paths = Vec::new();
@@ -42,7 +42,8 @@ struct Token<'a> {
     label: bool,
 }
 
-/// The words of all statements, without the texts of REM and MESSAGE but with what stands between percent signs.
+/// Returns the words of all statements, without the texts of REM and MESSAGE but with what stands between percent
+/// signs.
 fn tokens(loaded: &Loaded) -> Vec<Token<'_>> {
     let text = loaded.source.text();
     let mut found = Vec::new();
@@ -118,7 +119,7 @@ fn words<'a>(text: &'a str, statement: Span, found: &mut Vec<Token<'a>>) {
     }
 }
 
-/// Whether a definition has the name of a token.
+/// Returns true if a definition has the name of a token.
 fn is_declared(symbols: &Symbols, token: &Token<'_>) -> bool {
     symbols.definitions().iter().any(|definition| {
         let fits = match definition.kind {
@@ -137,12 +138,12 @@ fn is_flag(token: &Token<'_>) -> bool {
             .any(|flag| token.text.eq_ignore_ascii_case(flag))
 }
 
-/// What is true of every table, also of a program that is refused.
-fn check_places(loaded: &Loaded, case: &Path) {
+/// Checks what is true of every table, also of a program that is refused.
+fn check_locations(loaded: &Loaded, case: &Path) {
     let symbols = &loaded.symbols;
     let mut last = 0;
     for it in symbols.all_uses() {
-        let place = it.place;
+        let place = it.span;
         assert!(
             place.start >= last,
             "order or overlap in {}",
@@ -156,11 +157,11 @@ fn check_places(loaded: &Loaded, case: &Path) {
         assert!(is_in_statement(&loaded.module, place), "{}", case.display());
     }
     for definition in symbols.definitions() {
-        if let Some(place) = definition.place {
+        if let Some(place) = definition.span {
             let named: Vec<&Use> = symbols
                 .all_uses()
                 .iter()
-                .filter(|it| it.place == place)
+                .filter(|it| it.span == place)
                 .collect();
             assert_eq!(named.len(), 1, "{} in {}", definition.name, case.display());
         }
@@ -173,7 +174,7 @@ fn is_in_statement(module: &Module, place: Span) -> bool {
 }
 
 #[test]
-fn every_name_is_in_the_table_once_and_at_its_place() {
+fn every_name_is_in_the_table_once_and_at_its_location() {
     let mut compared = 0;
     for (path, bytes) in programs() {
         for robot in Robot::ALL {
@@ -182,7 +183,7 @@ fn every_name_is_in_the_table_once_and_at_its_place() {
                 ..Options::default()
             };
             let loaded = load("case.prg", &bytes, &options);
-            check_places(&loaded, &path);
+            check_locations(&loaded, &path);
             if loaded.program.is_none() {
                 continue;
             }
@@ -193,8 +194,8 @@ fn every_name_is_in_the_table_once_and_at_its_place() {
                 .collect();
             let is_flag_name = |it: &Use| {
                 let token = Token {
-                    text: loaded.source.slice(it.place),
-                    place: it.place,
+                    text: loaded.source.slice(it.span),
+                    place: it.span,
                     label: false,
                 };
                 is_flag(&token) && is_declared(&loaded.symbols, &token)
@@ -203,8 +204,8 @@ fn every_name_is_in_the_table_once_and_at_its_place() {
                 .symbols
                 .all_uses()
                 .iter()
-                .filter(|it| it.place.start < it.place.end && !is_flag_name(it))
-                .map(|it| it.place)
+                .filter(|it| it.span.start < it.span.end && !is_flag_name(it))
+                .map(|it| it.span)
                 .collect();
             let text = |places: &[Span]| -> Vec<String> {
                 places

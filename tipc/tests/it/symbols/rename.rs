@@ -6,8 +6,8 @@ use tipc::program::Program;
 use tipc::symbols::DefinitionKind;
 use tipc::{Loaded, Options, Robot, load};
 
-/// A new name for each definition but those that the language names, `VAR_KEY` and LOOP. They are short, so that no text
-/// becomes too long.
+/// Returns a new name for each definition but those that the language names, `VAR_KEY` and LOOP. They are short, so
+/// that no text becomes too long.
 fn new_names(loaded: &Loaded) -> Vec<Option<String>> {
     let upper = loaded.source.text().to_ascii_uppercase();
     let is_outside = |char: char| !(char.is_ascii_alphanumeric() || char == '_');
@@ -17,7 +17,7 @@ fn new_names(loaded: &Loaded) -> Vec<Option<String>> {
     let definitions = loaded.symbols.definitions().iter();
     let renamed = definitions.map(|definition| {
         let is_fixed = match definition.kind {
-            DefinitionKind::Variable(_) => definition.place.is_none(),
+            DefinitionKind::Variable(_) => definition.span.is_none(),
             DefinitionKind::Label => definition.name == "LOOP",
             DefinitionKind::Subroutine => false,
         };
@@ -26,7 +26,7 @@ fn new_names(loaded: &Loaded) -> Vec<Option<String>> {
     renamed.collect()
 }
 
-/// The text with every use of every name replaced.
+/// Returns the text with every use of every name replaced.
 fn rename(loaded: &Loaded, names: &[Option<String>]) -> String {
     let text = loaded.source.text();
     let mut renamed = String::new();
@@ -34,17 +34,17 @@ fn rename(loaded: &Loaded, names: &[Option<String>]) -> String {
     for it in loaded.symbols.all_uses() {
         if let Some(name) = names[it.definition.index()]
             .as_ref()
-            .filter(|_| it.place.start < it.place.end)
+            .filter(|_| it.span.start < it.span.end)
         {
-            renamed.push_str(&text[copied..it.place.start]);
+            renamed.push_str(&text[copied..it.span.start]);
             renamed.push_str(name);
-            copied = it.place.end;
+            copied = it.span.end;
         }
     }
     renamed + &text[copied..]
 }
 
-/// What a program does, without its texts and names.
+/// Formats what a program does, without its texts and names.
 fn meaning(program: &Program) -> String {
     let actions: Vec<_> = program
         .steps()

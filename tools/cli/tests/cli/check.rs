@@ -108,13 +108,13 @@ fn a_file_that_is_not_there_is_an_error_of_its_own() {
     assert_eq!(
         outcome.lines(),
         [
-            "nope.prg:1:1: error[E103]: there is no such file: look at its name and its folder (TIP_ERR:File not found(nope.prg))"
+            "nope.prg:1:1: error[E103]: there is no such file: check its name and its folder (TIP_ERR:File not found(nope.prg))"
         ]
     );
     let outcome = folder.tip(&["check", "nope.prg"]).expect(1);
     assert!(
         outcome.err.starts_with(
-            "error[E103]: nope.prg: there is no such file: look at its name and its folder\n  = note: TIP_ERR:File not found(nope.prg) (PreprocessError)\n"
+            "error[E103]: nope.prg: there is no such file: check its name and its folder\n  = note: TIP_ERR:File not found(nope.prg) (PreprocessError)\n"
         ),
         "{outcome:#?}"
     );

@@ -23,7 +23,7 @@ fn what_is_certain_is_written_and_the_rest_reported() {
         outcome.err.contains("walk.prg: 1 error, 0 warnings\n"),
         "{outcome:#?}"
     );
-    let left = "`tip check --fix --unsafe-fixes` fixes 1 finding: look at what it writes\n";
+    let left = "`tip check --fix --unsafe-fixes` fixes 1 finding: review what it writes\n";
     assert!(outcome.err.ends_with(left), "{outcome:#?}");
     let outcome = folder
         .tip(&["check", "--fix", "--unsafe-fixes", "walk.prg"])
@@ -50,7 +50,7 @@ fn check_says_what_can_be_fixed_and_writes_nothing() {
     };
     let english = said("en");
     let line =
-        "`tip check --fix` fixes 2 findings, with `--unsafe-fixes` 3: look at what it writes\n";
+        "`tip check --fix` fixes 2 findings, with `--unsafe-fixes` 3: review what it writes\n";
     assert!(english.ends_with(line), "{english}");
     let japanese = said("ja");
     let line = "`tip check --fix` で2件、`--unsafe-fixes` も付けると3件を直せます。結果を確かめてください\n";

@@ -1,11 +1,11 @@
-//! What steps cost by themselves.
+//! Costs of single steps.
 
 use super::Sampling;
 use super::count::Count;
 use tipc::language::commands;
 use tipc::program::{Action, Op, Operand, Program};
 
-/// What a step costs by itself: one cycle, or the least of a step that waits.
+/// Returns the cost of a single step: one cycle, or the least of a step that waits.
 pub(super) fn cost(action: &Action, longest_sampling: f64) -> Count {
     let least = match action {
         Action::KeyIn { .. } => 1,
@@ -43,13 +43,13 @@ pub(super) fn cost(action: &Action, longest_sampling: f64) -> Count {
     }
 }
 
-/// The cycles of SLEEP (clause 2.19).
+/// Returns the cycles of SLEEP (clause 2.19).
 fn slept(ms: f64, sampling: f64) -> u64 {
     // Out of range saturates; a negative time fails when it runs.
     ((ms / sampling - 1e-9).ceil() as u64).max(1)
 }
 
-/// The longest sampling time that may be in force.
+/// Returns the longest sampling time that may be in force.
 pub(super) fn longest_sampling(program: &Program, sampling: Sampling) -> f64 {
     let set = program
         .steps()

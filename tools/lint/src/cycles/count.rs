@@ -1,6 +1,6 @@
 //! Numbers of control cycles, from the least to the most.
 
-/// How many cycles a part of a program takes.
+/// Number of cycles that a part of a program takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
     /// The least.
@@ -12,7 +12,7 @@ pub struct Count {
 }
 
 impl Count {
-    /// That many.
+    /// Creates an exact number.
     pub(super) const fn exactly(cycles: u64) -> Self {
         Count {
             min: cycles,
@@ -21,7 +21,7 @@ impl Count {
         }
     }
 
-    /// This, and then that.
+    /// Adds another number: this, and then that.
     pub(super) fn then(self, other: Count) -> Count {
         Count {
             min: self.min.saturating_add(other.min),
@@ -30,7 +30,7 @@ impl Count {
         }
     }
 
-    /// This, several times.
+    /// Multiplies by a number of turns.
     pub(super) fn times(self, turns: u64) -> Count {
         Count {
             min: self.min.saturating_mul(turns),
@@ -39,7 +39,7 @@ impl Count {
         }
     }
 
-    /// This up to several times, or not at all.
+    /// Multiplies by up to a number of turns, or none.
     pub(super) fn at_most(self, turns: u64) -> Count {
         match turns {
             0 => Count::exactly(0),
@@ -50,7 +50,7 @@ impl Count {
         }
     }
 
-    /// This without a bound.
+    /// Removes the upper bound.
     pub(super) fn unbounded(self) -> Count {
         Count { max: None, ..self }
     }

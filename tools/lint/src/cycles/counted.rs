@@ -9,7 +9,7 @@ use tipc::program::{Action, Operand, Program, StepId};
 /// The most turns that are counted. At 20 ms they take more than five hours.
 const TURNS: u64 = 1_000_000;
 
-/// How deep counted loops nest. Those inside count as loops without a bound.
+/// Maximum nesting depth of counted loops. Those inside count as loops without a bound.
 const DEPTH: usize = 32;
 
 /// A loop that turns a known number of times, unless something leaves it before.
@@ -21,11 +21,11 @@ pub(super) struct Counted {
     pub(super) next: NodeId,
     /// After NEXT.
     pub(super) exit: NodeId,
-    /// How often the body runs.
+    /// Number of runs of the body.
     pub(super) turns: u64,
 }
 
-/// The counted loops of a program by the nodes of their FORs. Takes time O(n log n).
+/// Returns the counted loops of a program by the nodes of their FORs. Takes time O(n log n).
 pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counted> {
     let nodes = flow.nodes().iter().enumerate();
     let mut all: BTreeMap<NodeId, Counted> = nodes
@@ -51,8 +51,8 @@ pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counte
     all
 }
 
-/// The FORs whose bodies something else leads into. Bodies nest: what leads into one leads into those around it,
-/// unless it comes from there.
+/// Returns the FORs whose bodies something else leads into. Bodies nest: what leads into one leads into those around
+/// it, unless it comes from there.
 fn entered(flow: &Flow, all: &BTreeMap<NodeId, Counted>) -> BTreeSet<NodeId> {
     let mut entered = BTreeSet::new();
     let mut open: Vec<(NodeId, Range<NodeId>)> = Vec::new();
@@ -84,7 +84,7 @@ fn entered(flow: &Flow, all: &BTreeMap<NodeId, Counted>) -> BTreeSet<NodeId> {
     entered
 }
 
-/// A FOR over constants that is entered.
+/// Returns the loop of a FOR over constants that is entered.
 fn candidate(program: &Program, flow: &Flow, step: StepId) -> Option<Counted> {
     let Action::For {
         from: Operand::Constant(from),
@@ -104,7 +104,7 @@ fn candidate(program: &Program, flow: &Flow, step: StepId) -> Option<Counted> {
     })
 }
 
-/// How often FOR's body runs; `None` if never, or too often to count.
+/// Returns the number of runs of FOR's body; `None` if never, or too often to count.
 fn turns(from: f64, to: f64, by: f64) -> Option<u64> {
     let goes_on = |value: f64| {
         if by > 0.0 {
@@ -129,7 +129,7 @@ fn turns(from: f64, to: f64, by: f64) -> Option<u64> {
     (turns > 0).then_some(turns)
 }
 
-/// Whether sums of a few million such numbers are exact.
+/// Returns true if sums of a few million such numbers are exact.
 fn is_whole(number: f64) -> bool {
     number.fract() == 0.0 && number.abs() < 1e9
 }

@@ -1,19 +1,19 @@
-//! Which bodies of FORs assign their own counters, themselves or in what they call.
+//! Assignments of counters in the bodies of FORs, direct or in what they call.
 
-use super::rings::rings;
+use super::components::components;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use tipc::analysis::access;
 use tipc::analysis::flow::{Flow, NodeId};
 use tipc::program::Program;
 
-/// How many counters a machine word takes.
+/// Number of counters in a machine word.
 const BATCH: usize = u64::BITS as usize;
 
 /// The most counters of loops with calls that are looked for in what is called. Of others a call counts as assigning them.
 const FOLLOWED: usize = 16 * BATCH;
 
-/// Where the counters of some loops are assigned.
+/// Assignments to the counters of some loops.
 pub(super) struct Counters {
     /// The scalar of each FOR.
     scalars: BTreeMap<NodeId, usize>,
@@ -21,12 +21,12 @@ pub(super) struct Counters {
     assigning: BTreeMap<usize, Vec<NodeId>>,
     /// The nodes whose calls assign it, in order.
     calling: BTreeMap<usize, Vec<NodeId>>,
-    /// Those that may be assigned by any call.
+    /// Counters that may be assigned by any call.
     unknown: BTreeSet<usize>,
 }
 
 impl Counters {
-    /// Those of loops, whose bodies up to their NEXTs are given by the nodes of their FORs.
+    /// Collects the counters of loops, whose bodies up to their NEXTs are given by the nodes of their FORs.
     pub(super) fn new(
         program: &Program,
         flow: &Flow,
@@ -61,7 +61,7 @@ impl Counters {
         counters
     }
 
-    /// Whether the body, or what it calls, assigns the counter.
+    /// Returns true if the body, or what it calls, assigns the counter.
     pub(super) fn are_set_in(&self, head: NodeId, body: &Range<NodeId>) -> bool {
         let scalar = &self.scalars[&head];
         let holds = |nodes: Option<&Vec<NodeId>>| {
@@ -97,25 +97,25 @@ impl Counters {
             node.next.iter().copied().chain(called).collect()
         });
         let next: Vec<Vec<NodeId>> = next.collect();
-        let rings = rings(&next, &flow.before());
+        let components = components(&next, &flow.before());
         let mut inner_first: Vec<NodeId> = (0..next.len()).collect();
-        inner_first.sort_by_key(|id| std::cmp::Reverse(rings[*id]));
+        inner_first.sort_by_key(|id| std::cmp::Reverse(components[*id]));
         let scalars: Vec<usize> = scalars.into_iter().collect();
         for batch in scalars.chunks(BATCH) {
             let mut assigned = vec![0_u64; next.len()];
             for (bit, scalar) in batch.iter().enumerate() {
                 for id in &self.assigning[scalar] {
-                    assigned[rings[*id]] |= 1 << bit;
+                    assigned[components[*id]] |= 1 << bit;
                 }
             }
-            // Where a ring leads has a higher number, and is complete.
+            // Where a component leads has a higher number, and is complete.
             for id in &inner_first {
                 for next in &next[*id] {
-                    assigned[rings[*id]] |= assigned[rings[*next]];
+                    assigned[components[*id]] |= assigned[components[*next]];
                 }
             }
             for (bit, scalar) in batch.iter().enumerate() {
-                let sets = |entry: NodeId| assigned[rings[entry]] & (1 << bit) != 0;
+                let sets = |entry: NodeId| assigned[components[entry]] & (1 << bit) != 0;
                 let nodes = calls.iter().filter(|(_, entry)| sets(*entry));
                 self.calling
                     .insert(*scalar, nodes.map(|(id, _)| *id).collect());

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BinaryHeap, VecDeque};
 use std::ops::Range;
 use tipc::analysis::flow::NodeId;
 
-/// Where a path leads.
+/// Target of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Place {
     /// To a node, and on from there.
@@ -32,13 +32,13 @@ pub(super) struct Edge {
 pub(super) struct Work(Cell<usize>);
 
 impl Work {
-    /// How much every program may take. What honest programs take is far below.
+    /// Work that every program may take. What honest programs take is far below.
     const LEAST: usize = 1_000_000;
 
-    /// How much it may take for each of its nodes.
+    /// Work for each of its nodes.
     const FOR_NODE: usize = 32;
 
-    /// What a program of so many nodes may take.
+    /// Returns the work that a program of so many nodes may take.
     pub(super) fn of(nodes: usize) -> Self {
         Work(Cell::new(Work::LEAST + Work::FOR_NODE * nodes))
     }
@@ -65,8 +65,8 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// The cycles from `from` to every place where a path ends. `edges` adds those that leave a node. `None` if that is
-    /// more work than is left.
+    /// Returns the cycles from `from` to every place where a path ends. `edges` adds those that leave a node. `None`
+    /// if that is more work than is left.
     pub(super) fn ends(
         &mut self,
         from: NodeId,
@@ -139,7 +139,7 @@ impl Search {
         &self.edges[self.leaving[number].clone()]
     }
 
-    /// The least cycles to each place (Dijkstra).
+    /// Returns the least cycles to each place (Dijkstra).
     fn least(&self) -> Vec<Option<u64>> {
         let mut least = vec![None; self.places.len()];
         let mut is_done = vec![false; self.places.len()];
@@ -159,7 +159,7 @@ impl Search {
         least
     }
 
-    /// The most cycles to each place, in the order of all paths (Kahn). What a path can circle through
+    /// Returns the most cycles to each place, in the order of all paths (Kahn). What a path can circle through
     /// before is never in order: it is absent, or `None`.
     fn most(&self) -> Vec<Option<Option<u64>>> {
         let mut ways_in = vec![0_usize; self.places.len()];
@@ -188,7 +188,7 @@ impl Search {
         most
     }
 
-    /// Whether some path to each place waits.
+    /// Returns for each place whether some path to it waits.
     fn waiting(&self) -> Vec<bool> {
         let mut known = vec![None; self.places.len()];
         let mut open = VecDeque::from([(0, false)]);

@@ -1,4 +1,4 @@
-//! What the steps of a program cost, and where they lead: calls and loops inside as one edge.
+//! Costs of a program's steps, and edges between them: calls and loops inside as one edge.
 
 use super::Sampling;
 use super::costs::{cost, longest_sampling};
@@ -16,28 +16,28 @@ use tipc::program::{Action, Program};
 pub(super) struct Graph<'a> {
     program: &'a Program,
     flow: &'a Flow,
-    /// What a node costs by itself.
+    /// Cost of each node by itself.
     costs: Vec<Count>,
     counted: BTreeMap<NodeId, Counted>,
-    /// What a call costs from its entry to its return; `None` if it never comes back.
+    /// Cost of a call from its entry to its return; `None` if it never comes back.
     routines: BTreeMap<NodeId, Option<Count>>,
-    /// What a counted loop costs from its FOR to where it is left, once all calls are counted.
+    /// Cost of a counted loop from its FOR to where it is left, once all calls are counted.
     passed: RefCell<BTreeMap<NodeId, Vec<Edge>>>,
     searches: RefCell<Vec<Search>>,
 }
 
-/// Where paths end, apart from the end of their frame, and what counts as one edge.
+/// Ends of paths, besides the end of their frame, and parts that count as one edge.
 pub(super) struct Limits<'a> {
     /// A node that is not passed.
     pub(super) stops: &'a dyn Fn(NodeId) -> bool,
     /// A counted loop that cannot count as one edge, because paths end inside.
     pub(super) opens: &'a dyn Fn(&Counted) -> bool,
-    /// What it costs to leave the loop that begins at a node, if that counts as one edge.
+    /// Returns the cost to leave the loop that begins at a node, if that counts as one edge.
     pub(super) closed: &'a dyn Fn(NodeId) -> Option<&'a [Edge]>,
 }
 
 impl<'a> Graph<'a> {
-    /// The graph of a program; `None` if its calls are too entangled to be counted.
+    /// Returns the graph of a program; `None` if its calls are too entangled to be counted.
     pub(super) fn new(program: &'a Program, flow: &'a Flow, sampling: Sampling) -> Option<Self> {
         let longest = longest_sampling(program, sampling);
         let actions = flow.nodes().iter().map(|node| action(program, node.step));
@@ -54,14 +54,14 @@ impl<'a> Graph<'a> {
         Some(graph)
     }
 
-    /// Every entry of a call with what it costs.
+    /// Returns every entry of a call with what it costs.
     pub(super) fn routines(&self) -> impl Iterator<Item = (NodeId, Option<Count>)> {
         self.routines
             .iter()
             .map(|(entry, cycles)| (*entry, *cycles))
     }
 
-    /// The loops, calls passed in one.
+    /// Returns the loops, calls passed in one.
     pub(super) fn loops(&self) -> Loops {
         let comes_back = |call: &Call| self.routines[&call.entry].is_some();
         let next = self.flow.nodes().iter().map(|node| {
@@ -72,13 +72,13 @@ impl<'a> Graph<'a> {
         Loops::new(next.collect(), entries.chain([0]))
     }
 
-    /// How often a counted loop runs its body that begins here.
+    /// Returns the number of runs of the body, which begins here, of a counted loop.
     pub(super) fn turns_from(&self, body: NodeId) -> Option<u64> {
         let head = body.checked_sub(1)?;
         self.counted.get(&head).map(|counted| counted.turns)
     }
 
-    /// From a node to where paths end; `None` if that is more work than is left.
+    /// Returns the paths from a node to where paths end; `None` if that is more work than is left.
     pub(super) fn ends(
         &self,
         from: NodeId,
@@ -91,7 +91,8 @@ impl<'a> Graph<'a> {
         found
     }
 
-    /// From a node to the next ones among `labels`, to the return and to the end; `None` if that is more work than is left.
+    /// Returns the stretches from a node to the next ones among `labels`, to the return and to the end; `None` if that
+    /// is more work than is left.
     pub(super) fn stretches(
         &self,
         from: NodeId,
@@ -185,7 +186,7 @@ impl<'a> Graph<'a> {
         Some(())
     }
 
-    /// A counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
+    /// Returns a counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
     fn past(&self, head: NodeId, counted: &Counted, work: &Work) -> Option<Vec<Edge>> {
         let inner = Limits {
             stops: &|id| id == counted.next || !counted.nodes.contains(&id),

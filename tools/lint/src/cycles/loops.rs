@@ -1,15 +1,15 @@
 //! The loops of a program, whatever statements they are made of.
 
+use super::components::components;
 use super::distance::Work;
-use super::rings::rings;
 use tipc::analysis::flow::NodeId;
 
-/// Where nodes lead in their own frame, and which of them a run can come back to.
+/// Edges of nodes in their own frame, and nodes that a run can come back to.
 pub(super) struct Loops {
     next: Vec<Vec<NodeId>>,
     before: Vec<Vec<NodeId>>,
     /// Nodes with paths to each other have the same number.
-    rings: Vec<usize>,
+    components: Vec<usize>,
     /// Runs come here from outside of all nodes.
     is_entry: Vec<bool>,
     /// The closed loop that a node stands for is in this one, or is the node itself.
@@ -31,7 +31,7 @@ pub(super) enum Body {
 }
 
 impl Loops {
-    /// The loops of nodes that lead so; runs begin at the `entries`. Takes linear time.
+    /// Creates the loops of nodes that lead so; runs begin at the `entries`. Takes linear time.
     pub(super) fn new(next: Vec<Vec<NodeId>>, entries: impl Iterator<Item = NodeId>) -> Self {
         let mut before = vec![Vec::new(); next.len()];
         for (id, next) in next.iter().enumerate() {
@@ -42,7 +42,7 @@ impl Loops {
         let mut is_entry = vec![false; next.len()];
         entries.for_each(|id| is_entry[id] = true);
         Loops {
-            rings: rings(&next, &before),
+            components: components(&next, &before),
             is_entry,
             around: (0..next.len()).collect(),
             outermost: (0..next.len()).collect(),
@@ -54,14 +54,15 @@ impl Loops {
         }
     }
 
-    /// The nodes where loops begin, the last first: something in the loop leads back to them.
+    /// Returns the nodes where loops begin, the last first: something in the loop leads back to them.
     pub(super) fn heads(&self) -> Vec<NodeId> {
         let is_head = |head: &NodeId| self.backwards_to(*head).next().is_some();
         (0..self.next.len()).rev().filter(is_head).collect()
     }
 
-    /// The nodes on the paths from a head back to it, over a jump backwards. Of heads asked for in their order each closed
-    /// loop is passed once by those around it; an open one takes as long as its ring. `None` if that is more work than is left.
+    /// Returns the nodes on the paths from a head back to it, over a jump backwards. Of heads asked for in their order
+    /// each closed loop is passed once by those around it; an open one takes as long as its component. `None` if that is
+    /// more work than is left.
     pub(super) fn body(&mut self, head: NodeId, work: &Work) -> Option<Body> {
         match self.closed(head, work) {
             Some(nodes) => Some(Body::Closed(nodes)),
@@ -69,12 +70,12 @@ impl Loops {
         }
     }
 
-    /// Whether the node is in the loop that [`body`](Self::body) found last.
+    /// Returns true if the node is in the loop that [`body`](Self::body) found last.
     pub(super) fn holds(&self, id: NodeId) -> bool {
         self.held_by[id] == self.search
     }
 
-    /// Whether a closed loop holds a node beside its head.
+    /// Returns true if a closed loop holds a node besides its head.
     pub(super) fn is_inside(&self, id: NodeId, closed: NodeId) -> bool {
         let mut at = id;
         while self.around[at] != at {
@@ -86,7 +87,7 @@ impl Loops {
         false
     }
 
-    /// The nodes from which paths lead back to the head, if all of them begin at it.
+    /// Returns the nodes from which paths lead back to the head, if all of them begin at it.
     fn closed(&mut self, head: NodeId, work: &Work) -> Option<Vec<NodeId>> {
         if self.outermost(head) != head {
             return None;
@@ -104,7 +105,7 @@ impl Loops {
             work.take(1 + before.len())?;
             let is_entered = before
                 .iter()
-                .any(|from| self.rings[*from] != self.rings[head]);
+                .any(|from| self.components[*from] != self.components[head]);
             if is_entered || self.is_entry[id] {
                 return None;
             }
@@ -143,7 +144,7 @@ impl Loops {
         Some(nodes)
     }
 
-    /// The head of the closed loop that is around all others around a node; the node itself if there is none.
+    /// Returns the head of the closed loop that is around all others around a node; the node itself if there is none.
     fn outermost(&mut self, id: NodeId) -> NodeId {
         let mut found = id;
         while self.outermost[found] != found {
@@ -156,7 +157,7 @@ impl Loops {
         found
     }
 
-    /// The nodes that lead back to a node, from after it or from itself.
+    /// Returns the nodes that lead back to a node, from after it or from itself.
     fn backwards_to(&self, head: NodeId) -> impl Iterator<Item = NodeId> {
         let before = self.on_ring_of(head, &self.before[head]);
         before.filter(move |from| *from >= head)
@@ -168,6 +169,6 @@ impl Loops {
         nodes: &'a [NodeId],
     ) -> impl Iterator<Item = NodeId> + 'a {
         let nodes = nodes.iter().copied();
-        nodes.filter(move |id| self.rings[*id] == self.rings[head])
+        nodes.filter(move |id| self.components[*id] == self.components[head])
     }
 }

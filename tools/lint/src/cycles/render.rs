@@ -7,10 +7,10 @@ use tipc::language::Keyword;
 use tipc::program::{Action, Op, Program, StepId};
 use tipc::render::{push_member, push_number, push_string};
 
-/// What is said where counting ended early.
+/// Note that counting ended early.
 const MORE: &str = "further parts are not counted: their paths cross too often";
 
-/// A table: part, lines, cycles, ms at the robot's standard sampling time.
+/// Returns a table: part, lines, cycles, ms at the robot's standard sampling time.
 pub fn human(program: &Program, parts: &Parts, sampling: Sampling) -> String {
     let name = Printable::line(program.source_name());
     let robot = program.signature().robot;
@@ -47,7 +47,7 @@ pub fn human(program: &Program, parts: &Parts, sampling: Sampling) -> String {
     out
 }
 
-/// One line a part: `FILE:LINE: part: cycles`; a last one without a line of the file if there are more.
+/// Returns one line a part: `FILE:LINE: part: cycles`; a last one without a line of the file if there are more.
 pub fn short(program: &Program, parts: &Parts, sampling: Sampling) -> String {
     let lines = parts.counted.iter().map(|part| {
         let [what, _, cycles, ms, waits] = row(program, part, sampling);
@@ -64,9 +64,9 @@ pub fn short(program: &Program, parts: &Parts, sampling: Sampling) -> String {
     lines.chain(more).collect()
 }
 
-/// One object a line: `part` (`subroutine`, `turn`, `stretch`), `name`, `file`, `line`, of a stretch `to`, of a
-/// FOR over constants `turns`, then `min`, `max` (absent without bound), `min_ms`, `max_ms` and `waits`. A last object
-/// without `part`, with `file` and `note`, if there are more.
+/// Returns one object a line: `part` (`subroutine`, `turn`, `stretch`), `name`, `file`, `line`, of a stretch `to`, of
+/// a FOR over constants `turns`, then `min`, `max` (absent without bound), `min_ms`, `max_ms` and `waits`. A last
+/// object without `part`, with `file` and `note`, if there are more.
 pub fn json(program: &Program, parts: &Parts, sampling: Sampling) -> String {
     let objects = parts.counted.iter();
     let objects = objects.map(|part| object(program, part, sampling) + "\n");
@@ -158,7 +158,7 @@ fn kind(span: &Span) -> &'static str {
     }
 }
 
-/// The step that a part is known by: the turn of a FOR by the FOR, not by the first step of its body.
+/// Returns the step that a part is known by: the turn of a FOR by the FOR, not by the first step of its body.
 fn first_step(program: &Program, span: &Span) -> StepId {
     match span {
         Span::Subroutine { entry } => *entry,
@@ -186,7 +186,7 @@ fn line_of(program: &Program, step: StepId) -> u32 {
     program.steps()[step as usize].line
 }
 
-/// What a part is called: the label at its first step, else the statement.
+/// Returns the name of a part: the label at its first step, else the statement.
 fn begin(program: &Program, span: &Span) -> String {
     let step = first_step(program, span);
     match (label(program, step), span) {
@@ -198,7 +198,7 @@ fn begin(program: &Program, span: &Span) -> String {
     }
 }
 
-/// The label that stands for a step.
+/// Returns the label that stands for a step.
 fn label(program: &Program, step: StepId) -> Option<&str> {
     let labels = program.labels();
     let place = labels
@@ -215,7 +215,7 @@ fn end(program: &Program, stop: Stop) -> String {
     }
 }
 
-/// The line of the first step that sets a sampling time.
+/// Returns the line of the first step that sets a sampling time.
 fn sampling_set(program: &Program) -> Option<u32> {
     let sets = |action: &Action| {
         matches!(

@@ -1,20 +1,20 @@
-//! Which subroutines call which.
+//! The call graph of subroutines.
 
+use super::components::components;
 use super::distance::Work;
-use super::rings::rings;
 use std::collections::{BTreeMap, BTreeSet};
 use tipc::analysis::flow::{Flow, NodeId};
 
 /// The subroutines of a program, each after those that it calls, as far as they do not call each other.
 pub(super) struct Calls {
     entries: Vec<NodeId>,
-    /// For each place in that order those of the subroutines that call it.
+    /// For each index in that order those of the subroutines that call it.
     callers: Vec<Vec<usize>>,
     is_recursive: Vec<bool>,
 }
 
 impl Calls {
-    /// Those of a flow; `None` if they share more steps than there is work left for.
+    /// Finds the routines of a flow; `None` if they share more steps than there is work left for.
     pub(super) fn new(flow: &Flow, work: &Work) -> Option<Self> {
         let entries: BTreeSet<NodeId> = flow.calls().map(|call| call.entry).collect();
         let numbers: BTreeMap<NodeId, usize> = entries.iter().copied().zip(0..).collect();
@@ -30,12 +30,14 @@ impl Calls {
                 .iter()
                 .for_each(|called| callers[*called].push(caller));
         }
-        let rings = rings(&called, &callers);
+        let components = components(&called, &callers);
         let mut alike = vec![0; called.len()];
-        rings.iter().for_each(|ring| alike[*ring] += 1);
-        // A ring has a lower number than those that it leads to.
+        components
+            .iter()
+            .for_each(|component| alike[*component] += 1);
+        // A component has a lower number than those that it leads to.
         let mut order: Vec<usize> = (0..called.len()).collect();
-        order.sort_by_key(|number| std::cmp::Reverse(rings[*number]));
+        order.sort_by_key(|number| std::cmp::Reverse(components[*number]));
         let mut places = vec![0; called.len()];
         order
             .iter()
@@ -43,7 +45,7 @@ impl Calls {
             .for_each(|(number, place)| places[*number] = place);
         let entries: Vec<NodeId> = entries.into_iter().collect();
         let recursive =
-            |number: &usize| alike[rings[*number]] > 1 || called[*number].contains(number);
+            |number: &usize| alike[components[*number]] > 1 || called[*number].contains(number);
         let placed = |number: &usize| {
             callers[*number]
                 .iter()
@@ -57,28 +59,28 @@ impl Calls {
         })
     }
 
-    /// How many there are.
+    /// Returns the number of routines.
     pub(super) fn count(&self) -> usize {
         self.entries.len()
     }
 
-    /// Where the one at a place begins.
+    /// Returns the entry of the routine with this index.
     pub(super) fn entry(&self, place: usize) -> NodeId {
         self.entries[place]
     }
 
-    /// Whether it calls itself, at any depth.
+    /// Returns true if the routine calls itself, at any depth.
     pub(super) fn is_recursive(&self, place: usize) -> bool {
         self.is_recursive[place]
     }
 
-    /// The places of those that call it themselves.
+    /// Returns the indices of those that call it themselves.
     pub(super) fn callers(&self, place: usize) -> impl Iterator<Item = usize> {
         self.callers[place].iter().copied()
     }
 }
 
-/// The entries that a subroutine calls itself.
+/// Returns the entries that a subroutine calls itself.
 fn called(
     flow: &Flow,
     entry: NodeId,

@@ -7,12 +7,12 @@ use tipc::program::StepId;
 pub struct Steps(Vec<(StepId, StepId)>);
 
 impl Steps {
-    /// One step.
+    /// Creates one step.
     pub(super) fn one(step: StepId) -> Self {
         Steps(vec![(step, step)])
     }
 
-    /// All of those.
+    /// Creates all of those.
     pub(super) fn all<'a>(of: impl IntoIterator<Item = &'a Steps>) -> Self {
         let mut runs: Vec<_> = of.into_iter().flat_map(|steps| &steps.0).copied().collect();
         runs.sort_unstable();
@@ -26,19 +26,19 @@ impl Steps {
         Steps(runs)
     }
 
-    /// How many runs of neighbours they are.
+    /// Returns the number of runs of neighbours.
     pub(super) fn pieces(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether a step is one of them.
+    /// Returns true if a step is one of them.
     pub fn contains(&self, step: StepId) -> bool {
         let behind = self.0.partition_point(|(first, _)| *first <= step);
         let run = behind.checked_sub(1).map(|place| self.0[place]);
         run.is_some_and(|(_, last)| step <= last)
     }
 
-    /// The last one.
+    /// Returns the last step.
     pub fn last(&self) -> Option<StepId> {
         self.0.last().map(|(_, last)| *last)
     }

@@ -20,7 +20,7 @@ fn program(statements: &str) -> Program {
         .unwrap_or_else(|| panic!("{told:#?}\n{text}"))
 }
 
-/// The parts as lines without the file's name; line 3 is the first of the statements.
+/// Returns the parts as lines without the file's name; line 3 is the first of the statements.
 fn counts(statements: &str) -> Vec<String> {
     let program = program(statements);
     let text = short(&program, &parts(&program, TITAN), TITAN);

@@ -12,11 +12,11 @@ use tipc::analysis::flow::{Flow, NodeId};
 /// A loop, by its head.
 struct Found {
     steps: Steps,
-    /// What it costs to leave it, if its head is the only way in.
+    /// Cost to leave it, if its head is the only way in.
     left: Option<Vec<Edge>>,
 }
 
-/// The turns in the order of their heads, and whether those are all.
+/// Returns the turns in the order of their heads, and true if those are all.
 pub(super) fn turns(flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
     let work = Work::of(flow.nodes().len());
     let mut loops = graph.loops();
@@ -36,7 +36,7 @@ pub(super) fn turns(flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
     (parts, are_all)
 }
 
-/// One loop; `None` if that is more work than is left.
+/// Returns one loop; `None` if that is more work than is left.
 fn turn(
     flow: &Flow,
     graph: &Graph,

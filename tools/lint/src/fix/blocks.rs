@@ -6,7 +6,7 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::language::Keyword;
 use tipc::lex::Token;
 use tipc::message::phrase::End;
-use tipc::message::{Habit, Message, Parsing};
+use tipc::message::{ForeignWord, Message, Parsing};
 use tipc::source::Span;
 use tipc::syntax::{Shape, StatementKind};
 
@@ -15,14 +15,14 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
         (Message::Parsing(Parsing::ThenOrJumpBelongsHere | Parsing::ThenBelongsHere), _) => {
             then(site)
         }
-        (Message::Habit(Habit::NoColon), _) => colon(site),
+        (Message::ForeignWord(ForeignWord::NoColon), _) => colon(site),
         (
             Message::Parsing(Parsing::NothingBehind {
                 end: End::Condition,
             }),
             _,
         ) => after_condition(site),
-        (Message::Habit(Habit::OneLineIf), _) => one_line_if(site),
+        (Message::ForeignWord(ForeignWord::OneLineIf), _) => one_line_if(site),
         (Message::Parsing(Parsing::NotAlone { .. }), _) => alone(site),
         (Message::Parsing(Parsing::ProgramEndsHere), _) => end(site),
         _ => None,
@@ -47,13 +47,13 @@ fn colon(site: &Site<'_>) -> Option<Fix> {
     if !branches || tokens.iter().any(|it| site.is(it, Keyword::Then)) {
         return Some(fix);
     }
-    let place = fix.edits.first()?.span;
+    let location = fix.edits.first()?.span;
     let then = format!(" {}", site.like(Keyword::Then.word()));
     let title = Fixing::Replace {
         old: ":".into(),
         new: Keyword::Then.into(),
     };
-    Some(Fix::certain(title, [Edit::replace(place, then)]))
+    Some(Fix::certain(title, [Edit::replace(location, then)]))
 }
 
 /// `WHILE c DO`
@@ -64,15 +64,15 @@ fn after_condition(site: &Site<'_>) -> Option<Fix> {
     is_opener.then(|| removed(site, site.span()))
 }
 
-/// Something goes, and the blanks before it.
-fn removed(site: &Site<'_>, place: Span) -> Fix {
+/// Creates a fix that removes something, and the blanks before it.
+fn removed(site: &Site<'_>, location: Span) -> Fix {
     let before = site.tokens().into_iter().map(|token| token.span.end);
-    let before = before.take_while(|end| *end <= place.start).last();
-    let start = before.unwrap_or(place.start);
+    let before = before.take_while(|end| *end <= location.start).last();
+    let start = before.unwrap_or(location.start);
     let title = Fixing::Remove {
-        text: site.slice(place).into(),
+        text: site.slice(location).into(),
     };
-    Fix::certain(title, [Edit::remove(Span::new(start, place.end))])
+    Fix::certain(title, [Edit::remove(Span::new(start, location.end))])
 }
 
 /// `IF c THEN A = 1`, perhaps with an ELSE and an ENDIF on the same line.
@@ -119,7 +119,7 @@ fn alone(site: &Site<'_>) -> Option<Fix> {
     let index = site.index()?;
     let statements = &site.module.statements;
     let statement = &statements[index];
-    let other = site.finding.labels.first()?.span;
+    let other = site.diagnostic.labels.first()?.span;
     let line = site.next_line();
     let mut edits = Vec::new();
     let mut part = |from: usize, to: usize| {
@@ -147,7 +147,7 @@ fn alone(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::OwnLines, edits))
 }
 
-/// END on a line of its own after the last one.
+/// Adds END on a line of its own after the last one.
 fn end(site: &Site<'_>) -> Option<Fix> {
     let count = site.source.line_count();
     // On line 2 it would be the title.

@@ -6,36 +6,38 @@ use tipc::diagnostic::{Edit, Fix, Label};
 use tipc::foreign;
 use tipc::language::{Keyword, keywords};
 use tipc::lex::{BLANKS, foreign_run, word_end};
-use tipc::message::{Habit, Instead, Message, Naming, Parsing};
+use tipc::message::{ForeignWord, Message, Naming, Parsing, Suggestion};
 use tipc::parse::{LONG_VOWEL, narrow};
 use tipc::source::Span;
 
-/// What a comment begins with here.
+/// Start of a comment in this language.
 const COMMENT: &str = "//";
 
-/// What a comment of C begins and ends with.
+/// Opener of a comment of C.
 const OPENS: &str = "/*";
 const CLOSES: &str = "*/";
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()?) {
         (_, Message::Parsing(Parsing::WriteHalfWidth { .. }))
-        | (_, Message::Habit(Habit::Plain { .. } | Habit::PlainBlank)) => half_width(site),
-        (_, Message::Instead(Instead::Invisible)) => {
+        | (_, Message::ForeignWord(ForeignWord::Plain { .. } | ForeignWord::PlainBlank)) => {
+            half_width(site)
+        }
+        (_, Message::Suggestion(Suggestion::Invisible)) => {
             let title = Fixing::RemoveInvisible;
             Some(Fix::certain(title, [Edit::remove(site.span())]))
         }
-        (_, Message::Habit(Habit::Comment)) => comment(site),
+        (_, Message::ForeignWord(ForeignWord::Comment)) => comment(site),
         _ => None,
     }
 }
 
-/// `ＮＥＸＴ`, at each place that the finding lists.
+/// `ＮＥＸＴ`, at each location that the diagnostic lists.
 fn half_width(site: &Site<'_>) -> Option<Fix> {
     let also = |label: &&Label| label.text == Naming::AlsoHere.into();
-    let others = site.finding.labels.iter().filter(also);
-    let places = [site.span()].into_iter().chain(others.map(|it| it.span));
-    let statements = places.filter_map(|place| site.module.statement_at(place.start));
+    let others = site.diagnostic.labels.iter().filter(also);
+    let locations = [site.span()].into_iter().chain(others.map(|it| it.span));
+    let statements = locations.filter_map(|location| site.module.statement_at(location.start));
     let mut statements: Vec<usize> = statements.collect();
     statements.dedup();
     let spans = statements.iter().map(|at| site.module.statements[*at].span);
@@ -43,7 +45,7 @@ fn half_width(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::HalfWidth, edits.collect::<Vec<_>>()))
 }
 
-/// All full-width characters of a statement, since one after the other would never be the last one.
+/// Returns all full-width characters of a statement, since one after the other would never be the last one.
 fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
     let text = site.source.text();
     let first = Span::new(
@@ -73,7 +75,7 @@ fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
     edits
 }
 
-/// What is typed for characters that are wide, or of typesetting.
+/// Returns the plain spelling of characters that are wide, or of typesetting.
 fn plain(text: &str) -> String {
     if text == LONG_VOWEL {
         return "-".to_owned();
@@ -117,7 +119,7 @@ fn comment(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// Whether a comment of another language can be nothing else: `#define` and `--N` do something.
+/// Returns true if a comment of another language can be nothing else: `#define` and `--N` do something.
 fn surely_comments(comment: &str) -> bool {
     let directives = ["define", "if", "else", "endif", "undef", "pragma"];
     let rest = comment.trim_start_matches('#');
@@ -128,7 +130,7 @@ fn surely_comments(comment: &str) -> bool {
     }
 }
 
-/// The end of a comment, and the blanks before it, from `start` on.
+/// Returns the end of a comment, and the blanks before it, from `start` on.
 fn without_end(site: &Site<'_>, start: usize, closes: usize) -> Edit {
     let before = site
         .slice(Span::new(start, closes))

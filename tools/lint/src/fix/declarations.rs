@@ -5,22 +5,22 @@ use crate::message::Fixing;
 use tipc::code::Code;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::lex::{Kind, Token};
-use tipc::message::{Habit, Message, Naming};
+use tipc::message::{ForeignWord, Message, Naming};
 use tipc::source::Span;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
-        (_, Some(Message::Habit(Habit::Title))) => {
+        (_, Some(Message::ForeignWord(ForeignWord::Title))) => {
             let title = site.source.line(2).span.start;
             let edit = Edit::insert(title, site.line_end());
             Some(Fix::certain(Fixing::TitleLine, [edit]))
         }
-        (_, Some(Message::Habit(Habit::Initial { .. }))) => {
+        (_, Some(Message::ForeignWord(ForeignWord::Initial { .. }))) => {
             let (name, edit) = initial(site, &site.tokens())?;
             Some(Fix::certain(Fixing::OwnLine { name: name.into() }, [edit]))
         }
         (_, Some(Message::Naming(Naming::DeclareAs { declaration }))) => declare(site, declaration),
-        (Message::Naming(Naming::NothingUses), _) if site.finding.code == Code::Unused => {
+        (Message::Naming(Naming::NothingUses), _) if site.diagnostic.code == Code::Unused => {
             unused(site)
         }
         _ => None,
@@ -44,7 +44,7 @@ pub(super) fn initial<'a>(site: &Site<'a>, tokens: &[Token]) -> Option<(&'a str,
     Some((word, Edit::replace(rest, text)))
 }
 
-/// A declaration before the first statement that is none.
+/// Returns a declaration before the first statement that is none.
 fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
     let start = site.source.line(site.first_line()?).span.start;
     let title = Fixing::Insert {
@@ -54,14 +54,14 @@ fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
     Some(Fix::likely(title, [Edit::insert(start, text)]))
 }
 
-/// The name alone, or the whole declaration if it has no other.
+/// Returns the name alone, or the whole declaration if it has no other.
 fn unused(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let at = tokens.iter().position(|token| token.span == site.span())?;
     let title = Fixing::RemoveDeclaration {
         name: site.text().into(),
     };
-    let place = match (at, tokens.get(2)) {
+    let location = match (at, tokens.get(2)) {
         // Where the line is wrong too, what stands before the name may be no part of it.
         (0, _) => return None,
         (_, None) => declaration(site)?,
@@ -69,10 +69,10 @@ fn unused(site: &Site<'_>) -> Option<Fix> {
         (1, Some(next)) => Span::new(tokens[1].span.start, next.span.start),
         (_, Some(_)) => Span::new(tokens[at - 1].span.end, tokens[at].span.end),
     };
-    Some(Fix::likely(title, [Edit::remove(place)]))
+    Some(Fix::likely(title, [Edit::remove(location)]))
 }
 
-/// The line of a declaration, if it holds nothing else.
+/// Returns the line of a declaration, if it holds nothing else.
 fn declaration(site: &Site<'_>) -> Option<Span> {
     let statement = site.statement()?.span;
     let line = site.line();

@@ -5,7 +5,7 @@ use crate::message::Fixing;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::language::Keyword;
 use tipc::lex::BLANKS;
-use tipc::message::{Commanding, Habit, Message, Parsing};
+use tipc::message::{Commanding, ForeignWord, Message, Parsing};
 use tipc::source::Span;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
@@ -13,7 +13,7 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
         (Message::Parsing(Parsing::LabelColonMissing | Parsing::NameColonMissing), _) => {
             Some(colon(site))
         }
-        (_, Some(Message::Habit(Habit::LoopLabel)))
+        (_, Some(Message::ForeignWord(ForeignWord::LoopLabel)))
         | (_, Some(Message::Commanding(Commanding::LabelOrEquation))) => {
             let is_alone = site.statement()?.span == site.span();
             (is_alone && site.is_target(site.text())).then(|| colon(site))
@@ -22,8 +22,8 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             let edits = [Edit::replace(site.span(), ":")];
             Some(Fix::certain(Fixing::RemoveBlanks, edits))
         }
-        (Message::Habit(Habit::ThenJumps { .. }), _) => without_then(site),
-        (_, Some(Message::Habit(Habit::WithoutColon { .. }))) => without_colon(site),
+        (Message::ForeignWord(ForeignWord::ThenJumps { .. }), _) => without_then(site),
+        (_, Some(Message::ForeignWord(ForeignWord::WithoutColon { .. }))) => without_colon(site),
         _ => None,
     }
 }
@@ -32,9 +32,9 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
 fn colon(site: &Site<'_>) -> Fix {
     let bare = site.text().trim_end_matches(['.', '-']);
     if bare.len() < site.text().len() {
-        let place = Span::new(site.span().start + bare.len(), site.span().end);
+        let location = Span::new(site.span().start + bare.len(), site.span().end);
         let title = Fixing::Insert { text: ":".into() };
-        return Fix::certain(title, [Edit::replace(place, ":")]);
+        return Fix::certain(title, [Edit::replace(location, ":")]);
     }
     let title = Fixing::Insert { text: ":".into() };
     Fix::certain(title, [Edit::insert(site.span().end, ":")])

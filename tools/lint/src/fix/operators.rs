@@ -4,27 +4,32 @@ use super::site::Site;
 use crate::message::Fixing;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::lex::{Kind, Token};
-use tipc::message::{Habit, Instead, Message, Parsing};
+use tipc::message::{ForeignWord, Message, Parsing, Suggestion};
 use tipc::source::Span;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (
             Message::Parsing(Parsing::AssignsComparesNothing | Parsing::NoRelation)
-            | Message::Habit(Habit::NotEqual),
+            | Message::ForeignWord(ForeignWord::NotEqual),
             _,
         ) => relation(site),
-        (Message::Habit(Habit::CompareAsStatement), _) => {
+        (Message::ForeignWord(ForeignWord::CompareAsStatement), _) => {
             let operator = site.tokens().get(1)?.span;
             Some(certain(site, operator, "="))
         }
-        (_, Some(Message::Habit(Habit::Increment { sign, .. }))) => increment(site, sign),
-        (_, Some(Message::Habit(Habit::WriteNot))) => not(site),
-        (Message::Habit(Habit::NoOperator { .. }), Some(Message::Habit(Habit::Assign { .. }))) => {
-            Some(certain(site, site.span(), "="))
+        (_, Some(Message::ForeignWord(ForeignWord::Increment { sign, .. }))) => {
+            increment(site, sign)
         }
-        (_, Some(Message::Habit(Habit::Comma { whole, point }))) => comma(site, whole, point),
-        (_, Some(Message::Instead(Instead::BlankAfter { command }))) => {
+        (_, Some(Message::ForeignWord(ForeignWord::WriteNot))) => not(site),
+        (
+            Message::ForeignWord(ForeignWord::NoOperator { .. }),
+            Some(Message::ForeignWord(ForeignWord::Assign { .. })),
+        ) => Some(certain(site, site.span(), "=")),
+        (_, Some(Message::ForeignWord(ForeignWord::Comma { whole, point }))) => {
+            comma(site, whole, point)
+        }
+        (_, Some(Message::Suggestion(Suggestion::BlankAfter { command }))) => {
             let title = Fixing::Insert { text: " ".into() };
             let edit = Edit::insert(site.span().start + command.len(), " ");
             Some(Fix::certain(title, [edit]))
@@ -33,38 +38,38 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             _,
             Some(
                 Message::Parsing(Parsing::NoParentheses)
-                | Message::Instead(
-                    Instead::NoParentheses
-                    | Instead::WithoutParentheses { .. }
-                    | Instead::OpenBlock { .. },
+                | Message::Suggestion(
+                    Suggestion::NoParentheses
+                    | Suggestion::WithoutParentheses { .. }
+                    | Suggestion::OpenBlock { .. },
                 )
-                | Message::Habit(Habit::Glued { .. } | Habit::NoBrackets),
+                | Message::ForeignWord(ForeignWord::Glued { .. } | ForeignWord::NoBrackets),
             ),
         ) => parentheses(site),
         _ => None,
     }
 }
 
-fn certain(site: &Site<'_>, place: Span, new: &str) -> Fix {
+fn certain(site: &Site<'_>, location: Span, new: &str) -> Fix {
     let title = Fixing::Replace {
-        old: site.slice(place).into(),
+        old: site.slice(location).into(),
         new: new.into(),
     };
-    Fix::certain(title, [Edit::replace(place, new)])
+    Fix::certain(title, [Edit::replace(location, new)])
 }
 
 /// `1,000` or `4,5`.
 fn comma(site: &Site<'_>, whole: &str, point: &str) -> Option<Fix> {
     let after = site.text().len();
     let start = site.span().end.checked_sub(whole.len() + 1)?;
-    let place = Span::new(start, site.span().end);
+    let location = Span::new(start, site.span().end);
     // Three digits after a comma are thousands.
     let new = if after == 3 { whole } else { point };
-    let fix = certain(site, place, new);
+    let fix = certain(site, location, new);
     Some(Fix::likely(fix.title, fix.edits))
 }
 
-/// What other languages write for a relation, and what is written here.
+/// Relations of other languages, and their spelling here.
 const RELATIONS: &[(&str, &str)] = &[
     ("===", "=="),
     ("!==", "<>"),
@@ -84,21 +89,21 @@ fn relation(site: &Site<'_>) -> Option<Fix> {
     let at = tokens.iter().position(|token| token.span.start == start)?;
     let before = tokens[..at].iter().rev().take_while(is_sign).last();
     let last = tokens[at..].iter().take_while(is_sign).last()?;
-    let place = before.unwrap_or(&tokens[at]).span.to(last.span);
-    let text = site.slice(place);
+    let location = before.unwrap_or(&tokens[at]).span.to(last.span);
+    let text = site.slice(location);
     let (_, new) = RELATIONS.iter().find(|(old, _)| *old == text)?;
-    Some(certain(site, place, new))
+    Some(certain(site, location, new))
 }
 
 /// `A++`
 fn increment(site: &Site<'_>, sign: &str) -> Option<Fix> {
     let tokens = site.tokens();
-    let place = tokens.get(1)?.span.to(tokens.get(2)?.span);
+    let location = tokens.get(1)?.span.to(tokens.get(2)?.span);
     let title = Fixing::Replace {
-        old: site.slice(place).into(),
+        old: site.slice(location).into(),
         new: format!("{sign}= 1").into(),
     };
-    let gap = Span::new(tokens[0].span.end, place.end);
+    let gap = Span::new(tokens[0].span.end, location.end);
     Some(Fix::certain(
         title,
         [Edit::replace(gap, format!(" {sign}= 1"))],
@@ -115,7 +120,7 @@ fn not(site: &Site<'_>) -> Option<Fix> {
     is_flag.then(|| certain(site, site.span().to(next.span), &new))
 }
 
-/// The only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.
+/// Returns the only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.
 fn parentheses(site: &Site<'_>) -> Option<Fix> {
     let statement = site.statement()?.span;
     let text = site.slice(statement);
@@ -136,7 +141,8 @@ fn parentheses(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::RemoveParentheses, edits))
 }
 
-/// Whether parentheses hold a calculation that would be another one without them: all but the whole right side.
+/// Returns true if parentheses hold a calculation that would be another one without them: all but the whole right
+/// side.
 fn calculates(site: &Site<'_>, statement: Span, inside: Span) -> bool {
     let (before, tokens, after) = (
         site.tokens_of(Span::new(statement.start, inside.start - 1)),

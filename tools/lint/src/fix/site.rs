@@ -1,4 +1,4 @@
-//! A finding, and what stands around it.
+//! A diagnostic, and what stands around it.
 
 use smol_str::SmolStr;
 use std::cell::OnceCell;
@@ -12,10 +12,10 @@ use tipc::parse::LINE_LIMIT;
 use tipc::source::{Line, Source, Span};
 use tipc::syntax::{Module, Shape, Statement, StatementKind, upper_case};
 
-/// The most bytes of a statement whose findings are put right: what each of many findings looks at must not be long.
+/// The most bytes of a statement whose diagnostics are put right: what each of many diagnostics looks at must not be long.
 const LONGEST: usize = 4 * LINE_LIMIT;
 
-/// What is looked up once for all findings of a file.
+/// Facts that are looked up once for all diagnostics of a file.
 #[derive(Debug, Default)]
 pub(super) struct Shared {
     /// The names that something jumps to, or was going to.
@@ -23,13 +23,13 @@ pub(super) struct Shared {
     first: OnceCell<Option<u32>>,
 }
 
-/// A finding in its file.
+/// A diagnostic in its file.
 #[derive(Clone, Copy)]
 pub(super) struct Site<'a> {
     pub(super) source: &'a Source,
     pub(super) module: &'a Module,
     shared: &'a Shared,
-    pub(super) finding: &'a Diagnostic,
+    pub(super) diagnostic: &'a Diagnostic,
 }
 
 impl<'a> Site<'a> {
@@ -37,30 +37,30 @@ impl<'a> Site<'a> {
         source: &'a Source,
         module: &'a Module,
         shared: &'a Shared,
-        finding: &'a Diagnostic,
+        diagnostic: &'a Diagnostic,
     ) -> Self {
         Site {
             source,
             module,
             shared,
-            finding,
+            diagnostic,
         }
     }
 
     pub(super) fn reason(&self) -> &'a Message {
-        &self.finding.reason
+        &self.diagnostic.reason
     }
 
     pub(super) fn help(&self) -> Option<&'a Message> {
-        self.finding.help.as_ref()
+        self.diagnostic.help.as_ref()
     }
 
-    /// The place of the finding.
+    /// Returns the location of the diagnostic.
     pub(super) fn span(&self) -> Span {
-        self.finding.span
+        self.diagnostic.span
     }
 
-    /// The text at the place of the finding.
+    /// Returns the text at the location of the diagnostic.
     pub(super) fn text(&self) -> &'a str {
         self.slice(self.span())
     }
@@ -69,47 +69,47 @@ impl<'a> Site<'a> {
         self.source.slice(span)
     }
 
-    /// The statement around the finding, by its place among all.
+    /// Returns the index of the statement around the diagnostic.
     pub(super) fn index(&self) -> Option<usize> {
         self.module.statement_at(self.span().start)
     }
 
-    /// The statement around the finding.
+    /// Returns the statement around the diagnostic.
     pub(super) fn statement(&self) -> Option<&'a Statement> {
         self.index().map(|index| &self.module.statements[index])
     }
 
-    /// Returns the words and operators of the statement around the finding; none of one that no line can hold.
+    /// Returns the words and operators of the statement around the diagnostic; none of one that no line can hold.
     pub(super) fn tokens(&self) -> Vec<Token> {
         let is_short = |it: &&Statement| it.span.end - it.span.start <= LONGEST;
         let statement = self.statement().filter(is_short);
         statement.map_or_else(Vec::new, |it| self.tokens_of(it.span))
     }
 
-    /// The words and operators at a place.
+    /// Returns the words and operators at a location.
     pub(super) fn tokens_of(&self, span: Span) -> Vec<Token> {
         let mut tokens = Vec::new();
         lex(self.source.text(), span, &mut tokens);
         tokens
     }
 
-    /// Whether a token is a keyword.
+    /// Returns true if a token is a keyword.
     pub(super) fn is(&self, token: &Token, keyword: Keyword) -> bool {
         token.kind == Kind::Word && self.is_word(token.span, keyword)
     }
 
-    /// Whether there is a keyword at a place.
+    /// Returns true if there is a keyword at a location.
     pub(super) fn is_word(&self, span: Span, keyword: Keyword) -> bool {
         self.slice(span).eq_ignore_ascii_case(keyword.word())
     }
 
-    /// The line of the finding.
+    /// Returns the line of the diagnostic.
     pub(super) fn line(&self) -> Line {
         let (line, _) = self.source.line_column(self.span().start);
         self.source.line(line)
     }
 
-    /// How the lines of the file end.
+    /// Returns the line end of the file.
     pub(super) fn line_end(&self) -> &'a str {
         match self.slice(self.source.line(1).end) {
             "" => "\n",
@@ -117,7 +117,7 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// The end of a line, and the blanks that the line of the finding begins with.
+    /// Returns the end of a line, and the blanks that the line of the diagnostic begins with.
     pub(super) fn next_line(&self) -> String {
         let text = self.slice(self.line().span);
         let indent = &text[..text.len() - text.trim_start_matches([' ', '\t']).len()];
@@ -140,17 +140,17 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// A keyword in the place of what stands there.
-    pub(super) fn write(&self, place: Span, word: &str) -> Edit {
-        Edit::replace(place, self.like(word))
+    /// Returns a keyword in the place of what stands there.
+    pub(super) fn write(&self, location: Span, word: &str) -> Edit {
+        Edit::replace(location, self.like(word))
     }
 
-    /// A keyword after what ends at `at`.
+    /// Returns a keyword after what ends at `at`.
     pub(super) fn append(&self, at: usize, word: &str) -> Edit {
         Edit::insert(at, format!(" {}", self.like(word)))
     }
 
-    /// Whether something jumps to a label, or was going to.
+    /// Returns true if something jumps to a label, or was going to.
     pub(super) fn is_target(&self, name: &str) -> bool {
         let targets = || {
             self.module
@@ -180,7 +180,7 @@ impl<'a> Site<'a> {
             .collect()
     }
 
-    /// The line of the first statement that declares nothing.
+    /// Returns the line of the first statement that declares nothing.
     pub(super) fn first_line(&self) -> Option<u32> {
         let declares = |it: &Statement| matches!(it.kind, StatementKind::Define { .. });
         let first = || {

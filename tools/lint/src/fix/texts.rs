@@ -6,19 +6,19 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::foreign;
 use tipc::language::Keyword;
 use tipc::lex::DELIMITERS;
-use tipc::message::{Habit, Message, Parsing};
+use tipc::message::{ForeignWord, Message, Parsing};
 use tipc::source::Span;
 use tipc::syntax::StatementKind;
 
-/// What a text of C ends its line with.
+/// Line end in a text of C.
 const BREAK: &str = "\\n";
-/// What begins a placeholder or an escape: other languages mean something else by them.
+/// Starts of placeholders and escapes: other languages mean something else by them.
 const SPECIAL: &[char] = &['%', '\\', '\u{A5}', '{'];
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
-        (_, Some(Message::Habit(Habit::ShowText))) => print(site),
-        (_, Some(Message::Habit(Habit::Glued { command })))
+        (_, Some(Message::ForeignWord(ForeignWord::ShowText))) => print(site),
+        (_, Some(Message::ForeignWord(ForeignWord::Glued { command })))
             if *command == Keyword::Message.word() =>
         {
             glued(site)
@@ -56,15 +56,15 @@ fn glued(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::Show, edits))
 }
 
-/// What opens and closes the one text that stands there: quotes, perhaps in parentheses.
-fn quotes(site: &Site<'_>, place: Span) -> Option<[Span; 2]> {
-    let place = trimmed(site, place);
-    let mut inside = place;
-    if site.slice(place).starts_with('(')
-        && site.slice(place).ends_with(')')
-        && place.end > place.start + 1
+/// Returns opener and closer of the one text that stands there: quotes, perhaps in parentheses.
+fn quotes(site: &Site<'_>, location: Span) -> Option<[Span; 2]> {
+    let location = trimmed(site, location);
+    let mut inside = location;
+    if site.slice(location).starts_with('(')
+        && site.slice(location).ends_with(')')
+        && location.end > location.start + 1
     {
-        inside = trimmed(site, Span::new(place.start + 1, place.end - 1));
+        inside = trimmed(site, Span::new(location.start + 1, location.end - 1));
     }
     let quoted = site.slice(inside);
     let quote = quoted
@@ -78,7 +78,10 @@ fn quotes(site: &Site<'_>, place: Span) -> Option<[Span; 2]> {
     }
     let start = inside.start + 1;
     let end = start + shown.len();
-    Some([Span::new(place.start, start), Span::new(end, place.end)])
+    Some([
+        Span::new(location.start, start),
+        Span::new(end, location.end),
+    ])
 }
 
 /// `$N`, `{N}`, `%N` of a variable.
@@ -91,11 +94,11 @@ fn value(site: &Site<'_>, name: &str) -> Fix {
     Fix::certain(title, [Edit::replace(site.span(), new)])
 }
 
-/// A place without the blanks at its ends.
-fn trimmed(site: &Site<'_>, place: Span) -> Span {
-    let text = site.slice(place);
+/// Returns a span without the blanks at its ends.
+fn trimmed(site: &Site<'_>, location: Span) -> Span {
+    let text = site.slice(location);
     let kept = text.trim_end_matches(DELIMITERS);
-    let end = place.start + kept.len();
+    let end = location.start + kept.len();
     Span::new(end - kept.trim_start_matches(DELIMITERS).len(), end)
 }
 

@@ -8,15 +8,15 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::foreign::{self, Means};
 use tipc::language::{Keyword, commands};
 use tipc::lex::{Kind, Token};
-use tipc::message::{Commanding, Habit, Message, Naming, Parsing, Structuring, Suggesting};
+use tipc::message::{Commanding, ForeignWord, Message, Naming, Parsing, Structuring, Suggestion};
 use tipc::source::Span;
 use tipc::syntax::VariableKind;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()?) {
-        (_, Message::Habit(habit)) => foreign_word(site, habit),
-        (_, Message::Suggesting(Suggesting::DidYouMean { near }))
-        | (_, Message::Structuring(Structuring::DidYouMean { near })) => meant(site, near),
+        (_, Message::ForeignWord(advice)) => foreign_word(site, advice),
+        (_, Message::Suggestion(Suggestion::DidYouMean { near }))
+        | (_, Message::Structuring(Structuring::DidYouMean { near })) => replace_by(site, near),
         (_, Message::Commanding(Commanding::CalledNow { command })) => {
             Some(certain(site, site.span(), command))
         }
@@ -36,50 +36,54 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
+fn foreign_word(site: &Site<'_>, advice: &ForeignWord) -> Option<Fix> {
     let tokens = site.tokens();
-    match habit {
-        Habit::ElseIf if !stands_for_it(site) => None,
-        Habit::ElseIf => Some(branch(site, &tokens)),
-        Habit::EndIf => closer(site, Keyword::EndIf),
-        Habit::Wend => closer(site, Keyword::Wend),
-        Habit::Next => closer(site, Keyword::Next),
-        Habit::SubEnd => closer(site, Keyword::SubEnd),
-        Habit::InOneWord { word } if word == Keyword::ElseIf.word() => Some(branch(site, &tokens)),
-        Habit::InOneWord { word } => {
-            let place = match site.reason() {
+    match advice {
+        ForeignWord::ElseIf if !stands_for_it(site) => None,
+        ForeignWord::ElseIf => Some(branch(site, &tokens)),
+        ForeignWord::EndIf => closer(site, Keyword::EndIf),
+        ForeignWord::Wend => closer(site, Keyword::Wend),
+        ForeignWord::Next => closer(site, Keyword::Next),
+        ForeignWord::SubEnd => closer(site, Keyword::SubEnd),
+        ForeignWord::InOneWord { word } if word == Keyword::ElseIf.word() => {
+            Some(branch(site, &tokens))
+        }
+        ForeignWord::InOneWord { word } => {
+            let location = match site.reason() {
                 // Of `DEF VAR N` the first word is what is unknown, of `PTP ANGLE` the second one.
                 Message::Commanding(_) => in_pieces(site, &tokens, word)?,
                 _ => site.span(),
             };
-            Some(certain(site, place, word))
+            Some(certain(site, location, word))
         }
-        Habit::Return if tokens.len() == 1 => {
+        ForeignWord::Return if tokens.len() == 1 => {
             Some(certain(site, site.span(), Keyword::Return.word()))
         }
-        Habit::Exit if tokens.len() == 1 => Some(likely(site, site.span(), Keyword::Exit.word())),
-        Habit::Subroutine => subroutine(site, &tokens),
-        Habit::Goto => goto(site, &tokens),
-        Habit::Let => assignment(&tokens),
-        Habit::Wait => wait(site, &tokens),
-        Habit::Declare => declaration(site, &tokens),
+        ForeignWord::Exit if tokens.len() == 1 => {
+            Some(likely(site, site.span(), Keyword::Exit.word()))
+        }
+        ForeignWord::Subroutine => subroutine(site, &tokens),
+        ForeignWord::Goto => goto(site, &tokens),
+        ForeignWord::Let => assignment(&tokens),
+        ForeignWord::Wait => wait(site, &tokens),
+        ForeignWord::Declare => declaration(site, &tokens),
         // `#define N 3` has no sign between.
-        Habit::Constant if tokens.iter().any(|it| it.kind != Kind::Word) => {
+        ForeignWord::Constant if tokens.iter().any(|it| it.kind != Kind::Word) => {
             declaration(site, &tokens)
         }
-        Habit::Number { value, .. } => Some(everywhere(site, value)),
+        ForeignWord::Number { value, .. } => Some(everywhere(site, value)),
         _ => None,
     }
 }
 
-/// The words of a statement that are one in `whole`.
+/// Returns the words of a statement that are one in `whole`.
 fn in_pieces(site: &Site<'_>, tokens: &[Token], whole: &str) -> Option<Span> {
     let parts = 1 + whole.matches('_').count();
     (2..=parts.min(tokens.len())).find_map(|count| {
         let words = tokens[..count].iter().map(|token| site.slice(token.span));
         let joined = words.collect::<Vec<_>>().join("_");
-        let place = tokens[0].span.to(tokens[count - 1].span);
-        joined.eq_ignore_ascii_case(whole).then_some(place)
+        let location = tokens[0].span.to(tokens[count - 1].span);
+        joined.eq_ignore_ascii_case(whole).then_some(location)
     })
 }
 
@@ -88,11 +92,12 @@ fn closer(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
     stands_for_it(site).then(|| certain(site, site.span(), keyword.word()))
 }
 
-/// Whether the place of the finding is the word itself, spelled otherwise.
+/// Returns true if the location of the diagnostic is the word itself in another spelling.
 fn stands_for_it(site: &Site<'_>) -> bool {
     matches!(
         site.reason(),
-        Message::Commanding(Commanding::NoCommand { .. }) | Message::Habit(Habit::EndInTwo { .. })
+        Message::Commanding(Commanding::NoCommand { .. })
+            | Message::ForeignWord(ForeignWord::EndInTwo { .. })
     )
 }
 
@@ -103,7 +108,7 @@ fn branch(site: &Site<'_>, tokens: &[Token]) -> Fix {
     fix
 }
 
-/// THEN where an ELSEIF of another language has none, or a colon.
+/// Adds THEN where an ELSEIF of another language has none, or a colon.
 fn then(site: &Site<'_>, tokens: &[Token]) -> Option<Edit> {
     let last = tokens.last()?;
     match last.kind {
@@ -116,21 +121,21 @@ fn then(site: &Site<'_>, tokens: &[Token]) -> Option<Edit> {
     }
 }
 
-fn certain(site: &Site<'_>, place: Span, word: &str) -> Fix {
+fn certain(site: &Site<'_>, location: Span, word: &str) -> Fix {
     let title = Fixing::Replace {
-        old: site.slice(place).into(),
+        old: site.slice(location).into(),
         new: site.like(word).into(),
     };
-    Fix::certain(title, [site.write(place, word)])
+    Fix::certain(title, [site.write(location, word)])
 }
 
-fn likely(site: &Site<'_>, place: Span, word: &str) -> Fix {
-    let fix = certain(site, place, word);
+fn likely(site: &Site<'_>, location: Span, word: &str) -> Fix {
+    let fix = certain(site, location, word);
     Fix::likely(fix.title, fix.edits)
 }
 
-/// The name that is near to the one that stands there.
-fn meant(site: &Site<'_>, near: &str) -> Option<Fix> {
+/// Returns the name that is near to the one that stands there.
+fn replace_by(site: &Site<'_>, near: &str) -> Option<Fix> {
     let is_name = matches!(
         site.reason(),
         Message::Naming(Naming::NotDeclared { .. })
@@ -142,18 +147,18 @@ fn meant(site: &Site<'_>, near: &str) -> Option<Fix> {
     }
 }
 
-/// Another word for a name that is not declared, at each place that the finding lists.
+/// Returns another word for a name that is not declared, at each location that the diagnostic lists.
 fn everywhere(site: &Site<'_>, word: &str) -> Fix {
-    let name = site.finding.subject.as_deref().unwrap_or_default();
-    let places = [site.span()].into_iter();
-    let places = places.chain(site.finding.labels.iter().map(|label| label.span));
-    let edits = places.filter_map(|place| {
+    let name = site.diagnostic.subject.as_deref().unwrap_or_default();
+    let locations = [site.span()].into_iter();
+    let locations = locations.chain(site.diagnostic.labels.iter().map(|label| label.span));
+    let edits = locations.filter_map(|location| {
         // A sign may precede the name, a member follow it.
-        let text = site.slice(place);
-        let start = place.start + text.len() - text.trim_start_matches(['+', '-']).len();
+        let text = site.slice(location);
+        let start = location.start + text.len() - text.trim_start_matches(['+', '-']).len();
         let name = Span::new(start, start + name.len());
         let found = site.slice(name);
-        let is_name = found.eq_ignore_ascii_case(site.finding.subject.as_deref()?);
+        let is_name = found.eq_ignore_ascii_case(site.diagnostic.subject.as_deref()?);
         is_name.then(|| site.write(name, word))
     });
     let title = Fixing::Replace {
@@ -177,11 +182,11 @@ fn subroutine(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
 /// `JUMP L1`, `GO TO L1:`.
 fn goto(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
     let second = tokens.get(1).filter(|second| site.is(second, Keyword::To));
-    let (place, rest) = match second {
+    let (location, rest) = match second {
         Some(second) => (site.span().to(second.span), &tokens[2..]),
         None => (site.span(), &tokens[1.min(tokens.len())..]),
     };
-    let mut fix = certain(site, place, Keyword::Goto.word());
+    let mut fix = certain(site, location, Keyword::Goto.word());
     match rest {
         [label] if label.kind == Kind::Word => fix.edits.push(Edit::insert(label.span.end, ":")),
         [_, colon] if colon.kind == Kind::Colon => {}
@@ -208,8 +213,8 @@ fn wait(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
     };
     let joined = format!("{}_{}", site.slice(word.span), site.slice(second.span));
     if commands::find(&joined).is_some() {
-        let place = word.span.to(second.span);
-        return Some(certain(site, place, &joined));
+        let location = word.span.to(second.span);
+        return Some(certain(site, location, &joined));
     }
     let is_number = site.slice(second.span).parse::<f64>().is_ok();
     let is_alone = is_number && rest.is_empty();

@@ -1,4 +1,4 @@
-//! What the style makes of each line: its statements, and how deep it is indented.
+//! Layout of each line: its statements, and their indentation.
 
 use super::rows::{Row, Rows};
 use crate::listing::formal;
@@ -9,10 +9,10 @@ use tipc::syntax::{Module, Shape, Statement, StatementKind};
 
 /// The blanks of each open block.
 const INDENT: usize = 2;
-/// What parts statements on one line.
+/// Separator between statements on one line.
 const SEPARATOR: &str = " ; ";
 
-/// The lines of a program that loads, in the style and without blank ones at its end.
+/// Returns the lines of a program that loads, in the style and without blank ones at its end.
 pub(super) fn rows(source: &Source, module: &Module) -> Rows {
     let mut layout = Layout {
         source,
@@ -46,7 +46,7 @@ struct Layout<'a> {
     source: &'a Source,
     rows: Vec<Row>,
     code: Vec<u8>,
-    /// How many blocks are open.
+    /// Number of open blocks.
     depth: usize,
     /// END is passed.
     ended: bool,
@@ -102,7 +102,7 @@ impl Layout<'_> {
         });
     }
 
-    /// Whether more than a comment follows END on its line.
+    /// Returns true if more than a comment follows END on its line.
     fn says_more(&self, statements: &[Statement], code: Span) -> bool {
         let Some(end) = statements.last() else {
             return false;
@@ -111,7 +111,7 @@ impl Layout<'_> {
         !rest.trim_matches(DELIMITERS).trim_matches(';').is_empty()
     }
 
-    /// The blanks before a line; what its statements open and close counts from now on.
+    /// Returns the blanks before a line; what its statements open and close counts from now on.
     fn indent(&mut self, statements: &[Statement]) -> usize {
         let mut own = self.depth;
         let mut begins = true;
@@ -209,7 +209,7 @@ impl Layout<'_> {
     }
 }
 
-/// What a statement is to the depth of blocks.
+/// Effect of a statement on the depth of blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Edge {
     Opens,

@@ -5,7 +5,7 @@ use std::ops::Range;
 use tipc::parse::LINE_LIMIT;
 use tipc::source::{Source, Span, byte_length};
 
-/// What is between code and its comment, at least.
+/// Minimum space between code and its comment, columns.
 const GAP: usize = 2;
 
 /// A line: indentation, code, comment, any of which may be empty.
@@ -17,7 +17,7 @@ pub(super) struct Row {
     pub(super) indent: usize,
     /// Its code among the bytes of all code.
     pub(super) code: Range<usize>,
-    /// How many columns the code takes.
+    /// Width of the code, columns.
     pub(super) length: usize,
     pub(super) comment: Span,
     pub(super) end: Span,
@@ -34,12 +34,12 @@ impl Row {
         self.comment.start < self.comment.end
     }
 
-    /// Whether a comment follows code here.
+    /// Returns true if a comment follows code here.
     fn is_commented(&self) -> bool {
         !self.code.is_empty() && self.has_comment()
     }
 
-    /// The column after the code, from 0.
+    /// Returns the column after the code, from 0.
     fn code_end(&self) -> usize {
         self.indent + self.length
     }
@@ -54,7 +54,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// The bytes of the whole file.
+    /// Returns the bytes of the whole file.
     pub(super) fn write(&self, source: &Source) -> Result<Vec<u8>, Formatting> {
         let mut out = Vec::with_capacity(source.text().len() * 5 / 4);
         out.extend_from_slice(source.mark());
@@ -102,7 +102,7 @@ impl Rows {
         Ok(())
     }
 
-    /// How a line ends: as it did. The last line ends as the one before it, if it did not end.
+    /// Returns the line end of a row, unchanged. The last line ends like the one before it, if it did not end.
     fn end<'a>(&self, row: &Row, source: &'a Source, out: &[u8]) -> &'a [u8] {
         match source.original(row.end) {
             // Together with the end before it, this would be one.

@@ -1,10 +1,10 @@
 //! Variables that are read without a value (T.I.P. 3.1 §5-1).
 
-use super::Judged;
+use super::LintContext;
 use crate::message::{Lack, Linting, Stretch};
 use tipc::analysis::assignment::{Assigned, Assignment, Gap, gaps};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::message::list::{Pieces, Quoted};
 use tipc::message::phrase::Assign;
 use tipc::program::{Program, StepId, VariableKind};
@@ -12,17 +12,17 @@ use tipc::source::Span;
 use tipc::symbols::Access;
 
 /// Warns of every variable that is, or may be, read without a value.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
-    let program = judged.program;
-    let gaps = gaps(program, &Assignment::along(program, judged.flow));
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+    let program = context.program;
+    let gaps = gaps(program, &Assignment::along(program, context.flow));
     let warnings = gaps
         .iter()
-        .map(|gap| warning(program, gap, judged.operand(gap)));
+        .map(|gap| warning(program, gap, context.operand(gap)));
     found.extend(warnings);
 }
 
-impl Judged<'_> {
-    /// The operand that lacks its value, else the whole statement: NEXT need not name its variable.
+impl LintContext<'_> {
+    /// Returns the operand that lacks its value, else the whole statement: NEXT need not name its variable.
     fn operand(&self, gap: &Gap) -> Span {
         let Some(statement) = self.statement(gap.step) else {
             return Span::default();
@@ -38,8 +38,8 @@ impl Judged<'_> {
             .map(|it| it.operand(self.source))
             .collect();
         let scalar = scalar_name(self.program, gap.scalars[0]);
-        let names_it = |place: &&Span| {
-            let operand = self.source.slice(**place).to_ascii_uppercase();
+        let names_it = |location: &&Span| {
+            let operand = self.source.slice(**location).to_ascii_uppercase();
             operand.trim_start_matches('-') == scalar
         };
         let operand = operands.iter().find(names_it).or(operands.first());
@@ -53,7 +53,7 @@ fn scalar_name(program: &Program, scalar: usize) -> String {
     names.nth(scalar - variable.first).unwrap_or_default()
 }
 
-fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
+fn warning(program: &Program, gap: &Gap, location: Span) -> Diagnostic {
     let variable = &program.variables()[gap.variable];
     let names: Vec<String> = gap
         .scalars
@@ -92,12 +92,12 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
         Some(path) => Linting::NoValueOnPath { path, assign },
         None => Linting::Assign { assign },
     };
-    Diagnostic::new(code, place, reason)
+    Diagnostic::new(code, location, reason)
         .about(subject)
         .help(help)
 }
 
-/// The lines of a path: runs of steps without a jump, the last one up to the step that reads.
+/// Returns the lines of a path: runs of steps without a jump, the last one up to the step that reads.
 fn path(program: &Program, steps: &[StepId]) -> Option<Stretch> {
     let line = |step: StepId| program.steps()[step as usize].line;
     let pieces: Vec<(u32, u32)> = steps

@@ -1,38 +1,40 @@
 //! Commands that do less than they seem to: a pause that is none, `R` before one number of three, a SPECIAL that nobody
 //! answers.
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use tip_runtime::command::{ABSOLUTE, RELATIVE, Target};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::commands::{self, Form};
 use tipc::program::{Action, Op};
 use tipc::syntax::{self, OperandKind, StatementKind};
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
-    let keeps_period = judged
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+    let keeps_period = context
         .program
         .steps()
         .iter()
         .all(|step| !sets_period(&step.action));
-    for (statement, step) in judged.module.steps().zip(judged.program.steps()) {
+    for (statement, step) in context.module.steps().zip(context.program.steps()) {
         let StatementKind::Command {
             name, arguments, ..
         } = &statement.kind
         else {
             continue;
         };
-        let finding = match &step.action {
-            Action::Command { op: Op::Sleep, .. } if keeps_period => short_sleep(judged, arguments),
+        let diagnostic = match &step.action {
+            Action::Command { op: Op::Sleep, .. } if keeps_period => {
+                short_sleep(context, arguments)
+            }
             Action::Command { .. } => relative_first(&name.node, arguments),
             _ => None,
         };
-        found.extend(finding);
+        found.extend(diagnostic);
     }
 }
 
-/// Whether the robot's standard sampling time may not be the one in force.
+/// Returns true if the robot's standard sampling time may not be the one in force.
 fn sets_period(action: &Action) -> bool {
     let Action::Command { op, .. } = action else {
         return false;
@@ -40,13 +42,13 @@ fn sets_period(action: &Action) -> bool {
     matches!(op, Op::SetSamplingTime | Op::SetSamplingFreq)
 }
 
-/// A pause in seconds where milliseconds are meant. 0 is how to say one cycle.
-fn short_sleep(judged: &Judged<'_>, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
+/// Returns a pause in seconds where milliseconds are meant. 0 is how to say one cycle.
+fn short_sleep(context: &LintContext<'_>, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
     let operand = arguments.first()?;
     let OperandKind::Number(time) = operand.kind else {
         return None;
     };
-    let period = judged.robot.facts().period;
+    let period = context.robot.facts().period;
     (0.0 < time && time < period).then(|| {
         let reason = Linting::OneCycle { period };
         Diagnostic::new(Code::ShortSleep, operand.span, reason).help(Linting::Milliseconds)
@@ -73,7 +75,7 @@ fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnosti
     if !takes_marks || !leads || stays || numbers.len() < 2 || numbers.iter().any(marked) {
         return None;
     }
-    let place = mark.span.to(numbers[0].span);
-    let finding = Diagnostic::new(Code::RelativeFirst, place, Linting::OthersAbsolute);
-    Some(finding.help(Linting::MarkEach))
+    let location = mark.span.to(numbers[0].span);
+    let diagnostic = Diagnostic::new(Code::RelativeFirst, location, Linting::OthersAbsolute);
+    Some(diagnostic.help(Linting::MarkEach))
 }

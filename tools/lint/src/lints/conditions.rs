@@ -1,6 +1,6 @@
 //! Conditions whose outcome never changes, and loops that therefore never run, or never end (T.I.P. 3.1 §7-6).
 
-use super::Judged;
+use super::LintContext;
 use super::unreachable::Unreachable;
 use super::walk::{Into, Walk};
 use crate::message::Linting;
@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use tipc::analysis::access::{assigns, reads};
 use tipc::analysis::flow::{Entry, Flow, NodeId, always, enters};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::program::{Action, Condition, Operand, Program, StepId};
 use tipc::source::Span;
 use tipc::syntax::{Statement, StatementKind};
@@ -17,7 +17,7 @@ use tipc::syntax::{Statement, StatementKind};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constant {
     pub(super) step: StepId,
-    /// Whether there is a warning about that here.
+    /// Presence of a warning about it.
     outcome: Outcome,
 }
 
@@ -31,9 +31,10 @@ enum Outcome {
     Stops,
 }
 
-/// The steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 == 0` are meant so.
-pub(super) fn constant(judged: &Judged<'_>) -> Vec<Constant> {
-    let steps = (0..).zip(judged.program.steps());
+/// Returns the steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 ==
+/// 0` are meant so.
+pub(super) fn constant(context: &LintContext<'_>) -> Vec<Constant> {
+    let steps = (0..).zip(context.program.steps());
     let constant = |(step, content): (StepId, &tipc::program::Step)| {
         let outcome = outcome(&content.action)?;
         Some(Constant { step, outcome })
@@ -65,7 +66,7 @@ fn outcome(action: &Action) -> Option<Outcome> {
     (!is_endless).then_some(Outcome::Is(is))
 }
 
-/// What a condition always is: two constants compared, or a variable with itself.
+/// Returns the constant result of a condition: two constants compared, or a variable with itself.
 fn settled(condition: Condition) -> Option<bool> {
     use tipc::program::Relation::{Eq, Ge, Gt, Le, Lt, Ne};
     match condition {
@@ -82,33 +83,33 @@ fn settled(condition: Condition) -> Option<bool> {
 }
 
 pub(super) fn warn(
-    judged: &Judged<'_>,
+    context: &LintContext<'_>,
     constant: &[Constant],
     unreachable: &Unreachable,
-    found: &mut Findings,
+    found: &mut Diagnostics,
 ) {
-    let deeds = Deeds::of(judged.program);
+    let deeds = Deeds::of(context.program);
     for Constant { step, outcome } in constant {
-        let Some(statement) = judged
+        let Some(statement) = context
             .statement(*step)
             .filter(|_| unreachable.is_live(*step))
         else {
             continue;
         };
         found.extend(match outcome {
-            _ if !deeds.depend_on(judged.program, *step) => None,
+            _ if !deeds.depend_on(context.program, *step) => None,
             Outcome::Is(is) => Some(always_so(statement, *is)),
-            Outcome::Never => Some(never_runs(judged.program, statement, *step)),
+            Outcome::Never => Some(never_runs(context.program, statement, *step)),
             Outcome::Stops => None,
         });
     }
-    let place = |step: &StepId| constant.binary_search_by_key(step, |one| one.step);
-    let is_judged = |step: &StepId| place(step).is_err();
-    let stuck = stuck(judged.program, judged.flow)
+    let location = |step: &StepId| constant.binary_search_by_key(step, |one| one.step);
+    let is_judged = |step: &StepId| location(step).is_err();
+    let stuck = stuck(context.program, context.flow)
         .into_iter()
         .filter(is_judged);
     for step in stuck.filter(|step| unreachable.is_live(*step)) {
-        found.extend(judged.statement(step).map(never_ends));
+        found.extend(context.statement(step).map(never_ends));
     }
 }
 
@@ -126,7 +127,7 @@ impl Deeds {
         Deeds(deeds)
     }
 
-    /// Whether something depends on a step: a block without any action is a sketch.
+    /// Returns true if something depends on a step: a block without any action is a sketch.
     fn depend_on(&self, program: &Program, step: StepId) -> bool {
         match &program.steps()[step as usize].action {
             Action::If { otherwise: end, .. }
@@ -140,7 +141,7 @@ impl Deeds {
     }
 }
 
-/// Whether a step in a block goes elsewhere.
+/// Returns true if a step in a block goes elsewhere.
 fn leads_on(action: &Action) -> bool {
     matches!(
         action,
@@ -181,11 +182,12 @@ fn never_runs(program: &Program, statement: &Statement, step: StepId) -> Diagnos
 }
 
 fn never_ends(statement: &Statement) -> Diagnostic {
-    let place = condition(statement);
-    Diagnostic::new(Code::EndlessLoop, place, Linting::NothingChanges).help(Linting::ChangeOrLoop)
+    let location = condition(statement);
+    Diagnostic::new(Code::EndlessLoop, location, Linting::NothingChanges)
+        .help(Linting::ChangeOrLoop)
 }
 
-/// Where a condition is.
+/// Returns the location of a condition.
 pub(super) fn condition(statement: &Statement) -> Span {
     use tipc::syntax::Condition::{Compare, Flag};
     match &statement.kind {
@@ -200,9 +202,9 @@ pub(super) fn condition(statement: &Statement) -> Span {
     }
 }
 
-/// The steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the condition.
-/// Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag says may change at any time. A loop that
-/// does nothing is left out: whoever runs the program may assign the variable that it waits for.
+/// Returns the steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the
+/// condition. Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag says may change at any
+/// time. A loop that does nothing is left out: whoever runs the program may assign the variable that it waits for.
 fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
     let mut walk = Walk::new(flow);
     let steps = (0..).zip(program.steps());
@@ -214,7 +216,7 @@ fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
         .collect()
 }
 
-/// Where a loop goes on to turn, if a step decides that by comparing variables.
+/// Returns the node where a loop goes on to turn, if a step decides that by comparing variables.
 fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
     let (condition, turn) = match action {
         Action::While { condition, .. } => (condition, step + 1),
@@ -225,7 +227,7 @@ fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
     matches!(condition, Condition::Compare { .. }).then(|| flow.first(turn))
 }
 
-/// Whether the loop cannot end; `None` if it is too large to say.
+/// Returns whether the loop cannot end; `None` if it is too large to say.
 fn is_stuck(
     program: &Program,
     flow: &Flow,

@@ -1,20 +1,23 @@
 //! `N =+1` where `N += 1` was meant.
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::source::Span;
 use tipc::syntax::{Equation, Expression, OperandKind, StatementKind};
 
-/// The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look like.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
-    for statement in judged.module.steps() {
+/// Warns of `N =+ 1`. The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look
+/// like.
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+    for statement in context.module.steps() {
         if let StatementKind::Equation(equation) = &statement.kind
-            && let Some(sign) = swapped(judged.source.text(), equation)
+            && let Some(sign) = swapped(context.source.text(), equation)
         {
-            let name = judged.source.slice(equation.target.span);
-            let number = judged.source.slice(Span::new(sign + 1, statement.span.end));
+            let name = context.source.slice(equation.target.span);
+            let number = context
+                .source
+                .slice(Span::new(sign + 1, statement.span.end));
             let reason = Linting::AssignsSigned {
                 number: number.into(),
             };
@@ -22,13 +25,13 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
                 name: name.into(),
                 number: number.into(),
             };
-            let place = Span::new(equation.operator.start, sign + 1);
-            found.push(Diagnostic::new(Code::SwappedSigns, place, reason).help(help));
+            let location = Span::new(equation.operator.start, sign + 1);
+            found.push(Diagnostic::new(Code::SwappedSigns, location, reason).help(help));
         }
     }
 }
 
-/// Where the plus is.
+/// Returns the location of the plus.
 fn swapped(text: &str, equation: &Equation) -> Option<usize> {
     let Expression::Operand(value) = &equation.value else {
         return None;

@@ -7,20 +7,20 @@ use tipc::language::Keyword;
 use tipc::language::commands::{self, Meaning};
 use tipc::lex::{Kind, Token, lex};
 use tipc::load::lowered;
-use tipc::message::{Habit, Reading};
+use tipc::message::{ForeignWord, Reading};
 use tipc::parse;
 use tipc::source::{Encoding, Source, Span, looks_like};
 use tipc::syntax::Module;
 
 /// Warns of the first statement after END.
 pub(super) fn after_end(source: &Source, module: &Module) -> Option<Diagnostic> {
-    let place = parse::after_end(source, module)?;
-    let finding = Diagnostic::new(Code::AfterEnd, place, Habit::StandsAfterEnd);
+    let location = parse::after_end(source, module)?;
+    let diagnostic = Diagnostic::new(Code::AfterEnd, location, ForeignWord::StandsAfterEnd);
     let end = module.statements.last()?;
     Some(
-        finding
-            .label(end.span, Habit::EndsTheText)
-            .help(Habit::MoveEndOrComment),
+        diagnostic
+            .label(end.span, ForeignWord::EndsTheText)
+            .help(ForeignWord::MoveEndOrComment),
     )
 }
 
@@ -37,9 +37,9 @@ pub(super) fn other_encoding(
     let text = loaded.source.text();
     let at = text.find(|c: char| !c.is_ascii() || c == '\u{1B}')?;
     let length = text[at..].find(['\n', '\r']).unwrap_or(text.len() - at);
-    let place = Span::new(at, at + length);
-    let finding = Diagnostic::new(Code::OtherEncoding, place, Reading::OtherCharacters);
-    Some(finding.help(Habit::OtherEncoding { encoding }))
+    let location = Span::new(at, at + length);
+    let diagnostic = Diagnostic::new(Code::OtherEncoding, location, Reading::OtherCharacters);
+    Some(diagnostic.help(ForeignWord::OtherEncoding { encoding }))
 }
 
 /// Warns if line 2 is a statement that the program would load with, had it a title before.
@@ -60,12 +60,12 @@ pub(super) fn title(loaded: &Loaded, options: &Options) -> Option<Diagnostic> {
     if found.have_error(titled.module.edition) {
         return None;
     }
-    let place = tokens.first()?.span.to(tokens.last()?.span);
-    let finding = Diagnostic::new(Code::StatementAsTitle, place, Habit::TitleHere);
-    Some(finding.help(Habit::Title))
+    let location = tokens.first()?.span.to(tokens.last()?.span);
+    let diagnostic = Diagnostic::new(Code::StatementAsTitle, location, ForeignWord::TitleHere);
+    Some(diagnostic.help(ForeignWord::Title))
 }
 
-/// Whether these words begin as a statement, and no title of one word.
+/// Returns true if these words begin a statement, and no title of one word.
 fn is_statement(loaded: &Loaded, tokens: &[Token]) -> bool {
     let Some(first) = tokens.first() else {
         return false;

@@ -1,32 +1,32 @@
 //! `GOTOL1:`, which is a label and no jump.
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use std::collections::{HashMap, HashSet};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::Keyword;
 use tipc::parse::glued;
 use tipc::symbols::{Access, Definition, DefinitionKind, Symbols};
 
-/// Silent about a label that something jumps to, and where no label has the rest of its name. That nothing comes to the
-/// label that was meant follows from it.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
-    let suspects = suspects(judged.symbols);
+/// Warns of labels like `GOTOL1:`. Silent about a label that something jumps to, and where no label has the rest of
+/// its name. That nothing comes to the label that was meant follows from it.
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+    let suspects = suspects(context.symbols);
     let meant: HashSet<&str> = suspects.iter().map(|it| it.meant).collect();
-    let follows = |finding: &Diagnostic| match finding.reason.get() {
+    let follows = |diagnostic: &Diagnostic| match diagnostic.reason.get() {
         Some(Linting::NothingJumps { name }) => meant.contains(name.as_str()),
         _ => false,
     };
-    found.retain(|finding| !follows(finding));
+    found.retain(|diagnostic| !follows(diagnostic));
     for Suspect { label, jump, meant } in suspects {
         let help = Linting::JumpInTwoWords {
             written: format!("{jump} {meant}:").into(),
             word: label.name.clone(),
         };
         let reason = Linting::JumpInOneWord { jump };
-        let finding = |place| Diagnostic::new(Code::GluedJump, place, reason).help(help);
-        found.extend(label.place.map(finding));
+        let diagnostic = |location| Diagnostic::new(Code::GluedJump, location, reason).help(help);
+        found.extend(label.span.map(diagnostic));
     }
 }
 
@@ -38,7 +38,7 @@ struct Suspect<'a> {
     meant: &'a str,
 }
 
-/// The label as a suspect, if it looks like a jump.
+/// Returns the label as a suspect, if it looks like a jump.
 fn suspect(label: &Definition) -> Option<Suspect<'_>> {
     let (jump, meant) = glued(&label.name)?;
     (label.kind == DefinitionKind::Label).then_some(Suspect { label, jump, meant })

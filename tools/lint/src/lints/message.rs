@@ -1,11 +1,11 @@
 //! MESSAGE texts that show something else than was meant (T.I.P. 3.1 §7-9-4).
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::message::Message;
 use tipc::message::phrase::Type;
 use tipc::parse::narrow;
@@ -19,15 +19,15 @@ use tipc::syntax::{StatementKind, upper_case};
 struct Names<'a> {
     variables: &'a [Variable],
     ids: HashMap<&'a str, VariableId>,
-    /// Whether something reads each definition.
+    /// True if something reads each definition.
     is_read: Vec<bool>,
 }
 
 impl<'a> Names<'a> {
-    fn of(judged: &Judged<'a>) -> Self {
-        let variables = judged.program.variables();
-        let mut is_read = vec![false; judged.symbols.definitions().len()];
-        for it in judged.symbols.all_uses() {
+    fn of(context: &LintContext<'a>) -> Self {
+        let variables = context.program.variables();
+        let mut is_read = vec![false; context.symbols.definitions().len()];
+        for it in context.symbols.all_uses() {
             is_read[it.definition.index()] |= !matches!(it.access, Access::Define | Access::Assign);
         }
         Names {
@@ -41,34 +41,39 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// The variable of a name in capitals.
+    /// Returns the variable of a name in capitals.
     fn find(&self, name: &str) -> Option<&'a Variable> {
         self.ids.get(name).map(|id| &self.variables[*id])
     }
 
-    /// Whether the name is that of a VAR, in letters of any case.
+    /// Returns true if the name is that of a VAR, in letters of any case.
     fn is_var(&self, name: &str) -> bool {
         let variable = self.find(&upper_case(name));
         variable.is_some_and(|one| one.kind == VariableKind::Var)
     }
 }
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
     let mut names = None;
-    for statement in judged.module.steps() {
+    for statement in context.module.steps() {
         if let StatementKind::Message { text } = &statement.kind {
-            let names = names.get_or_insert_with(|| Names::of(judged));
-            found.extend(quoted(judged.source.slice(text.span), text.span));
-            placeholders(judged, names, text.span, found);
-            foreign_values(judged, names, text.span, found);
-            wide_placeholder(judged, text.span, found);
+            let names = names.get_or_insert_with(|| Names::of(context));
+            found.extend(quoted(context.source.slice(text.span), text.span));
+            placeholders(context, names, text.span, found);
+            foreign_values(context, names, text.span, found);
+            wide_placeholder(context, text.span, found);
         }
     }
 }
 
 /// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
-fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
-    let text = judged.source.slice(place);
+fn foreign_values(
+    context: &LintContext<'_>,
+    names: &Names<'_>,
+    location: Span,
+    found: &mut Diagnostics,
+) {
+    let text = context.source.slice(location);
     let is_var = |name: &str| names.is_var(name);
     let mut signs = text.match_indices(['%', '$', '{']);
     let first = signs.find_map(|(at, sign)| {
@@ -88,13 +93,13 @@ fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &m
     let Some((at, length, name)) = first.or_else(whole) else {
         return;
     };
-    let span = Span::new(place.start + at, place.start + at + length);
-    let finding = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
+    let span = Span::new(location.start + at, location.start + at + length);
+    let diagnostic = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
     found.push(match name {
-        Some(name) => finding
+        Some(name) => diagnostic
             .about(name.as_str())
             .help(Linting::ShowValue { name }),
-        None => finding.help(Linting::ShowAnyValue),
+        None => diagnostic.help(Linting::ShowAnyValue),
     });
 }
 
@@ -105,7 +110,7 @@ fn is_unread_var(names: &Names<'_>, text: &str) -> bool {
     names.is_var(text) && id.is_some_and(|id| !is_read(*id))
 }
 
-/// What may stand before a percent sign that is one: `50%`, `%A%`.
+/// Returns true if the character may stand before a percent sign that is one: `50%`, `%A%`.
 fn is_word_end(char: char) -> bool {
     char.is_ascii_alphanumeric() || char == '_' || char == '%'
 }
@@ -116,14 +121,14 @@ fn is_format(text: &str) -> bool {
     matches!(kind, "d" | "i" | "f" | "lf" | "g" | "s" | "u" | "x" | "ld")
 }
 
-/// The whole text in quotes or parentheses. Single words in them are part of a text.
-fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
+/// Returns the whole text in quotes or parentheses. Single words in them are part of a text.
+fn quoted(text: &str, location: Span) -> Option<Diagnostic> {
     let mut inside = text.chars().skip(1);
     if text.starts_with('(')
         && inside.position(|it| it == ')') == text.chars().count().checked_sub(2)
     {
-        let finding = Diagnostic::new(Code::QuotedMessage, place, Linting::ParenthesesShown);
-        return Some(finding.help(Linting::LeaveParenthesesOut));
+        let diagnostic = Diagnostic::new(Code::QuotedMessage, location, Linting::ParenthesesShown);
+        return Some(diagnostic.help(Linting::LeaveParenthesesOut));
     }
     let quotes = [
         ("\"\"\"", "\"\"\""),
@@ -144,12 +149,18 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
         _ => return None,
     };
     let reason = Linting::QuotesShown;
-    Some(Diagnostic::new(Code::QuotedMessage, place, reason).help(help))
+    Some(Diagnostic::new(Code::QuotedMessage, location, reason).help(help))
 }
 
-/// Everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run does.
-fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
-    let text = judged.source.slice(place);
+/// Warns of everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run
+/// does.
+fn placeholders(
+    context: &LintContext<'_>,
+    names: &Names<'_>,
+    location: Span,
+    found: &mut Diagnostics,
+) {
+    let text = context.source.slice(location);
     let mut from = 0;
     while let Some(at) = text[from..].find('%').map(|at| from + at) {
         from = at + 1;
@@ -172,18 +183,18 @@ fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut
             continue;
         }
         from = end;
-        let span = Span::new(place.start + at, place.start + end);
-        let finding = Diagnostic::new(Code::Placeholder, span, fault.0);
-        found.push(finding.about(inner).help(fault.1));
+        let span = Span::new(location.start + at, location.start + end);
+        let diagnostic = Diagnostic::new(Code::Placeholder, span, fault.0);
+        found.push(diagnostic.about(inner).help(fault.1));
     }
 }
 
-/// Whether that is shown as a value.
+/// Returns true if the text between percent signs is shown as a value.
 fn is_placeholder(names: &Names<'_>, inner: &str) -> bool {
     split(inner).is_some() && fault(names, inner).is_none()
 }
 
-/// The name between percent signs, and what follows it from a point on. Blanks and signs make no name.
+/// Returns the name between percent signs, and what follows it from a point on. Blanks and signs make no name.
 fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     let (name, rest) = match inner.split_once('.') {
         Some((name, rest)) => (name, Some(rest)),
@@ -197,7 +208,7 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     (starts && is_word(name) && rest.is_none_or(is_word)).then_some((name, rest))
 }
 
-/// Why what looks like a placeholder stands for nothing, and what to write.
+/// Returns why what looks like a placeholder stands for nothing, and what to write.
 fn fault(names: &Names<'_>, inner: &str) -> Option<(Linting, Linting)> {
     let (name, rest) = split(inner)?;
     let name = || upper_case(name);
@@ -226,7 +237,7 @@ fn fault(names: &Names<'_>, inner: &str) -> Option<(Linting, Linting)> {
     Some((reason, Linting::ShowCopy { member }))
 }
 
-/// What to write for a name that is not declared.
+/// Returns what to write for a name that is not declared.
 fn declare(names: &Names<'_>, name: SmolStr) -> Linting {
     if let Some(near) = numbered(&name).filter(|near| names.is_var(near)) {
         return Linting::MeantPlaceholder { near };
@@ -246,17 +257,17 @@ fn numbered(name: &str) -> Option<SmolStr> {
     is_number.then(|| format!("VAR{number}").into())
 }
 
-/// Whether a value was to be shown, and nothing says of which variable.
+/// Returns true if a value was to be shown, and nothing says of which variable.
 pub(super) fn means_any(found: &[Diagnostic]) -> bool {
     let any = Some(Linting::ShowAnyValue.into());
-    found.iter().any(|finding| finding.help == any)
+    found.iter().any(|diagnostic| diagnostic.help == any)
 }
 
-/// The variables that placeholders were meant to show. That nothing reads them is the same mistake.
-pub(super) fn meant(found: &[Diagnostic]) -> HashSet<SmolStr> {
-    let meant = found.iter().filter_map(|finding| {
-        let help = finding.help.as_ref().and_then(Message::get);
-        match (finding.reason.get(), help) {
+/// Returns the variables that placeholders were meant to show. That nothing reads them is the same mistake.
+pub(super) fn placeholder_names(found: &[Diagnostic]) -> HashSet<SmolStr> {
+    let meant = found.iter().filter_map(|diagnostic| {
+        let help = diagnostic.help.as_ref().and_then(Message::get);
+        match (diagnostic.reason.get(), help) {
             (_, Some(Linting::MeantPlaceholder { near: name } | Linting::ShowValue { name }))
             | (Some(Linting::Decimals { name } | Linting::StructInMessage { name, .. }), _) => {
                 Some(name.clone())
@@ -270,8 +281,8 @@ pub(super) fn meant(found: &[Diagnostic]) -> HashSet<SmolStr> {
 const SIGNS: [char; 2] = ['%', '％'];
 
 /// Warns of the first one that would show a VAR, were it half-width.
-fn wide_placeholder(judged: &Judged<'_>, place: Span, found: &mut Findings) {
-    let text = judged.source.slice(place);
+fn wide_placeholder(context: &LintContext<'_>, location: Span, found: &mut Diagnostics) {
+    let text = context.source.slice(location);
     if text.is_ascii() {
         return;
     }
@@ -281,20 +292,20 @@ fn wide_placeholder(judged: &Judged<'_>, place: Span, found: &mut Findings) {
         let whole = at..end + last.len();
         let inner = narrow(&text[at + sign.len()..end]);
         let name = upper_case(inner.split('.').next().unwrap_or_default());
-        let mut vars = judged.program.variables().iter();
+        let mut vars = context.program.variables().iter();
         let is_var = vars.any(|one| one.kind == VariableKind::Var && one.name == *name);
         (is_var && !text[whole.clone()].is_ascii()).then_some((whole, name))
     });
     if let Some((whole, name)) = wide {
-        let span = Span::new(place.start + whole.start, place.start + whole.end);
+        let span = Span::new(location.start + whole.start, location.start + whole.end);
         let is_told =
             |it: &Diagnostic| it.code == Code::ForeignValue && it.span.start == span.start;
         if found.iter().any(is_told) {
             return;
         }
-        let finding = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
+        let diagnostic = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
         found.push(
-            finding
+            diagnostic
                 .about(name.as_str())
                 .help(Linting::ShowValue { name }),
         );

@@ -1,22 +1,22 @@
 //! Parts that GOSUB calls and that do not come back, and a RETURN that comes back from nowhere (T.I.P. 3.1 §7-6-5).
 
-use super::Judged;
+use super::LintContext;
 use super::unreachable::Unreachable;
 use super::walk::{Into, Walk};
 use crate::message::Linting;
 use std::collections::BTreeSet;
 use tipc::analysis::flow::{Call, Flow, NodeId};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::program::{Action, End, Program, StepId};
 use tipc::syntax::StatementKind;
 
-/// Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a SUBROUTINE, since
-/// another warning speaks of running into that.
-pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Findings) {
+/// Warns of GOSUB and RETURN that do not match. Silent about a part that ends the program by EXIT, or repeats without
+/// an end; and about a RETURN in a SUBROUTINE, since another warning speaks of running into that.
+pub(super) fn warn(context: &LintContext<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
     let mut inside = Vec::new();
     let mut is_inside = false;
-    for statement in judged.module.steps() {
+    for statement in context.module.steps() {
         match statement.kind {
             StatementKind::Subroutine { .. } => is_inside = true,
             StatementKind::SubEnd => {
@@ -28,31 +28,31 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut F
         }
         inside.push(is_inside);
     }
-    let mismatches = mismatches(judged.program, judged.flow, |step| inside[step as usize]);
+    let mismatches = mismatches(context.program, context.flow, |step| inside[step as usize]);
     for OneWay { entry, call } in mismatches.one_way {
         if unreachable.is_live(call) {
-            found.extend(never_returns(judged, entry, call));
+            found.extend(never_returns(context, entry, call));
         }
     }
-    if let Some(lost) = mismatches.lost.and_then(|step| judged.statement(step)) {
-        let finding = Diagnostic::new(Code::LostReturn, lost.span, Linting::ReturnsNowhere);
-        found.push(finding.help(Linting::PutJumpAboveLabel));
+    if let Some(lost) = mismatches.lost.and_then(|step| context.statement(step)) {
+        let diagnostic = Diagnostic::new(Code::LostReturn, lost.span, Linting::ReturnsNowhere);
+        found.push(diagnostic.help(Linting::PutJumpAboveLabel));
     }
 }
 
-fn never_returns(judged: &Judged<'_>, entry: StepId, call: StepId) -> Option<Diagnostic> {
-    let (part, caller) = (judged.statement(entry)?, judged.statement(call)?);
+fn never_returns(context: &LintContext<'_>, entry: StepId, call: StepId) -> Option<Diagnostic> {
+    let (part, caller) = (context.statement(entry)?, context.statement(call)?);
     let (name, _) = part.kind.label()?;
-    let finding = Diagnostic::new(Code::NoReturn, part.span, Linting::NeverReturns);
-    let finding = finding.about(name.node.as_str());
+    let diagnostic = Diagnostic::new(Code::NoReturn, part.span, Linting::NeverReturns);
+    let diagnostic = diagnostic.about(name.node.as_str());
     Some(
-        finding
+        diagnostic
             .label(caller.span, Linting::CalledHere)
             .help(Linting::EndWithReturn),
     )
 }
 
-/// What does not match.
+/// Routines whose calls and returns do not match.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Mismatches {
     /// Routines that cannot come back, although they do not end the program by EXIT.
@@ -64,7 +64,7 @@ struct Mismatches {
 /// A routine that cannot come back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct OneWay {
-    /// Where it begins.
+    /// First step of the routine.
     entry: StepId,
     /// The first step that calls it.
     call: StepId,
@@ -83,7 +83,7 @@ fn mismatches(program: &Program, flow: &Flow, is_inside: impl Fn(StepId) -> bool
     }
 }
 
-/// The nodes that paths from the start come to without being called, as if every call came back.
+/// Returns the nodes that paths from the start come to without being called, as if every call came back.
 fn own_nodes(flow: &Flow) -> Vec<bool> {
     let mut own = vec![false; flow.nodes().len()];
     let mut open = vec![0];
@@ -115,7 +115,8 @@ fn one_way(program: &Program, flow: &Flow) -> Vec<OneWay> {
         .collect()
 }
 
-/// Whether the routine does something, and then runs to the end of the source or into a call of itself, but never returns;
+/// Returns whether the routine does something, and then runs to the end of the source or into a call of itself, but
+/// never returns;
 /// `None` if it is too long to say.
 fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
     let path = walk.from(&[call.entry], None, Into::Itself)?;

@@ -1,11 +1,11 @@
 //! Steps that no path leads to.
 
-use super::Judged;
+use super::LintContext;
 use crate::message::Linting;
 use std::collections::HashMap;
 use tipc::analysis::flow::{Flow, NodeId};
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::program::{Action, Program, StepId};
 use tipc::syntax::StatementKind;
 
@@ -13,9 +13,9 @@ use tipc::syntax::StatementKind;
 pub(super) struct Unreachable(Vec<StepId>);
 
 impl Unreachable {
-    /// Each branch of the steps `open`, which have to be in order, counts as taken.
-    pub(super) fn of(judged: &Judged<'_>, open: &[StepId]) -> Self {
-        Unreachable(dead(judged.program, judged.flow, open))
+    /// Creates each branch of the steps `open`, which have to be in order, counts as taken.
+    pub(super) fn of(context: &LintContext<'_>, open: &[StepId]) -> Self {
+        Unreachable(dead(context.program, context.flow, open))
     }
 
     pub(super) fn is_live(&self, step: StepId) -> bool {
@@ -24,23 +24,23 @@ impl Unreachable {
 
     /// Warns once of each run of steps that would do something. Silent about routines that nothing calls: a program may
     /// have more of them than it needs.
-    pub(super) fn warn(&self, judged: &Judged<'_>, found: &mut Findings) {
+    pub(super) fn warn(&self, context: &LintContext<'_>, found: &mut Diagnostics) {
         if self.0.is_empty() {
             return;
         }
-        let sources = sources(judged.program);
+        let sources = sources(context.program);
         let is_subroutine = |step: StepId| {
-            let statement = judged.statement(step);
+            let statement = context.statement(step);
             statement.is_some_and(|it| matches!(it.kind, StatementKind::Subroutine { .. }))
         };
         let belongs = |before: &StepId, step: &StepId| before + 1 == *step && !is_subroutine(*step);
         for run in self.0.chunk_by(belongs) {
-            found.extend(warning(judged, run, &sources));
+            found.extend(warning(context, run, &sources));
         }
     }
 }
 
-/// The steps that jump to each step.
+/// Returns the steps that jump to each step.
 fn sources(program: &Program) -> HashMap<StepId, Vec<StepId>> {
     let mut sources: HashMap<StepId, Vec<StepId>> = HashMap::new();
     for (step, content) in (0..).zip(program.steps()) {
@@ -56,20 +56,20 @@ fn sources(program: &Program) -> HashMap<StepId, Vec<StepId>> {
 }
 
 fn warning(
-    judged: &Judged<'_>,
+    context: &LintContext<'_>,
     run: &[StepId],
     sources: &HashMap<StepId, Vec<StepId>>,
 ) -> Option<Diagnostic> {
     let actions = run
         .iter()
-        .map(|step| &judged.program.steps()[*step as usize].action);
+        .map(|step| &context.program.steps()[*step as usize].action);
     let is_routine = actions
         .clone()
         .any(|action| matches!(action, Action::Return));
     if !actions.clone().any(Action::acts) {
         return None;
     }
-    let mut statements = run.iter().filter_map(|step| judged.statement(*step));
+    let mut statements = run.iter().filter_map(|step| context.statement(*step));
     let start = statements.find(|statement| !closes(&statement.kind))?;
     if is_routine && start.kind.label().is_some() {
         return None;
@@ -90,17 +90,19 @@ fn warning(
         }
         None => (Linting::NoPath, Linting::LabelOrDelete),
     };
-    let finding = Diagnostic::new(Code::Unreachable, start.keyword(), reason).help(help);
-    let above = first.checked_sub(1).and_then(|step| judged.statement(step));
+    let diagnostic = Diagnostic::new(Code::Unreachable, start.keyword(), reason).help(help);
+    let above = first
+        .checked_sub(1)
+        .and_then(|step| context.statement(step));
     Some(
         match above.filter(|above| !above.kind.goes_on() && !closes(&above.kind)) {
-            Some(above) => finding.label(above.span, Linting::LeadsElsewhere),
-            None => finding,
+            Some(above) => diagnostic.label(above.span, Linting::LeadsElsewhere),
+            None => diagnostic,
         },
     )
 }
 
-/// Whether a step only closes a block.
+/// Returns true if a step only closes a block.
 fn closes(kind: &StatementKind) -> bool {
     matches!(
         kind,
@@ -113,8 +115,8 @@ fn closes(kind: &StatementKind) -> bool {
     )
 }
 
-/// The steps that no path from the start leads to, in order. Each branch of the steps `open`, which have to be in order,
-/// counts as taken, even if constants decide otherwise.
+/// Returns the steps that no path from the start leads to, in order. Each branch of the steps `open`, which have to be
+/// in order, counts as taken, even if constants decide otherwise.
 fn dead(program: &Program, flow: &Flow, open: &[StepId]) -> Vec<StepId> {
     let mut is_live = vec![false; flow.nodes().len()];
     let mut next = vec![0];
@@ -137,7 +139,7 @@ fn dead(program: &Program, flow: &Flow, open: &[StepId]) -> Vec<StepId> {
     steps.filter(is_dead).collect()
 }
 
-/// Where a step with two branches leads.
+/// Returns the targets of a step with two branches.
 fn branches(flow: &Flow, step: StepId, action: &Action) -> [NodeId; 2] {
     let other = match action {
         Action::If { otherwise, .. } | Action::ElseIf { otherwise, .. } => flow.last(*otherwise),

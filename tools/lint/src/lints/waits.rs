@@ -3,19 +3,19 @@
 //! A wait for ALL stays silent, so does a question that is no loop, and a program with a SPECIAL, whose native code may
 //! move anything.
 
-use super::Judged;
+use super::LintContext;
 use super::conditions::condition;
 use super::unreachable::Unreachable;
 use crate::message::Linting;
 use tipc::code::Code;
-use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::commands::{self, Moves};
 use tipc::program::{Action, Condition, Flag, Op, Step, Target};
 use tipc::source::Span;
 use tipc::syntax::{Statement, StatementKind};
 
-pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Findings) {
-    let steps = judged.program.steps();
+pub(super) fn warn(context: &LintContext<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
+    let steps = context.program.steps();
     if steps.iter().any(calls_native_code) {
         return;
     }
@@ -29,11 +29,11 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut F
     for (step, content) in (0..).zip(steps) {
         let reason = waits_for_nothing(&content.action, &moved);
         if let Some(reason) = reason.filter(|_| unreachable.is_live(step))
-            && let Some(statement) = judged.statement(step)
+            && let Some(statement) = context.statement(step)
         {
             let help = way_out(&reason);
-            let finding = Diagnostic::new(Code::WaitsForNothing, place(statement), reason);
-            found.push(finding.help(help));
+            let diagnostic = Diagnostic::new(Code::WaitsForNothing, location(statement), reason);
+            found.push(diagnostic.help(help));
         }
     }
 }
@@ -48,7 +48,7 @@ fn calls_native_code(step: &Step) -> bool {
     )
 }
 
-/// What a step brings under control, if it moves anything.
+/// Returns what a step brings under control, if it moves anything.
 fn moves(step: &Step) -> Option<Target> {
     let Action::Command { op, target, .. } = step.action else {
         return None;
@@ -60,7 +60,7 @@ fn moves(step: &Step) -> Option<Target> {
     }
 }
 
-/// Why a step waits for nothing.
+/// Returns why a step waits for nothing.
 fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Linting> {
     let is_one = |target: Target| !matches!(target, Target::All | Target::None);
     // A program in which nothing moves at all is a sketch.
@@ -95,7 +95,7 @@ fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Linting> {
     }
 }
 
-/// Whether two targets have a joint in common.
+/// Returns true if two targets have a joint in common.
 fn meets(one: Target, other: Target) -> bool {
     match (one, other) {
         (Target::All, _) | (_, Target::All) => true,
@@ -113,8 +113,8 @@ fn way_out(reason: &Linting) -> Linting {
     }
 }
 
-/// The target of a command, or the flag.
-fn place(statement: &Statement) -> Span {
+/// Returns the target of a command, or the flag.
+fn location(statement: &Statement) -> Span {
     match &statement.kind {
         StatementKind::Command { arguments, .. } => {
             let target = arguments.first();

@@ -1,16 +1,16 @@
-//! Where paths lead from a node.
+//! Paths that leave a node.
 
 use tipc::analysis::flow::{Flow, NodeId};
 
-/// How far a path is followed: the time stays in proportion to the program.
+/// Maximum number of nodes on a path that is followed: the time stays in proportion to the program.
 const FARTHEST: usize = 1_000;
 
-/// Which nodes of a path count.
+/// Nodes of a path that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Into {
-    /// Those of its own routine: a call is passed.
+    /// Nodes of its own routine: a call is passed.
     Itself,
-    /// Those of called routines too.
+    /// Nodes of called routines too.
     Calls,
 }
 
@@ -31,7 +31,8 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The nodes that paths from `starts` come to, themselves among them, without those behind `end`, where paths end;
+    /// Returns the nodes that paths from `starts` come to, themselves among them, without those behind `end`, where
+    /// paths end;
     /// `None` if there are very many.
     pub(super) fn from(
         &mut self,

@@ -123,7 +123,7 @@ impl Line<'_> {
         self.field(keyword.word());
     }
 
-    /// A piece of the source in capital letters.
+    /// Writes a piece of the source in capital letters.
     fn source(&mut self, span: Span) {
         self.separate();
         let piece = self.source.slice(span).bytes();

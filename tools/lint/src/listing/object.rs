@@ -15,7 +15,8 @@ use tipc::program::{
 use tipc::source::Source;
 use tipc::syntax::Module;
 
-/// TIP.OBJ of a program, and the source and module that it was lowered from: for each step its command, its target, and the types and values of its arguments.
+/// Renders TIP.OBJ of a program, and the source and module that it was lowered from: for each step its command, its
+/// target, and the types and values of its arguments.
 ///
 /// There are five arguments, or as many as a leg has joints if that is more.
 pub fn object(source: &Source, module: &Module, program: &Program) -> String {
@@ -36,15 +37,15 @@ pub fn object(source: &Source, module: &Module, program: &Program) -> String {
         .collect()
 }
 
-/// What the records so far mean for the next ones.
+/// State of the listing after the records so far.
 struct Listing<'a> {
     variables: Variables<'a>,
-    /// How many MESSAGE texts there were.
+    /// Number of MESSAGE texts so far.
     texts: u32,
 }
 
 impl Listing<'_> {
-    /// The record of a step, whose line of FORMAL.TMP says how it was written.
+    /// Returns the record of a step, whose line of FORMAL.TMP says how it was written.
     fn record(&mut self, formal: &str, action: &Action) -> Record {
         let mut fields = formal.split('\t');
         let word = fields.next().unwrap_or_default();
@@ -138,7 +139,7 @@ impl Listing<'_> {
         }
     }
 
-    /// The text's place among all texts.
+    /// Returns the index of the text among all texts.
     fn message(&mut self) -> Record {
         let text = Slot::new("STRING", f64::from(self.texts));
         self.texts += 1;
@@ -160,7 +161,7 @@ impl Listing<'_> {
         }
     }
 
-    /// A struct is one argument if it was written as one: as `last`.
+    /// Returns the arguments. A struct is one argument if it was written as one: as `last`.
     fn arguments(&self, arguments: &[Argument], last: &str) -> Vec<Slot> {
         if let Some(whole) = self.variables.written_whole(arguments, last) {
             return vec![whole];
@@ -253,7 +254,7 @@ fn label(step: StepId) -> Slot {
     Slot::new("LABEL", f64::from(step))
 }
 
-/// How the right side meets the left one.
+/// Returns the name of the update: how the right side meets the left one.
 fn left_name(update: Option<Arithmetic>) -> String {
     let name = match update {
         None => return target_name(Target::None),
@@ -274,7 +275,7 @@ const fn binary_name(operation: Arithmetic) -> &'static str {
     }
 }
 
-/// An equation with a function.
+/// Returns an equation with a function.
 fn equal(function: Operation) -> String {
     format!("EQUAL_{}", function.word())
 }
@@ -299,7 +300,7 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// A command without target and arguments.
+    /// Creates a command without target and arguments.
     pub(super) fn new(command: impl Into<String>) -> Self {
         Record {
             command: command.into(),
@@ -308,18 +309,18 @@ impl Record {
         }
     }
 
-    /// The same with this target.
+    /// Sets the target.
     pub(super) fn to(self, target: String) -> Self {
         Record { target, ..self }
     }
 
-    /// The same with another argument after the others.
+    /// Adds an argument after the others.
     pub(super) fn with(mut self, argument: Slot) -> Self {
         self.arguments.push(argument);
         self
     }
 
-    /// Its lines, with `count` arguments.
+    /// Returns its lines, with `count` arguments.
     pub(super) fn text(&self, number: usize, count: usize) -> String {
         let arguments = || {
             let empty = std::iter::repeat(&Slot::NONE);
@@ -364,7 +365,7 @@ impl Slot {
         Slot::new("CONSTANT", value)
     }
 
-    /// The same after a mark, of which `R` alone shows.
+    /// Adds a mark, of which `R` alone shows.
     pub(super) fn marked(self, mark: Mark) -> Self {
         match mark {
             Mark::None | Mark::Absolute => self,
@@ -373,7 +374,7 @@ impl Slot {
     }
 }
 
-/// The place of each variable among those of its type.
+/// The index of each variable among those of its type.
 pub(super) struct Variables<'a> {
     program: &'a Program,
     places: Vec<u32>,
@@ -394,7 +395,7 @@ impl<'a> Variables<'a> {
         }
     }
 
-    /// A struct as a whole; of a VAR, the VAR.
+    /// Returns a struct as a whole; of a VAR, the VAR.
     pub(super) fn whole(&self, variable: VariableId) -> Slot {
         let kind = match self.program.variables()[variable].kind {
             VariableKind::Var => "VAR",
@@ -404,7 +405,7 @@ impl<'a> Variables<'a> {
         Slot::new(kind, f64::from(self.places[variable]))
     }
 
-    /// A VAR or member, perhaps with a minus before it.
+    /// Returns a VAR or member, perhaps with a minus before it.
     pub(super) fn scalar(&self, scalar: Scalar, negative: bool) -> Slot {
         let Slot { kind, value } = self.whole(scalar.variable);
         let sign = if negative { "MINUS_" } else { "" };
@@ -423,7 +424,7 @@ impl<'a> Variables<'a> {
         }
     }
 
-    /// The struct that was written as `word` in the place of these arguments.
+    /// Returns the struct that was written as `word` in the place of these arguments.
     pub(super) fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
         let first = arguments.first()?;
         let Operand::Scalar { scalar, .. } = first.operand else {
@@ -435,7 +436,7 @@ impl<'a> Variables<'a> {
     }
 }
 
-/// A target's name; `NO_TARGET` for none.
+/// Returns a target's name; `NO_TARGET` for none.
 pub(super) fn target_name(target: Target) -> String {
     match target {
         Target::None => "NO_TARGET".to_owned(),
@@ -443,7 +444,7 @@ pub(super) fn target_name(target: Target) -> String {
     }
 }
 
-/// An input's name.
+/// Returns an input's name.
 pub(super) fn port_name(port: Port) -> String {
     match port {
         Port::Channel(_) => target_name(Target::None),

@@ -1,6 +1,6 @@
-//! What a fix does.
+//! Titles of fixes.
 
-use super::Findings;
+use super::Diagnostics;
 use smol_str::SmolStr;
 
 tipc::message_table! {
@@ -51,16 +51,16 @@ tipc::message_table! {
         "引用符を取り、MESSAGEで表示する";
 
     // What `check` says of them.
-    Fixed { findings: Findings }
-        "fixed {findings}",
-        "{findings}を直しました";
-    CanFix { findings: Findings }
-        "`tip check --fix` fixes {findings}",
-        "`tip check --fix` で{findings}を直せます";
-    CanFixMore { findings: Findings, all: usize }
-        "`tip check --fix` fixes {findings}, with `--unsafe-fixes` {all}: look at what it writes",
-        "`tip check --fix` で{findings}、`--unsafe-fixes` も付けると{all}件を直せます。結果を確かめてください";
-    CanFixLikely { findings: Findings }
-        "`tip check --fix --unsafe-fixes` fixes {findings}: look at what it writes",
-        "`tip check --fix --unsafe-fixes` で{findings}を直せます。結果を確かめてください";
+    Fixed { diagnostics: Diagnostics }
+        "fixed {diagnostics}",
+        "{diagnostics}を直しました";
+    CanFix { diagnostics: Diagnostics }
+        "`tip check --fix` fixes {diagnostics}",
+        "`tip check --fix` で{diagnostics}を直せます";
+    CanFixMore { diagnostics: Diagnostics, all: usize }
+        "`tip check --fix` fixes {diagnostics}, with `--unsafe-fixes` {all}: review what it writes",
+        "`tip check --fix` で{diagnostics}、`--unsafe-fixes` も付けると{all}件を直せます。結果を確かめてください";
+    CanFixLikely { diagnostics: Diagnostics }
+        "`tip check --fix --unsafe-fixes` fixes {diagnostics}: review what it writes",
+        "`tip check --fix --unsafe-fixes` で{diagnostics}を直せます。結果を確かめてください";
 }

@@ -122,7 +122,7 @@ tipc::message_table! {
         "{from} is already beyond {to}",
         "{from}は初めから{to}を過ぎています";
     CountBack { step: f64 }
-        "count the other way with `STEP {step}`, or exchange the bounds",
+        "count the other way with `STEP {step}`, or swap the bounds",
         "逆に数えるには `STEP {step}` を付けるか、両端を入れ替えてください";
     NothingChanges
         "no step of the loop assigns a variable of this condition",
@@ -153,7 +153,7 @@ tipc::message_table! {
 
     // Waits.
     PassesAtOnce { target: Target }
-        "nothing moves {target}: the wait ends at once",
+        "nothing moves {target}: the wait ends immediately",
         "{target}を動かす文がないので、待たずに先へ進みます";
     NeverControlled { target: Target }
         "nothing moves {target}: this stops the program",
@@ -176,7 +176,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What a variable lacks.
+    /// Missing part of a variable.
     Lack;
 
     Value "no value here", "ここではまだ値がありません";
@@ -192,7 +192,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What is said of comments that silence warnings.
+    /// Messages about comments that silence warnings.
     Allowing;
 
     NoList

@@ -1,10 +1,10 @@
-//! What is said of programs of older versions.
+//! Messages about programs of older versions.
 
 use super::{Changes, Declared, Loads, Questions};
 use tipc::message::{Message, Text};
 
 tipc::message_table! {
-    /// What the migration of a program says.
+    /// Messages of the migration of a program.
     Migrating;
 
     // Lines 1 and 2.
@@ -63,7 +63,7 @@ tipc::message_table! {
 
     // MESSAGE.
     Semicolon
-        "`;` ends a MESSAGE since 3.0: which character shall stand here instead?",
+        "`;` ends a MESSAGE since 3.0: which character should stand here instead?",
         "3.0から `;` はMESSAGEの終わりです。代わりにどの文字にしますか?";
     PlainText { name: String }
         "`%{name}%` was plain text and shows a value since 3.0: which one is meant?",
@@ -77,7 +77,7 @@ tipc::message_table! {
         "the label {name} becomes {new}: {name} is a word of the language in 3.1",
         "ラベル{name}を{new}にします。{name}は3.1の予約語です";
     WordOfLanguage { word: String }
-        "{word} is a word of the language in 3.1: what shall the variable be called?",
+        "{word} is a word of the language in 3.1: what should the variable be called?",
         "{word}は3.1の予約語です。変数を何という名前にしますか?";
     Declares { line: Text, declared: Declared }
         "put in `{line}`{declared}",
@@ -89,7 +89,7 @@ tipc::message_table! {
         "{name} has no number: which variable is meant?",
         "{name}に番号がありません。どの変数ですか?";
     NameTooLong { most: usize, name: String, length: usize }
-        "a name has at most {most} bytes, {name} has {length}: what shall the variable be called?",
+        "a name has at most {most} bytes, {name} has {length}: what should the variable be called?",
         "名前は{most}バイトまでですが、{name}は{length}バイトあります。変数を何という名前にしますか?";
 
     // The last look.

@@ -8,7 +8,7 @@ use tipc::lex::Kind;
 use tipc::source::Span;
 use tipc::syntax::Arithmetic;
 
-/// What follows the name of a parameter.
+/// Suffixes after the name of a parameter.
 const SUFFIXES: &[&str] = &["_RATE", "_SLOW", "_FAST", "_NORMAL", "_FIRMLY", "_SOFT"];
 
 /// The parameters, as old programs call them and as they are called now.
@@ -21,7 +21,7 @@ const PARAMETERS: &[(&str, &str)] = &[
     ("T_MAX", "TORQUE_MAX"),
 ];
 
-/// The name of today of a parameter command, if it has another one (§1-1, 2.0).
+/// Returns the name of today of a parameter command, if it has another one (§1-1, 2.0).
 fn parameter_command(keyword: &str) -> Option<String> {
     let bare = keyword.strip_prefix("SET_").unwrap_or(keyword);
     let suffix = SUFFIXES.iter().find(|suffix| bare.ends_with(**suffix));
@@ -32,7 +32,7 @@ fn parameter_command(keyword: &str) -> Option<String> {
     (name != keyword && find(&name).is_some()).then_some(name)
 }
 
-/// Whether an old statement may start with this word.
+/// Returns true if an old statement may start with this word.
 pub(super) fn is_statement_word(keyword: &str) -> bool {
     let renamed = ["COMPLIANCE", "SET_INPOS", "SET_NEAR"];
     COMMANDS
@@ -43,7 +43,7 @@ pub(super) fn is_statement_word(keyword: &str) -> bool {
 }
 
 impl Migrator<'_> {
-    /// A command that is neither of the special ones nor an equation.
+    /// Migrates a command that is neither of the special ones nor an equation.
     pub(super) fn command(&mut self, statement: &Statement) {
         match statement.keyword.as_str() {
             "SET_INPOS" => self.tolerance(statement, "SET_JUST_POSITION"),
@@ -135,7 +135,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// REM was no step before 3.0; a comment is none now.
+    /// Migrates REM to a comment: it was no step before 3.0; a comment is none now.
     pub(super) fn remark(&mut self, statement: &Statement) {
         self.edits.replace(statement.word, "//");
         self.change(statement.word, Migrating::Remark);

@@ -10,7 +10,7 @@ use tipc::language::Edition;
 use tipc::language::reserved::is_reserved;
 use tipc::syntax::VariableKind;
 
-/// How many names a line declares at most.
+/// Maximum number of names in a declaration line.
 const NAMES_PER_LINE: usize = 8;
 
 impl Migrator<'_> {
@@ -42,7 +42,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// How the program ends its lines.
+    /// Returns the line end of the program.
     fn line_end(&self) -> &'static str {
         match self.slice(self.source.line(1).end) {
             "\r\n" => "\r\n",
@@ -51,7 +51,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// A variable whose name is a word of the language now.
+    /// Asks for another name of a variable whose name is a word of the language now.
     pub(super) fn clashes(&mut self, statement: &Statement) {
         for name in statement.words().skip(1) {
             let word = self.slice(name).to_ascii_uppercase();

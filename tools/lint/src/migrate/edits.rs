@@ -1,4 +1,4 @@
-//! Changes of the text, carried over to the bytes that spell it.
+//! Changes of the text, carried over to the bytes of the file.
 
 use tipc::source::{Source, Span};
 
@@ -17,7 +17,7 @@ impl Edits {
         self.replace(Span::new(at, at), text);
     }
 
-    /// The bytes of the file with every edit.
+    /// Returns the bytes of the file with every edit.
     pub(super) fn apply(mut self, source: &Source) -> Vec<u8> {
         self.0.sort_by_key(|(span, _)| *span);
         let changes = self.0.iter().map(|(span, new)| (*span, new.as_str()));

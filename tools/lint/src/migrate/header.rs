@@ -15,7 +15,7 @@ const TITLED: f64 = 1.1;
 /// A version that older programs name, although the language never came so far.
 const ODD: f64 = 4.0;
 
-/// How a program is written.
+/// Style of a program's version.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Style {
     /// Variables typed by their names, one statement a line: before 3.0.
@@ -25,18 +25,18 @@ pub(super) enum Style {
 }
 
 impl Style {
-    /// Whether `VAR01` and its like need no declaration.
+    /// Returns true if variables like `VAR01` need no declaration.
     pub(super) fn typed(self) -> bool {
         self == Style::Typed
     }
 
-    /// Whether `;` is an ordinary character of texts.
+    /// Returns true if `;` is an ordinary character of texts.
     pub(super) fn single(self) -> bool {
         self.typed()
     }
 }
 
-/// What is in line 2.
+/// Title in line 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Title {
     /// The title.
@@ -46,7 +46,7 @@ pub(super) enum Title {
 }
 
 impl Title {
-    /// The first line that holds statements.
+    /// Returns the first line that holds statements.
     pub(super) fn first_line(self) -> u32 {
         match self {
             Title::Present => 3,
@@ -55,7 +55,7 @@ impl Title {
     }
 }
 
-/// What line 1 says.
+/// Contents of line 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Header {
     pub(super) style: Style,
@@ -65,10 +65,10 @@ pub(super) struct Header {
 impl Migrator<'_> {
     /// Brings line 1 to version 3.1; `None` if nothing else is to be done.
     pub(super) fn header(&mut self) -> Option<Header> {
-        let place = version_word(self.source);
-        let word = self.slice(place).to_owned();
+        let location = version_word(self.source);
+        let word = self.slice(location).to_owned();
         let Some(version) = version_number(&word) else {
-            self.question(place, Migrating::WhichVersion);
+            self.question(location, Migrating::WhichVersion);
             return None;
         };
         if version == CURRENT {
@@ -76,11 +76,11 @@ impl Migrator<'_> {
         }
         let known = (1.0..CURRENT).contains(&version) || version == ODD;
         if !known {
-            self.question(place, Migrating::UnknownVersion { version: word });
+            self.question(location, Migrating::UnknownVersion { version: word });
             return None;
         }
-        self.edits.replace(place, "3.1");
-        self.change(place, Migrating::Version { version: word });
+        self.edits.replace(location, "3.1");
+        self.change(location, Migrating::Version { version: word });
         let style = self.style(version);
         Some(Header {
             style,
@@ -88,7 +88,7 @@ impl Migrator<'_> {
         })
     }
 
-    /// A program that says 4.0 shows by its declarations what it is.
+    /// Returns a program that says 4.0 shows by its declarations what it is.
     fn style(&self, version: f64) -> Style {
         let declares = || {
             let pieces = lines::read(self.source, 3, false);
@@ -107,7 +107,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// Version 1.0 had no title: its line 2 is a statement if it looks like one.
+    /// Returns the title. Version 1.0 had none: its line 2 is a statement if it looks like one.
     fn title(&self, version: f64) -> Title {
         if version >= TITLED {
             return Title::Present;

@@ -34,7 +34,7 @@ impl Migrator<'_> {
     }
 }
 
-/// A name that no label has.
+/// Returns a name that no label has.
 fn free_name(name: &str, names: &HashSet<String>) -> String {
     let candidates = (1..).map(|number| format!("{name}_{number}"));
     let mut free = candidates.filter(|candidate| !names.contains(candidate));

@@ -6,7 +6,7 @@ use tipc::source::{Source, Span};
 /// A label or a statement.
 #[derive(Debug)]
 pub(super) enum Piece {
-    /// `NAME:`; the place of the name.
+    /// `NAME:`; the location of the name.
     Label {
         name: Span,
         line: u32,
@@ -42,21 +42,21 @@ pub(super) struct Statement {
     pub(super) line: u32,
     /// The first word, upper-cased.
     pub(super) keyword: String,
-    /// Its place.
+    /// Its location.
     pub(super) word: Span,
     /// Everything, the first word included.
     pub(super) tokens: Vec<Token>,
-    /// What follows the first word.
+    /// Text after the first word.
     pub(super) text: Span,
 }
 
 impl Statement {
-    /// Whether an assignment operator follows the first word.
+    /// Returns true if an assignment operator follows the first word.
     pub(super) fn is_equation(&self) -> bool {
         matches!(self.tokens.get(1), Some(token) if matches!(token.kind, Kind::Assign(_)))
     }
 
-    /// The words that are not labels: a colon right after a word makes it one.
+    /// Returns the words that are not labels: a colon right after a word makes it one.
     pub(super) fn words(&self) -> impl Iterator<Item = Span> {
         let next = self.tokens.iter().skip(1).map(Some).chain([None]);
         self.tokens
@@ -66,7 +66,7 @@ impl Statement {
             .map(|(token, _)| token.span)
     }
 
-    /// The labels that it jumps to.
+    /// Returns the labels that it jumps to.
     pub(super) fn jumps(&self) -> impl Iterator<Item = Span> {
         let pairs = self.tokens.windows(2);
         pairs
@@ -74,7 +74,7 @@ impl Statement {
             .map(|pair| pair[0].span)
     }
 
-    /// Where it ends.
+    /// Returns its end.
     pub(super) fn end(&self) -> usize {
         self.tokens
             .last()
@@ -86,7 +86,7 @@ fn is_colon(token: Option<&Token>) -> bool {
     token.is_some_and(|token| token.kind == Kind::Colon)
 }
 
-/// Everything from line `first` up to END. `single`: `;` does not part a text.
+/// Reads everything from line `first` up to END. `single`: `;` does not part a text.
 pub(super) fn read(source: &Source, first: u32, single: bool) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for line in source.lines().skip(first.saturating_sub(1) as usize) {

@@ -7,17 +7,17 @@ use super::variables::Variables;
 use crate::message::Migrating;
 use tipc::source::Span;
 
-/// How many decimals `%fnn%` shows: as C's `%f`, whose letter it is.
+/// Number of decimals of `%fnn%`: as C's `%f`, whose letter it is.
 const DECIMALS: u8 = 6;
 
 impl Migrator<'_> {
     /// Placeholders of today, and what would be read otherwise today.
     pub(super) fn message(&mut self, statement: &Statement, variables: &Variables) {
         let text = self.slice(statement.text).to_owned();
-        let place =
+        let location =
             |start, end| Span::new(statement.text.start + start, statement.text.start + end);
         if let Some(at) = text.find(';') {
-            self.question(place(at, at + 1), Migrating::Semicolon);
+            self.question(location(at, at + 1), Migrating::Semicolon);
         }
         let old = old_placeholders(&text);
         let behind = old
@@ -29,11 +29,11 @@ impl Migrator<'_> {
             .chain(old.iter().map(|placeholder| placeholder.end));
         for (start, end) in before.zip(behind) {
             if let Some(name) = names_a_variable(&text[start..end], variables) {
-                self.question(place(start, end), Migrating::PlainText { name });
+                self.question(location(start, end), Migrating::PlainText { name });
             }
         }
         for placeholder in &old {
-            let span = place(placeholder.start, placeholder.end);
+            let span = location(placeholder.start, placeholder.end);
             let name = variables.var(&placeholder.digits).unwrap_or_default();
             let new = if placeholder.real {
                 format!("%{name}.{DECIMALS}%")
@@ -47,7 +47,7 @@ impl Migrator<'_> {
     }
 }
 
-/// A variable that plain text would show today.
+/// Returns a variable that plain text would show today.
 fn names_a_variable(text: &str, variables: &Variables) -> Option<String> {
     let words = text.split('%').skip(1);
     let closed = text.matches('%').count().saturating_sub(1);

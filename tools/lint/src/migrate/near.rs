@@ -26,7 +26,7 @@ const ANGLES: &[&str] = &[
     "REL_COMPLIANCE_ANGLE",
 ];
 
-/// What a tolerance is measured in.
+/// Unit of a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Measure {
     /// mm
@@ -55,8 +55,8 @@ impl Migrator<'_> {
         ] = values
         else {
             if !values.is_empty() {
-                let place = values[0].span;
-                self.question(place, Migrating::OneTolerance);
+                let location = values[0].span;
+                self.question(location, Migrating::OneTolerance);
             }
             return;
         };
@@ -95,13 +95,13 @@ impl Migrator<'_> {
         self.change(word.span, Migrating::TwoSteps { setting });
     }
 
-    fn ask_measure(&mut self, place: Span, target: &str) {
+    fn ask_measure(&mut self, location: Span, target: &str) {
         let target = target.to_owned();
-        self.question(place, Migrating::WhichMeasure { target });
+        self.question(location, Migrating::WhichMeasure { target });
     }
 }
 
-/// What the commands of a program move, and how.
+/// Targets that the commands of a program move, and how.
 #[derive(Debug, Default)]
 pub(super) struct Moves {
     /// The words behind commands of [`POSITIONS`].
@@ -113,7 +113,7 @@ pub(super) struct Moves {
 }
 
 impl Moves {
-    /// Those of a program.
+    /// Collects the moves of a program.
     pub(super) fn of(source: &Source, pieces: &[Piece]) -> Self {
         let mut moves = Moves::default();
         for statement in pieces.iter().filter_map(Piece::statement) {
@@ -128,7 +128,7 @@ impl Moves {
         moves
     }
 
-    /// How the program moves what WAIT_NEAR waits for; where it does not, by the kind of the target.
+    /// Returns how the program moves what WAIT_NEAR waits for; where it does not, the kind of the target decides.
     fn measure(&self, target: &str) -> Measure {
         let is_joint = target.starts_with('J');
         let moves = |words: &BTreeSet<String>| match target {
@@ -153,12 +153,12 @@ impl Moves {
     }
 }
 
-/// The leg of a joint's name.
+/// Returns the leg of a joint's name.
 fn leg_of_joint(target: &str) -> Option<&str> {
     target.strip_prefix('J')?.get(..1)
 }
 
-/// Whether WAIT_NEAR can wait for this.
+/// Returns true if WAIT_NEAR can wait for this.
 fn is_target(name: &str) -> bool {
     let is_number = |digits: &str| digits.bytes().all(|byte| matches!(byte, b'1'..=b'9'));
     match (name.strip_prefix('F'), name.strip_prefix('J')) {

@@ -3,9 +3,9 @@
 /// `%fnn%` or `%dnn%`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Placeholder {
-    /// Where it starts in the text.
+    /// Start in the text.
     pub(super) start: usize,
-    /// Where it ends.
+    /// End in the text.
     pub(super) end: usize,
     /// With decimals.
     pub(super) real: bool,
@@ -13,7 +13,7 @@ pub(super) struct Placeholder {
     pub(super) digits: String,
 }
 
-/// The old placeholders of a text, from left to right.
+/// Returns the old placeholders of a text, from left to right.
 pub(super) fn old_placeholders(text: &str) -> Vec<Placeholder> {
     let mut found = Vec::new();
     let mut start = 0;

@@ -9,7 +9,7 @@ use tipc::message::Lang;
 use tipc::message::list::List;
 use tipc::render::{push_member, push_number, push_string};
 
-/// Every question with its line, or every change; one sentence at the end.
+/// Returns every question with its line, or every change; one sentence at the end.
 pub fn render_human(migration: &Migration, lang: Lang) -> String {
     let mut out = String::new();
     for note in &migration.notes {
@@ -68,7 +68,7 @@ fn line(migration: &Migration, note: &Note, lang: Lang) -> String {
     Printable::line(format_args!("{name}:{line}:{column}: {kind}: {text}")).to_string()
 }
 
-/// One object a line: `level` (`change` or `question`), `message`, `file`, `line`, `column`.
+/// Returns one object a line: `level` (`change` or `question`), `message`, `file`, `line`, `column`.
 pub fn render_json(migration: &Migration, lang: Lang) -> String {
     let notes = migration.notes.iter();
     notes

@@ -30,7 +30,7 @@ impl Prefix {
         (Prefix::Trq, "TRQ"),
     ];
 
-    /// The type of today.
+    /// Returns the type of today.
     pub(super) fn kind(self) -> VariableKind {
         match self {
             Prefix::Var => VariableKind::Var,
@@ -46,15 +46,15 @@ type Key = (Prefix, usize, String);
 /// Every old variable of a program.
 #[derive(Debug, Default)]
 pub(super) struct Variables {
-    /// How each is spelt where it first appears.
+    /// Spelling of each where it first appears.
     spelling: BTreeMap<Key, String>,
     /// Names that stand for a variable spelt otherwise.
     respelt: Vec<(Span, String)>,
     /// Type names without a number.
     numberless: Vec<Span>,
-    /// Where names first appear that are too long for a declaration.
+    /// First locations of names that are too long for a declaration.
     too_long: Vec<(Span, String)>,
-    /// How VARs are spelt.
+    /// Spellings of VARs.
     vars: HashSet<String>,
     /// Names that the program declares itself.
     declared: HashSet<String>,
@@ -105,8 +105,8 @@ impl Variables {
         }
     }
 
-    /// How the variable at `place` is spelt, now known if it was not.
-    fn name_of(&mut self, prefix: Prefix, digits: &str, place: Span) -> String {
+    /// Returns the spelling of the variable at `location`, and records it if it is new.
+    fn name_of(&mut self, prefix: Prefix, digits: &str, location: Span) -> String {
         let entry = match self.spelling.entry(key(prefix, digits)) {
             Entry::Occupied(known) => return known.get().clone(),
             Entry::Vacant(entry) => entry,
@@ -114,7 +114,7 @@ impl Variables {
         let (_, name) = Prefix::ALL[prefix as usize];
         let name = format!("{name}{digits}");
         if name.len() > names::LIMIT {
-            self.too_long.push((place, name.clone()));
+            self.too_long.push((location, name.clone()));
         }
         if prefix == Prefix::Var {
             self.vars.insert(name.clone());
@@ -122,13 +122,13 @@ impl Variables {
         entry.insert(name).clone()
     }
 
-    /// How the VAR of that number is spelt.
+    /// Returns the spelling of the VAR of that number.
     pub(super) fn var(&self, digits: &str) -> Option<&str> {
         let name = self.spelling.get(&key(Prefix::Var, digits));
         name.map(String::as_str)
     }
 
-    /// The name that `word` gets.
+    /// Returns the name that `word` gets.
     pub(super) fn spelt(&self, word: &str) -> String {
         let (base, member) = match word.split_once('.') {
             Some((base, member)) => (base, format!(".{member}")),
@@ -139,7 +139,7 @@ impl Variables {
         known.unwrap_or_else(|| base.to_owned()) + &member
     }
 
-    /// The names of one type of today that can be declared, by number.
+    /// Returns the names of one type of today that can be declared, by number.
     pub(super) fn to_declare(&self, kind: VariableKind) -> Vec<&str> {
         let of_kind = |key: &Key| key.0.kind() == kind;
         self.spelling
@@ -150,7 +150,7 @@ impl Variables {
             .collect()
     }
 
-    /// Whether a placeholder of today would name it.
+    /// Returns true if a placeholder of today would name it.
     pub(super) fn is_var(&self, name: &str) -> bool {
         self.vars.contains(name) || self.declared.contains(name)
     }
@@ -161,7 +161,7 @@ fn key(prefix: Prefix, digits: &str) -> Key {
     (prefix, number.len(), number.to_owned())
 }
 
-/// The type and the number of an upper-case name.
+/// Returns the type and the number of an upper-case name.
 fn split(name: &str) -> Option<(Prefix, &str)> {
     let with = |(prefix, text): &(Prefix, &str)| Some((*prefix, name.strip_prefix(*text)?));
     let (prefix, digits) = Prefix::ALL.iter().find_map(with)?;
@@ -170,7 +170,7 @@ fn split(name: &str) -> Option<(Prefix, &str)> {
 }
 
 impl Migrator<'_> {
-    /// One spelling for each variable.
+    /// Gives each variable one spelling.
     pub(super) fn variables(&mut self, variables: &Variables) {
         for (span, name) in &variables.respelt {
             let old = self.slice(*span).to_ascii_uppercase();

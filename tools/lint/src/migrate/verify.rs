@@ -27,8 +27,8 @@ pub(super) fn questions(
     let (module, found) = parse(&source, 3.1);
     let broken = found
         .iter()
-        .filter(|finding| finding.level() == Level::Error)
-        .map(|finding| (finding.span.start, explained(finding)));
+        .filter(|diagnostic| diagnostic.level() == Level::Error)
+        .map(|diagnostic| (diagnostic.span.start, explained(diagnostic)));
     let refused = refused_by_all(&source, &module);
     let unknown = module.statements.iter().zip(&refused);
     let unknown = unknown.filter_map(|(statement, refused)| {
@@ -61,7 +61,7 @@ pub(super) fn questions(
         .collect()
 }
 
-/// For each statement why its arguments are no robot's, if they are none's.
+/// Returns for each statement why no robot takes its arguments, if none does.
 fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
     let mut refused: Vec<Option<Diagnostic>> = vec![None; module.statements.len()];
     let mut robots = vec![0; module.statements.len()];
@@ -70,8 +70,8 @@ fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
         found.retain(|one| matches!(one.code, Code::Argument | Code::UnknownCommand));
         let mut seen = vec![false; module.statements.len()];
         for fault in found {
-            let place = fault.span.start;
-            let before = |statement: &Statement| statement.span.start <= place;
+            let location = fault.span.start;
+            let before = |statement: &Statement| statement.span.start <= location;
             let behind = module.statements.partition_point(before);
             let Some(at) = behind.checked_sub(1) else {
                 continue;
@@ -90,12 +90,12 @@ fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
     refused
 }
 
-fn explained(finding: &Diagnostic) -> Migrating {
-    if finding.code == Code::NoEnd {
+fn explained(diagnostic: &Diagnostic) -> Migrating {
+    if diagnostic.code == Code::NoEnd {
         return Migrating::NoEnd;
     }
     Migrating::NoStatement {
-        title: finding.message().into(),
-        reason: Box::new(finding.reason.clone()),
+        title: diagnostic.message().into(),
+        reason: Box::new(diagnostic.reason.clone()),
     }
 }

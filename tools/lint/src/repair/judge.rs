@@ -1,5 +1,5 @@
-//! Whether a changed text is better: what was to be put right is gone, and nothing else is wrong that could be seen before.
-//! A statement has one finding at most, so that a second mistake shows when the first is put right.
+//! Judgement of a changed text. It is better if the mistake is gone, and nothing else is wrong that could be seen
+//! before. A statement has one diagnostic at most, so that a second mistake shows when the first is fixed.
 
 use crate::Loaded;
 use std::collections::{HashMap, HashSet};
@@ -8,7 +8,7 @@ use tipc::code::{Code, Level};
 use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::syntax::StatementKind;
 
-/// The findings that are new after these were to be put right. One that is still there counts as new.
+/// Returns the diagnostics that are new after these were to be put right. One that is still there counts as new.
 pub(super) fn news(
     before: &Loaded,
     after: &Loaded,
@@ -19,24 +19,24 @@ pub(super) fn news(
     let ends = Ends::of(edits);
     let mut here: HashMap<(Key, usize), usize> = HashMap::new();
     let mut anywhere: HashMap<Key, usize> = HashMap::new();
-    for (index, finding) in before.diagnostics.iter().enumerate() {
+    for (index, diagnostic) in before.diagnostics.iter().enumerate() {
         if !fixed.contains(&index) {
-            let place = ends.moved(finding.span.start);
-            *here.entry((key(finding), place)).or_default() += 1;
-            *anywhere.entry(key(finding)).or_default() += 1;
+            let location = ends.moved(diagnostic.span.start);
+            *here.entry((key(diagnostic), location)).or_default() += 1;
+            *anywhere.entry(key(diagnostic)).or_default() += 1;
         }
     }
     let seen = Seen::of(before, &ends, edits);
     let found = after.diagnostics.iter().enumerate();
     let mut new: Vec<_> = found
-        .filter(|(_, finding)| seen.would_show(finding))
+        .filter(|(_, diagnostic)| seen.would_show(diagnostic))
         .collect();
     // What stands where it stood comes first: its like elsewhere may be new.
-    new.retain(|(_, finding)| {
-        let stays = takes(&mut here, &(key(finding), finding.span.start));
-        !(stays && takes(&mut anywhere, &key(finding)))
+    new.retain(|(_, diagnostic)| {
+        let stays = takes(&mut here, &(key(diagnostic), diagnostic.span.start));
+        !(stays && takes(&mut anywhere, &key(diagnostic)))
     });
-    new.retain(|(_, finding)| !takes(&mut anywhere, &key(finding)));
+    new.retain(|(_, diagnostic)| !takes(&mut anywhere, &key(diagnostic)));
     new.into_iter().map(|(index, _)| index).collect()
 }
 
@@ -51,11 +51,11 @@ fn takes<K: Hash + Eq>(left: &mut HashMap<K, usize>, key: &K) -> bool {
     }
 }
 
-/// Where edits end, in the text before and in the changed one.
+/// Ends of edits, in the text before and in the changed one.
 struct Ends(Vec<(usize, usize)>);
 
 impl Ends {
-    /// Of edits in their order.
+    /// Computes the ends of edits in their order.
     fn of(edits: &[&Edit]) -> Ends {
         let (mut gone, mut new) = (0, 0);
         let ends = edits.iter().map(|edit| {
@@ -66,7 +66,7 @@ impl Ends {
         Ends(ends.collect())
     }
 
-    /// Where a place of the text is after the change.
+    /// Returns the offset after the change.
     fn moved(&self, at: usize) -> usize {
         let passed = self.0.partition_point(|(end, _)| *end <= at);
         let last = passed.checked_sub(1).map(|last| self.0[last]);
@@ -74,11 +74,11 @@ impl Ends {
     }
 }
 
-/// Of some findings those that stand on no line that was changed: no mistake before may have hidden them.
+/// Returns the diagnostics on lines that were not changed: no mistake before may have hidden them.
 pub(super) fn not_hidden(
     before: &Loaded,
     after: &Loaded,
-    findings: &[usize],
+    diagnostics: &[usize],
     edits: &[&Edit],
 ) -> Vec<usize> {
     let same_lines = before.source.line_count() == after.source.line_count();
@@ -89,24 +89,24 @@ pub(super) fn not_hidden(
         let start = after.diagnostics[index].span.start;
         after.source.line_column(start).0
     };
-    let findings = findings.iter().copied();
-    findings
+    let diagnostics = diagnostics.iter().copied();
+    diagnostics
         .filter(|index| !changed.contains(&line(*index)))
         .collect()
 }
 
-/// The lines before the change that hold an edit, if a finding stands there after it.
+/// Returns the lines before the change that hold an edit, if a diagnostic stands there after it.
 pub(super) fn lines(
     before: &Loaded,
     after: &Loaded,
-    findings: &[usize],
+    diagnostics: &[usize],
     edits: &[&Edit],
 ) -> HashSet<u32> {
     let line = |index: &usize| {
         let start = after.diagnostics[*index].span.start;
         after.source.line_column(start).0
     };
-    let found: HashSet<u32> = findings.iter().map(line).collect();
+    let found: HashSet<u32> = diagnostics.iter().map(line).collect();
     let ends = Ends::of(edits);
     let is_found = |edit: &&&Edit| {
         let end = ends.moved(edit.span.end);
@@ -118,22 +118,22 @@ pub(super) fn lines(
         .collect()
 }
 
-/// What makes two findings the same, wherever they are.
+/// Key by which two diagnostics are the same, wherever they are.
 type Key = (Code, String);
 
-fn key(finding: &Diagnostic) -> Key {
-    (finding.code, finding.reason.to_string())
+fn key(diagnostic: &Diagnostic) -> Key {
+    (diagnostic.code, diagnostic.reason.to_string())
 }
 
-/// What was looked at before the change.
+/// Facts of the text before the change.
 struct Seen {
-    /// How far the text was read, as a place of the changed text.
+    /// End of the text that was read, as an offset of the changed text.
     read: usize,
     /// The blocks were whole, so that the use of variables was judged.
     usage: bool,
     /// There was a program, so that its warnings were known.
     program: bool,
-    /// Where the last error and the last warning was reported, as places of the changed text, if further ones were omitted.
+    /// Offsets, in the changed text, of the last reported error and warning, if further ones were omitted.
     last: [Option<usize>; 2],
 }
 
@@ -170,16 +170,16 @@ impl Seen {
         }
     }
 
-    /// Whether a finding of the changed text would have been reported before.
-    fn would_show(&self, finding: &Diagnostic) -> bool {
+    /// Returns true if a diagnostic of the changed text would have been reported before.
+    fn would_show(&self, diagnostic: &Diagnostic) -> bool {
         let is_usage = matches!(
-            finding.code,
+            diagnostic.code,
             Code::NeverAssigned | Code::Unused | Code::NeverRead
         );
-        let is_warning = finding.level() == Level::Warning;
+        let is_warning = diagnostic.level() == Level::Warning;
         let last = self.last[usize::from(is_warning)];
-        last.is_none_or(|last| finding.span.start < last)
-            && finding.span.start < self.read
+        last.is_none_or(|last| diagnostic.span.start < last)
+            && diagnostic.span.start < self.read
             && (self.usage || !is_usage)
             && (self.program || !is_warning)
     }

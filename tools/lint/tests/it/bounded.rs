@@ -1,4 +1,4 @@
-//! What a program costs to look at grows with its length, not with its square. Work is counted in bytes taken from the heap:
+//! Analysis cost grows with a program's length, not with its square. Work is counted in bytes taken from the heap:
 //! each search takes what it comes to, and the count is the same on every machine.
 
 use allocation_counter::{AllocationInfo, measure};
@@ -35,7 +35,7 @@ fn cycles(statements: &str) -> u64 {
     measure(|| assert!(!parts(&program, sampling).counted.is_empty())).bytes_total
 }
 
-/// A line for each number.
+/// Returns a line for each number.
 fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
     (0..count).map(|number| line(number) + "\n").collect()
 }
@@ -168,7 +168,7 @@ fn a_count_that_ends_early_says_so() {
     assert_eq!(object, Some(expected));
 }
 
-/// What everything costs that is found of a program.
+/// Counts the cost of all diagnostics of a program.
 fn check(statements: &str) -> u64 {
     let text = format!("3.1\ntest\n{statements}\nEND\n");
     let options = Options::default();
@@ -188,8 +188,8 @@ fn reads_are_judged_up_to_a_bound() {
     // What is not judged is neither proved nor doubted.
     let program = program(&text(16_000));
     let assignment = Assignment::of(&program);
-    let judged = assignment.reads().len();
-    assert!((1_000..16_000).contains(&judged), "{judged}");
+    let context = assignment.reads().len();
+    assert!((1_000..16_000).contains(&context), "{context}");
     let is_always = |read: &Read| read.assigned == Assigned::Always;
     assert!(assignment.reads().iter().all(is_always));
 }
@@ -219,7 +219,7 @@ fn a_migration_takes_time_in_proportion() {
     });
 }
 
-/// All kinds of steps.
+/// Returns all kinds of steps.
 fn mixed(count: usize) -> Program {
     let mut text = "DEF_VAR V\nDEF_POS P\n".to_owned();
     for n in 0..count / 8 {
@@ -342,7 +342,7 @@ fn fixes_are_tried_within_a_budget() {
 }
 
 #[test]
-fn findings_are_capped_and_the_others_counted() {
+fn diagnostics_are_capped_and_the_others_counted() {
     let options = Options::default();
     for (mistake, count) in [(":", 250_000), ("ENDWHILE\n", 20_000), ("SLEEP V\n", 1_500)] {
         let mistakes = match mistake {

@@ -1,4 +1,4 @@
-//! Every finding has its finest code, whatever is wrong with a program.
+//! Every diagnostic has its finest code, whatever is wrong with a program.
 #![expect(clippy::disallowed_methods, reason = "programs are files")]
 
 use std::fs;
@@ -9,7 +9,7 @@ use tipc::code::Mistake;
 /// About as many words of a program are left out, doubled or taken for another.
 const MOST: usize = 4;
 
-/// All programs in a folder and the folders in it, in order.
+/// Collects all programs in a folder and the folders in it, in order.
 fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
     let entries = fs::read_dir(folder).expect("a folder of programs");
     let mut paths: Vec<PathBuf> = entries
@@ -25,7 +25,7 @@ fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The program with a word left out, doubled, or taken for the next one, for some of its words.
+/// Returns the program with a word left out, doubled, or taken for the next one, for some of its words.
 fn variants(text: &str) -> Vec<String> {
     let words: Vec<&str> = text.split_whitespace().skip(2).collect();
     let place = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
@@ -42,23 +42,23 @@ fn variants(text: &str) -> Vec<String> {
 
 #[track_caller]
 fn check(path: &Path, bytes: &[u8]) {
-    for finding in load("codes.prg", bytes, &Options::default()).diagnostics {
-        let is_plain = Mistake::of_class(finding.code).next().is_none();
+    for diagnostic in load("codes.prg", bytes, &Options::default()).diagnostics {
+        let is_plain = Mistake::of_class(diagnostic.code).next().is_none();
         assert!(
-            is_plain || finding.id() != finding.code.id(),
+            is_plain || diagnostic.id() != diagnostic.code.id(),
             "{}: {:?} has no finer code:\n{}",
             path.display(),
-            finding.reason,
+            diagnostic.reason,
             String::from_utf8_lossy(bytes)
         );
     }
 }
 
 #[test]
-fn every_finding_about_a_program_or_a_variant_of_it_has_its_finest_code() {
+fn every_diagnostic_of_a_program_or_a_variant_of_it_has_its_finest_code() {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();
-    programs(&package.join("tests/findings"), &mut found);
+    programs(&package.join("tests/diagnostics"), &mut found);
     programs(&package.join("../../tests/language/cases"), &mut found);
     for path in &found {
         let bytes = fs::read(path).expect("a program");

@@ -19,7 +19,7 @@ fn repaired(bytes: &[u8], least: Applicability) -> Repaired {
     repair(loaded(bytes), &Options::default(), least)
 }
 
-/// What becomes of some statements.
+/// Returns some statements after their fixes.
 fn fixed(statements: &str, least: Applicability) -> String {
     let text = format!("3.1\ntitle\n{statements}\nEND\n");
     let repaired = repaired(text.as_bytes(), least);
@@ -28,21 +28,21 @@ fn fixed(statements: &str, least: Applicability) -> String {
     text.strip_suffix("\nEND\n").unwrap_or(text).to_owned()
 }
 
-/// What becomes of statements by certain fixes; likely ones do nothing to that.
+/// Checks statements after certain fixes; likely ones do nothing to that.
 #[track_caller]
 fn check_certain(before: &str, after: &str) {
     assert_eq!(fixed(before, Certain), after, "{before}");
     assert_eq!(fixed(before, Likely), after, "{before}: likely");
 }
 
-/// What becomes of statements by likely fixes, and that certain ones do nothing.
+/// Checks statements after likely fixes, and that certain ones do nothing.
 #[track_caller]
 fn check_likely(before: &str, after: &str) {
     assert_eq!(fixed(before, Certain), before, "{before}: certain");
     assert_eq!(fixed(before, Likely), after, "{before}");
 }
 
-/// That nothing is done to statements.
+/// Checks that nothing is done to statements.
 #[track_caller]
 fn check_kept(before: &str) {
     assert_eq!(fixed(before, Likely), before, "{before}");

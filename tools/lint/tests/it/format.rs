@@ -17,7 +17,7 @@ fn formatted(bytes: &[u8]) -> Result<Vec<u8>, Refusal> {
     Ok(once)
 }
 
-/// The statements of a program, formatted.
+/// Checks the statements of a program, formatted.
 #[track_caller]
 fn check(statements: &str, expected: &str) {
     let text = format!("3.1\ntitle\n{statements}");
@@ -28,7 +28,7 @@ fn check(statements: &str, expected: &str) {
     assert_eq!(formatted, format!("3.1\ntitle\n{expected}"));
 }
 
-/// The bytes of a whole file, formatted.
+/// Checks the bytes of a whole file, formatted.
 #[track_caller]
 fn check_file(bytes: &[u8], expected: &[u8]) {
     let formatted = formatted(bytes).unwrap_or_else(|refusal| panic!("{refusal:?}"));
@@ -124,13 +124,13 @@ fn encoding_marks_and_line_ends_stay() {
 #[test]
 fn what_is_not_safe_is_left() {
     let refused = |bytes: &[u8]| formatted(bytes).expect_err("a reason");
-    let Refusal::Findings(loaded) = refused(b"3.1\nt\nFOO\nEND\n") else {
+    let Refusal::Diagnostics(loaded) = refused(b"3.1\nt\nFOO\nEND\n") else {
         panic!("findings");
     };
     assert_eq!(loaded.diagnostics.len(), 1);
     assert!(matches!(
         refused(b"3.1\nt\n// \xFF\nEND\n"),
-        Refusal::Findings(_)
+        Refusal::Diagnostics(_)
     ));
     let line = format!("{}A=1", "A=1;".repeat(255));
     assert_eq!(line.len(), 1023);

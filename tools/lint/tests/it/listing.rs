@@ -149,7 +149,7 @@ fn a_program_without_labels_has_an_empty_list() {
     );
 }
 
-/// A gait with as many steps between its labels as the classical example has.
+/// Returns a gait with as many steps between its labels as the classical example has.
 fn gait() -> String {
     let mut text = String::from(
         "3.1\nBody-grounded crawl\nDEF_VAR reach, lift, raw, zero1, zero2, turn, limit\n\n",
@@ -216,7 +216,7 @@ fn cases(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// A program text from nothing but the listing and the variables.
+/// Returns a program text from nothing but the listing and the variables.
 fn from_listing(loaded: &Loaded, program: &Program) -> String {
     let mut text = String::from("3.1\nfrom its listing\n");
     for variable in &program.variables()[1..] {

@@ -2,7 +2,7 @@
 
 mod bounded;
 mod codes;
-mod findings;
+mod diagnostics;
 mod fixes;
 mod format;
 mod listing;

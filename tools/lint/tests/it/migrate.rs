@@ -14,7 +14,7 @@ fn migrated(text: &str) -> Migration {
     migrate("old.prg", text.as_bytes(), Encoding::Auto).expect("this is text")
 }
 
-/// The new program.
+/// Returns the new program.
 fn result(text: &str) -> String {
     let migration = migrated(text);
     let open: Vec<&Note> = migration.questions().collect();
@@ -23,7 +23,7 @@ fn result(text: &str) -> String {
     String::from_utf8(bytes.to_vec()).expect("the encoding is kept")
 }
 
-/// What a line of a program of `version` becomes, without the declarations.
+/// Returns a line of a program of `version` after migration, without the declarations.
 fn line_of(version: &str, line: &str) -> String {
     let new = result(&format!("{version}\ntitle\n{line}\nEND\n"));
     let lines = new.lines().filter(|line| !line.starts_with("DEF_"));
@@ -34,14 +34,14 @@ fn line_of(version: &str, line: &str) -> String {
     line.to_owned()
 }
 
-/// Each line of version 2.0 and what becomes of it.
+/// Checks what each line of version 2.0 becomes.
 fn check_lines(lines: &[(&str, &str)]) {
     for (old, new) in lines {
         assert_eq!(line_of("2.0", old), *new, "{old}");
     }
 }
 
-/// The only question about a program: its line and text.
+/// Returns the only question about a program: its line and text.
 fn question(text: &str) -> (u32, String) {
     let migration = migrated(text);
     assert_eq!(migration.bytes(), None, "{text:?} is decided");

@@ -3,15 +3,15 @@
 use tip_lint::{Options, load};
 use tipc::source::{Encoding, Unit};
 
-/// What is said of a file, each as code, line and column.
+/// Returns the diagnostics of a file, each as code, line and column.
 fn found(bytes: &[u8], options: &Options) -> Vec<String> {
     let loaded = load("misread.prg", bytes, options);
     let place = |start| loaded.source.position(start, Unit::Character);
-    let finding = |one: &tipc::diagnostic::Diagnostic| {
+    let diagnostic = |one: &tipc::diagnostic::Diagnostic| {
         let at = place(one.span.start);
         format!("{} {}:{}", one.code.id(), at.line, at.column)
     };
-    loaded.diagnostics.iter().map(finding).collect()
+    loaded.diagnostics.iter().map(diagnostic).collect()
 }
 
 #[track_caller]

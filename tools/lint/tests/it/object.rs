@@ -6,7 +6,7 @@ mod names;
 use tip_lint::{listing, load};
 use tipc::{Options, Robot};
 
-/// What the steps of a program are in TIP.OBJ, each as `Cmd Target Type=Value …` without empty arguments at its end.
+/// Returns the steps of a program in TIP.OBJ, each as `Cmd Target Type=Value …` without empty arguments at its end.
 fn records(robot: Robot, statements: &str) -> Vec<String> {
     let text = object(robot, statements);
     let mut records: Vec<Vec<&str>> = Vec::new();

@@ -4,14 +4,14 @@ use tip_lint::{listing, load};
 use tip_runtime::model::{Joint, Leg, Model};
 use tipc::{Facts, Options, Robot};
 
-/// A robot of one leg.
+/// Returns a robot of one leg.
 fn robot<const J: usize>() -> Robot {
     let joint = Joint::revolute([1.0, 0.0, 0.0], [0.0, 0.0, 10.0]);
     let model = Model::generic("chain", [Leg::at([0.0; 3], [joint; J])]);
     Robot::Described(Facts::of(&model))
 }
 
-/// What follows `=` in the first record that is not an equation.
+/// Returns what follows `=` in the first record that is not an equation.
 fn fields(robot: Robot, statement: &str) -> Vec<String> {
     let options = Options {
         robot,
@@ -30,7 +30,7 @@ fn fields(robot: Robot, statement: &str) -> Vec<String> {
     record.map(value).collect()
 }
 
-/// The types and values of arguments, as many as there are slots.
+/// Returns the types and values of arguments, as many as there are slots.
 fn slots(arguments: &[(&str, f64)], count: usize) -> Vec<String> {
     let none = std::iter::repeat(&("ARG_NONE", 0.0));
     let all: Vec<_> = arguments.iter().chain(none).take(count).collect();

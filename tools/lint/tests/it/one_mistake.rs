@@ -1,8 +1,8 @@
-//! One mistake is one finding: what follows from another finding is none, and what does not is kept.
+//! One mistake is one diagnostic: what follows from another diagnostic is none, and what does not is kept.
 
 use tip_lint::{Options, load};
 
-/// The codes and lines of what is wrong with some statements; the first statement is on line 3.
+/// Checks the codes and lines of what is wrong with some statements; the first statement is on line 3.
 #[track_caller]
 fn check(statements: &str, expected: &[&str]) {
     let text = format!("3.1\nA title\n{statements}\nEND\n");

@@ -4,7 +4,7 @@ use tip_lint::{Options, load};
 use tipc::Robot;
 use tipc::source::Unit;
 
-/// What is said of some statements, each as code, line and column; the first statement is on line 3.
+/// Returns the diagnostics of some statements, each as code, line and column; the first statement is on line 3.
 fn found(statements: &str, robot: Robot) -> Vec<String> {
     let text = format!("3.1\nA title\n{statements}\nEND\n");
     let options = Options {
@@ -13,11 +13,11 @@ fn found(statements: &str, robot: Robot) -> Vec<String> {
     };
     let loaded = load("warnings.prg", text.as_bytes(), &options);
     let place = |start| loaded.source.position(start, Unit::Character);
-    let finding = |one: &tipc::diagnostic::Diagnostic| {
+    let diagnostic = |one: &tipc::diagnostic::Diagnostic| {
         let at = place(one.span.start);
         format!("{} {}:{}", one.code.id(), at.line, at.column)
     };
-    loaded.diagnostics.iter().map(finding).collect()
+    loaded.diagnostics.iter().map(diagnostic).collect()
 }
 
 #[track_caller]
@@ -156,7 +156,7 @@ fn a_jump_in_one_word_is_a_label() {
     check("GOTO: ALL_STOP", &["E205 3:1"]);
 }
 
-/// Of a long program, statements and flow are judged side by side.
+/// Judges statements and flow of a long program like those of a short one.
 #[test]
 fn a_long_program_is_judged_like_a_short_one() {
     let begin = "ALL_STOP\n".repeat(2100);

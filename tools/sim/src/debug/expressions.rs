@@ -5,7 +5,7 @@ use crate::interp::Interpreter;
 use crate::message::Debugging;
 use crate::run::Run;
 use std::fmt;
-use tip_lint::ask::Asker;
+use tip_lint::query::QueryContext;
 use tip_runtime::controller::Mode;
 use tip_runtime::fault::Fault;
 use tipc::program::{Action, Condition, Operand, Program, ScalarExpression, VariableKind};
@@ -46,7 +46,7 @@ pub(super) enum Expression {
 }
 
 impl Expression {
-    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, DebugError> {
+    pub(super) fn new(text: &str, asker: &QueryContext) -> Result<Self, DebugError> {
         match (asker.number(text), asker.condition(text)) {
             (Ok(value), _) => Ok(Expression::Number(value)),
             (Err(_), Ok(condition)) => Ok(Expression::Truth(condition)),
@@ -63,7 +63,7 @@ impl Expression {
 }
 
 impl BreakCondition {
-    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, DebugError> {
+    pub(super) fn new(text: &str, asker: &QueryContext) -> Result<Self, DebugError> {
         Ok(BreakCondition {
             text: text.to_owned(),
             condition: asker.condition(text)?,
@@ -85,7 +85,7 @@ impl BreakCondition {
 pub(super) struct Now<'a> {
     pub(super) run: &'a Run,
     pub(super) at: u64,
-    pub(super) asker: &'a Asker,
+    pub(super) asker: &'a QueryContext,
 }
 
 impl Now<'_> {
@@ -195,7 +195,11 @@ enum Part {
 
 impl LogText {
     /// Braces that hold nothing, or are not closed, are text.
-    pub(super) fn new(text: &str, program: &Program, asker: &Asker) -> Result<Self, DebugError> {
+    pub(super) fn new(
+        text: &str,
+        program: &Program,
+        asker: &QueryContext,
+    ) -> Result<Self, DebugError> {
         let mut parts = Vec::new();
         let mut rest = text;
         while let Some((before, after)) = rest.split_once('{') {
@@ -220,7 +224,7 @@ impl LogText {
 }
 
 impl Part {
-    fn asked(text: &str, program: &Program, asker: &Asker) -> Result<Self, DebugError> {
+    fn asked(text: &str, program: &Program, asker: &QueryContext) -> Result<Self, DebugError> {
         let is_it = |name: &str| name.eq_ignore_ascii_case(text);
         let mut variables = program.variables().iter();
         let structure = variables.find(|it| is_it(&it.name) && it.size() > 1);

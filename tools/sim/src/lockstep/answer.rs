@@ -5,7 +5,7 @@ use crate::event::Inputs;
 use std::fmt::{self, Display};
 use std::io::{self, BufRead, Write};
 use std::str::FromStr;
-use tip_lint::spots::{Place, Spots};
+use tip_lint::coverage_points::{CoveragePoints, ProgramPoint};
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tipc::program::Program;
@@ -19,7 +19,7 @@ pub enum Answer {
         cycles: u64,
         /// End of the run.
         end: RunEnd,
-        /// The spots that no run before reached, by their places in [`Spots::all`](tip_lint::spots::Spots::all).
+        /// The coverage points that no run before reached, by their indices in [`CoveragePoints::all`](tip_lint::coverage_points::CoveragePoints::all).
         new: Vec<usize>,
         /// Some cycles whose step had an edge that no run went along yet: where another input may change the path.
         chances: Vec<u64>,
@@ -186,12 +186,12 @@ pub fn serve(
 /// The most chances that are reported of a run.
 const CHANCES: usize = 64;
 
-/// The spots of a program that some run reached.
+/// The coverage points of a program that some run reached.
 #[derive(Clone, Debug)]
 pub struct ReachedPoints {
-    spots: Spots,
+    points: CoveragePoints,
     seen: Vec<bool>,
-    /// The spots that the present run reached first.
+    /// The points that the present run reached first.
     new: Vec<usize>,
     chances: Vec<u64>,
 }
@@ -199,34 +199,34 @@ pub struct ReachedPoints {
 impl ReachedPoints {
     /// Creates an empty set.
     pub fn new(program: &Program) -> Self {
-        let spots = Spots::of(program);
-        let seen = vec![false; spots.all().len()];
+        let points = CoveragePoints::of(program);
+        let seen = vec![false; points.all().len()];
         ReachedPoints {
-            spots,
+            points,
             seen,
             new: Vec::new(),
             chances: Vec::new(),
         }
     }
 
-    /// Returns the spots of the program.
-    pub fn spots(&self) -> &Spots {
-        &self.spots
+    /// Returns the coverage points of the program.
+    pub fn points(&self) -> &CoveragePoints {
+        &self.points
     }
 
-    /// Returns true if some run reached the spot at this place among all.
-    pub fn has(&self, spot: usize) -> bool {
-        self.seen.get(spot).copied().unwrap_or_default()
+    /// Returns true if some run reached the point at this place among all.
+    pub fn has(&self, point: usize) -> bool {
+        self.seen.get(point).copied().unwrap_or_default()
     }
 
-    /// Adds a spot; returns true if no run reached it before.
-    pub fn add(&mut self, spot: usize) -> bool {
-        let seen = self.seen.get_mut(spot);
+    /// Adds a point; returns true if no run reached it before.
+    pub fn add(&mut self, point: usize) -> bool {
+        let seen = self.seen.get_mut(point);
         seen.is_some_and(|seen| !std::mem::replace(seen, true))
     }
 
-    /// Takes the spots that the runs since the last call reached first, by places in
-    /// [`Spots::all`]; and some cycles whose step had an edge that no run went along yet, where
+    /// Takes the points that the runs since the last call reached first, by places in
+    /// [`CoveragePoints::all`]; and some cycles whose step had an edge that no run went along yet, where
     /// another input may change the path.
     pub fn take_news(&mut self) -> (Vec<usize>, Vec<u64>) {
         (
@@ -236,8 +236,8 @@ impl ReachedPoints {
     }
 
     /// Keeps a cycle if its step has an edge that no run went along. Of too many every other one goes.
-    fn chance(&mut self, cycle: u64, at: Place) {
-        if self.spots.edges(at).all(|edge| self.has(edge)) {
+    fn chance(&mut self, cycle: u64, at: ProgramPoint) {
+        if self.points.edges(at).all(|edge| self.has(edge)) {
             return;
         }
         if self.chances.len() == CHANCES {
@@ -252,13 +252,13 @@ impl ReachedPoints {
 }
 
 impl Scout for ReachedPoints {
-    fn went(&mut self, cycle: u64, from: Place, to: Option<Place>) {
+    fn went(&mut self, cycle: u64, from: ProgramPoint, to: Option<ProgramPoint>) {
         let edge = to
             .filter(|to| *to != from)
-            .and_then(|to| self.spots.edge(from, to));
-        for spot in [self.spots.step(from.step), edge].into_iter().flatten() {
-            if self.add(spot) {
-                self.new.push(spot);
+            .and_then(|to| self.points.edge(from, to));
+        for point in [self.points.step(from.step), edge].into_iter().flatten() {
+            if self.add(point) {
+                self.new.push(point);
             }
         }
         self.chance(cycle, from);

@@ -5,7 +5,7 @@ use crate::interp::Interpreter;
 use crate::run::Run;
 use crate::trace::tee;
 use std::fmt::{self, Display, Write as _};
-use tip_lint::spots::Place;
+use tip_lint::coverage_points::ProgramPoint;
 use tip_runtime::command::{Command, Value};
 use tip_runtime::console::{Bars, Console};
 use tip_runtime::hardware::JointCommand;
@@ -126,10 +126,10 @@ impl Side {
     }
 
     /// Returns the interpreter's place; compiled code gives its step only.
-    pub(super) fn place(&self) -> Place {
+    pub(super) fn place(&self) -> ProgramPoint {
         match self.run.engine::<Interpreter>() {
             Some(interpreter) => interpreter.place(),
-            None => Place {
+            None => ProgramPoint {
                 step: self.run.program().at(),
                 not_taken: false,
             },

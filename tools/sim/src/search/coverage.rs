@@ -89,8 +89,8 @@ impl Coverage {
                     RunEnd::Limit => &mut self.limited,
                     RunEnd::Emergency => &mut self.stopped,
                 } += 1;
-                for spot in &new {
-                    self.reach.add(*spot);
+                for point in &new {
+                    self.reach.add(*point);
                 }
                 Ok(RunResult::Agreed {
                     cycles,

@@ -26,7 +26,7 @@ fn answers(lockstep: Lockstep, requests: &str) -> Vec<Answer> {
         .collect()
 }
 
-// Steps: 0 N = 0, 1 LOOP, 2 KEY_IN, 3 N += 1, 4 IF, 5 MESSAGE, 6 END. The spots after them are the edges of 4.
+// Steps: 0 N = 0, 1 LOOP, 2 KEY_IN, 3 N += 1, 4 IF, 5 MESSAGE, 6 END. The coverage points after them are the edges of 4.
 #[test]
 fn runs_agree_and_tell_what_is_new() {
     let lockstep = lockstep(Evidence::Records, COUNT, COUNT);
@@ -52,7 +52,7 @@ fn runs_agree_and_tell_what_is_new() {
     };
     let ways: Vec<_> = new
         .iter()
-        .map(|spot| reach.spots().all()[*spot].way)
+        .map(|point| reach.points().all()[*point].way)
         .collect();
     assert_eq!(ways.last(), Some(&Some("true")));
     assert_eq!(answers, expected);

@@ -129,7 +129,7 @@ impl Buffer {
     /// # Errors
     /// A character that its encoding lacks.
     pub(super) fn bytes(&self) -> Result<Vec<u8>, char> {
-        self.file.respelled(&self.text)
+        self.file.encode(&self.text)
     }
 
     /// Notes that the file has these bytes now.

@@ -19,7 +19,7 @@ fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
 fn examples() -> Vec<Vec<u8>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
     let mut found = Vec::new();
-    for folder in ["examples", "tools/lint/tests/findings"] {
+    for folder in ["examples", "tools/lint/tests/diagnostics"] {
         programs(&root.join(folder), &mut found);
     }
     assert!(found.len() > 100, "{} programs", found.len());

@@ -199,7 +199,7 @@ fn mutated_programs() {
 #[test]
 fn mutated_programs_are_put_right() {
     try_each(
-        &damaged("../../../tools/lint/tests/findings", 1, 0x5EED_0004),
+        &damaged("../../../tools/lint/tests/diagnostics", 1, 0x5EED_0004),
         fix::examine,
     );
 }

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, HashSet};
 /// Step number, "not taken", open calls, and whether the scalar has a value.
 type Place = (u32, bool, Vec<u32>, bool);
 
-/// What every run, for any answers of the robot, finds at the reads of one scalar: with a value,
+/// Explores what every run, for any answers of the robot, finds at the reads of one scalar: with a value,
 /// without one. `None` if there are too many runs.
 pub(super) fn explored(program: &Program, scalar: usize) -> Option<BTreeMap<u32, (bool, bool)>> {
     let mut found: BTreeMap<u32, (bool, bool)> = BTreeMap::new();

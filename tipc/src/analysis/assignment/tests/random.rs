@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-/// A program whose every branch is open.
+/// Returns a program whose every branch is open.
 pub(super) fn program(seed: u64) -> String {
     let mut writer = Writer {
         dice: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1,

@@ -1,4 +1,4 @@
-//! What every reader means.
+//! Fixes that every reader means.
 
 use super::{Certain, check_certain, check_kept, repaired};
 
@@ -41,7 +41,7 @@ fn words_that_close_blocks() {
 
 // clauses: 5.1 7.1
 #[test]
-fn relations_words_and_characters_of_habit() {
+fn relations_words_and_characters_of_other_languages() {
     let with =
         |relation: &str| format!("DEF_VAR N\nAD_IN VR1 N\nIF N {relation} 3 THEN\nREM\nENDIF");
     check_certain(&with("==="), &with("=="));
@@ -337,6 +337,6 @@ fn several_mistakes_in_one_file() {
 
 /// A fix that would only show another mistake is not applied.
 #[test]
-fn a_fix_that_leads_to_another_finding_is_none() {
+fn a_fix_that_leads_to_another_diagnostic_is_none() {
     check_kept("IF KB_HIT THEN\nELIF KB_HIT = THEN\nENDIF");
 }

@@ -1,4 +1,4 @@
-//! Every wrong program that there is: after every certain fix its finding is gone, and none is new.
+//! Every wrong program that there is: after every certain fix its diagnostic is gone, and none is new.
 
 use super::{Certain, Likely, loaded, repaired};
 use std::collections::HashMap;
@@ -16,11 +16,11 @@ const UNREAD: &[&str] = &["end_if_in_two_words.prg"];
 /// Programs whose mistakes are one: a jump and its label without their colons.
 const TOGETHER: &[&str] = &["loop_without_colon.prg"];
 
-/// The programs of the findings, and of all cases.
+/// Returns the programs of the diagnostics, and of all cases.
 fn programs() -> Vec<PathBuf> {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();
-    collect(&package.join("tests/findings"), &mut found);
+    collect(&package.join("tests/diagnostics"), &mut found);
     collect(&package.join("../../tests/language/cases"), &mut found);
     found.sort();
     found
@@ -40,22 +40,22 @@ fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// How often each error is found.
+/// Counts each error.
 fn errors(loaded: &Loaded) -> HashMap<String, usize> {
     let mut errors = HashMap::new();
-    for finding in &loaded.diagnostics {
-        if finding.level() == Level::Error {
-            *errors.entry(said(finding)).or_default() += 1;
+    for diagnostic in &loaded.diagnostics {
+        if diagnostic.level() == Level::Error {
+            *errors.entry(said(diagnostic)).or_default() += 1;
         }
     }
     errors
 }
 
-fn said(finding: &Diagnostic) -> String {
-    format!("{} {}", finding.code.id(), finding.reason)
+fn said(diagnostic: &Diagnostic) -> String {
+    format!("{} {}", diagnostic.code.id(), diagnostic.reason)
 }
 
-/// The file with one fix.
+/// Returns the file with one fix.
 fn with(loaded: &Loaded, fix: &Fix) -> Loaded {
     let source = &loaded.source;
     let mut text = source.text().to_owned();
@@ -66,21 +66,21 @@ fn with(loaded: &Loaded, fix: &Fix) -> Loaded {
 }
 
 #[test]
-fn after_every_certain_fix_the_finding_is_gone_and_none_is_new() {
+fn after_every_certain_fix_the_diagnostic_is_gone_and_none_is_new() {
     let mut fixes = 0;
     let mut wrong = Vec::new();
     for program in programs() {
         let bytes = fs::read(&program).expect("a program");
         let name = program.file_name().expect("a name").to_string_lossy();
         let before = confirm(loaded(&bytes), &Options::default());
-        for finding in &before.diagnostics {
+        for diagnostic in &before.diagnostics {
             let certain = |fix: &&Fix| fix.applicability == Applicability::Certain;
-            let Some(fix) = finding.fixes.iter().find(certain) else {
+            let Some(fix) = diagnostic.fixes.iter().find(certain) else {
                 continue;
             };
             fixes += 1;
             let mut allowed = errors(&before);
-            if let Some(count) = allowed.get_mut(&said(finding)) {
+            if let Some(count) = allowed.get_mut(&said(diagnostic)) {
                 *count -= 1;
             }
             let after = errors(&with(&before, fix));

@@ -1,4 +1,4 @@
-//! What most readers mean.
+//! Fixes that most readers mean.
 
 use super::check_likely;
 
@@ -63,7 +63,7 @@ fn declarations_that_nothing_uses() {
 
 // clauses: 5.1 7.4
 #[test]
-fn other_habits() {
+fn other_foreign_words() {
     check_likely("DEF_VAR N\nN = TRUE\nSLEEP N", "DEF_VAR N\nN = 1\nSLEEP N");
     check_likely("PTP J11 30", "PTP_ANGLE J11 30");
     check_likely("WAIT 200", "SLEEP 200");

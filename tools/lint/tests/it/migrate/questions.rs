@@ -1,4 +1,4 @@
-//! What the text does not decide is asked, and nothing is written.
+//! Questions about what the text does not decide; nothing is written.
 
 use super::{migrated, question, result};
 

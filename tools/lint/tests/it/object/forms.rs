@@ -9,7 +9,7 @@ use tipc::language::commands::{COMMANDS, Command, Cycles, Form, Meaning, Values}
 const DECLARATIONS: &str = "DEF_VAR N, B\nDEF_POS P\nDEF_JOINT U\n";
 const GIVEN: &str = "N = 1\nP.X = 1\nU.J1 = 1\n";
 
-/// What stands for a number.
+/// Forms of a number.
 const CONSTANTS_AND_VARS: &[&str] = &["2.5", "N", "-N"];
 const SCALARS: &[&str] = &["-3", "-N", "P.X", "-U.J2"];
 
@@ -50,7 +50,7 @@ fn every_word_that_is_a_step_has_a_record_of_its_own() {
     }
 }
 
-/// The command in each of its forms, with each kind of operand in each place.
+/// Returns the command in each of its forms, with each kind of operand in each place.
 fn lines(command: &Command, robot: Robot) -> Vec<String> {
     let kinds = match command.form {
         Form::Robot(form) if matches!(form.values, Values::Position | Values::Angles) => SCALARS,
@@ -63,7 +63,7 @@ fn lines(command: &Command, robot: Robot) -> Vec<String> {
         .collect()
 }
 
-/// The lines that a form such as `PTP [HS] F1|J13 [R] x [R] y [R] z` stands for.
+/// Returns the lines that a form such as `PTP [HS] F1|J13 [R] x [R] y [R] z` stands for.
 fn spelt(usage: &str, kinds: &[&str], turn: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for (place, word) in usage.split(' ').enumerate() {
@@ -97,7 +97,7 @@ fn spelt(usage: &str, kinds: &[&str], turn: usize) -> Vec<String> {
     lines.iter().map(in_one_blank).collect()
 }
 
-/// The record of a line, word by word.
+/// Returns the record of a line, word by word.
 fn expected(line: &str) -> String {
     let mut words = line.split(' ').peekable();
     let name = words.next().expect("a command");

@@ -1,4 +1,4 @@
-//! The findings of a pass, of which only so many are kept.
+//! The diagnostics of a pass, of which only so many are kept.
 
 use super::Diagnostic;
 use crate::code::{Code, Level};
@@ -6,25 +6,25 @@ use crate::language::Edition;
 use std::collections::BTreeMap;
 use std::ops::{Deref, DerefMut};
 
-/// The most findings of a file that are reported: nobody reads more, and what shows and tries them takes a while for each.
+/// The most diagnostics of a file that are reported: nobody reads more, and what shows and tries them takes a while for each.
 pub const MOST: usize = 1_000;
 
-/// The most findings that the passes keep: of a hostile file there may be one for each byte, and each takes hundreds.
+/// The most diagnostics that the passes keep: of a hostile file there may be one for each byte, and each takes hundreds.
 const KEPT: usize = 10_000;
 
-/// Findings; those beyond the most that are kept are counted.
+/// Diagnostics; those beyond the most that are kept are counted.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Findings {
+pub struct Diagnostics {
     kept: Vec<Diagnostic>,
     omitted: Omitted,
 }
 
-impl Findings {
-    /// Adds a finding.
-    pub fn push(&mut self, finding: Diagnostic) {
+impl Diagnostics {
+    /// Adds a diagnostic.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
         match self.is_full() {
-            true => self.omitted.add(finding.code),
-            false => self.kept.push(finding),
+            true => self.omitted.add(diagnostic.code),
+            false => self.kept.push(diagnostic),
         }
     }
 
@@ -33,13 +33,13 @@ impl Findings {
         self.kept.len() >= KEPT
     }
 
-    /// Returns true if more findings are kept than are shown. No suggestion is searched for further ones.
+    /// Returns true if more diagnostics are kept than are shown. No suggestion is searched for further ones.
     pub(crate) fn are_many(&self) -> bool {
         self.kept.len() >= MOST
     }
 
     /// Adds those of another pass, the omitted ones among them.
-    pub fn append(&mut self, later: Findings) {
+    pub fn append(&mut self, later: Diagnostics) {
         self.omitted.append(later.omitted);
         self.extend(later.kept);
     }
@@ -51,20 +51,20 @@ impl Findings {
         kept.count() + self.omitted.of_level(Level::Error, edition)
     }
 
-    /// Whether there is an error by the rules of an edition, kept or not.
+    /// Returns true if there is an error by the rules of an edition, kept or not.
     pub fn have_error(&self, edition: Edition) -> bool {
         let is_error = |code: Code| code.level(edition) == Level::Error;
         self.kept.iter().any(|it| is_error(it.code))
             || self.omitted.codes().any(|(code, _)| is_error(code))
     }
 
-    /// The findings that are kept, and how many others there were.
+    /// Returns the diagnostics that are kept, and how many others there were.
     pub(crate) fn into_parts(self) -> (Vec<Diagnostic>, Omitted) {
         (self.kept, self.omitted)
     }
 }
 
-impl Deref for Findings {
+impl Deref for Diagnostics {
     type Target = Vec<Diagnostic>;
 
     fn deref(&self) -> &Vec<Diagnostic> {
@@ -72,27 +72,29 @@ impl Deref for Findings {
     }
 }
 
-impl DerefMut for Findings {
+impl DerefMut for Diagnostics {
     fn deref_mut(&mut self) -> &mut Vec<Diagnostic> {
         &mut self.kept
     }
 }
 
-impl Extend<Diagnostic> for Findings {
-    fn extend<T: IntoIterator<Item = Diagnostic>>(&mut self, findings: T) {
-        findings.into_iter().for_each(|finding| self.push(finding));
+impl Extend<Diagnostic> for Diagnostics {
+    fn extend<T: IntoIterator<Item = Diagnostic>>(&mut self, diagnostics: T) {
+        diagnostics
+            .into_iter()
+            .for_each(|diagnostic| self.push(diagnostic));
     }
 }
 
-impl From<Vec<Diagnostic>> for Findings {
-    fn from(findings: Vec<Diagnostic>) -> Self {
-        let mut all = Findings::default();
-        all.extend(findings);
+impl From<Vec<Diagnostic>> for Diagnostics {
+    fn from(diagnostics: Vec<Diagnostic>) -> Self {
+        let mut all = Diagnostics::default();
+        all.extend(diagnostics);
         all
     }
 }
 
-impl IntoIterator for Findings {
+impl IntoIterator for Diagnostics {
     type Item = Diagnostic;
     type IntoIter = std::vec::IntoIter<Diagnostic>;
 
@@ -101,29 +103,29 @@ impl IntoIterator for Findings {
     }
 }
 
-/// The findings that are not reported, since there are too many: how many of each code.
+/// The diagnostics that are not reported, since there are too many: how many of each code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Omitted(BTreeMap<Code, usize>);
 
 impl Omitted {
-    /// Whether all findings are reported.
+    /// Returns true if there are none, neither kept nor omitted.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// How many there are.
+    /// Returns the number of diagnostics.
     pub fn count(&self) -> usize {
         self.0.values().sum()
     }
 
-    /// How many there are of a level, by the rules of an edition.
+    /// Returns the number of diagnostics of a level, by the rules of an edition.
     pub fn of_level(&self, level: Level, edition: Edition) -> usize {
         let of_level = self.0.iter();
         let of_level = of_level.filter(|(code, _)| code.level(edition) == level);
         of_level.map(|(_, count)| count).sum()
     }
 
-    /// Their codes, each with how many there are.
+    /// Returns the omitted codes, each with its number.
     pub fn codes(&self) -> impl Iterator<Item = (Code, usize)> {
         self.0.iter().map(|(code, count)| (*code, *count))
     }
@@ -141,7 +143,7 @@ impl Omitted {
     }
 }
 
-/// Puts findings in the order of their places.
-pub(crate) fn in_place(found: &mut [Diagnostic]) {
+/// Puts diagnostics in the order of their locations.
+pub(crate) fn by_location(found: &mut [Diagnostic]) {
     found.sort_by_key(|one| (one.span, one.code));
 }

@@ -1,4 +1,4 @@
-//! What runs of a program can reach: its steps, and the edges that leave steps with several of them.
+//! Coverage points of programs: the steps, and the edges that leave steps with several of them.
 
 use std::collections::{BTreeSet, HashMap};
 use tipc::analysis::flow::{Flow, Node, NodeId};
@@ -6,60 +6,61 @@ use tipc::program::{Action, Program, StepId};
 
 /// A step, or an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Spot {
+pub struct CoveragePoint {
     /// The step, or the one that the edge leaves.
     pub step: StepId,
-    /// Which edge it is, such as `true` or `passed`; none for a step.
+    /// Name of the edge, such as `true` or `passed`; none for a step.
     pub way: Option<&'static str>,
 }
 
-/// Where a run is.
+/// A point between steps that a run can be at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct ProgramPoint {
     /// The step that runs next.
     pub step: StepId,
     /// It is reached from an IF or ELSEIF that was false.
     pub not_taken: bool,
 }
 
-/// The spots that the flow of control can come to. An IF has two edges; an ELSEIF has three, since the branch above it
-/// passes it; a call has one on which it is returned from, whichever RETURN takes it. A step that always leads to the same place has none.
+/// The coverage points that the flow of control can come to. An IF has two edges; an ELSEIF has three, since the branch
+/// above it passes it; a call has one on which it is returned from, whichever RETURN takes it. A step with a single
+/// successor has none.
 #[derive(Clone, Debug)]
-pub struct Spots {
+pub struct CoveragePoints {
     flow: Flow,
-    spots: Vec<Spot>,
-    /// The spots of the steps that can be reached.
+    points: Vec<CoveragePoint>,
+    /// The coverage points of the steps that can be reached.
     steps: HashMap<StepId, usize>,
-    /// Where edges lead from a node, and their spots.
+    /// Edges of a node, and their points.
     edges: HashMap<NodeId, Vec<(NodeId, usize)>>,
-    /// The spots of the returns, by the nodes that they come back to.
+    /// The coverage points of the returns, by the nodes that they come back to.
     returns: HashMap<NodeId, usize>,
 }
 
-impl Spots {
-    /// Those of a program: the steps in their order, then the edges in the order of theirs.
+impl CoveragePoints {
+    /// Collects the points of a program: the steps in their order, then the edges in the order of theirs.
     pub fn of(program: &Program) -> Self {
-        let mut spots = Spots {
+        let mut points = CoveragePoints {
             flow: Flow::of(program),
-            spots: Vec::new(),
+            points: Vec::new(),
             steps: HashMap::new(),
             edges: HashMap::new(),
             returns: HashMap::new(),
         };
-        let live = live(&spots.flow);
+        let live = live(&points.flow);
         for id in &live {
-            let step = spots.flow.nodes()[*id].step;
-            if !spots.steps.contains_key(&step) {
-                let spot = spots.add(step, None);
-                spots.steps.insert(step, spot);
+            let step = points.flow.nodes()[*id].step;
+            if !points.steps.contains_key(&step) {
+                let point = points.add(step, None);
+                points.steps.insert(step, point);
             }
         }
         for id in live {
-            let node = spots.flow.nodes()[id].clone();
+            let node = points.flow.nodes()[id].clone();
             let action = &program.steps()[node.step as usize].action;
-            spots.add_edges(action, id, &node);
+            points.add_edges(action, id, &node);
         }
-        spots
+        points
     }
 
     fn add_edges(&mut self, action: &Action, id: NodeId, node: &Node) {
@@ -76,17 +77,17 @@ impl Spots {
             self.edges.insert(id, edges);
         }
         if let Some(call) = node.call {
-            let spot = self.add(node.step, Some("returned from"));
-            self.returns.insert(call.back, spot);
+            let point = self.add(node.step, Some("returned from"));
+            self.returns.insert(call.back, point);
         }
     }
 
     fn add(&mut self, step: StepId, way: Option<&'static str>) -> usize {
-        self.spots.push(Spot { step, way });
-        self.spots.len() - 1
+        self.points.push(CoveragePoint { step, way });
+        self.points.len() - 1
     }
 
-    /// The edge from a node to another, in a word.
+    /// Returns the edge from a node to another, in a word.
     fn way(&self, action: &Action, node: &Node, to: NodeId) -> &'static str {
         let goes_on = to == self.flow.first(node.step + 1);
         match (action, goes_on) {
@@ -100,38 +101,38 @@ impl Spots {
         }
     }
 
-    /// All of them.
-    pub fn all(&self) -> &[Spot] {
-        &self.spots
+    /// Returns all of them.
+    pub fn all(&self) -> &[CoveragePoint] {
+        &self.points
     }
 
-    /// Whether some path leads to a step.
+    /// Returns true if some path leads to a step.
     pub fn can_reach(&self, step: StepId) -> bool {
         self.steps.contains_key(&step)
     }
 
-    /// The step that ran, by its place in [`all`](Self::all).
+    /// Returns the step that ran, by its index in [`all`](Self::all).
     pub fn step(&self, step: StepId) -> Option<usize> {
         self.steps.get(&step).copied()
     }
 
-    /// The edge that a run went along, by its place in [`all`](Self::all).
-    pub fn edge(&self, from: Place, to: Place) -> Option<usize> {
+    /// Returns the edge that a run went along, by its index in [`all`](Self::all).
+    pub fn edge(&self, from: ProgramPoint, to: ProgramPoint) -> Option<usize> {
         let (from, to) = (self.node(from), self.node(to));
         if self.flow.nodes().get(from).is_some_and(|node| node.returns) {
             return self.returns.get(&to).copied();
         }
         let mut edges = self.edges.get(&from)?.iter();
-        edges.find(|(end, _)| *end == to).map(|(_, spot)| *spot)
+        edges.find(|(end, _)| *end == to).map(|(_, point)| *point)
     }
 
-    /// The edges on from a place, by their places in [`all`](Self::all).
-    pub fn edges(&self, from: Place) -> impl Iterator<Item = usize> {
+    /// Returns the edges on from a program point, by their indices in [`all`](Self::all).
+    pub fn edges(&self, from: ProgramPoint) -> impl Iterator<Item = usize> {
         let edges = self.edges.get(&self.node(from)).into_iter().flatten();
-        edges.map(|(_, spot)| *spot)
+        edges.map(|(_, point)| *point)
     }
 
-    fn node(&self, Place { step, not_taken }: Place) -> NodeId {
+    fn node(&self, ProgramPoint { step, not_taken }: ProgramPoint) -> NodeId {
         let first = self.flow.first(step);
         let has_two = self
             .flow
@@ -146,7 +147,7 @@ const fn truth(is_true: bool) -> &'static str {
     if is_true { "true" } else { "false" }
 }
 
-/// The nodes that some path leads to from the start.
+/// Returns the nodes that some path leads to from the start.
 fn live(flow: &Flow) -> BTreeSet<NodeId> {
     let mut live = BTreeSet::new();
     let mut open = vec![0];
@@ -164,18 +165,18 @@ fn live(flow: &Flow) -> BTreeSet<NodeId> {
 mod tests {
     use super::*;
 
-    fn spots(statements: &str) -> Spots {
+    fn points(statements: &str) -> CoveragePoints {
         let source = format!("3.1\nspots\n{statements}\n");
-        let loaded = crate::load("spots.prg", source.as_bytes(), &crate::Options::default());
-        Spots::of(&loaded.program.expect("it loads"))
+        let loaded = crate::load("points.prg", source.as_bytes(), &crate::Options::default());
+        CoveragePoints::of(&loaded.program.expect("it loads"))
     }
 
-    /// The edges, as step and name.
+    /// Returns the edges, as step and name.
     fn edges(statements: &str) -> Vec<(StepId, &'static str)> {
-        let spots = spots(statements);
-        let edges = spots.all().iter();
+        let points = points(statements);
+        let edges = points.all().iter();
         edges
-            .filter_map(|spot| Some((spot.step, spot.way?)))
+            .filter_map(|point| Some((point.step, point.way?)))
             .collect()
     }
 
@@ -215,36 +216,36 @@ mod tests {
     }
 
     #[test]
-    fn a_call_is_returned_from_and_what_nothing_leads_to_is_no_spot() {
+    fn a_call_has_a_return_edge_and_unreachable_steps_are_no_coverage_points() {
         let program = "GOSUB L1:\nIF KB_HIT GOSUB L1:\nEXIT\nL1:\nRETURN\nEND";
-        let spots = spots(program);
-        let returned = |step| Spot {
+        let points = points(program);
+        let returned = |step| CoveragePoint {
             step,
             way: Some("returned from"),
         };
-        assert!(spots.all().contains(&returned(0)) && spots.all().contains(&returned(1)));
-        assert!(spots.can_reach(4) && !spots.can_reach(5));
-        assert_eq!(spots.step(5), None);
+        assert!(points.all().contains(&returned(0)) && points.all().contains(&returned(1)));
+        assert!(points.can_reach(4) && !points.can_reach(5));
+        assert_eq!(points.step(5), None);
         // A RETURN after the second call returns to the EXIT.
-        let at = |step| Place {
+        let at = |step| ProgramPoint {
             step,
             not_taken: false,
         };
-        let edge = spots.edge(at(4), at(2)).expect("an edge");
-        assert_eq!(spots.all()[edge], returned(1));
-        assert_eq!(spots.edge(at(3), at(4)), None);
+        let edge = points.edge(at(4), at(2)).expect("an edge");
+        assert_eq!(points.all()[edge], returned(1));
+        assert_eq!(points.edge(at(3), at(4)), None);
     }
 
     #[test]
     fn an_else_is_told_by_how_it_is_reached() {
-        let spots = spots("IF KB_HIT THEN\nELSE\nREM\nENDIF\nEND");
-        let place = |step, not_taken| Place { step, not_taken };
-        let way = |from, to| spots.all()[spots.edge(from, to).expect("an edge")].way;
+        let points = points("IF KB_HIT THEN\nELSE\nREM\nENDIF\nEND");
+        let place = |step, not_taken| ProgramPoint { step, not_taken };
+        let way = |from, to| points.all()[points.edge(from, to).expect("an edge")].way;
         let start = place(0, false);
         assert_eq!(way(start, place(1, false)), Some("true"));
         assert_eq!(way(start, place(1, true)), Some("false"));
         assert_eq!(way(place(1, true), place(2, false)), Some("entered"));
         assert_eq!(way(place(1, false), place(3, false)), Some("passed"));
-        assert_eq!(spots.edges(start).count(), 2);
+        assert_eq!(points.edges(start).count(), 2);
     }
 }

@@ -1,7 +1,7 @@
 //! Conditions and equations that someone asks of a program while it runs, in the program's own language.
 //!
-//! What is asked is read and checked as a line of a program that has the same variables, so that whoever knows the language
-//! knows how to ask.
+//! A question is read and checked as a line of a program that has the same variables, so that whoever knows the
+//! language knows how to ask.
 
 use crate::Options;
 use std::fmt::Write;
@@ -14,9 +14,9 @@ use tipc::message::Parsing;
 use tipc::program::{Action, Condition, Program, ScalarExpression, Variable, VariableKind};
 use tipc::source::Span;
 
-/// A program's variables, and more that only those who ask may name.
+/// A program's variables, and more that only a query may name.
 #[derive(Clone, Debug)]
-pub struct Asker {
+pub struct QueryContext {
     options: Options,
     /// Lines 1 and 2, a declaration of each variable, and a step for each scalar that assigns it: what is never assigned may
     /// not be read.
@@ -29,9 +29,9 @@ pub struct Asker {
     head_steps: usize,
 }
 
-impl Asker {
-    /// Of a program that was loaded with these options. Each name of `more` that the program does not declare is a VAR as
-    /// well; its number is that of the program's variables, and so on.
+impl QueryContext {
+    /// Creates a context from a program that was loaded with these options. Each name of `more` that the program does
+    /// not declare is a VAR as well; its number is that of the program's variables, and so on.
     pub fn new(program: &Program, options: Options, more: &[&str]) -> Self {
         let variables = program.variables();
         let is_free = |name: &str| variables.iter().all(|variable| variable.name != name);
@@ -57,7 +57,7 @@ impl Asker {
         for scalar in program.scalar_names().skip(1).chain(more.iter().cloned()) {
             let _ = writeln!(head, "{scalar} = 0");
         }
-        Asker {
+        QueryContext {
             options,
             head,
             answer,
@@ -67,20 +67,20 @@ impl Asker {
         }
     }
 
-    /// How many variables the program has; those from there on are the asker's own.
+    /// Returns the number of the program's variables; those from there on belong to the query.
     pub fn own(&self) -> usize {
         self.own
     }
 
-    /// The names that are not the program's, in the order of their numbers.
+    /// Returns the names that are not the program's, in the order of their numbers.
     pub fn more(&self) -> &[String] {
         &self.more
     }
 
-    /// The condition that a text is, as it follows IF.
+    /// Parses a text as a condition, as it follows IF.
     ///
     /// # Errors
-    /// What is wrong with it, placed in the text.
+    /// Returns what is wrong with it, located in the text.
     pub fn condition(&self, text: &str) -> Result<Condition, Box<Diagnostic>> {
         let [r#if, then, end_if, end] =
             [Keyword::If, Keyword::Then, Keyword::EndIf, Keyword::End].map(Keyword::word);
@@ -96,10 +96,10 @@ impl Asker {
         }
     }
 
-    /// The number that a text stands for, as it follows `=`.
+    /// Parses a text as a number, as it follows `=`.
     ///
     /// # Errors
-    /// What is wrong with it, placed in the text.
+    /// Returns what is wrong with it, located in the text.
     pub fn number(&self, text: &str) -> Result<ScalarExpression, Box<Diagnostic>> {
         let rest = format!("\n{}\n", Keyword::End.word());
         let lines = [&self.answer, " = ", text, &rest];
@@ -116,7 +116,7 @@ impl Asker {
         }
     }
 
-    /// What the steps of a program with these lines do.
+    /// Returns the actions of the steps of a program with these lines.
     fn steps(&self, text: &str, lines: &[&str]) -> Result<Vec<Action>, Box<Diagnostic>> {
         if text.contains(char::is_control) {
             return Err(refused(text));
@@ -157,7 +157,7 @@ const fn keyword(kind: VariableKind) -> Keyword {
     }
 }
 
-/// An error in a program as one in the text that begins at `start`.
+/// Moves an error in a program to the text that begins at `start`.
 fn placed(mut error: Diagnostic, start: usize, text: &str) -> Box<Diagnostic> {
     let at = |offset: usize| offset.saturating_sub(start).min(text.len());
     error.span = Span::new(at(error.span.start), at(error.span.end));
@@ -166,7 +166,7 @@ fn placed(mut error: Diagnostic, start: usize, text: &str) -> Box<Diagnostic> {
     Box::new(error)
 }
 
-/// A text that is more than one condition or number.
+/// Refuses a text that is more than one condition or number.
 fn refused(text: &str) -> Box<Diagnostic> {
     let span = Span::new(0, text.len());
     Box::new(Diagnostic::new(Code::Argument, span, Parsing::Conditions))
@@ -181,13 +181,13 @@ mod tests {
 
     const TEXT: &str = "3.1\nAsked\nDEF_VAR A, TIME\nDEF_POS P\nDEF_JOINT Q\nA = 1\nEND\n";
 
-    fn asker() -> Asker {
+    fn queries() -> QueryContext {
         let options = Options {
             robot: Robot::Titan8,
             ..Options::default()
         };
         let program = lowered("asked.prg", TEXT.as_bytes(), &options).0.program;
-        Asker::new(&program.expect("it is right"), options, &["CYCLE", "TIME"])
+        QueryContext::new(&program.expect("it is right"), options, &["CYCLE", "TIME"])
     }
 
     fn scalar(variable: usize, member: usize) -> Operand {
@@ -199,36 +199,36 @@ mod tests {
 
     #[test]
     fn a_condition_names_the_programs_variables_by_their_numbers() {
-        let asker = asker();
-        assert_eq!(asker.own(), 5, "VAR_KEY, A, TIME, P and Q");
+        let queries = queries();
+        assert_eq!(queries.own(), 5, "VAR_KEY, A, TIME, P and Q");
         let compared = |left, right| Condition::Compare {
             left,
             relation: Relation::Ge,
             right,
         };
-        let condition = asker.condition("q.j2 >= p.z");
+        let condition = queries.condition("q.j2 >= p.z");
         assert_eq!(condition, Ok(compared(scalar(4, 1), scalar(3, 2))));
         // TIME is the program's own; CYCLE comes after all of them.
-        let condition = asker.condition("TIME >= CYCLE");
+        let condition = queries.condition("TIME >= CYCLE");
         assert_eq!(condition, Ok(compared(scalar(2, 0), scalar(5, 0))));
         assert!(matches!(
-            asker.condition("!HALT_REQUEST"),
+            queries.condition("!HALT_REQUEST"),
             Ok(Condition::Flag { negated: true, .. })
         ));
     }
 
     #[test]
     fn a_number_is_whatever_an_equation_has_on_its_right() {
-        let asker = asker();
-        let value = asker.number("P.X");
+        let queries = queries();
+        let value = queries.number("P.X");
         assert_eq!(value, Ok(ScalarExpression::Operand(scalar(3, 0))));
-        assert!(asker.number("A + CYCLE").is_ok());
-        assert_eq!(asker.number("NORM P"), Ok(ScalarExpression::Norm(3)));
+        assert!(queries.number("A + CYCLE").is_ok());
+        assert_eq!(queries.number("NORM P"), Ok(ScalarExpression::Norm(3)));
     }
 
     #[test]
     fn what_is_wrong_is_placed_in_the_text() {
-        let asker = asker();
+        let queries = queries();
         for (text, start) in [
             ("HEIGHT > 3", 0),
             ("A > HEIGHT", 4),
@@ -239,13 +239,13 @@ mod tests {
             ("A > 3\nA = 2\nIF A > 3", 0),
             ("A > \u{7F}", 0),
         ] {
-            let error = asker.condition(text).expect_err(text);
+            let error = queries.condition(text).expect_err(text);
             assert_eq!(error.span.start, start, "{text}");
             assert!(error.span.end <= text.len(), "{text}");
             assert!(!error.headline(Lang::English).is_empty(), "{text}");
         }
         for text in ["P", "1 +", "1 + 2 + 3", "1\nA = 2", "A > 3"] {
-            assert!(asker.number(text).is_err(), "{text}");
+            assert!(queries.number(text).is_err(), "{text}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Turns in degrees.
 
-/// Sine and cosine of an angle in degrees, exact at every quarter turn.
+/// Returns sine and cosine of an angle in degrees, exact at every quarter turn.
 pub(super) fn sin_cos(angle: f64) -> [f64; 2] {
     let quarters = (angle / 90.0).floor();
     let (sin, cos) = libm::sincos((angle - quarters * 90.0).to_radians());

@@ -1,5 +1,5 @@
-//! Whether a formatted program is the one that it was. The passes after the parser see the fields of statements and not how
-//! they are laid out, so equal fields make an equal program.
+//! Comparison of a formatted program with the original. The passes after the parser see the fields of statements and
+//! not how they are laid out, so equal fields make an equal program.
 
 use crate::Options;
 use crate::listing::formal;
@@ -10,8 +10,8 @@ use tipc::parse::parse_taking;
 use tipc::source::Source;
 use tipc::syntax::{Statement, StatementKind, Word};
 
-/// Both have the same statements, without a mistake, and all text is read as before. The formatted program is read line by
-/// line, so that it is never in memory as a whole.
+/// Checks that both have the same statements, without a mistake, and that all text is read as before. The formatted
+/// program is read line by line, so that it is never in memory as a whole.
 pub(super) fn check(
     before: &Parsed,
     formatted: &[u8],
@@ -81,7 +81,7 @@ fn name(word: &Word) -> &str {
     &word.node
 }
 
-/// The fields of a statement as FORMAL.TMP shows them.
+/// Returns the fields of a statement as FORMAL.TMP shows them.
 fn fields<'a>(text: &'a mut Vec<u8>, source: &Source, statement: &Statement) -> &'a [u8] {
     text.clear();
     formal::write(text, source, statement, b'\t');
@@ -94,7 +94,7 @@ mod tests {
     use crate::Options;
     use tipc::load::parsed;
 
-    /// A long program with two lines that a test changes.
+    /// Returns a long program with two lines that a test changes.
     fn program(first: &str, second: &str) -> String {
         let lines = |n: usize| format!("  ptp f1 {n} r 0 r 0 ; a={n}\n").repeat(1000);
         let (begin, end) = (lines(1), lines(2));
@@ -120,7 +120,7 @@ mod tests {
             assert!(!is_same(&before, &program(other, "a = 1")), "{other}");
             assert!(!is_same(&before, &program("a = 1", other)), "{other}");
         }
-        // A line that moves from one place to the other.
+        // A line that moves from one location to the other.
         assert!(!is_same(&before, &program("", "a = 1\na = 1")));
         let endless = before.replace("end\nptp what follows\n", "");
         assert!(!is_same(&before, &endless));

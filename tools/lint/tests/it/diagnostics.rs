@@ -7,9 +7,9 @@ use tipc::code::Code;
 use tipc::message::{Lang, Message};
 use tipc::render::{Style, human};
 
-/// The programs, in order.
+/// Returns the programs, in order.
 fn programs() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/findings");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/diagnostics");
     let entries = fs::read_dir(folder).expect("the folder of programs");
     let mut programs: Vec<PathBuf> = entries
         .map(|entry| entry.expect("an entry").path())
@@ -19,14 +19,14 @@ fn programs() -> Vec<PathBuf> {
     programs
 }
 
-/// All that is said of a program, line ends without blanks before them.
+/// Returns all that is said of a program, line ends without blanks before them.
 fn shown(program: &Path, lang: Lang) -> String {
     let bytes = fs::read(program).expect("a program");
     let name = program.file_name().expect("a name").to_string_lossy();
     let loaded = load(&name, &bytes, &Options::default());
     let style = Style::default().lang(lang);
     let texts = loaded.diagnostics.iter();
-    let texts = texts.map(|finding| human(&loaded.source, finding, style));
+    let texts = texts.map(|diagnostic| human(&loaded.source, diagnostic, style));
     let text = texts.collect::<Vec<_>>().join("\n");
     let lines = text.lines().map(|line| line.trim_end().to_owned() + "\n");
     lines.collect()
@@ -79,10 +79,10 @@ fn check(statements: &str) -> Loaded {
 fn a_comment_of_c_ends_where_it_ends() {
     let help = |statements: &str| {
         let loaded = check(statements);
-        let [finding] = loaded.diagnostics.as_slice() else {
+        let [diagnostic] = loaded.diagnostics.as_slice() else {
             panic!("{statements}: {:#?}", loaded.diagnostics);
         };
-        finding.help.as_ref().map(Message::to_string)
+        diagnostic.help.as_ref().map(Message::to_string)
     };
     let mark = Some("a comment starts with `//`".to_owned());
     assert_eq!(help("/* one; two */"), mark);
@@ -137,13 +137,13 @@ fn any_character_may_stand_in_what_another_language_shows() {
 
 // clauses: 3.1 5.1 7.32
 #[test]
-fn habits_of_declarations_inputs_and_conditions() {
+fn foreign_declarations_inputs_and_conditions() {
     let help = |statements: &str| {
         let loaded = check(statements);
-        let [finding] = loaded.diagnostics.as_slice() else {
+        let [diagnostic] = loaded.diagnostics.as_slice() else {
             panic!("{statements}: {:#?}", loaded.diagnostics);
         };
-        finding.help.as_ref().map(Message::to_string)
+        diagnostic.help.as_ref().map(Message::to_string)
     };
     let declare = Some(
         "declare variables with `DEF_VAR A` (a number), `DEF_POS P` or `DEF_JOINT Q`".to_owned(),

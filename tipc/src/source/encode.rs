@@ -7,13 +7,13 @@ use encoding_rs::SHIFT_JIS;
 use std::collections::HashMap;
 
 impl Source {
-    /// The bytes of this file with another text in the place of its own: encoding, byte order mark and DOS end of file stay, and
-    /// so do the bytes of each line that the file has already, which encoding its text again would not always lead back to.
-    /// New lines end as the first one does.
+    /// Returns the bytes of this file with another text in the place of its own: encoding, byte order mark and DOS end
+    /// of file stay, and so do the bytes of each line that the file has already, which encoding its text again would
+    /// not always lead back to. New lines end as the first one does.
     ///
     /// # Errors
-    /// A character that the file's encoding cannot spell.
-    pub fn respelled(&self, text: &str) -> Result<Vec<u8>, char> {
+    /// A character that the file's encoding lacks.
+    pub fn encode(&self, text: &str) -> Result<Vec<u8>, char> {
         let known: HashMap<&str, Line> = self
             .lines()
             .map(|line| (self.slice(line.span), line))
@@ -30,7 +30,7 @@ impl Source {
             };
             match known {
                 Some(line) => out.extend_from_slice(self.original(line.span)),
-                None => self.spell(own, &mut out)?,
+                None => self.encode_line(own, &mut out)?,
             }
             if line.end != Span::new(text.len(), text.len()) {
                 let end = known.map(|line| self.slice(line.end)).unwrap_or_default();
@@ -43,7 +43,7 @@ impl Source {
     }
 
     /// Adds a text in the encoding of this file.
-    fn spell(&self, text: &str, out: &mut Vec<u8>) -> Result<(), char> {
+    fn encode_line(&self, text: &str, out: &mut Vec<u8>) -> Result<(), char> {
         if self.charset() == Charset::Utf8 {
             out.extend_from_slice(text.as_bytes());
             return Ok(());
@@ -81,20 +81,20 @@ mod tests {
         ];
         for bytes in files {
             let source = source(bytes);
-            let again = source.respelled(source.text());
+            let again = source.encode(source.text());
             assert_eq!(again.as_deref(), Ok(bytes), "{bytes:?}");
         }
     }
 
     #[test]
-    fn lines_that_stay_keep_their_bytes_and_new_ones_are_spelled_alike() {
+    fn lines_that_stay_keep_their_bytes_and_new_ones_are_encoded_alike() {
         // An editor gives back LF.
         let file = source(b"3.1\r\n\x95\xE0\x82\xAD \xEE\xFA\r\nEND\r\n\x1A");
         let edited = file
             .text()
             .replace("\r\n", "\n")
             .replace("END", "REM\n// 歩\nEND");
-        let bytes = file.respelled(&edited);
+        let bytes = file.encode(&edited);
         let expected = b"3.1\r\n\x95\xE0\x82\xAD \xEE\xFA\r\nREM\r\n// \x95\xE0\r\nEND\r\n\x1A";
         assert_eq!(bytes.as_deref(), Ok(&expected[..]));
     }
@@ -102,9 +102,9 @@ mod tests {
     #[test]
     fn what_the_encoding_lacks_is_an_error() {
         let file = source(b"3.1\r\n\x95\xE0\r\n");
-        assert_eq!(file.respelled("3.1\n\u{1F916}\n"), Err('\u{1F916}'));
+        assert_eq!(file.encode("3.1\n\u{1F916}\n"), Err('\u{1F916}'));
         let file = source("3.1\n歩\n".as_bytes());
         let text = "3.1\n\u{1F916}\n";
-        assert_eq!(file.respelled(text).as_deref(), Ok(text.as_bytes()));
+        assert_eq!(file.encode(text).as_deref(), Ok(text.as_bytes()));
     }
 }

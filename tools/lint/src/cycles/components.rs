@@ -1,24 +1,24 @@
-//! Which nodes lie on a common circle: strongly connected components.
+//! Strongly connected components of a flow graph.
 
 use tipc::analysis::flow::NodeId;
 
-/// For each node the number of its ring: two nodes with paths to each other share it, no others do
+/// Returns for each node the number of its component: two nodes with paths to each other share it, no others do
 /// (Kosaraju and Sharir). `next` and `before` are each other's reverse. Takes linear time.
-pub(super) fn rings(next: &[Vec<NodeId>], before: &[Vec<NodeId>]) -> Vec<usize> {
-    let mut rings = vec![usize::MAX; next.len()];
-    for (ring, id) in last_first(next).into_iter().enumerate() {
+pub(super) fn components(next: &[Vec<NodeId>], before: &[Vec<NodeId>]) -> Vec<usize> {
+    let mut components = vec![usize::MAX; next.len()];
+    for (component, id) in last_first(next).into_iter().enumerate() {
         let mut open = vec![id];
         while let Some(id) = open.pop() {
-            if rings[id] == usize::MAX {
-                rings[id] = ring;
+            if components[id] == usize::MAX {
+                components[id] = component;
                 open.extend(&before[id]);
             }
         }
     }
-    rings
+    components
 }
 
-/// The nodes, each before those that a depth-first search leaves earlier.
+/// Returns the nodes, each before those that a depth-first search leaves earlier.
 fn last_first(next: &[Vec<NodeId>]) -> Vec<NodeId> {
     let mut order = Vec::new();
     let mut seen = vec![false; next.len()];

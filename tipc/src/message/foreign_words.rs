@@ -1,4 +1,4 @@
-//! What is said of words and spellings that people bring along from other languages.
+//! Messages about words and spellings of other languages.
 
 use super::list::List;
 use super::say::Decimal;
@@ -7,7 +7,7 @@ use smol_str::SmolStr;
 
 messages! {
     /// The way of T.I.P. to say what another language says otherwise.
-    Habit;
+    ForeignWord;
 
     // First words.
     ShowText
@@ -68,7 +68,7 @@ messages! {
         "`EXIT` ends the program where it stands",
         "その場でプログラムを終えるのは `EXIT` です";
     KeyIn
-        "`KEY_IN A` waits for a key, `IF KB_HIT GOTO L1:` asks for one",
+        "`KEY_IN A` waits for a key, `IF KB_HIT GOTO L1:` tests for one",
         "キー入力を待つのは `KEY_IN A`、調べるのは `IF KB_HIT GOTO L1:` です";
     AdIn
         "read an input with `AD_IN VR1 A`",
@@ -101,7 +101,7 @@ messages! {
         "leave it out: inputs, lamps and joints need no setting up",
         "不要です。入力、ランプ、関節の初期設定はありません";
     NoCatch
-        "leave it out: a fault stops the program, and nothing can catch it; ask before, as `IF A > 0 THEN`",
+        "leave it out: a fault stops the program, and nothing can catch it; test before, as `IF A > 0 THEN`",
         "例外処理はありません。エラーが起きるとプログラムは止まります。`IF A > 0 THEN` のように前もって調べてください";
     RelativeMark
         "`PTP F1 x y z` is absolute, `REL_PTP F1 x y z` relative; `R` before one number makes that one relative",
@@ -116,7 +116,7 @@ messages! {
         "leave it out: a block may be empty, and `REM` passes one control cycle",
         "消してください。ブロックは空でもかまいません。1制御周期だけ待つなら `REM` です";
     Ask
-        "ask with `IF condition GOTO L1:`, or wait with `REPEAT` … `UNTIL condition`",
+        "test with `IF condition GOTO L1:`, or wait with `REPEAT` … `UNTIL condition`",
         "調べるのは `IF 条件式 GOTO L1:`、待つのは `REPEAT` … `UNTIL 条件式` です";
     NoBraces
         "there are no braces",
@@ -335,7 +335,7 @@ messages! {
         "there is no NOT",
         "NOTは使えません";
     WriteNot
-        "write `!` right before a flag, as `!KB_HIT`; turn a comparison round, as `<>` for `==`",
+        "write `!` right before a flag, as `!KB_HIT`; reverse a comparison, as `<>` for `==`",
         "フラグは `!KB_HIT` のように直前に `!` を付け、比較は `==` を `<>` にするように逆にします";
     NotEqual
         "not equal is written `<>`",
@@ -347,7 +347,7 @@ messages! {
         "repeat for ever with `LOOP:` … `GOTO LOOP:`",
         "ずっと繰り返すには `LOOP:` … `GOTO LOOP:` と書きます";
     ThenJumps { jump: SmolStr }
-        "THEN opens a block; {jump} follows the condition at once",
+        "THEN opens a block; {jump} directly follows the condition",
         "THENはブロックの始まりです。{jump}は条件式のすぐ後に書きます";
     LeaveThenOut { jump: SmolStr }
         "leave THEN out: `IF condition {jump} L1:`",
@@ -392,8 +392,12 @@ messages! {
 }
 
 messages! {
-    /// Another way of writing.
-    Instead;
+    /// A replacement for what was written.
+    Suggestion;
+
+    DidYouMean { near: SmolStr }
+        "did you mean `{near}`?",
+        "`{near}` の間違いではありませんか?";
 
     // Words.
     Write { text: SmolStr }
@@ -508,7 +512,7 @@ messages! {
         "a SUBROUTINE takes no values: assign variables before the CALL",
         "SUBROUTINEに値は渡せません。CALLの前に変数に代入してください";
     NoResult
-        "RETURN gives no value back: leave it in a variable",
+        "RETURN returns no value: leave it in a variable",
         "RETURNで値は返せません。変数に入れておいてください";
     LeaveSubroutine
         "leave a SUBROUTINE with `RETURN`",

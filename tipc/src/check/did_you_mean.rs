@@ -1,11 +1,11 @@
-//! What the first word of a statement was meant to be, if the language lacks it.
+//! Suggestions for an unknown first word of a statement.
 
 use super::resolve::Resolver;
 use crate::foreign;
 use crate::language::commands::{self, COMMANDS};
 use crate::language::{flags, names};
 use crate::lex::DELIMITERS;
-use crate::message::{Commanding, Habit, Instead, Message, Parsing, Suggesting};
+use crate::message::{Commanding, ForeignWord, Message, Parsing, Suggestion};
 use crate::suggest::nearest;
 use crate::syntax::{Word, upper_case};
 use tip_runtime::command::{FAST, Flag, Target};
@@ -14,14 +14,14 @@ use tip_runtime::command::{FAST, Flag, Target};
 const PARTS: usize = 4;
 
 impl Resolver<'_> {
-    pub(super) fn meant_by(&self, name: &Word) -> Message {
+    pub(super) fn suggest_for(&self, name: &Word) -> Message {
         if self.found.are_many() {
             return Commanding::LabelOrEquation.into();
         }
         let word = name.node.as_str();
         if let Some(command) = self.in_one_word(name) {
             let word = command.into();
-            return Habit::InOneWord { word }.into();
+            return ForeignWord::InOneWord { word }.into();
         }
         if let Some(help) = self.call_of(word) {
             return help;
@@ -33,7 +33,7 @@ impl Resolver<'_> {
         let last = name.rsplit('.').next().unwrap_or(name);
         let rows = [word, name, last].into_iter();
         if let Some(row) = rows.filter_map(foreign::statement).next() {
-            return row.habit.clone().into();
+            return row.advice.clone().into();
         }
         if foreign::begins_label(name) && name.len() < word.len() {
             let digits: String = word.chars().filter(char::is_ascii_digit).collect();
@@ -42,25 +42,25 @@ impl Resolver<'_> {
         }
         if let Ok(target) = word.parse::<Target>() {
             let target = target.to_string().into();
-            return Habit::TargetFirst { target }.into();
+            return ForeignWord::TargetFirst { target }.into();
         }
         if flags::find(word, self.names.edition).is_some() {
-            return Habit::FlagAlone { flag: word.into() }.into();
+            return ForeignWord::FlagAlone { flag: word.into() }.into();
         }
         if let Some(command) = called(word, last) {
-            return Habit::Glued { command }.into();
+            return ForeignWord::Glued { command }.into();
         }
         if let Some(near) = foreign::command(word) {
-            return Suggesting::DidYouMean { near: near.into() }.into();
+            return Suggestion::DidYouMean { near: near.into() }.into();
         }
         if let Some(command) = glued(word) {
-            return Instead::BlankAfter { command }.into();
+            return Suggestion::BlankAfter { command }.into();
         }
         match nearest(word, COMMANDS.iter().map(|command| command.name)) {
-            Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+            Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
             None => match begun(word).or_else(|| cut_short(word)) {
-                Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
-                None if is_called(word) => Habit::NoParameters { name: name.into() }.into(),
+                Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
+                None if is_called(word) => ForeignWord::NoParameters { name: name.into() }.into(),
                 None => Commanding::LabelOrEquation.into(),
             },
         }
@@ -80,19 +80,19 @@ impl Resolver<'_> {
         })
     }
 
-    /// A SUBROUTINE or label of that name, which was to be called.
+    /// Suggests a CALL or GOTO to a SUBROUTINE or label of that name.
     fn call_of(&self, word: &str) -> Option<Message> {
         let name = word.strip_suffix("()").unwrap_or(word);
         let is_subroutine = self.is_subroutine(name)?;
         let name = name.into();
         Some(match is_subroutine {
-            true => Instead::Call { name }.into(),
-            false => Instead::JumpTo { name }.into(),
+            true => Suggestion::Call { name }.into(),
+            false => Suggestion::JumpTo { name }.into(),
         })
     }
 }
 
-/// The command that a word calls as another language does: `PTP(F1`, `MESSAGE"…"`, `robot.ptp(1`.
+/// Returns the command that a word calls as another language does: `PTP(F1`, `MESSAGE"…"`, `robot.ptp(1`.
 fn called(word: &str, name: &str) -> Option<&'static str> {
     let command = commands::find(name).filter(|_| name.len() < word.len())?;
     Some(command.name)
@@ -104,14 +104,14 @@ fn is_called(word: &str) -> bool {
     names::is_variable(name) && !rest.is_empty()
 }
 
-/// The command that the first parts of a word are: `TORQUE_CONTROL`.
+/// Returns the command that the first parts of a word are: `TORQUE_CONTROL`.
 fn begun(word: &str) -> Option<&'static str> {
     let ends = word.match_indices('_').map(|(at, _)| at);
     let mut parts = ends.rev().filter_map(|end| commands::find(&word[..end]));
     parts.next().map(|command| command.name)
 }
 
-/// The only command that a word is the first part of: `SIT`.
+/// Returns the only command that a word is the first part of: `SIT`.
 fn cut_short(word: &str) -> Option<&'static str> {
     let goes_on = |name: &&str| {
         name.strip_prefix(word)
@@ -121,7 +121,7 @@ fn cut_short(word: &str) -> Option<&'static str> {
     longer.next().filter(|_| longer.next().is_none())
 }
 
-/// The command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.
+/// Returns the command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.
 fn glued(word: &str) -> Option<&'static str> {
     let is_argument = |rest: &str| {
         let is_number = !rest.is_empty() && rest.bytes().all(|it| it.is_ascii_digit());

@@ -1,24 +1,22 @@
-//! One mistake, one finding: what follows from another finding joins it.
+//! Merges diagnostics that follow from another one: one mistake, one diagnostic.
 
 use super::title;
 use crate::code::Code;
-use crate::diagnostic::in_place;
-use crate::diagnostic::{Diagnostic, Findings, Label};
+use crate::diagnostic::by_location;
+use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::foreign;
 use crate::language::{Keyword, commands};
 use crate::lex::{Kind, Token, lex, split_comment};
-use crate::message::{
-    Commanding, Habit, Instead, Message, Naming, Parsing, Structuring, Suggesting,
-};
+use crate::message::{Commanding, ForeignWord, Message, Naming, Parsing, Structuring, Suggestion};
 use crate::source::{Source, Span};
 use crate::suggest::is_near;
 use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 
-/// Lets findings about one name be one finding, at the first place.
-pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
-    in_place(found);
+/// Merges the diagnostics about one name into one, at its first location.
+pub(super) fn merge(source: &Source, module: &Module, found: &mut Diagnostics) {
+    by_location(found);
     // What ends no block here may be reported as such already.
     found.dedup_by(|second, first| {
         second.code == Code::UnknownCommand
@@ -44,48 +42,48 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
 }
 
 /// `START` where `START:` was meant: the jumps to it are not wrong.
-fn labels_without_colon(source: &Source, module: &Module, found: &mut Findings) {
+fn labels_without_colon(source: &Source, module: &Module, found: &mut Diagnostics) {
     let is_broken = |it: &&Diagnostic| it.reason == Parsing::LabelColonMissing.into();
     let broken = found.iter().filter(is_broken);
     let broken: HashSet<_> = broken.map(|it| upper_case(source.slice(it.span))).collect();
     let mut jumps: HashMap<String, Vec<Span>> = HashMap::new();
-    for finding in found.iter().filter(|it| it.code == Code::UnknownLabel) {
-        let name = finding.subject.clone().unwrap_or_default();
-        jumps.entry(name).or_default().push(finding.span);
+    for diagnostic in found.iter().filter(|it| it.code == Code::UnknownLabel) {
+        let name = diagnostic.subject.clone().unwrap_or_default();
+        jumps.entry(name).or_default().push(diagnostic.span);
     }
     let mut meant = HashSet::new();
-    for finding in found
+    for diagnostic in found
         .iter_mut()
         .filter(|it| it.code == Code::UnknownCommand)
     {
-        let name = finding.subject.as_deref().unwrap_or_default();
+        let name = diagnostic.subject.as_deref().unwrap_or_default();
         // `L1.`
         let name = name.trim_end_matches(['.', '-']);
         // The first word of that name is the label, so that no jump is listed twice.
-        let is_alone = is_alone(module, finding.span);
-        let places = is_alone.then(|| jumps.remove(name)).flatten();
+        let is_alone = is_alone(module, diagnostic.span);
+        let locations = is_alone.then(|| jumps.remove(name)).flatten();
         // A jump without its colon is another mistake.
         let is_jumped_to = is_alone && broken.contains(name);
-        if places.is_none() && !is_jumped_to {
+        if locations.is_none() && !is_jumped_to {
             continue;
         }
         let name = name.to_owned();
         meant.insert(name.clone());
-        finding.reason = Parsing::LabelColonMissing.into();
-        finding.help = Some(Parsing::WriteLabel { name: name.into() }.into());
-        let places = places.into_iter().flatten();
-        let labels = places.map(|span| label(span, Structuring::JumpsHere));
-        finding.labels.extend(labels);
+        diagnostic.reason = Parsing::LabelColonMissing.into();
+        diagnostic.help = Some(Parsing::WriteLabel { name: name.into() }.into());
+        let locations = locations.into_iter().flatten();
+        let labels = locations.map(|span| label(span, Structuring::JumpsHere));
+        diagnostic.labels.extend(labels);
     }
-    found.retain(|finding| {
-        let name = finding.subject.as_ref();
-        finding.code != Code::UnknownLabel || !name.is_some_and(|name| meant.contains(name))
+    found.retain(|diagnostic| {
+        let name = diagnostic.subject.as_ref();
+        diagnostic.code != Code::UnknownLabel || !name.is_some_and(|name| meant.contains(name))
     });
 }
 
 /// Labels that stand after END are one mistake: END stands too early.
-fn labels_after_end(source: &Source, module: &Module, found: &mut Findings) {
-    let is_missing = |finding: &Diagnostic| finding.code == Code::UnknownLabel;
+fn labels_after_end(source: &Source, module: &Module, found: &mut Diagnostics) {
+    let is_missing = |diagnostic: &Diagnostic| diagnostic.code == Code::UnknownLabel;
     let end = module.statements.last();
     let Some(end) = end.filter(|it| it.kind == StatementKind::End && found.iter().any(is_missing))
     else {
@@ -93,32 +91,32 @@ fn labels_after_end(source: &Source, module: &Module, found: &mut Findings) {
     };
     let after = labels_in(source, Span::new(end.span.end, source.text().len()));
     let mut first: Option<Diagnostic> = None;
-    found.retain_mut(|finding| {
-        let name = finding.subject.as_deref().unwrap_or_default();
-        let Some(place) = after.get(name).filter(|_| is_missing(finding)) else {
+    found.retain_mut(|diagnostic| {
+        let name = diagnostic.subject.as_deref().unwrap_or_default();
+        let Some(location) = after.get(name).filter(|_| is_missing(diagnostic)) else {
             return true;
         };
         match &mut first {
             Some(first) => {
-                first.labels.push(label(finding.span, Naming::AlsoHere));
+                first.labels.push(label(diagnostic.span, Naming::AlsoHere));
             }
             None => {
-                let finding = finding.clone();
-                let finding = finding.label(end.span, Habit::EndsTheText);
+                let diagnostic = diagnostic.clone();
+                let diagnostic = diagnostic.label(end.span, ForeignWord::EndsTheText);
                 first = Some(
-                    finding
-                        .label(*place, Habit::StandsAfterEnd)
-                        .help(Habit::AfterEnd),
+                    diagnostic
+                        .label(*location, ForeignWord::StandsAfterEnd)
+                        .help(ForeignWord::AfterEnd),
                 );
             }
         }
         false
     });
     found.extend(first);
-    in_place(found);
+    by_location(found);
 }
 
-/// The labels and the names of SUBROUTINEs in a part of the text, each at its first place.
+/// Returns the labels and the names of SUBROUTINEs in a part of the text, each at its first location.
 fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
     let mut all = HashMap::new();
     let mut tokens = Vec::new();
@@ -139,50 +137,53 @@ fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
 }
 
 /// `CASE` belongs to the SWITCH before it: one statement of another language is one mistake.
-fn parts_of_statements(found: &mut Findings) {
+fn parts_of_statements(found: &mut Diagnostics) {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     let mut begun: Option<usize> = None;
-    for finding in found.drain(..) {
-        let word = finding.subject.clone().unwrap_or_default();
-        let is_unknown = finding.code == Code::UnknownCommand;
+    for diagnostic in found.drain(..) {
+        let word = diagnostic.subject.clone().unwrap_or_default();
+        let is_unknown = diagnostic.code == Code::UnknownCommand;
         if let Some(first) = begun.map(|at| &mut kept[at])
             && (is_unknown && foreign::goes_on(first.subject.as_deref().unwrap_or_default(), &word)
-                || first.help == Some(Habit::Loops.into()) && ends_do(first, &finding)
-                || first.help == Some(Habit::FromTheTop.into()) && first.help == finding.help)
+                || first.help == Some(ForeignWord::Loops.into()) && ends_do(first, &diagnostic)
+                || first.help == Some(ForeignWord::FromTheTop.into())
+                    && first.help == diagnostic.help)
         {
-            first.labels.push(label(finding.span, Habit::GoesOn));
+            first
+                .labels
+                .push(label(diagnostic.span, ForeignWord::GoesOn));
             continue;
         }
         if is_unknown && foreign::statement(&word).is_some() {
             begun = Some(kept.len());
         }
-        kept.push(finding);
+        kept.push(diagnostic);
     }
     **found = kept;
 }
 
 /// `DO` … `UNTIL A > 3`, which ends a REPEAT here; `DO` … `WHILE A < 3`, which begins another loop here.
-fn ends_do(begun: &Diagnostic, finding: &Diagnostic) -> bool {
+fn ends_do(begun: &Diagnostic, diagnostic: &Diagnostic) -> bool {
     let (opener, word) = (Keyword::Repeat, Keyword::Until);
     let until = Structuring::NothingOpen { opener, word };
     let opener = Keyword::While;
-    finding.reason == until.into()
-        || begun.labels.is_empty() && finding.reason == Structuring::NotClosed { opener }.into()
+    diagnostic.reason == until.into()
+        || begun.labels.is_empty() && diagnostic.reason == Structuring::NotClosed { opener }.into()
 }
 
 /// `WHILE TRUE:`: that it repeats for ever is said, and so its colon does not matter.
-fn endless_loops(source: &Source, found: &mut Findings) {
-    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+fn endless_loops(source: &Source, found: &mut Diagnostics) {
+    let line_of = |diagnostic: &Diagnostic| source.line_column(diagnostic.span.start).0;
     let forever = found
         .iter()
-        .filter(|it| it.help == Some(Habit::Forever.into()));
+        .filter(|it| it.help == Some(ForeignWord::Forever.into()));
     let lines: HashSet<u32> = forever.map(line_of).collect();
-    found.retain(|it| it.reason != Habit::NoColon.into() || !lines.contains(&line_of(it)));
+    found.retain(|it| it.reason != ForeignWord::NoColon.into() || !lines.contains(&line_of(it)));
 }
 
-/// A line that is too long for its text.
-fn long_texts(source: &Source, found: &mut Findings) {
-    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+/// Merges what follows from a line that is too long into the diagnostic of its text.
+fn long_texts(source: &Source, found: &mut Diagnostics) {
+    let line_of = |diagnostic: &Diagnostic| source.line_column(diagnostic.span.start).0;
     let texts = found.iter().filter(|it| it.code == Code::LongString);
     let lines: HashSet<u32> = texts.map(line_of).collect();
     let is_long =
@@ -191,16 +192,22 @@ fn long_texts(source: &Source, found: &mut Findings) {
 }
 
 /// `DIM A(10)`: that there are no arrays is the mistake.
-fn arrays_declared(source: &Source, found: &mut Findings) {
-    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
-    let is_array =
-        |it: &&Diagnostic| matches!(it.help, Some(Message::Habit(Habit::NoArray { .. })));
+fn arrays_declared(source: &Source, found: &mut Diagnostics) {
+    let line_of = |diagnostic: &Diagnostic| source.line_column(diagnostic.span.start).0;
+    let is_array = |it: &&Diagnostic| {
+        matches!(
+            it.help,
+            Some(Message::ForeignWord(ForeignWord::NoArray { .. }))
+        )
+    };
     let arrays: HashSet<u32> = found.iter().filter(is_array).map(line_of).collect();
-    found.retain(|it| it.help != Some(Habit::Declare.into()) || !arrays.contains(&line_of(it)));
+    found.retain(|it| {
+        it.help != Some(ForeignWord::Declare.into()) || !arrays.contains(&line_of(it))
+    });
 }
 
-/// UNTIL with its REPEAT after it, or `REPEAT` … `WHILE A < 3`, if nothing else is wrong with the structure.
-fn reversed_loops(found: &mut Findings) {
+/// Merges UNTIL with its REPEAT after it, or `REPEAT` … `WHILE A < 3`, if nothing else is wrong with the structure.
+fn reversed_loops(found: &mut Diagnostics) {
     let is_structure = |it: &&Diagnostic| it.code == Code::Structure;
     let both: Vec<&Diagnostic> = found.iter().filter(is_structure).collect();
     let [first, second] = both.as_slice() else {
@@ -228,14 +235,14 @@ fn reversed_loops(found: &mut Findings) {
     };
     found.retain(|it| it.code != Code::Structure || it.span != repeat);
     let word = Keyword::Repeat;
-    for finding in found.iter_mut().filter(|it| it.span == end) {
-        finding.labels = vec![label(repeat, Structuring::StandsHere { word })];
-        finding.help = Some(Habit::UntilCloses.into());
+    for diagnostic in found.iter_mut().filter(|it| it.span == end) {
+        diagnostic.labels = vec![label(repeat, Structuring::StandsHere { word })];
+        diagnostic.help = Some(ForeignWord::UntilCloses.into());
     }
 }
 
 /// `FOR A`, `FOR B`, `NEXT A`, `NEXT B`: two that name each other's variable are in the wrong order, which is one mistake.
-fn crossed_loops(source: &Source, found: &mut Findings) {
+fn crossed_loops(source: &Source, found: &mut Diagnostics) {
     let names = |it: &Diagnostic| match &it.reason {
         Message::Structuring(Structuring::NextNames { name }) => {
             let own = it.labels.first()?.span;
@@ -244,11 +251,11 @@ fn crossed_loops(source: &Source, found: &mut Findings) {
         _ => None,
     };
     let all: Vec<_> = found.iter().map(names).collect();
-    // Where each pair is named, the first place last.
-    let mut places: HashMap<(SmolStr, SmolStr), Vec<usize>> = HashMap::new();
+    // Where each pair is named, the first location last.
+    let mut locations: HashMap<(SmolStr, SmolStr), Vec<usize>> = HashMap::new();
     for (at, named) in all.iter().enumerate().rev() {
         if let Some(named) = named {
-            places.entry(named.clone()).or_default().push(at);
+            locations.entry(named.clone()).or_default().push(at);
         }
     }
     let mut joined = HashSet::new();
@@ -256,7 +263,7 @@ fn crossed_loops(source: &Source, found: &mut Findings) {
         let Some((outer, inner)) = named.filter(|_| !joined.contains(&at)) else {
             continue;
         };
-        let other = places.get_mut(&(inner.clone(), outer.clone()));
+        let other = locations.get_mut(&(inner.clone(), outer.clone()));
         let after = other.and_then(|other| {
             while other.last().is_some_and(|it| *it <= at) {
                 other.pop();
@@ -264,9 +271,9 @@ fn crossed_loops(source: &Source, found: &mut Findings) {
             other.pop()
         });
         if let Some(second) = after {
-            let place = found[second].span;
-            found[at].labels.push(label(place, Naming::AlsoHere));
-            found[at].help = Some(Habit::InnerFirst { inner, outer }.into());
+            let location = found[second].span;
+            found[at].labels.push(label(location, Naming::AlsoHere));
+            found[at].help = Some(ForeignWord::InnerFirst { inner, outer }.into());
             joined.insert(second);
         }
     }
@@ -274,36 +281,38 @@ fn crossed_loops(source: &Source, found: &mut Findings) {
     found.retain(|_| at.next().is_none_or(|at| !joined.contains(&at)));
 }
 
-/// The line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
-fn broken_lines(source: &Source, found: &mut Findings) {
-    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+/// Merges the line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
+fn broken_lines(source: &Source, found: &mut Diagnostics) {
+    let line_of = |diagnostic: &Diagnostic| source.line_column(diagnostic.span.start).0;
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        let word = finding.subject.as_deref().unwrap_or_default();
+    for diagnostic in found.drain(..) {
+        let word = diagnostic.subject.as_deref().unwrap_or_default();
         let is_rest = word.starts_with(|c: char| c.is_ascii_digit() || c == '-');
         match kept.last_mut() {
             Some(before)
-                if finding.code == Code::UnknownCommand
+                if diagnostic.code == Code::UnknownCommand
                     && matches!(before.code, Code::Argument | Code::UnknownVariable)
                     && is_rest
-                    && line_of(before) + 1 == line_of(&finding) =>
+                    && line_of(before) + 1 == line_of(&diagnostic) =>
             {
-                before.labels.push(label(finding.span, Habit::GoesOnHere));
-                before.help = Some(Habit::OneLine.into());
+                before
+                    .labels
+                    .push(label(diagnostic.span, ForeignWord::GoesOnHere));
+                before.help = Some(ForeignWord::OneLine.into());
             }
-            _ => kept.push(finding),
+            _ => kept.push(diagnostic),
         }
     }
     **found = kept;
 }
 
-/// Whether a statement at this place is this word alone.
-fn is_alone(module: &Module, place: Span) -> bool {
+/// Returns true if a statement at this location is this word alone.
+fn is_alone(module: &Module, location: Span) -> bool {
     let statement = module
-        .statement_at(place.start)
+        .statement_at(location.start)
         .map(|at| &module.statements[at]);
     statement.is_some_and(|it| {
-        it.span == place
+        it.span == location
             && matches!(&it.kind, StatementKind::Command { arguments, .. } if arguments.is_empty())
             || is_before_command(&it.kind)
     })
@@ -325,21 +334,21 @@ fn label(span: Span, text: impl Into<Message>) -> Label {
     }
 }
 
-/// The word that was to be END at the end of the text: STOP, EDN. One mistake is one finding.
-pub(super) fn last_word(found: &mut Findings) {
+/// Merges the word that was to be END at the end of the text, STOP or EDN, with the missing END.
+pub(super) fn last_word(found: &mut Diagnostics) {
     let Some(missing) = found.iter().position(|it| it.code == Code::NoEnd) else {
         return;
     };
-    let place = found[missing].span;
-    let unknown = |it: &Diagnostic| it.span == place && it.code == Code::UnknownCommand;
+    let location = found[missing].span;
+    let unknown = |it: &Diagnostic| it.span == location && it.code == Code::UnknownCommand;
     let Some(word) = found.iter().position(unknown) else {
         return;
     };
-    let ends = [Habit::Stop, Habit::Exit].map(Message::from);
+    let ends = [ForeignWord::Stop, ForeignWord::Exit].map(Message::from);
     let end = Keyword::End.word();
     let subject = found[word].subject.as_deref();
     if subject.is_some_and(|subject| is_near(subject, end)) {
-        found[word].help = Some(Suggesting::DidYouMean { near: end.into() }.into());
+        found[word].help = Some(Suggestion::DidYouMean { near: end.into() }.into());
         found.remove(missing);
     } else if found[word]
         .help
@@ -350,53 +359,56 @@ pub(super) fn last_word(found: &mut Findings) {
     }
 }
 
-/// A name that line 2 would declare, if it were not the title.
-fn declared_in_title(source: &Source, module: &Module, found: &mut Findings) {
+/// Merges the uses of a name that line 2 would declare, if it were not the title.
+fn declared_in_title(source: &Source, module: &Module, found: &mut Diagnostics) {
     let in_title = title::declared(source, module);
-    for finding in found.iter_mut() {
-        let name = finding.subject.as_deref().unwrap_or_default();
-        let is_unknown = finding.code == Code::UnknownVariable;
-        if let Some(place) = in_title.get(name).filter(|_| is_unknown) {
-            finding.labels.push(label(*place, Habit::TitleHere));
-            finding.help = Some(Habit::Title.into());
+    for diagnostic in found.iter_mut() {
+        let name = diagnostic.subject.as_deref().unwrap_or_default();
+        let is_unknown = diagnostic.code == Code::UnknownVariable;
+        if let Some(location) = in_title.get(name).filter(|_| is_unknown) {
+            diagnostic
+                .labels
+                .push(label(*location, ForeignWord::TitleHere));
+            diagnostic.help = Some(ForeignWord::Title.into());
         }
     }
 }
 
-/// Findings of one mistake are one finding at the first place, and the best guess of the type of a name is its help.
-fn repeated(found: &mut Findings) {
+/// Diagnostics of one mistake are one diagnostic at the first location, and the best guess of the type of a name is its help.
+fn repeated(found: &mut Diagnostics) {
     let mut first_of: HashMap<SmolStr, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        let first = finding.once.as_ref().and_then(|once| first_of.get(once));
+    for diagnostic in found.drain(..) {
+        let first = diagnostic.once.as_ref().and_then(|once| first_of.get(once));
         match first.map(|at| &mut kept[*at]) {
             Some(first) => {
-                first.labels.push(label(finding.span, Naming::AlsoHere));
-                if is_open(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
-                    first.help = finding.help;
+                first.labels.push(label(diagnostic.span, Naming::AlsoHere));
+                if is_open(first.help.as_ref()) && is_guess(diagnostic.help.as_ref()) {
+                    first.help = diagnostic.help;
                 }
             }
             None => {
-                first_of.extend(finding.once.clone().map(|once| (once, kept.len())));
-                kept.push(finding);
+                first_of.extend(diagnostic.once.clone().map(|once| (once, kept.len())));
+                kept.push(diagnostic);
             }
         }
     }
     **found = kept;
 }
 
-/// Whether a help leaves the type open.
+/// Returns true if a help leaves the type open.
 fn is_open(help: Option<&Message>) -> bool {
     matches!(help, Some(Message::Naming(Naming::Declare { .. })))
 }
 
-/// Whether a help names one type.
+/// Returns true if a help names one type.
 fn is_guess(help: Option<&Message>) -> bool {
     matches!(help, Some(Message::Naming(Naming::DeclareAs { .. })))
 }
 
-/// What follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses mean.
-pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findings) {
+/// Removes what follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses
+/// mean.
+pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Diagnostics) {
     let is_again =
         |it: &&Diagnostic| matches!(it.reason, Message::Naming(Naming::DeclaredAgain { .. }));
     let again: HashSet<String> = found
@@ -407,8 +419,8 @@ pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findi
     if again.is_empty() {
         return;
     }
-    let names_one = |place: Span| {
-        let statement = module.statement_at(place.start)?;
+    let names_one = |location: Span| {
+        let statement = module.statement_at(location.start)?;
         let text = source.slice(module.statements[statement].span);
         let is_end = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
         let mut words = text.split(is_end).map(str::to_ascii_uppercase);
@@ -425,16 +437,16 @@ pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findi
 }
 
 /// `DEF_VAR A$`, and wherever `A$` stands.
-pub(super) fn with_sign(source: &Source, found: &mut Findings) {
+pub(super) fn with_sign(source: &Source, found: &mut Diagnostics) {
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for finding in found.drain(..) {
-        match &finding.reason {
+    for diagnostic in found.drain(..) {
+        match &diagnostic.reason {
             Message::Naming(Naming::NoVariableName { word }) => {
                 first_of.entry(word.to_string()).or_insert(kept.len());
             }
             Message::Parsing(Parsing::ForeignInName { .. }) => {
-                let word = word_at(source, finding.span);
+                let word = word_at(source, diagnostic.span);
                 let name = source.slice(word).to_ascii_uppercase();
                 if let Some(first) = first_of.get(&name) {
                     kept[*first].labels.push(label(word, Naming::AlsoHere));
@@ -443,12 +455,12 @@ pub(super) fn with_sign(source: &Source, found: &mut Findings) {
             }
             _ => {}
         }
-        kept.push(finding);
+        kept.push(diagnostic);
     }
     **found = kept;
 }
 
-/// The name that a sign ends.
+/// Returns the name that a sign ends.
 fn word_at(source: &Source, sign: Span) -> Span {
     let before = &source.text()[..sign.start];
     let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
@@ -457,7 +469,7 @@ fn word_at(source: &Source, sign: Span) -> Span {
 }
 
 /// `SUBROUTINE LOOP:` and its calls.
-pub(super) fn called_loop(found: &mut Findings) {
+pub(super) fn called_loop(found: &mut Diagnostics) {
     let is_named = |it: &Diagnostic| it.reason == Naming::SubroutineLoop.into();
     let is_called = |it: &Diagnostic| it.reason == Structuring::LoopForGoto.into();
     if !found.iter().any(is_named) {
@@ -472,7 +484,7 @@ pub(super) fn called_loop(found: &mut Findings) {
 }
 
 /// `PTP F1 R 0 0` with a variable R: that R is a flag there explains the missing number.
-pub(super) fn flags(source: &Source, module: &Module, found: &mut Findings) {
+pub(super) fn flags(source: &Source, module: &Module, found: &mut Diagnostics) {
     let statement = |span: Span| module.statement_at(span.start);
     let mut explained = HashSet::new();
     for at in 0..found.len() {
@@ -486,8 +498,8 @@ pub(super) fn flags(source: &Source, module: &Module, found: &mut Findings) {
         };
         if let Some(fault) = found.iter_mut().find(is_there) {
             let name = source.slice(used).to_ascii_uppercase().into();
-            fault.labels.push(label(used, Instead::FlagHere));
-            fault.help = Some(Instead::OtherName { name }.into());
+            fault.labels.push(label(used, Suggestion::FlagHere));
+            fault.help = Some(Suggestion::OtherName { name }.into());
             explained.insert(flag);
         }
     }
