@@ -53,7 +53,7 @@ Bounds on time and memory. Work is counted in bytes allocated, which is the same
 | `tip migrate` | tolerances, placeholders, names that became words | proportional to the lines | `tools/lint/tests/it/bounded.rs` |
 | generated code | memory to write it | less than 1.5 kB a step | `tools/lint/tests/it/bounded.rs` |
 | messages | words quoted from a program, a description or a URDF file | 80 characters, then `…`; texts of the system 4096 | `tipc/src/message/tests.rs` |
-| messages | search for the nearest known name | 500 names, and words of 80 bytes | `tipc/src/check/suggest.rs` |
+| messages | search for the nearest known name | 500 names, and words of 80 bytes | `tipc/src/suggest.rs` |
 | VARIABLES.LOG | OUTPUT_VARIABLES in a loop | 16 MiB, then a line that says so | `tip-runtime/tests/it/log_files.rs` |
 | TITAN.LOG | an endless run | 10,000 rows | `tools/cli/tests/cli/faults/signals.rs` |
 | NORM | members whose squares are beyond the largest number | the root where it is finite; else `Domain error` | `tip-runtime/src/ops.rs`, `tests/language/cases/faults/norm-overflows` |
