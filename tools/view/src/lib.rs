@@ -7,6 +7,7 @@ mod csv;
 pub mod live;
 mod mcap;
 mod page;
+#[cfg(not(target_arch = "wasm32"))]
 mod plot;
 mod recorder;
 mod recording;
@@ -14,6 +15,7 @@ mod skeleton;
 mod trace;
 mod updates;
 
+#[cfg(not(target_arch = "wasm32"))]
 pub use plot::{Diagram, NothingToPlot};
 pub use recorder::{Extent, RecordError};
 pub use recording::{

@@ -39,6 +39,28 @@ fn each_published_package_holds_its_licences_and_its_front_page() {
     }
 }
 
+/// The page of the playground gives its module a clock and nothing else; bindings of browsers would import more.
+#[test]
+fn the_playground_has_no_bindings_of_browsers() {
+    let cargo = env::var_os("CARGO").expect("cargo runs tests");
+    let output = Command::new(cargo)
+        .args(["tree", "--locked", "--package", "tip-playground"])
+        .args(["--target", "wasm32-unknown-unknown"])
+        .args(["--edges", "normal", "--prefix", "none"])
+        .current_dir(root())
+        .output()
+        .expect("cargo starts");
+    let tree = String::from_utf8_lossy(&output.stdout);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(tree.contains("tip-view v"), "{tree}{errors}");
+    for name in ["wasm-bindgen", "js-sys", "web-sys"] {
+        assert!(
+            !tree.contains(name),
+            "the playground depends on {name}:\n{tree}"
+        );
+    }
+}
+
 #[test]
 fn no_source_includes_what_is_outside_of_its_package() {
     let mut climbing = 0;
