@@ -56,9 +56,8 @@ const BESIDE: &[(&str, &str)] = &[
          VariableOfFor JumpsHere DidYouMean DeclareLabel GosubCalls OwnLabel PutLoop MoveOut JumpBefore CallIt BlockStarts
          Label SubroutineStarts LeaveWith For PutJumpAbove ReturnOfGosub IfFirst SubEndCloses ClosesOuter",
     ),
-    ("Suggesting", "DidYouMean"),
     (
-        "Habit",
+        "ForeignWord",
         "Plain PlainBlank NoBrackets NoText NoTarget OneLine GoesOnHere FlagOfTarget CommandNoCondition WriteThen
          WithoutColon NextStatement Update Power Remainder EachMember FunctionInEquation CalculateArgument FastFirst FlagApart OneTarget
          JointName ArgumentNames NoUnit NoHex NoLineNumbers SemicolonEndsText AfterEnd MoveEndOrComment EndsTheText StandsAfterEnd GoesOn
@@ -70,8 +69,8 @@ const BESIDE: &[(&str, &str)] = &[
          NoSetup Constant NoCatch RelativeMark Count FromTheTop ChooseByIf AssignEach",
     ),
     (
-        "Instead",
-        "Write BlankAfter ElseOnNextLine ElseInBlock CountTo CommentOrName NoNumbers NumberedToo Digits Invisible ReadInput OfFoot OfJoint
+        "Suggestion",
+        "DidYouMean Write BlankAfter ElseOnNextLine ElseInBlock CountTo CommentOrName NoNumbers NumberedToo Digits Invisible ReadInput OfFoot OfJoint
          CommandFirst Keys ColonSeparates NoParentheses WithoutParentheses OpenBlock Limit Functions MemberByMember TypeLeftOut ShorterName
          Call JumpTo NoValues NoResult LeaveSubroutine Alone NextEach GotoLoop Closes
          CountTimes NumberOrVariable LargestNumber NoClock NestWithoutParentheses TitleInLineTwo FlagHere OtherName",
