@@ -43,11 +43,11 @@ pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Re
 }
 
 /// Returns the bytes of a program in the style, for the first of some robots that it loads for. `name` and `options` are
-/// those of [`format`].
+/// those of [`format()`].
 ///
 /// # Errors
 ///
-/// The program loads for none of them: the diagnostics are those for the robot with the fewest errors. Else as in [`format`].
+/// The program loads for none of them: the diagnostics are those for the robot with the fewest errors. Else as in [`format()`].
 pub fn format_for(
     name: &str,
     bytes: &[u8],
