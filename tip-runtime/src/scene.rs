@@ -101,7 +101,7 @@ pub struct Block {
 pub enum Simulation {
     /// Without mass: [`SimulatedPlant`](crate::plant::SimulatedPlant).
     QuasiStatic,
-    /// With mass: [`DynamicPlant`](crate::plant::DynamicPlant).
+    /// The body has mass: [`DynamicPlant`](crate::plant::DynamicPlant).
     Dynamic,
 }
 

@@ -39,7 +39,7 @@ impl<const J: usize> ControllerView<'_, J> {
         holds
     }
 
-    /// Runs ALL_STOP_RELEASE: every motion goes on towards its target.
+    /// Runs ALL_STOP_RELEASE: every motion continues to its target.
     pub fn release(&mut self) {
         if self.hold == Hold::On {
             self.hold = Hold::Off;

@@ -366,7 +366,7 @@ impl DynHardware for ExternalHardware {
 struct Odometry {
     start: Pose,
     now: Pose,
-    /// Whole turns, deg.
+    /// Sum of the whole turns so far, deg.
     turned: f64,
 }
 

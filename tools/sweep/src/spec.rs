@@ -24,7 +24,7 @@ pub struct Spec {
     /// The quantities that vary.
     #[serde(default)]
     pub vary: Vec<Axis>,
-    /// How random axes are sampled.
+    /// Sampling method of random axes.
     #[serde(default)]
     pub sampling: Sampling,
     /// Number of cases for each combination of listed values.
@@ -85,7 +85,7 @@ pub enum PlantSpec {
     /// The one that the scene names; without mass if it names none.
     #[default]
     Scene,
-    /// With mass.
+    /// The body has mass.
     Dynamic,
 }
 

@@ -159,7 +159,7 @@ impl Writer {
         }
     }
 
-    /// Returns true if variables stand in for numbers; what they hold may be out of range.
+    /// Returns true if variables replace numbers. Their values may be out of range.
     fn takes_variable(&mut self) -> bool {
         self.random.once_in(if self.is_calm() { 24 } else { 5 })
     }

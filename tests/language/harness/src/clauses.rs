@@ -61,7 +61,7 @@ pub fn named_by_tests() -> BTreeSet<String> {
 
 fn workspace() -> &'static Path {
     let mut around = root().ancestors();
-    around.nth(2).expect("the package stands in the workspace")
+    around.nth(2).expect("the package is in the workspace")
 }
 
 fn words(line: &str) -> impl Iterator<Item = String> {

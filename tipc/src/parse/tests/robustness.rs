@@ -1,4 +1,4 @@
-//! Whatever comes in, the parser answers, and every location it names exists and can be shown.
+//! Robustness of the parser: it accepts any input, and every location that it reports exists and can be shown.
 
 use crate::diagnostic::Diagnostic;
 use crate::parse::parse;

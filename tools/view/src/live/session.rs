@@ -176,9 +176,8 @@ impl Session {
         Some(Answer::new(asked.id, result.map(|()| None)).text())
     }
 
-    /// Hands over the work of checking texts, which takes long for long ones: from now on the session checks none itself.
-    /// Whoever takes it over gives a [`TextChecker`] each [`Session::unchecked`] text, and the session what was found
-    /// ([`Session::checked`]).
+    /// Stops checking texts in the session, because long texts take long. The caller then passes each
+    /// [`Session::unchecked`] text to a [`TextChecker`], and its result to [`Session::checked`].
     pub fn hand_over(&mut self) {
         self.checker = None;
         self.buffer.forget_given();
