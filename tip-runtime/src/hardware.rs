@@ -1,6 +1,6 @@
 //! The one trait that a real robot implements.
 //!
-//! Servos that are where they are commanded at once, for a robot of one leg with two joints:
+//! Servos that are where they are commanded immediately, for a robot of one leg with two joints:
 //!
 //! ```
 //! use tip_runtime::fault::Fault;

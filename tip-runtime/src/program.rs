@@ -235,7 +235,7 @@ pub trait Robot {
     /// frequency that is not finite or negative.
     fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault>;
     /// Pulls a foot, or a third joint (`Jn3`), to the place `to` (mm) by a spring of its own stiffness
-    /// (N/mm along each axis), whose set point is there at once. The rest is as COMPLIANCE_POSITION
+    /// (N/mm along each axis), whose set point is there immediately. The rest is as COMPLIANCE_POSITION
     /// has it; the stiffness that the program set stays what it is.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Robots without a plant: every command is answered at once.
+//! Robots without a plant: every command is answered immediately.
 
 use std::fmt::Display;
 use tip_runtime::command::{Command, Flag, MAX, Poll, Port, Target, Teach, Value};

@@ -33,7 +33,7 @@ impl<const J: usize> ControllerView<'_, J> {
                 continue;
             }
             if self.touches(n)? != (search == FloorSearch::Up) {
-                // The floor has stopped the foot already: its set point follows at once.
+                // The floor has stopped the foot already: its set point follows immediately.
                 self.send_foot(n, self.measured_point(n, LegPoint::Tip)?, true)?;
                 targets::leg_mut(&mut self.legs, n)?.search = None;
             } else {

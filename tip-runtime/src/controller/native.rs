@@ -11,7 +11,7 @@ use crate::model::Point;
 
 impl<const J: usize> ControllerView<'_, J> {
     /// Pulls a foot, or a third joint, to the place `to` (mm) by a spring of its own stiffness (N/mm
-    /// along each axis), whose set point is there at once. The rest is as COMPLIANCE_POSITION has it.
+    /// along each axis), whose set point is there immediately. The rest is as COMPLIANCE_POSITION has it.
     ///
     /// # Errors
     /// `Domain` for another target, a place that is not finite, a stiffness that is not finite or

@@ -1,4 +1,4 @@
-//! The control loop with scripted programs on a robot that follows every command at once.
+//! The control loop with scripted programs on a robot that follows every command immediately.
 
 mod console;
 mod emergencies;

@@ -1,7 +1,7 @@
 //! Files that appear complete or not at all.
 #![allow(clippy::disallowed_methods, reason = "this is for writing files")]
 
-use std::fs::{self, File, Metadata, Permissions};
+use std::fs::{self, File, Metadata};
 use std::io::{self, Seek, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
@@ -110,7 +110,7 @@ fn adopt(part: &File, replaced: &Metadata) -> bool {
         .metadata()
         .is_ok_and(|it| owner(&it) == owner(replaced));
     let is_owned = is_own || fchown(part, Some(replaced.uid()), Some(replaced.gid())).is_ok();
-    let mode = Permissions::from_mode(replaced.mode() & KEPT);
+    let mode = fs::Permissions::from_mode(replaced.mode() & KEPT);
     is_owned && part.set_permissions(mode).is_ok() && replaced.nlink() == 1
 }
 
@@ -131,7 +131,7 @@ fn copy(mut part: NamedTempFile, mut kept: File) -> io::Result<()> {
         use std::os::unix::fs::{MetadataExt, PermissionsExt};
         let mode = kept.metadata()?.mode();
         if mode & 0o6000 != 0 {
-            kept.set_permissions(Permissions::from_mode(mode & KEPT))?;
+            kept.set_permissions(fs::Permissions::from_mode(mode & KEPT))?;
         }
     }
     kept.sync_all()
@@ -166,7 +166,7 @@ fn is_no_name(error: &io::Error) -> bool {
 #[cfg(unix)]
 fn usual_mode<'b, 'p, 's>(builder: &'b mut Builder<'p, 's>) -> &'b mut Builder<'p, 's> {
     use std::os::unix::fs::PermissionsExt;
-    builder.permissions(Permissions::from_mode(0o666))
+    builder.permissions(fs::Permissions::from_mode(0o666))
 }
 
 #[cfg(not(unix))]

@@ -273,7 +273,7 @@ fn a_plain_move_brakes_even_behind_a_high_speed_one() {
     rig.done_hs(Op::Ptp, F1, &[-391.0, 301.0, -200.0]);
     rig.idle(2);
     let from = rig.foot(1)[1];
-    // 300 mm/s under 600 mm/s² need 75 mm to stop: it brakes at once.
+    // 300 mm/s under 600 mm/s² need 75 mm to stop: it brakes immediately.
     rig.done(Op::Ptp, F1, &[-391.0, from + 20.0, -200.0]);
     assert!((rig.foot(1)[1] - from - (6.0 - 0.12)).abs() < 1e-9);
 }

@@ -1,6 +1,6 @@
 //! Our robot's drives: the one place that knows how its joints are reached.
 //!
-//! These are at once where they are commanded to be. Put your bus into the three functions of `Hardware`; all else stays.
+//! These are immediately where they are commanded to be. Put your bus into the three functions of `Hardware`; all else stays.
 
 <<own>>use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};

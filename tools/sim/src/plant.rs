@@ -12,7 +12,7 @@ pub enum Plant {
     Simulated,
     /// Everything has mass, whatever the scene asks for.
     Dynamic,
-    /// Joints that are at once where they are commanded to be: cheap, for comparing engines.
+    /// Joints that are immediately where they are commanded to be: cheap, for comparing engines.
     Echo,
 }
 

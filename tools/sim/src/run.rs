@@ -155,7 +155,7 @@ impl Run {
         }
     }
 
-    /// Lets one more event happen; at once in the next cycle if its own is over.
+    /// Lets one more event happen; immediately in the next cycle if its own is over.
     ///
     /// # Errors
     /// The errors of [`accepts`](Self::accepts).

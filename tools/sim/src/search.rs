@@ -139,7 +139,7 @@ impl<'a, E: Engines> Search<'a, E> {
         }
     }
 
-    /// Makes `runs` runs, or one only if nothing from outside matters to the program; ends at once where the engines differ.
+    /// Makes `runs` runs, or one only if nothing from outside matters to the program; ends immediately where the engines differ.
     fn run(mut self, program: &Program, runs: u64) -> Result<Option<Diverging>, Failed<E::Error>> {
         let choices = inputs(program);
         if let Some(diverging) = self.attempt(Vec::new())? {

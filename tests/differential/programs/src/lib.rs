@@ -23,7 +23,7 @@ pub use untidy::untidy;
 use tipc::Robot;
 use writer::Writer;
 
-/// The numbers of SPECIAL that the native code of the test answers to, beside those of the hand: 30 is done at once, 31
+/// The numbers of SPECIAL that the native code of the test answers to, beside those of the hand: 30 is done immediately, 31
 /// takes as many cycles as its argument says and then sets SPECIAL_FLAG0 … 9, 32 switches a lamp, 33 fails.
 pub const NATIVE: [u8; 4] = [30, 31, 32, 33];
 

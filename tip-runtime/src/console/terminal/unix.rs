@@ -40,7 +40,7 @@ impl Raw {
         raw.local_modes
             .remove(LocalModes::ICANON | LocalModes::ECHO | LocalModes::ISIG);
         raw.input_modes.remove(InputModes::ICRNL | InputModes::IXON);
-        // Reading gives what there is, at once.
+        // Reading gives what there is, immediately.
         raw.special_codes[SpecialCodeIndex::VMIN] = 0;
         raw.special_codes[SpecialCodeIndex::VTIME] = 0;
         tcsetattr(stdin(), OptionalActions::Now, &raw).ok()?;

@@ -1,6 +1,6 @@
 //! Bending of a nearly straight leg to the side on which its line goes on, with its point in place.
 //!
-//! The postures of a straight leg's point are few, and those on its one side may end at a limit at once.
+//! The postures of a straight leg's point are few, and those on its one side may end at a limit immediately.
 //! The leg turns through the postures of that one place until it is bent towards the middle of its limits.
 
 use super::posture_path::{Line, PosturePath};

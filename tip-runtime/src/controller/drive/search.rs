@@ -9,7 +9,7 @@ use super::trial::{PointOfLeg, Trial, TrialResult};
 use crate::kinematics::{self, is_straight, resolve_piece};
 
 /// The pieces of a line that are tried in one cycle, at most: enough for the nearest posture and for as
-/// many pieces as lines mostly have, so that most legs set off at once.
+/// many pieces as lines mostly have, so that most legs set off immediately.
 const A_CYCLE: usize = 48;
 
 /// Number of pieces that take as many turns as a posture that is started from anywhere.

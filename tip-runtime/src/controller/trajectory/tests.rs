@@ -260,7 +260,7 @@ fn high_speed_starts_and_stops_at_once_but_keeps_v_max() {
     }
     track.advance(limits(300.0, 600.0), 0.02, false);
     assert_eq!((track.position(), track.velocity()), ([50.0], [0.0]));
-    // Held in motion, it stops at once.
+    // Held in motion, it stops immediately.
     let mut track = Track::resting([0.0]).towards(goal);
     track.advance(limits(300.0, 600.0), 0.02, false);
     track.advance(limits(300.0, 600.0), 0.02, true);

@@ -271,7 +271,7 @@ fn slider_at_high_speed() -> Hand {
 #[test]
 fn the_slider_obeys_its_acceleration_save_at_high_speed() {
     let mut rig = slider_at_high_speed();
-    // 100 mm/s under 400 mm/s² need 12.5 mm to stop: it brakes at once, by ½ · 400 · 0.002² mm.
+    // 100 mm/s under 400 mm/s² need 12.5 mm to stop: it brakes immediately, by ½ · 400 · 0.002² mm.
     rig.done(Op::Ptp, FLOOR, &[0.0, -125.0, 0.0]);
     close(rig.controller.slider()[1], -129.6 - 0.0008, 1e-9);
 }

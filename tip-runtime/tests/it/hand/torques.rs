@@ -142,7 +142,7 @@ fn a_joint_that_overshot_is_commanded_no_angle_beyond_its_limit() {
         let mut rig = overshot();
         rig.done(op, target, values);
         for _ in 0..100 {
-            // An angle is where the joint of this rig is at once.
+            // An angle is where the joint of this rig is immediately.
             assert!(rig.sensors.angles[0][2] <= 110.0, "{}", op.name());
             assert_eq!(rig.told(1), [None; 3]);
             rig.idle(1);

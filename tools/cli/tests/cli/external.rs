@@ -7,7 +7,7 @@ use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-/// Joints that are at once where they are commanded to be; the body goes forward by 1 mm in each cycle.
+/// Joints that are immediately where they are commanded to be; the body goes forward by 1 mm in each cycle.
 const SCRIPT: &str = r#"
 while read -r kind rest; do
   for word in $rest; do

@@ -46,7 +46,7 @@ fn several_keys_of_a_cycle_keep_their_order() {
 fn a_halt_is_requested_from_its_cycle_on() {
     let program = "L1:\nIF HALT_REQUEST GOTO L2:\nGOTO L1:\nL2:\nEND";
     let folder = Folder::new("halt").program("p.prg", program);
-    // The condition runs in cycles 1, 4, 7 …: a request in cycle 4 is seen at once, one in 5 by cycle 7.
+    // The condition runs in cycles 1, 4, 7 …: a request in cycle 4 is seen immediately, one in 5 by cycle 7.
     let seen = records(&folder, &["--halt", "4"], r#""next":3"#);
     assert_eq!(seen, [r#"{"cycle":4,"step":1,"next":3}"#]);
     let seen = records(&folder, &["--halt", "5"], r#""next":3"#);

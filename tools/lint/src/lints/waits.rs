@@ -1,4 +1,4 @@
-//! Waits for what nothing in the program moves or sets: they end at once, never, or stop the program.
+//! Waits for what nothing in the program moves or sets: they end immediately, never, or stop the program.
 //!
 //! A wait for ALL stays silent, so does a question that is no loop, and a program with a SPECIAL, whose native code may
 //! move anything.

@@ -65,7 +65,7 @@ tipc::message_table! {
         "'{text}' is not a count of hits, such as 5, >= 5 or % 5",
         "'{text}' は通過回数の指定ではありません。5、>= 5、% 5 のように書いてください";
     WouldDiscard { cycles: usize }
-        "{cycles} cycles have been run after this one, and would be discarded",
+        "later cycles that would be discarded: {cycles}",
         "これより後の{cycles}サイクルの実行結果が破棄されます";
     NoInput { port: Text }
         "the robot has no input {port}",

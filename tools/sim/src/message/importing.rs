@@ -88,10 +88,10 @@ tipc::message_table! {
         "the leg of joint `{leg}` has {joints} joints, that of joint `{first}` has {wanted}: every leg needs the same number, so leave one out with `--skip`, end one earlier with `--foot`, or make the others fixed",
         "関節 `{leg}` の脚は{joints}関節、関節 `{first}` の脚は{wanted}関節です。全ての脚で同じ数になるよう、`--skip` で一方を除くか、`--foot` で手前を足先にするか、余りをfixedにしてください";
     LinkTwice { link: String, first: Place, second: Place }
-        "link `{link}` stands there twice, at {first} and at {second}: give each a name of its own",
+        "link `{link}` is defined twice, at {first} and at {second}: give each its own name",
         "リンク `{link}` が2つあります({first}と{second})。別々の名前にしてください";
     JointTwice { joint: String, first: Place, second: Place }
-        "joint `{joint}` stands there twice, at {first} and at {second}: give each a name of its own",
+        "joint `{joint}` is defined twice, at {first} and at {second}: give each its own name",
         "関節 `{joint}` が2つあります({first}と{second})。別々の名前にしてください";
     NoSuchLink { joint: String, link: String }
         "joint `{joint}` names link `{link}`, which is not there",
@@ -215,7 +215,7 @@ tipc::message_table! {
         "OMEGA_MAX is the velocity of the slowest joint",
         "OMEGA_MAXは最も遅い関節の速度です";
     TurnsAllRound { joints: List }
-        "assumed: limits of -180 and 180 deg, for want of any: {joints}",
+        "assumed: limits of -180 and 180 deg, since the file gives none: {joints}",
         "仮定: 限界がないので-180と180 deg: {joints}";
     InfiniteLimits { joints: List }
         "assumed: limits of -180 and 180 deg in place of infinite ones: {joints}",
@@ -233,7 +233,7 @@ tipc::message_table! {
         "locked: `lower` and `upper` are equal, and the joint stays there: {joints}",
         "固定: `lower` と `upper` が等しいので、関節はその角度のままです: {joints}";
     Motor { joints: List }
-        "assumed: motors of 10 N·m, for want of an effort above 0 and up to 100000 N·m: {joints}",
+        "assumed: motors of 10 N·m, since the file gives no effort above 0 and up to 100000 N·m: {joints}",
         "仮定: 0より大きく100000 N·m以下のeffortがないので、モータは10 N·m: {joints}";
     DoubtfulLimits { joints: List }
         "doubtful: limits of half a turn or more on both sides look like placeholders; set `limits`: {joints}",

@@ -166,7 +166,7 @@ fn what_urdf_does_not_say_is_assumed_and_told() {
     let said = told(&import);
     for line in [
         "dropped: what continuous joints say of `lower` and `upper`, since they turn without end; their limits are -180 and 180 deg: a",
-        "assumed: motors of 10 N·m, for want of an effort above 0 and up to 100000 N·m: a",
+        "assumed: motors of 10 N·m, since the file gives no effort above 0 and up to 100000 N·m: a",
     ] {
         assert!(said.lines().any(|it| it == line), "{said}");
     }

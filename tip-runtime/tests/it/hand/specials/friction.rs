@@ -53,7 +53,7 @@ fn each_finger_vibrates_at_its_own_frequency() {
         let counted = crossings(&mut bench, n) as f64;
         close(counted, 2.0 * frequency, 1.0);
     }
-    // A new frequency counts at once, and does not switch on what is off.
+    // A new frequency counts immediately, and does not switch on what is off.
     bench.done(14, &[7.0]);
     close(crossings(&mut bench, 1) as f64, 14.0, 1.0);
     bench.done(12, &[0.0, 0.0]);

@@ -51,7 +51,7 @@ fn a_watch_finds_who_set_a_variable_last() -> Outcome {
     assert_eq!((by_line(&debugger), debugger.now()), (Some(0), 46));
     assert_eq!(debugger.value("A")?, Some(9.0));
     assert_eq!(debugger.go(Move::Continue).reason, Reason::Ended(End::End));
-    // Backwards it is still to come; what the host sets is there at once.
+    // Backwards it is still to come; what the host sets is there immediately.
     debugger.go(Move::ReverseContinue);
     assert_eq!((by_line(&debugger), debugger.now()), (Some(0), 46));
     debugger.go(Move::ReverseContinue);

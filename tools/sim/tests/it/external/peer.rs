@@ -1,4 +1,4 @@
-//! The other process: joints that are at once where they are commanded to be.
+//! The other process: joints that are immediately where they are commanded to be.
 
 use std::error::Error;
 use std::time::Duration;

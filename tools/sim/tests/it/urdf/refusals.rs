@@ -106,11 +106,11 @@ fn a_name_is_given_once_to_links_and_once_to_joints() {
     );
     says(
         &whole.replace("</robot>", "<link name=\"one\"/></robot>"),
-        "link `one` stands there twice, at line 4, column 1 and at line 13, column 1: give each a name of its own",
+        "link `one` is defined twice, at line 4, column 1 and at line 13, column 1: give each its own name",
     );
     says(
         &whole.replace("<joint name=\"two\"", "<joint name=\"one\""),
-        "joint `one` stands there twice, at line 5, column 1 and at line 8, column 1: give each a name of its own",
+        "joint `one` is defined twice, at line 5, column 1 and at line 8, column 1: give each its own name",
     );
 }
 
