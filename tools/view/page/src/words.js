@@ -85,7 +85,20 @@ const WORDS = {
   keyFollow: ['follow the robot or not', '追跡の切り替え'],
   keyHelp: ['this list', 'この一覧'],
   never: ['never runs', '実行されません'],
-  zoomHint: ['Drag to zoom, double-click for the whole run, click to go there.', 'ドラッグで拡大、ダブルクリックで全体、クリックで移動。'],
+  zoomHint: ['Drag to zoom, double-click for the whole run, click to go there, Shift-click to measure from there.', 'ドラッグで拡大、ダブルクリックで全体、クリックで移動、Shift+クリックで差の基準。'],
+  measure: ['Measure from here', 'ここから測る'],
+  lags: ['Setpoints minus angles', '目標角 − 関節角'],
+  joints: ['Joints', '関節'],
+  angle: ['angle °', '角度 °'],
+  setpoint: ['setpoint °', '目標 °'],
+  limits: ['limits °', '範囲 °'],
+  torque: ['torque {0}', 'トルク {0}'],
+  feet: ['Feet in the robot frame: x, y, z in mm', '足先 (ロボット座標系の x, y, z、mm)'],
+  gridScale: ['grid 100 mm', '格子 100 mm'],
+  labels: ['Names, axes and forward', '名前・座標軸・前方'],
+  front: ['forward', '前'],
+  gif: ['Animation (GIF)', '動画 (GIF)'],
+  ghost: ['ghost: {0}', '薄い方: {0}'],
 };
 
 const LANGUAGES = ['en', 'ja'];
