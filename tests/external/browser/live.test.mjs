@@ -105,18 +105,27 @@ test('looks back while the run goes on, and goes on from there', async () => {
   await page.waitForFunction(() => Number(document.querySelector('#scrub').max) > 40);
 });
 
-test('sets a variable and pushes the robot', async () => {
+test('sets a variable', async () => {
   const { page } = view;
   await page.click('#state-tab');
   await page.click('#variables tr:has(button:text-is("N")) td');
   await page.keyboard.type('5000');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => Number([...document.querySelectorAll('#variables tr')].find((row) => row.textContent.startsWith('N')).cells[1].textContent) >= 5000);
+  assert.equal(await page.isHidden('#push'), true, 'a robot without mass is not pushed');
+  await page.click('#log-tab');
+  await says(page, '#marks', 'set N=5000');
+});
+
+test('pushes a robot with mass', async () => {
+  const massive = await serve('counts.prg', '--plant', 'dynamic');
+  const { page, close } = await visit(browser, massive.address, { viewport: SMALL });
   await page.fill('#push-x', '30');
   await page.click('#push button');
   await page.click('#log-tab');
-  await says(page, '#marks', 'set N=5000');
   await says(page, '#marks', 'push 30 80 0 for 5');
+  await close();
+  assert.equal(await massive.end(), 130);
 });
 
 test('shows that a halt is pending', async () => {
@@ -135,10 +144,10 @@ test('what can be written, and what is known of it, stay inside the editor', asy
   for (const width of [1440, 1024]) {
     const wide = await visit(browser, server.address, { viewport: { width, height: 800 } });
     const { page } = wide;
-    await write(page, 4, 'REL', 'Enter');
-    await page.keyboard.press('ArrowUp');
+    await page.locator('#editor .cm-line').nth(3).click();
     await page.keyboard.press('End');
-    await page.keyboard.press('Control+Space');
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('REL');
     await page.waitForFunction(() => document.querySelector('#editor').shadowRoot.querySelector('.cm-completionInfo'));
     await page.waitForTimeout(200);
     const [list, info, room] = await page.$eval('#editor', (editor) => {

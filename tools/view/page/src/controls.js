@@ -57,8 +57,8 @@ export function controls(requests, recording) {
     element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));
     element('other-inputs').replaceChildren(...knobs.filter((knob) => !isKnob(knob)).map(({ box }) => box));
     element('other-inputs-box').hidden = !element('other-inputs').childElementCount;
-    // Nothing pushes a robot that is bolted down.
-    element('push').hidden = !recording.robot.body;
+    // Only a walking robot with mass is pushed, and it alone has forces in three directions.
+    element('push').hidden = !recording.robot.body || !recording.has('force.0.0');
   };
   begin();
   whenSpoken(() => knobs.forEach((knob) => knob.say()));
