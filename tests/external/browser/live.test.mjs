@@ -30,7 +30,7 @@ const says = (page, selector, text) =>
   page.waitForFunction(([selector, text]) => document.querySelector(selector).textContent.includes(text), [selector, text]);
 const value = async (page, name) => {
   await page.click('#state-tab');
-  return page.locator(`#variables tr:has(button:text-is("${name}")) td`).textContent();
+  return page.locator(`#variables tr:has(button:text-is("${name}")) td:nth-child(2)`).textContent();
 };
 const rests = async (page) => {
   await page.click('#play');
@@ -108,7 +108,7 @@ test('looks back while the run goes on, and goes on from there', async () => {
 test('sets a variable', async () => {
   const { page } = view;
   await page.click('#state-tab');
-  await page.click('#variables tr:has(button:text-is("N")) td');
+  await page.click('#variables tr:has(button:text-is("N")) td:nth-child(2)');
   await page.keyboard.type('5000');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => Number([...document.querySelectorAll('#variables tr')].find((row) => row.textContent.startsWith('N')).cells[1].textContent) >= 5000);

@@ -24,7 +24,7 @@ const says = (page, selector, text) =>
   page.waitForFunction(([selector, text]) => document.querySelector(selector).textContent.includes(text), [selector, text]);
 const value = async (page, name) => {
   await page.click('#state-tab');
-  return page.locator(`#variables tr:has(button:text-is("${name}")) td`).textContent();
+  return page.locator(`#variables tr:has(button:text-is("${name}")) td:nth-child(2)`).textContent();
 };
 /** Writes a program into the editor, and waits until the address has it. */
 async function write(page, text) {

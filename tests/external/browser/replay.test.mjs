@@ -145,6 +145,20 @@ for (const name of ['walk', 'grasp', 'hexapod']) {
       await page.click('#source-tab');
     });
 
+    test('leads to the line that gave a variable its value', async () => {
+      const { page } = view;
+      await page.keyboard.press('End');
+      await page.click('#state-tab');
+      const last = await cycle(page);
+      const button = page.locator('#variables .from button:visible').last();
+      const line = Number((await button.textContent()).split(' ').at(-1));
+      await button.click();
+      assert.ok((await cycle(page)) < last);
+      assert.equal(Number(await page.textContent('#now-line')), line);
+      await page.click('#source-tab');
+      assert.equal(await lit(page), line);
+    });
+
     test('names feet, axes and forward, unless one does not want it', async () => {
       const { page } = view;
       const shot = async () => {

@@ -4,7 +4,7 @@ import { clockTime, element, fixed, make } from './dom.js';
 import { feet } from './kinematics.js';
 import { countUpTo, lastUpTo } from './search.js';
 import { shown } from './source.js';
-import { whenSpoken, word } from './words.js';
+import { label, whenSpoken, word } from './words.js';
 
 /** How long a key stays lit, and a fall is announced: ms. */
 const PRESSED = 600;
@@ -37,13 +37,17 @@ export function state(player, plot, assign) {
       return place;
     });
     cells = recording.script.scalars.map((name, scalar) => {
-      const value = make('td');
+      const [value, from] = [make('td'), make('button', { type: 'button' })];
+      from.addEventListener('click', () => {
+        player.pause();
+        player.goTo(recording.assignedAt(scalar, player.cycle));
+      });
       if (assign) assignable(value, name, assign);
       const button = make('button', { type: 'button', textContent: name });
       button.addEventListener('click', () => plot(scalar));
-      return { value, button, name };
+      return { value, button, name, from };
     });
-    element('variables').replaceChildren(...cells.map(({ value, button }) => make('tr', {}, make('th', { scope: 'row' }, button), value)));
+    element('variables').replaceChildren(...cells.map(({ value, button, from }) => make('tr', {}, make('th', { scope: 'row' }, button), value, make('td', { className: 'from' }, from))));
     nameCells();
   };
   const nameCells = () => {
@@ -75,7 +79,15 @@ export function state(player, plot, assign) {
     const flags = lastUpTo(recording.flags, cycle)?.text;
     element('flags-box').hidden = flags === undefined;
     element('flags').textContent = flags || word('none');
-    cells.forEach(({ value }, scalar) => {
+    cells.forEach(({ value, name, from }, scalar) => {
+      const set = recording.assignedAt(scalar, cycle);
+      const outside = recording.events.some((event) => event.cycle === set && event.text.startsWith(`set ${name}=`));
+      from.hidden = set === undefined || outside;
+      if (!from.hidden) {
+        const line = recording.lineAt(set);
+        from.textContent = `${word('line')} ${line}`;
+        label(from, 'setBy', name, line);
+      }
       const now = recording.valueAt(scalar, cycle);
       const text = now === undefined ? '–' : shown(now);
       // Somebody writes there.
