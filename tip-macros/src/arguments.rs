@@ -34,28 +34,31 @@ pub(crate) struct Arguments {
 }
 
 const INCLUDE_TIP: &str =
-    "expected include_tip!([visibility] \"path\" [as Name] [, option = value]…)";
+    "expected include_tip!([attributes] [visibility] \"path\" [as Name] [, option = value]…)";
 #[cfg(feature = "robot-files")]
 const INCLUDE_ROBOT: &str =
-    "expected include_robot!([visibility] \"path\" [as NAME] [, runtime = path])";
-const TIP: &str = "expected tip!([visibility] Name, r#\"program\"# [, option = value]…)";
+    "expected include_robot!([attributes] [visibility] \"path\" [as NAME] [, runtime = path])";
+const TIP: &str =
+    "expected tip!([attributes] [visibility] Name, r#\"program\"# [, option = value]…)";
+const NOT_LITERAL: &str = "expected a string literal: this macro runs before constants and other macros such as `concat!` have values";
 const OPTIONS: &str = "the options are `robot`, `tip_version`, `encoding` and `runtime`";
 const ROBOTS: &str = "`titan8`, `hand`, `generic`, a published robot such as `phantomx`, or the path of a description, \"robot.toml\"";
-/// `[visibility] "path" [as Name] [, option = value]…`
+/// `[attributes] [visibility] "path" [as Name] [, option = value]…`
 pub(crate) fn include_tip(input: TokenStream) -> Result<Arguments, Misuse> {
     let mut input = Input::new(input, INCLUDE_TIP);
     let arguments = input.file()?;
     arguments.with(input.options()?)
 }
 
-/// `[visibility] Name, "program" [, option = value]…`
+/// `[attributes] [visibility] Name, "program" [, option = value]…`
 pub(crate) fn tip(input: TokenStream) -> Result<Arguments, Misuse> {
     let mut input = Input::new(input, TIP);
+    let attributes = input.attributes();
     let visibility = input.visibility();
     let name = input.name()?;
     input.comma()?;
     let text = input.string()?;
-    let mut arguments = Arguments::new(text, visibility);
+    let mut arguments = Arguments::new(text, attributes, visibility);
     arguments.emit_options.name = Some(name);
     arguments.with(input.options()?)
 }
@@ -69,7 +72,7 @@ pub(crate) struct RobotArguments {
     pub(crate) emit_options: emit::Options,
 }
 
-/// `[visibility] "path" [as NAME] [, runtime = path]`
+/// `[attributes] [visibility] "path" [as NAME] [, runtime = path]`
 #[cfg(feature = "robot-files")]
 pub(crate) fn include_robot(input: TokenStream) -> Result<RobotArguments, Misuse> {
     let mut input = Input::new(input, INCLUDE_ROBOT);
@@ -87,12 +90,13 @@ pub(crate) fn include_robot(input: TokenStream) -> Result<RobotArguments, Misuse
 }
 
 impl Arguments {
-    fn new(text: Text, visibility: TokenStream) -> Self {
+    fn new(text: Text, attributes: TokenStream, visibility: TokenStream) -> Self {
         Arguments {
             text,
             load: tipc::Options::default(),
             robot_file: None,
             emit_options: emit::Options {
+                attributes,
                 visibility,
                 ..emit::Options::default()
             },
@@ -200,6 +204,18 @@ impl Input {
         self.tokens.next_if(is_word).is_some()
     }
 
+    /// Any number of attributes; documentation comments are attributes as well.
+    fn attributes(&mut self) -> TokenStream {
+        let mut attributes = TokenStream::new();
+        while let Some(hash) = self.tokens.next_if(|token| is_punct(token, '#')) {
+            attributes.extend([hash]);
+            attributes.extend(self.tokens.next_if(|token| {
+                matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket)
+            }));
+        }
+        attributes
+    }
+
     /// `pub`, `pub(…)` or nothing.
     fn visibility(&mut self) -> TokenStream {
         let is_pub = |token: &TokenTree| matches!(token, TokenTree::Ident(ident) if ident == "pub");
@@ -229,7 +245,10 @@ impl Input {
                 self.tokens.next();
                 Ok(text)
             }
-            None => self.misuse(),
+            None => match self.tokens.peek() {
+                Some(token) => Err(Misuse::new(token.span(), NOT_LITERAL)),
+                None => self.misuse(),
+            },
         }
     }
 
@@ -242,9 +261,10 @@ impl Input {
 
     /// `[visibility] "path" [as Name]`
     fn file(&mut self) -> Result<Arguments, Misuse> {
+        let attributes = self.attributes();
         let visibility = self.visibility();
         let text = self.string()?;
-        let mut arguments = Arguments::new(text, visibility);
+        let mut arguments = Arguments::new(text, attributes, visibility);
         if self.keyword("as") {
             arguments.emit_options.name = Some(self.name()?);
         }
@@ -327,6 +347,17 @@ mod tests {
     }
 
     #[test]
+    fn attributes_and_documentation_pass_through() {
+        let arguments =
+            include_tip(tokens("/// Walks.\n#[expect(dead_code)] pub \"x.prg\"")).unwrap();
+        let options = arguments.emit_options;
+        let attributes = options.attributes.to_string();
+        assert!(attributes.contains("Walks."), "{attributes}");
+        assert!(attributes.contains("dead_code"), "{attributes}");
+        assert_eq!(options.visibility.to_string(), "pub");
+    }
+
+    #[test]
     fn a_program_has_a_name_first() {
         let arguments = tip(tokens(
             "pub Wave, r#\"3.1\nwave\nEND\"#, robot = \"generic\"",
@@ -341,8 +372,10 @@ mod tests {
     fn misuse_names_what_was_expected() {
         for (input, message) in [
             ("", "expected include_tip!"),
-            ("walk", "expected include_tip!"),
-            ("b\"walk.prg\"", "expected include_tip!"),
+            ("walk", "expected a string literal"),
+            ("b\"walk.prg\"", "expected a string literal"),
+            ("concat!(\"a\", \".prg\")", "expected a string literal"),
+            ("#[doc = \"x\"] pub", "expected include_tip!"),
             ("\"a.prg\" as", "expected include_tip!"),
             ("\"a.prg\" robot = hand", "expected include_tip!"),
             ("\"a.prg\", robot hand", "expected include_tip!"),

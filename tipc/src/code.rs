@@ -57,7 +57,7 @@ macro_rules! codes {
                 match self { $( Code::$variant => $message, )* }
             }
 
-            /// Returns the message in a language; the classical ones are English.
+            /// Returns the message in a language. Diagnostics print the classical ones in English, as [`Code::template`] has them.
             pub const fn template_in(self, lang: Lang) -> &'static str {
                 match (self, lang) {
                     $( $( (Code::$variant, Lang::Japanese) => $japanese, )? )*
@@ -70,63 +70,92 @@ macro_rules! codes {
 
 codes! {
     /// Reserved: nothing here can cause it.
-    CannotAllocate "E101" Some(Kind::Preprocess), "Can not allocate memory for {}";
+    CannotAllocate "E101" Some(Kind::Preprocess), "Can not allocate memory for {}",
+        "{}のメモリを確保できません";
     /// An output file cannot be written.
-    CannotWrite "E102" Some(Kind::Preprocess), "File can not write({})";
+    CannotWrite "E102" Some(Kind::Preprocess), "File can not write({})",
+        "ファイルに書けません({})";
     /// The source file cannot be read.
-    FileNotFound "E103" Some(Kind::Preprocess), "File not found({})";
+    FileNotFound "E103" Some(Kind::Preprocess), "File not found({})",
+        "ファイルがありません({})";
     /// Reserved: nothing here can cause it.
-    LongFilename "E104" Some(Kind::Preprocess), "Too long filename";
+    LongFilename "E104" Some(Kind::Preprocess), "Too long filename",
+        "長すぎるファイル名";
     /// The text breaks the format of a program.
-    Format "E105" Some(Kind::Preprocess), "Format error";
+    Format "E105" Some(Kind::Preprocess), "Format error",
+        "書式の誤り";
     /// A MESSAGE text over 70 bytes.
-    LongString "E106" Some(Kind::Preprocess), "too much long string";
+    LongString "E106" Some(Kind::Preprocess), "too much long string",
+        "長すぎる文字列";
     /// An assignment that the language lacks.
-    Equation "E107" Some(Kind::Preprocess), "Wrong equation format";
+    Equation "E107" Some(Kind::Preprocess), "Wrong equation format",
+        "式の誤り";
     /// Line 1 does not name this compiler's version of the language.
-    Version "E108" Some(Kind::Preprocess), "Wrong version number";
+    Version "E108" Some(Kind::Preprocess), "Wrong version number",
+        "版番号の誤り";
     /// A label declared twice.
-    DuplicateLabel "E201" Some(Kind::Syntax), "Duplicated label name";
+    DuplicateLabel "E201" Some(Kind::Syntax), "Duplicated label name",
+        "重複したラベル";
     /// A jump to a label that is not declared.
-    UnknownLabel "E202" Some(Kind::Syntax), "Label \"{}\" does not exist";
+    UnknownLabel "E202" Some(Kind::Syntax), "Label \"{}\" does not exist",
+        "ラベル \"{}\" がありません";
     /// No END.
-    NoEnd "E203" Some(Kind::Syntax), "Not exist END";
+    NoEnd "E203" Some(Kind::Syntax), "Not exist END",
+        "ENDがありません";
     /// A word that is not a command, or one that the robot lacks.
-    UnknownCommand "E204" Some(Kind::Syntax), "Unknown command \"{}\"";
+    UnknownCommand "E204" Some(Kind::Syntax), "Unknown command \"{}\"",
+        "\"{}\" というコマンドはありません";
     /// Arguments that do not fit the command.
-    Argument "E205" Some(Kind::Syntax), "Wrong argument";
+    Argument "E205" Some(Kind::Syntax), "Wrong argument",
+        "引数の誤り";
     /// A name that is not declared.
-    UnknownVariable "E206" Some(Kind::Syntax), "unknown variable \"{}\"";
+    UnknownVariable "E206" Some(Kind::Syntax), "unknown variable \"{}\"",
+        "変数 \"{}\" は宣言されていません";
     /// Openers and closers, or a jump into a block.
-    Structure "E207" Some(Kind::Syntax), "Control structure mismatch";
+    Structure "E207" Some(Kind::Syntax), "Control structure mismatch",
+        "制御構造の誤り";
     /// A variable that is read and never assigned.
-    NeverAssigned "E301" Some(Kind::Runtime), UNASSIGNED;
+    NeverAssigned "E301" Some(Kind::Runtime), UNASSIGNED,
+        "代入前の変数の使用";
     /// A run came to a value that cannot be used.
-    Domain "E302" Some(Kind::Runtime), "Domain error";
+    Domain "E302" Some(Kind::Runtime), "Domain error",
+        "範囲外の値";
     /// A run came to RETURN or SUBEND without a call.
-    InvalidReturn "E303" Some(Kind::Runtime), "Invalid Return command";
+    InvalidReturn "E303" Some(Kind::Runtime), "Invalid Return command",
+        "呼び出しのないRETURN";
     /// The target of a command was under another control.
-    InvalidMode "E304" Some(Kind::Runtime), "Invalid control mode";
+    InvalidMode "E304" Some(Kind::Runtime), "Invalid control mode",
+        "合わない制御モード";
     /// More than ten nested calls.
-    TooDeep "E305" Some(Kind::Runtime), "Too deep subroutine call";
+    TooDeep "E305" Some(Kind::Runtime), "Too deep subroutine call",
+        "深すぎるサブルーチン呼び出し";
     /// Reserved: no program that loads can cause it.
-    WrongStep "E306" Some(Kind::Runtime), "Wrong step number";
+    WrongStep "E306" Some(Kind::Runtime), "Wrong step number",
+        "存在しないステップ";
     /// A robot's description that cannot be used.
-    Description "E401" Some(Kind::Robot), "Wrong robot description";
+    Description "E401" Some(Kind::Robot), "Wrong robot description",
+        "ロボットの記述の誤り";
     /// A scene that cannot be used.
-    Scene "E402" Some(Kind::Robot), "Wrong scene";
+    Scene "E402" Some(Kind::Robot), "Wrong scene",
+        "シーンの誤り";
     /// A joint came to its limit in a run.
-    JointLimit "E403" Some(Kind::Robot), "Joint limit {}";
+    JointLimit "E403" Some(Kind::Robot), "Joint limit {}",
+        "関節{}の動作範囲の端";
     /// A target, or the path to it, that the robot did not reach in a run.
-    NotReached "E404" Some(Kind::Robot), "Out of reach {}";
+    NotReached "E404" Some(Kind::Robot), "Out of reach {}",
+        "{}が目標に届きません";
     /// A sensor that read nonsense in a run.
-    Sensor "E405" Some(Kind::Robot), "Sensor fault {}";
+    Sensor "E405" Some(Kind::Robot), "Sensor fault {}",
+        "{}のセンサの異常";
     /// Hardware that failed in a run.
-    Hardware "E406" Some(Kind::Robot), "Hardware fault {}";
+    Hardware "E406" Some(Kind::Robot), "Hardware fault {}",
+        "{}のハードウェアの異常";
     /// Someone pressed the key of the emergency stop.
-    EmergencyKey "E407" Some(Kind::Robot), "Emergency stop key";
+    EmergencyKey "E407" Some(Kind::Robot), "Emergency stop key",
+        "非常停止キー";
     /// A `tip.toml` that cannot be used.
-    Project "E408" Some(Kind::Robot), "Wrong tip.toml";
+    Project "E408" Some(Kind::Robot), "Wrong tip.toml",
+        "tip.tomlの誤り";
     /// A variable that nothing uses.
     Unused "W101" None, "variable \"{}\" is declared but never used",
         "変数 \"{}\" は宣言されていますが、使われていません";

@@ -43,6 +43,8 @@ pub struct Options {
     pub name: Option<Ident>,
     /// Its visibility, such as `pub`; empty for a private type.
     pub visibility: TokenStream,
+    /// Attributes and documentation of the type, before its own; usually empty.
+    pub attributes: TokenStream,
     /// The path of the crate `tip-runtime`.
     pub runtime: TokenStream,
 }
@@ -52,6 +54,7 @@ impl Default for Options {
         Options {
             name: None,
             visibility: TokenStream::new(),
+            attributes: TokenStream::new(),
             runtime: quote!(::tip_runtime),
         }
     }
@@ -90,12 +93,14 @@ pub fn emit(program: &Program, options: &Options) -> TokenStream {
 pub fn skeleton(source_name: &str, robot: Robot, options: &Options) -> TokenStream {
     let Options {
         visibility,
+        attributes,
         runtime,
         ..
     } = options;
     let name = options.name_for(source_name);
     let robot = for_robot(robot.signature(), &name, runtime);
     quote! {
+        #attributes
         #[doc = " Stands in for a program that does not load."]
         #[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::default::Default)]
         #visibility struct #name {}
@@ -161,6 +166,7 @@ fn for_robot(signature: Signature, program: &Ident, runtime: &TokenStream) -> Op
 struct Emitter<'a> {
     program: &'a Program,
     visibility: &'a TokenStream,
+    attributes: &'a TokenStream,
     runtime: &'a TokenStream,
     name: Ident,
     assignment: Assignment,
@@ -175,6 +181,7 @@ impl<'a> Emitter<'a> {
         Emitter {
             program,
             visibility: &options.visibility,
+            attributes: &options.attributes,
             runtime: &options.runtime,
             name: options.name_for(&program.source_name),
             assignment: Assignment::of(program),

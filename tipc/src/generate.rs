@@ -243,6 +243,7 @@ impl Config {
             name: name.transpose()?,
             visibility: tokens::<syn::Visibility>(&self.visibility)?,
             runtime: tokens::<syn::Path>(&self.runtime_path)?,
+            ..emit::Options::default()
         })
     }
 }

@@ -12,6 +12,8 @@ const told = (texts) => texts[spoken()];
 export class Tour {
   constructor(session) {
     this.session = session;
+    // What was written into lessons and examples, by choice: who comes back finds it again.
+    this.kept = new Map();
     session.listen((update) => {
       if (update.type === 'text') this.edited(update.text);
     });
@@ -20,7 +22,12 @@ export class Tour {
       if (number) this.open({ [kind]: Number(number) });
     });
     element('lesson-before').addEventListener('click', () => this.open({ lesson: this.lesson - 1 }));
-    element('lesson-after').addEventListener('click', () => this.open({ lesson: this.lesson + 1 }));
+    element('lesson-after').addEventListener('click', () => this.open({ lesson: (this.lesson ?? 0) + 1 }));
+    element('original').addEventListener('click', () => {
+      const [kind, number] = this.choice.split(' ');
+      this.kept.delete(this.choice);
+      this.open({ [kind]: Number(number) });
+    });
     element('wanted').addEventListener('submit', (event) => event.preventDefault());
     element('robot').addEventListener('change', () => this.begin());
     element('scripted').addEventListener('change', () => this.begin());
@@ -29,7 +36,7 @@ export class Tour {
     whenSpoken(() => this.say());
   }
 
-  /** What the address names; else the first lesson. */
+  /** What the address names; else a robot that walks. */
   async openAddress() {
     if (location.hash === this.address) return;
     let wanted;
@@ -38,7 +45,7 @@ export class Tour {
     } catch {
       notice(word('unreadable'));
     }
-    this.open(wanted ?? { lesson: 1 });
+    this.open(wanted ?? { example: 1 });
   }
 
   /** A lesson or an example by its number, or { text, robot, events }. */
@@ -48,13 +55,15 @@ export class Tour {
     this.lesson = known === lessons[0] ? 1 : shown && lesson;
     this.choice = this.lesson ? `lesson ${this.lesson}` : shown ? `example ${example}` : 'own';
     this.name = known.program?.split('/').at(-1) ?? 'program.prg';
-    this.text = text ?? files[known.program];
+    const kept = this.kept.get(this.choice);
+    this.text = text ?? kept ?? files[known.program];
     this.remember(this.choice === 'own' ? location.hash : `#${this.choice.replace(' ', '=')}`);
     this.say();
     element('robot').value = known.robot in robots ? known.robot : 'titan8';
     element('scripted').value = known.events ?? '';
     element('lesson').scrollTop = 0;
     this.run();
+    if (kept) this.rememberText();
   }
 
   /** The same program from its beginning, on the robot that is chosen and with what is to happen to it. */
@@ -76,6 +85,13 @@ export class Tour {
   async edited(text) {
     if (text === this.text.replace(/\r\n?/g, '\n')) return;
     this.text = text;
+    if (this.choice !== 'own') this.kept.set(this.choice, text);
+    this.sayLesson();
+    await this.rememberText();
+  }
+
+  /** The address holds what has been written. */
+  async rememberText() {
     this.remember(await fragmentOf(this.wanted()));
   }
 
@@ -122,14 +138,19 @@ export class Tour {
   }
 
   sayLesson() {
+    element('original').hidden = !this.kept.has(this.choice);
     const lesson = lessons[this.lesson - 1];
-    element('lesson').hidden = !lesson;
-    if (!lesson) return;
-    element('lesson-title').textContent = told(lesson.title);
-    element('lesson-text').replaceChildren(...told(lesson.text).map((textContent) => make('p', { textContent })));
-    element('lesson-try').textContent = word('tryIt', told(lesson.try));
-    element('lesson-number').textContent = word('of', this.lesson, lessons.length);
-    element('lesson-before').disabled = this.lesson === 1;
+    // The first example is what one sees first: it leads to the tour.
+    const isWelcome = this.choice === 'example 1';
+    element('lesson').hidden = !lesson && !isWelcome;
+    element('lesson-before').hidden = isWelcome;
+    element('lesson-after').textContent = word(isWelcome ? 'beginTour' : 'lessonAfter');
     element('lesson-after').disabled = this.lesson === lessons.length;
+    element('lesson-title').textContent = lesson ? told(lesson.title) : word('welcome');
+    const text = lesson ? told(lesson.text) : [word('welcomeText')];
+    element('lesson-text').replaceChildren(...text.map((textContent) => make('p', { textContent })));
+    element('lesson-try').textContent = word('tryIt', lesson ? told(lesson.try) : word('welcomeTry'));
+    element('lesson-number').textContent = lesson ? word('of', this.lesson, lessons.length) : '';
+    element('lesson-before').disabled = this.lesson === 1;
   }
 }

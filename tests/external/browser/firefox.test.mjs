@@ -48,3 +48,22 @@ for (const [name, cycle, line] of [['walk', 400, 143], ['grasp', 2600, 48], ['he
     assert.deepEqual(session.complaints, []);
   });
 }
+
+test('tells values and differences, joints, and a second run', async () => {
+  const { session } = firefox;
+  await session.open(`file://${process.env.PAGES}/compare.html#cycle=900`);
+  const told = () => [...document.querySelectorAll('.signal output')].map((one) => one.textContent);
+  const settled = () => new Promise((done) => setTimeout(done, 400));
+  await session.run(settled);
+  const values = await session.run(told);
+  assert.ok(values.length > 2 && values.every((text) => /^-?[\d.]+ \| -?[\d.]+$/.test(text)), values.join());
+  await session.run(() => document.getElementById('plot-mark').click());
+  await session.run(() => document.getElementById('forward').click());
+  await session.run(settled);
+  const differences = await session.run(told);
+  assert.ok(differences.every((text) => /  Δ [+-][\d.]+$/.test(text)), differences.join());
+  await session.run(() => document.getElementById('state-tab').click());
+  assert.equal(await session.run(() => document.querySelectorAll('#joint-rows tr').length), 12);
+  assert.equal(await session.run(() => document.querySelectorAll('#source button[tabindex="0"]').length), 1);
+  assert.deepEqual(session.complaints, []);
+});

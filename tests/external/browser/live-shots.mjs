@@ -5,7 +5,7 @@ import { serve } from './served.mjs';
 
 const folder = `${process.env.PAGES}/../shots`;
 mkdirSync(folder, { recursive: true });
-const SIZES = { 390: 844, 820: 1180, 1280: 800, 1920: 1080 };
+const SIZES = { 390: 844, 1024: 768, 1440: 900, 1920: 1080 };
 const RUNS = {
   walk: ['../../../examples/walk/motions/walk.prg'],
   grasp: ['../../../examples/grasp/motions/grasp.prg', '--robot', 'hand', '--scene', '../../../examples/grasp/scene.toml'],

@@ -30,7 +30,7 @@ const says = (page, selector, text) =>
   page.waitForFunction(([selector, text]) => document.querySelector(selector).textContent.includes(text), [selector, text]);
 const value = async (page, name) => {
   await page.click('#state-tab');
-  return page.locator(`#variables tr:has(button:text-is("${name}")) td`).textContent();
+  return page.locator(`#variables tr:has(button:text-is("${name}")) td:nth-child(2)`).textContent();
 };
 const rests = async (page) => {
   await page.click('#play');
@@ -89,14 +89,91 @@ test('looks back while the run goes on, and goes on from there', async () => {
     slider.value = 20;
     slider.dispatchEvent(new Event('input'));
   });
+  const size = () => page.$eval('#canvas', ({ clientWidth, clientHeight }) => [clientWidth, clientHeight]);
+  const before = await size();
   await page.waitForSelector('#past:not([hidden])');
   await page.waitForTimeout(300);
   assert.equal(await cycle(page), 20);
+  assert.deepEqual(await size(), before, 'the stage is as large as before');
+  const newest = () => page.$eval('#scrub', (slider) => Number(slider.max));
+  const last = await newest();
   await page.click('#go-on');
   await page.waitForSelector('#past', { state: 'hidden' });
-  await says(page, '#now-cycle', '20 / 20');
-  await page.click('#play');
+  // It goes on from cycle 20: what was after it is not so any more.
+  assert.ok((await newest()) < last, 'the run is shorter');
   await says(page, '#outcome', 'running');
+  await page.waitForFunction(() => Number(document.querySelector('#scrub').max) > 40);
+});
+
+test('sets a variable', async () => {
+  const { page } = view;
+  await page.click('#state-tab');
+  await page.click('#variables tr:has(button:text-is("N")) td:nth-child(2)');
+  await page.keyboard.type('5000');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => Number([...document.querySelectorAll('#variables tr')].find((row) => row.textContent.startsWith('N')).cells[1].textContent) >= 5000);
+  assert.equal(await page.isHidden('#push'), true, 'a robot without mass is not pushed');
+  await page.click('#log-tab');
+  await says(page, '#marks', 'set N=5000');
+});
+
+test('pushes a robot with mass', async () => {
+  const massive = await serve('counts.prg', '--plant', 'dynamic');
+  const { page, close } = await visit(browser, massive.address, { viewport: SMALL });
+  await page.fill('#push-x', '30');
+  await page.click('#push button');
+  await page.click('#log-tab');
+  await says(page, '#marks', 'push 30 80 0 for 5');
+  await close();
+  assert.equal(await massive.end(), 130);
+});
+
+test('shows that a halt is pending', async () => {
+  const { page } = view;
+  await rests(page);
+  await page.click('#halt');
+  assert.equal(await page.getAttribute('#halt', 'aria-pressed'), 'true');
+  assert.equal(await page.textContent('#halt'), 'Halt requested');
+  await page.click('#play');
+  await says(page, '#outcome', 'EXIT');
+  await says(page, '#halt', 'Halt');
+  assert.equal(await page.getAttribute('#halt', 'aria-pressed'), 'false');
+});
+
+test('what can be written, and what is known of it, stay inside the editor', async () => {
+  for (const width of [1440, 1024]) {
+    const wide = await visit(browser, server.address, { viewport: { width, height: 800 } });
+    const { page } = wide;
+    await page.locator('#editor .cm-line').nth(3).click();
+    await page.keyboard.press('End');
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('REL');
+    await page.waitForFunction(() => document.querySelector('#editor').shadowRoot.querySelector('.cm-completionInfo'));
+    await page.waitForTimeout(200);
+    const [list, info, room] = await page.$eval('#editor', (editor) => {
+      const box = (element) => element.getBoundingClientRect().toJSON();
+      return [...['.cm-tooltip-autocomplete', '.cm-completionInfo'].map((part) => box(editor.shadowRoot.querySelector(part))), box(editor)];
+    });
+    for (const part of [list, info]) assert.ok(part.left >= room.left - 1 && part.right <= room.right + 1, `${width}: ${JSON.stringify([list, info, room])}`);
+    await wide.close();
+  }
+});
+
+test('says that it is not connected, and offers nothing that needs a connection', async () => {
+  await view.close();
+  const sockets = [];
+  const { page, close } = await visit(browser, server.address, { viewport: SMALL }, (page) =>
+    page.routeWebSocket(/live/, (socket) => {
+      if (!sockets.length) socket.connectToServer();
+      else socket.close();
+      sockets.push(socket);
+    }),
+  );
+  await sockets[0].close();
+  await page.waitForSelector('#lost:not([hidden])', { state: 'attached' });
+  assert.match(await page.textContent('#lost'), /^Not connected\..*open the address/);
+  for (const part of ['#controls', '#play', '#restart', '#save']) assert.equal(await page.$eval(part, (element) => element.inert), true, part);
+  await close();
 });
 
 test('finds an error where it is written, and runs the program when it is put right', async () => {

@@ -4,7 +4,7 @@ import { launch, visit } from './browsers.mjs';
 
 const folder = `${process.env.PLAYGROUND}/../shots`;
 mkdirSync(folder, { recursive: true });
-const SIZES = { 390: 844, 820: 1180, 1280: 800, 1920: 1080 };
+const SIZES = { 390: 844, 1024: 768, 1440: 900, 1920: 1080 };
 const SHOWN = { lesson: '#lesson=9', hand: '#lesson=10', hexapod: '#example=3' };
 const wanted = process.argv.slice(2);
 const browser = await launch();

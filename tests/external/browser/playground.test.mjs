@@ -18,13 +18,13 @@ let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
 
-const open = (address = one, options = {}) => visit(browser, address, { viewport: SMALL, locale: 'en', ...options });
+const open = (address = `${one}#lesson=1`, options = {}) => visit(browser, address, { viewport: SMALL, locale: 'en', ...options });
 const cycle = (page) => page.$eval('#now-cycle', (element) => Number(element.textContent.split(' ')[0]));
 const says = (page, selector, text) =>
   page.waitForFunction(([selector, text]) => document.querySelector(selector).textContent.includes(text), [selector, text]);
 const value = async (page, name) => {
   await page.click('#state-tab');
-  return page.locator(`#variables tr:has(button:text-is("${name}")) td`).textContent();
+  return page.locator(`#variables tr:has(button:text-is("${name}")) td:nth-child(2)`).textContent();
 };
 /** Writes a program into the editor, and waits until the address has it. */
 async function write(page, text) {
@@ -48,7 +48,7 @@ describe('one file', () => {
       for (const locale of ['en', 'ja']) {
         const { page, asked, complaints, close } = await open(one, { colorScheme, locale, bypassCSP: true });
         assert.deepEqual(asked, [one]);
-        assert.match(await page.textContent('#file'), /01-hello/);
+        assert.match(await page.textContent('#file'), /walk\.prg/);
         await page.evaluate(axe.source);
         for (const tab of ['source-tab', 'state-tab', 'log-tab']) {
           await page.click(`#${tab}`);
@@ -60,6 +60,36 @@ describe('one file', () => {
         await close();
       }
     }
+  });
+
+  test('opens on a robot that moves, which a telephone shows without scrolling', async () => {
+    const { page, close } = await open(one, { viewport: { width: 390, height: 844 } });
+    const { y, height } = await page.locator('#canvas').boundingBox();
+    assert.ok(y >= 0 && y + height <= 844, `${y} ${height}`);
+    // It stands up.
+    await page.waitForFunction(() => Number(document.querySelector('#scrub').max) > 60, undefined, { timeout: 60_000 });
+    await page.click('#state-tab');
+    assert.notEqual(await page.locator('#joint-rows td').nth(0).textContent(), '–');
+    await page.click('#lesson-after');
+    await says(page, '#file', '01-hello');
+    await close();
+  });
+
+  test('what is written into a lesson is there again after another one', async () => {
+    const { page, close } = await open();
+    const { length } = await page.locator('#editor .cm-line').all();
+    await write(page, '3.1\nMine\nMESSAGE mine\nEND\n');
+    await page.click('#lesson-after');
+    await says(page, '#file', '02-foot');
+    assert.equal(await page.isHidden('#original'), true);
+    await page.click('#lesson-before');
+    await says(page, '#title', 'Mine');
+    await page.waitForFunction(() => location.hash.includes('program='));
+    await page.click('#original');
+    await says(page, '#file', '01-hello');
+    assert.notEqual(await page.textContent('#title'), 'Mine');
+    assert.equal((await page.locator('#editor .cm-line').all()).length, length);
+    await close();
   });
 
   test('takes a key and a slider, and halts', async () => {

@@ -95,6 +95,93 @@ for (const name of ['walk', 'grasp', 'hexapod']) {
       const before = await page.locator('.chart .uplot').count();
       await variable.click();
       assert.equal(await page.locator('.chart .uplot').count(), before + 1);
+      // All of the new plot is in view, which is below the others.
+      await page.waitForTimeout(100);
+      const [plot, panel] = await Promise.all(['.chart:last-child .uplot', '#plots-panel'].map((part) => page.locator(part).boundingBox()));
+      assert.ok(plot.height > 80 && plot.y >= panel.y && plot.y + plot.height <= panel.y + panel.height + 1, JSON.stringify([plot, panel]));
+    });
+
+    test('tells every value at the pointer, and its difference from a second cursor', async () => {
+      const { page } = view;
+      const told = () => page.$$eval('.signal output', (all) => all.map((one) => one.textContent));
+      const over = page.locator('.chart .u-over').first();
+      const { width } = await over.boundingBox();
+      await over.hover({ position: { x: width * 0.25, y: 20 } });
+      await page.waitForTimeout(100);
+      const [first, time] = [await told(), await page.textContent('#plot-time')];
+      assert.ok(first.length > 2 && first.every((text) => /^(–|-?[\d.]+)$/.test(text)), first.join());
+      assert.match(time, /^\d+\.\d{3} s$/);
+      await over.click({ position: { x: width * 0.25, y: 20 }, modifiers: ['Shift'] });
+      await over.hover({ position: { x: width * 0.75, y: 20 } });
+      await page.waitForTimeout(100);
+      assert.ok((await told()).every((text) => text === '–' || /  Δ [+-][\d.]+$/.test(text)), (await told()).join());
+      assert.match(await page.textContent('#plot-time'), /  Δ \+\d+\.\d{3} s$/);
+      await page.click('#plot-mark');
+      assert.ok((await told()).every((text) => !text.includes('Δ')));
+    });
+
+    test('the last label of the axis of time is whole', async () => {
+      const { page } = view;
+      // Labels are drawn: what stands right of the last tick has room for half of the widest one.
+      const rooms = await page.$$eval('.chart .uplot', (all) => all.map((one) => one.getBoundingClientRect().right - one.querySelector('.u-over').getBoundingClientRect().right));
+      assert.ok(rooms.every((room) => room >= 24), rooms.join());
+    });
+
+    test('tells of each joint its angle, setpoint, limits and torque, and where feet are', async () => {
+      const { page } = view;
+      await page.click('#state-tab');
+      const rows = await page.$$eval('#joint-rows tr', (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+      const legs = await page.$$eval('#modes dt', (all) => all.length);
+      assert.equal(rows.length % legs, 0);
+      for (const [name, angle, setpoint, limits, torque] of rows) {
+        assert.match(name, /^J\d\d$/);
+        for (const number of [angle, setpoint, torque]) assert.match(number, /^-?\d+\.\d+$/);
+        const [low, high] = limits.split(' … ').map(Number);
+        assert.ok(low < high && angle >= low - 1 && angle <= high + 1, `${name} ${angle} ${limits}`);
+      }
+      const feet = await page.$$eval('#feet dd', (all) => all.map((foot) => foot.textContent));
+      assert.equal(feet.length, legs);
+      assert.ok(feet.every((foot) => /^-?[\d.]+  -?[\d.]+  -?[\d.]+$/.test(foot)), feet.join());
+      await page.click('#source-tab');
+    });
+
+    test('leads to the line that gave a variable its value', async () => {
+      const { page } = view;
+      await page.keyboard.press('End');
+      await page.click('#state-tab');
+      const last = await cycle(page);
+      const button = page.locator('#variables .from button:visible').last();
+      const line = Number((await button.textContent()).split(' ').at(-1));
+      await button.click();
+      assert.ok((await cycle(page)) < last);
+      assert.equal(Number(await page.textContent('#now-line')), line);
+      await page.click('#source-tab');
+      assert.equal(await lit(page), line);
+    });
+
+    test('names feet, axes and forward, unless one does not want it', async () => {
+      const { page } = view;
+      const shot = async () => {
+        await page.waitForTimeout(500);
+        return page.$eval('#canvas', (canvas) => canvas.toDataURL());
+      };
+      const named = await shot();
+      await page.click('#show-labels');
+      const plain = await shot();
+      assert.notEqual(plain, named);
+      await page.click('#show-labels');
+      assert.equal(await shot(), named);
+    });
+
+    test('one line of the program is reached by Tab, the others by arrows', async () => {
+      const { page } = view;
+      assert.equal(await page.locator('#source button[tabindex="0"]').count(), 1);
+      await page.focus('#source button[tabindex="0"]');
+      const first = await page.evaluate(() => Number(document.activeElement.textContent));
+      await page.keyboard.press('ArrowDown');
+      assert.ok((await page.evaluate(() => Number(document.activeElement.textContent))) > first);
+      assert.equal(await page.locator('#source button[tabindex="0"]').count(), 1);
+      await page.evaluate(() => document.activeElement.blur());
     });
 
     test('shows modes and flags', async () => {
@@ -190,6 +277,51 @@ test('films each frame, however long it takes', async () => {
   await close();
 });
 
+test('an animation for slides shows the time, and leaves the player where it was', async () => {
+  const view = await open(browser, `${pages}/walk.html`, {}, '#cycle=300');
+  const { page } = view;
+  await page.click('#export');
+  await page.fill('#export-seconds', '0.5');
+  await page.fill('#export-rate', '10');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-gif')]);
+  const bytes = readFileSync(await download.path());
+  assert.equal(bytes.subarray(0, 6).toString(), 'GIF89a');
+  // A graphics control extension begins each frame: half a second at 10 Hz, and the first.
+  let frames = 0;
+  for (let at = bytes.indexOf('\x21\xf9\x04', 0, 'latin1'); at >= 0; at = bytes.indexOf('\x21\xf9\x04', at + 1, 'latin1')) frames += 1;
+  assert.equal(frames, 6);
+  await page.waitForFunction(() => document.querySelector('#now-cycle').textContent.startsWith('300 '));
+  await view.close();
+});
+
+test('two runs are on one page: their plots, and the second robot as a ghost', async () => {
+  const view = await open(browser, `${pages}/compare.html`, {}, '#cycle=900');
+  const { page, complaints } = view;
+  assert.match(await page.textContent('#file'), /walk\.jsonl · titan8 · ghost: .*slow\.jsonl$/);
+  const told = await page.$$eval('.signal output', (all) => all.map((one) => one.textContent));
+  assert.ok(told.every((text) => /^-?[\d.]+ \| -?[\d.]+$/.test(text)), told.join());
+  // At half the way the slower robot is elsewhere.
+  await page.waitForTimeout(500);
+  const alone = await open(browser, `${pages}/walk.html`, {}, '#cycle=900');
+  await alone.page.waitForTimeout(500);
+  const shot = (page) => page.$eval('#canvas', (canvas) => canvas.toDataURL());
+  assert.notEqual(await shot(page), await shot(alone.page));
+  assert.deepEqual(complaints, []);
+  await alone.close();
+  await view.close();
+});
+
+test('what happened has the times of the terminal', async () => {
+  const view = await open(browser, `${pages}/walk.html`);
+  const { page } = view;
+  await page.click('#log-tab');
+  // The key of cycle 120 is in the cycle that ends at 2.420 s.
+  const times = await page.$$eval('.mark', (all) => all.map((mark) => mark.textContent));
+  assert.ok(times.some((text) => text.startsWith('2.420 s') && text.includes('key F')), times.join());
+  assert.match(await page.textContent('#outcome'), /^EXIT after \d+\.\d{3} s$/);
+  await view.close();
+});
+
 test('what a program says is text, whatever it says', async () => {
   const { page, complaints, close } = await open(browser, `${pages}/hostile.html`);
   assert.deepEqual(complaints, []);
@@ -197,8 +329,8 @@ test('what a program says is text, whatever it says', async () => {
   assert.equal(await page.textContent('#message'), said);
   assert.ok((await page.title()).startsWith('</title><script>alert(3)</script>'));
   assert.equal(await page.locator('img').count(), 0);
-  // The recording, the page's script, deflated and as it runs, and what inflates it.
-  assert.equal(await page.locator('script').count(), 4);
+  // The recording, one to compare, the page's script, deflated and as it runs, and what inflates it.
+  assert.equal(await page.locator('script').count(), 5);
   await close();
 });
 

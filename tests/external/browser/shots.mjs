@@ -4,8 +4,8 @@ import { launch, open } from './browsers.mjs';
 
 const folder = `${process.env.PAGES}/../shots`;
 mkdirSync(folder, { recursive: true });
-const SIZES = { 390: 844, 820: 1180, 1280: 800, 1920: 1080 };
-const MOMENTS = { walk: 400, grasp: 2600, hexapod: 560, step: 700, a1: 260, trifinger: 200 };
+const SIZES = { 390: 844, 1024: 768, 1440: 900, 1920: 1080 };
+const MOMENTS = { walk: 400, compare: 900, grasp: 2600, hexapod: 560, step: 700, a1: 260, trifinger: 200 };
 const wanted = process.argv.slice(2);
 const browser = await launch();
 for (const [name, cycle] of Object.entries(MOMENTS)) {

@@ -17,8 +17,10 @@ impl Description {
         let Options {
             name,
             visibility,
+            attributes,
             runtime,
         } = options;
+        let gap = (!attributes.is_empty()).then(|| quote!(#[doc = ""]));
         let name = name
             .clone()
             .unwrap_or_else(|| const_name(&self.source_name));
@@ -44,6 +46,8 @@ impl Description {
         let forces = optional(self.forces.map(|forces| forces_to_rust(forces, runtime)));
         let slider = optional(self.slider.map(|slider| slider_to_rust(slider, runtime)));
         quote! {
+            #attributes
+            #gap
             #[doc = #about]
             #[doc = ""]
             #[doc = #header]

@@ -19,10 +19,12 @@ impl Emitter<'_> {
     pub(super) fn structure(&self, mentioned: &BTreeSet<String>) -> TokenStream {
         let Emitter {
             visibility,
+            attributes,
             runtime,
             name,
             ..
         } = self;
+        let gap = (!attributes.is_empty()).then(|| quote!(#[doc = ""]));
         let source = in_comment(&self.program.source_name).replace('`', "'");
         let header = format!(
             " {}",
@@ -39,6 +41,8 @@ impl Emitter<'_> {
             .has_calls(mentioned)
             .then(|| quote!(calls: #runtime::program::CallStack,));
         quote! {
+            #attributes
+            #gap
             #[doc = #about]
             #[doc = ""]
             #[doc = #header]

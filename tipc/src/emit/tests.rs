@@ -284,6 +284,7 @@ fn name_visibility_and_run_time_are_options() {
     let options = Options {
         name: Some(super::ident::identifier("Other")),
         visibility: quote!(pub(crate)),
+        attributes: quote!(#[doc = " Waves."]),
         runtime: quote!(crate::robot),
     };
     for text in [
@@ -291,6 +292,7 @@ fn name_visibility_and_run_time_are_options() {
         skeleton("by_hand.prg", Robot::Titan8, &options).to_string(),
     ] {
         assert!(text.contains("pub (crate) struct Other"), "{text}");
+        assert!(text.contains("# [doc = \" Waves.\"]"), "{text}");
         assert!(text.contains("crate :: robot :: program :: Program for Other"));
         assert!(!text.contains(":: tip_runtime"));
     }

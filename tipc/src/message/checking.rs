@@ -20,8 +20,8 @@ messages! {
         "{command} needs a robot that senses and gives torque: its description has no `[forces]`",
         "{command}には、トルクを測れて出せるロボットが必要です。ロボットの記述に `[forces]` がありません";
     CommandOf { command: &'static str, robots: Both }
-        "{command} is a command of {robots}",
-        "{command}は{robots}のコマンドです";
+        "{command} is a command of {robots}, which `--robot` or tip.toml chooses",
+        "{command}は{robots}のコマンドです。ロボットは `--robot` か tip.toml で指定します";
     VariableNotCommand { name: SmolStr }
         "`{name}` is a variable, not a command",
         "`{name}` は変数で、コマンドではありません";

@@ -70,7 +70,9 @@ fn a_robot_without_forces_has_no_commands_of_them() {
     assert_eq!(check("SILENT_ON"), [""; 0]);
     assert_eq!(
         check("STAND_UP 10"),
-        ["3: hexapod has no STAND_UP (STAND_UP is a command of titan8)"]
+        [
+            "3: hexapod has no STAND_UP (STAND_UP is a command of titan8, which `--robot` or tip.toml chooses)"
+        ]
     );
 }
 

@@ -122,7 +122,7 @@ fn what_a_robot_lacks_is_told_with_its_name() {
     assert!(only(&force).reason.to_string().contains("titan8"));
     assert_eq!(
         help("FORCE F1 1 2 3", Robot::Titan8),
-        "FORCE is a command of hand and generic"
+        "FORCE is a command of hand and generic, which `--robot` or tip.toml chooses"
     );
     let leg = check("WAIT_INPOS F4", Robot::Hand);
     assert!(only(&leg).reason.to_string().contains("hand has no F4"));

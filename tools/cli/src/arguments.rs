@@ -17,16 +17,21 @@ static TITAN: RobotChoice = RobotChoice::Named(RobotName::Titan8);
 /// The options for reading a program.
 #[derive(Clone, Debug, Args)]
 pub(super) struct SourceArguments {
-    /// The robot that the program is for: a name that 'tip robot list' shows, or a description; by default that of tip.toml, or
-    /// titan8
+    /// The robot; else that of tip.toml, or titan8
+    ///
+    /// A name that 'tip robot list' shows, or a description in a file
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
+    /// The version in line 1
+    ///
     /// The version of the language that line 1 must name
     #[arg(long, value_name = "NUMBER", default_value_t = TIP_VERSION, value_parser = version_number)]
     tip_version: f64,
 
-    /// The encoding of the file; auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
+    /// The encoding: auto, utf-8 or shift_jis
+    ///
+    /// auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum)]
     pub(super) encoding: Option<EncodingName>,
 
@@ -89,7 +94,9 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     cycles: Option<u64>,
 
-    /// Keys that are pressed before the step of a cycle: one ASCII character each, or 0x1B form
+    /// Keys pressed before the step of a cycle
+    ///
+    /// One ASCII character each, or 0x1B form
     #[arg(long, value_name = "CYCLE:CHAR,...")]
     keys: Option<Keys>,
 
@@ -97,20 +104,28 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "CYCLE", value_parser = count, allow_negative_numbers = true)]
     halt: Option<u64>,
 
-    /// Set an input to this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
-    #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
+    /// Set an input to a voltage from a cycle on
+    ///
+    /// VR1-3, PAW1-4, ANTENNA, J11 and so on
+    #[arg(long = "sensor", value_name = "NAME=V@CYCLE")]
     sensors: Vec<SensorAt>,
 
-    /// Events before the step of a cycle, such as '10:key F, 300:VR1=8, 500:push 80 0 0 for 5, 900:halt'
+    /// Keys, values, pushes and halts by cycle
+    ///
+    /// Before the step of the cycle, such as '10:key F, 300:VR1=8, 500:push 80 0 0 for 5, 900:halt'
     #[arg(long, value_name = "CYCLE:EVENT,...")]
     events: Option<Events>,
 
-    /// The scene around the robot: cylinder, an object under a hand, or a scene of your own
+    /// The scene: cylinder, or a file
+    ///
+    /// cylinder is an object under a hand
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) scene: Option<SceneChoice>,
 
-    /// The simulation of a walking robot: quasi-static, as if at rest at every moment, or dynamic, with mass; 'tip run' also takes
-    /// exec:COMMAND, a process of yours that simulates any robot
+    /// The simulation: quasi-static or dynamic
+    ///
+    /// quasi-static: as if at rest at every moment; dynamic: with mass. 'tip run' also takes exec:COMMAND, a process
+    /// of yours that simulates any robot
     #[arg(long, value_name = "PLANT")]
     pub(super) plant: Option<PlantChoice>,
 }

@@ -22,7 +22,7 @@ use tipc::{Loaded, Options};
 
 /// `tip check`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip check walk.prg turn.prg
   tip check --robot hand grasp.prg
   tip check --robot hexapod.toml march.prg   a robot of your own (docs/robots.md)
@@ -48,7 +48,9 @@ pub(super) struct Check {
     #[arg(value_name = "FILE", required = true)]
     pub(super) files: Vec<PathBuf>,
 
-    /// Apply certain fixes and write the files; for standard input, write to standard output
+    /// Apply certain fixes and write the files
+    ///
+    /// For standard input, the program goes to standard output
     #[arg(long)]
     fix: bool,
 
@@ -60,7 +62,7 @@ pub(super) struct Check {
     #[arg(long, conflicts_with = "fix")]
     pub(super) watch: bool,
 
-    /// Print nothing about programs without errors and warnings
+    /// Say nothing of programs that are in order
     #[arg(long, short)]
     quiet: bool,
 
@@ -162,8 +164,8 @@ fn check_once(arguments: &Check) -> Result<Status, Error> {
             status = Status::Failure;
         }
     }
-    total.report(output_options)?;
     fixable.report(output_options);
+    total.report(output_options)?;
     Ok(status)
 }
 

@@ -142,15 +142,19 @@ pub(super) enum Format {
 /// The options of the output.
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct OutputOptions {
-    /// The format of diagnostics: snippets for people, or lines for tools
-    #[arg(long, value_enum, default_value = "human")]
+    /// Diagnostics: human, short, json or sarif
+    ///
+    /// Snippets for people, or lines for tools
+    #[arg(long, value_name = "FORMAT", value_enum, default_value = "human")]
     pub(super) message_format: Format,
 
-    /// The language of messages; by default that of the locale
+    /// The language of messages; else the locale's
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 
-    /// Colours of diagnostics for people; auto: on a terminal, unless NO_COLOR is set
+    /// Colours: auto, always or never
+    ///
+    /// For people; auto: on a terminal, unless NO_COLOR is set
     #[arg(long, value_enum, value_name = "WHEN", default_value = "auto")]
     color: ColourName,
 }

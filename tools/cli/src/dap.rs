@@ -4,10 +4,11 @@ use super::Status;
 use super::arguments::{InputArguments, SourceArguments};
 use super::choices::EncodingName;
 use super::error::{self, Error};
-use super::input;
+
 use super::loader::{self, NotLoaded, Subject};
 use super::setup::{BuiltInOnly, RobotChoice, SceneChoice};
 use super::usage::BadValue;
+use super::{input, output};
 use clap::{Args, ValueEnum};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
@@ -22,7 +23,7 @@ use tipc::{Loaded, Options, render};
 /// `tip dap`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Editors start it; it uses the Debug Adapter Protocol on standard input and output.
+    after_long_help = "Editors start it; it uses the Debug Adapter Protocol on standard input and output.
 A launch has the same settings as the options of 'tip run':
 
   { \"request\": \"launch\", \"program\": \"walk.prg\", \"robot\": \"titan8\", \"scene\": \"cylinder\",
@@ -49,6 +50,10 @@ pub(super) fn dap(_: &Dap) -> Result<Status, Error> {
 struct Files;
 
 impl Launcher for Files {
+    fn is_same_file(&self, one: &str, other: &str) -> bool {
+        output::is_same(Path::new(one), Path::new(other))
+    }
+
     fn launch(&mut self, launch: &Launch, lang: Lang) -> Result<Debuggee, String> {
         let path = Path::new(&launch.program);
         if input::is_stream(path) {
@@ -64,7 +69,7 @@ impl Launcher for Files {
         let subject = loader::load(path, &source, &inputs, Some(BuiltInOnly::RunsAgain("dap")));
         let Subject { loaded, robot, .. } = subject.map_err(|refused| match refused {
             NotLoaded::Found(loaded) => diagnostics(&loaded, lang),
-            NotLoaded::Failed(error) => error.to_string(),
+            NotLoaded::Failed(error) => error.text(lang),
         })?;
         let found = diagnostics(&loaded, lang);
         let Some(program) = loaded.program else {

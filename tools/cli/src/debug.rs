@@ -23,7 +23,7 @@ use tip_sim::debug::Debugger;
 
 /// `tip debug`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip debug walk.prg                            stops before the first step
   tip debug walk.prg --events '120:key F'       a key is pressed before cycle 120
   tip debug --robot hand grasp.prg --scene scene.toml
@@ -32,7 +32,7 @@ Keys: r runs, n goes over the next step, s into routines, o out of one, c one co
 l to the line of the cursor, g to a cycle; the same in capitals goes back. b places and removes a
 breakpoint, B one with a condition and a count of passes, f stops before each command, label or
 routine of a name. w watches a variable, W goes back to the last assignment of one. i applies an event,
-such as 'key F', 'VR1=8' or 'N = 5'; e shows the value of an expression. Esc interrupts, q ends.")]
+such as 'key F', 'VR1=8' or 'N = 5'; e shows the value of an expression. Esc interrupts, ? explains, q ends.")]
 pub(super) struct Debug {
     /// The program
     pub(super) file: PathBuf,

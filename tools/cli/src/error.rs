@@ -1,14 +1,12 @@
 //! Errors of a command, besides programs that do not load.
 
 use super::Status;
+use crate::message::Using;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 use tip_sim::verify::NotBuilt;
-use tipc::code::Code;
-use tipc::diagnostic::Diagnostic;
-use tipc::message::Reading;
-use tipc::source::Span;
+use tipc::message::Lang;
 
 /// The error of a command.
 #[derive(Debug)]
@@ -67,19 +65,22 @@ impl From<NotBuilt> for Error {
     }
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Error {
+    /// Returns the message in a language.
+    pub(super) fn text(&self, lang: Lang) -> String {
         match self {
             Error::Usage(text) | Error::Failed(text) | Error::Cargo { reason: text, .. } => {
-                f.write_str(text)
+                text.clone()
             }
-            Error::Interrupted(text) => write!(f, "interrupted {text}"),
+            Error::Interrupted(text) => format!("interrupted {text}"),
             Error::CannotWrite { path, reason } => {
-                let error = reason.clone().into();
-                let reason = Reading::System { error };
-                let diagnostic = Diagnostic::new(Code::CannotWrite, Span::default(), reason)
-                    .about(path.display().to_string());
-                write!(f, "{}: {}", diagnostic.title(), diagnostic.reason)
+                let file = path.display().to_string().into();
+                // People have no use for the number of an error of the system.
+                let reason = reason.split(" (os error ").next().unwrap_or_default();
+                let reason = reason.to_owned().into();
+                Using::CannotWrite { file, reason }
+                    .in_lang(lang)
+                    .to_string()
             }
         }
     }

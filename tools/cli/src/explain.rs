@@ -12,18 +12,18 @@ use tipc::message::list::Each;
 
 /// `tip explain`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip explain E205           with a list of the finer codes
   tip explain E205-03
   tip explain W109 --lang ja
 
 Exit status: 0 if there is such a code, 2 otherwise.")]
 pub(super) struct Explain {
-    /// The code of an error or warning, such as E205-03 or W109, or its class, such as E205
+    /// A code such as E205-03 or W109, or a class such as E205
     #[arg(value_name = "CODE")]
     code: String,
 
-    /// The language of the page; by default that of the locale
+    /// The language of the page; else the locale's
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 }
@@ -245,6 +245,15 @@ mod tests {
                     "{}",
                     page.code
                 ),
+            }
+        }
+    }
+
+    #[test]
+    fn a_japanese_page_has_no_english_heading() {
+        for page in PAGES {
+            for heading in page.japanese.lines().filter(|line| line.starts_with('#')) {
+                assert!(!heading.is_ascii(), "{}: {heading}", page.code);
             }
         }
     }

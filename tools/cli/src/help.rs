@@ -1,9 +1,12 @@
-//! Help of the command line: its Japanese texts, `tip completions` and `tip man`. The English texts are in the commands.
+//! Help of the command line: `--help` on one screen, `tip help COMMAND` with examples, their Japanese texts, `tip completions`
+//! and `tip man`. The English texts are in the commands.
 
+use crate::choices::LangName;
 use crate::error::Error;
+use crate::setup::robot_names;
 use crate::{Arguments, Status, output};
-use clap::builder::{PossibleValue, StyledStr};
-use clap::{Arg, Args, Command, CommandFactory};
+use clap::builder::{EnumValueParser, PossibleValue, StyledStr};
+use clap::{Arg, ArgAction, Args, Command, CommandFactory};
 use clap_complete::Shell;
 use std::fmt::Write as _;
 use std::fs;
@@ -13,46 +16,163 @@ use tipc::message::Lang;
 /// The template of clap with Japanese words.
 const TEMPLATE: &str = "{about-with-newline}\n使い方: {usage}\n\n{all-args}{after-help}";
 
-/// Returns the command line with help in a language.
-pub(super) fn command(lang: Lang) -> Command {
-    let mut tip = Arguments::command();
-    if lang == Lang::Japanese {
-        // Adds the options and the command for help.
-        tip.build();
-        tip = translated(tip, "");
-    }
-    tip
+/// The commands by what people do with them: English and Japanese headings, and names.
+const GROUPS: &[(&str, &str, &[&str])] = &[
+    (
+        "Write",
+        "書く",
+        &["new", "check", "fmt", "explain", "migrate"],
+    ),
+    ("Run", "実行する", &["run", "debug", "verify", "cycles"]),
+    ("See", "見る", &["view", "serve", "plot", "log"]),
+    ("Embed", "組み込む", &["emit"]),
+    ("Robots", "ロボット", &["robot"]),
+    (
+        "Editors and shells",
+        "エディタとシェル",
+        &["lsp", "dap", "completions", "man", "help"],
+    ),
+];
+
+/// Returns the grammar of the command line, with the options that may stand anywhere.
+pub(super) fn grammar() -> Command {
+    let help = Arg::new("help")
+        .short('h')
+        .long("help")
+        .action(ArgAction::HelpShort)
+        .help("Print help");
+    let lang = Arg::new("lang")
+        .long("lang")
+        .value_name("en|ja")
+        .value_parser(EnumValueParser::<LangName>::new())
+        .help("The language of messages; else the locale's");
+    Arguments::command()
+        .disable_help_flag(true)
+        .args([lang.global(true), help.global(true)])
 }
 
-/// Translates a command and its subcommands; `above` is the path of its parent, joined by `_`.
-fn translated(command: Command, above: &str) -> Command {
+/// Returns the command line with help in a language.
+pub(super) fn command(lang: Lang) -> Command {
+    let mut tip = grammar();
+    // Adds the command for help, and the options to each command.
+    tip.build();
+    let tip = shaped(tip, "", lang);
+    let groups = groups(&tip, lang);
+    let more = lang.pick(
+        "'tip help COMMAND' tells more of a command, 'tip help' shows a first session.",
+        "'tip help コマンド' で各コマンドの詳細を、'tip help' でまず試す手順を表示する。",
+    );
+    let (usage, options) = (
+        lang.pick("Usage", "使い方"),
+        lang.pick("Options", "オプション"),
+    );
+    tip.help_template(format!(
+        "{{about-with-newline}}\n{usage}: {{usage}}\n\n{groups}\n{options}:\n{{options}}{{after-help}}"
+    ))
+    .after_help(more)
+}
+
+/// Returns the list of commands, group by group.
+fn groups(tip: &Command, lang: Lang) -> String {
+    let mut text = String::new();
+    for (english, japanese, names) in GROUPS {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{}:", lang.pick(english, japanese));
+        for command in names.iter().filter_map(|name| tip.find_subcommand(name)) {
+            let about = command.get_about().map(ToString::to_string);
+            let (name, about) = (command.get_name(), about.unwrap_or_default());
+            let _ = writeln!(text, "  {name:<11}  {about}");
+        }
+    }
+    text
+}
+
+/// Puts the help of a command and its subcommands into its form; `above` is the path of its parent, joined by `_`.
+fn shaped(command: Command, above: &str, lang: Lang) -> Command {
     let name = command.get_name().to_owned();
-    let about = command.get_about().map(line).unwrap_or_default();
     let path = match above {
         "" | "tip" => name,
         above => format!("{above}_{name}"),
     };
-    let ending = endings().find(|(command, _)| *command == path);
     let below: Vec<String> = command.get_subcommands().map(name_of).collect();
-    let command = command
-        .help_template(TEMPLATE)
-        .subcommand_help_heading("コマンド")
-        .about(about)
-        .after_help(ending.map_or("", |(_, text)| text.trim_end()))
-        .mut_args(option);
+    let mut command = command.mut_args(|arg| option(arg, lang));
+    let english = command.get_after_long_help().map(ToString::to_string);
+    if let Some(english) = english {
+        let japanese = endings().find(|(command, _)| *command == path);
+        let ending = match lang {
+            Lang::Japanese => japanese.map_or("", |(_, text)| text.trim_end()).to_owned(),
+            _ => english,
+        };
+        let words = path.replace('_', " ");
+        let more = lang.pick(
+            "'tip help COMMAND' tells more: examples, values, exit statuses.",
+            "'tip help COMMAND' で例・値・終了コードなどの詳細を表示する。",
+        );
+        let more = more.replace("COMMAND", &words);
+        let examples = first_examples(&ending);
+        command = command
+            .after_help(format!("{examples}{more}"))
+            .after_long_help(ending);
+    }
+    if lang == Lang::Japanese {
+        let about = command
+            .get_about()
+            .map(|text| line(&text.to_string()))
+            .unwrap_or_default();
+        command = command
+            .help_template(TEMPLATE)
+            .subcommand_help_heading("コマンド")
+            .about(about);
+    }
     below.iter().fold(command, |command, name| {
-        command.mut_subcommand(name, |command| translated(command, &path))
+        command.mut_subcommand(name, |command| shaped(command, &path, lang))
     })
+}
+
+/// Number of examples of short help.
+const SHORT: usize = 4;
+
+/// Returns the first examples of a text that fit a terminal, below their heading.
+fn first_examples(text: &str) -> String {
+    let is_heading = |line: &&str| matches!(*line, "Example:" | "Examples:" | "例:");
+    let Some(heading) = text.lines().find(is_heading) else {
+        return String::new();
+    };
+    let lines = text.lines().skip_while(|line| *line != heading).skip(1);
+    let lines = lines.take_while(|line| line.starts_with("  "));
+    let lines = lines.filter(|line| width(line) <= COLUMNS).take(SHORT);
+    let lines: String = lines.map(|line| format!("{line}\n")).collect();
+    format!("{heading}\n{lines}\n")
+}
+
+/// Columns of a terminal.
+const COLUMNS: usize = 80;
+
+/// Returns the number of columns of a line; characters of Japanese are two wide.
+fn width(line: &str) -> usize {
+    let columns = line.chars().map(|char| match char < '\u{2e80}' {
+        true => 1,
+        false => 2,
+    });
+    columns.sum()
 }
 
 fn name_of(command: &Command) -> String {
     command.get_name().to_owned()
 }
 
-/// Translates an option or argument, with its values and its default.
-fn option(arg: Arg) -> Arg {
-    let text = arg.get_help().map(line).unwrap_or_default();
-    let (mut short, mut long) = (text.clone(), text);
+/// Puts the help of an option or argument into its form: one line, or all paragraphs with values and default.
+fn option(arg: Arg, lang: Lang) -> Arg {
+    let said = |text: Option<&StyledStr>| -> Vec<String> {
+        let paragraphs = text.map(paragraphs).unwrap_or_default();
+        let in_lang = |text: String| match lang {
+            Lang::Japanese => line(&text),
+            _ => text,
+        };
+        paragraphs.into_iter().map(in_lang).collect()
+    };
+    let mut short = said(arg.get_help()).into_iter().next().unwrap_or_default();
+    let mut long = said(arg.get_long_help().or(arg.get_help())).join("\n\n");
     if arg.get_action().takes_values() {
         let values = arg.get_possible_values();
         let names: Vec<&str> = values.iter().map(PossibleValue::get_name).collect();
@@ -60,40 +180,45 @@ fn option(arg: Arg) -> Arg {
         let defaults = arg.get_default_values().iter();
         let default: Vec<_> = defaults.map(|value| value.to_string_lossy()).collect();
         let default = default.join(", ");
+        let (all, usual) = (lang.pick("values", "値"), lang.pick("default", "既定値"));
         if values.iter().any(|value| value.get_help().is_some()) {
-            let _ = write!(long, "\n\n値:");
+            let _ = write!(long, "\n\n{all}:");
             for value in &values {
-                let help = value.get_help().map(line).unwrap_or_default();
+                let help = said(value.get_help()).concat();
                 let _ = write!(long, "\n- {}: {help}", value.get_name());
             }
         } else if !names.is_empty() {
-            let _ = write!(long, "\n\n[値: {names}]");
-        }
-        if !names.is_empty() {
-            let _ = write!(short, " [値: {names}]");
+            let _ = write!(long, "\n\n[{all}: {names}]");
         }
         if !default.is_empty() {
-            let _ = write!(short, " [既定値: {default}]");
-            let _ = write!(long, "\n\n[既定値: {default}]");
+            if names.is_empty() {
+                let _ = write!(short, " [{usual}: {default}]");
+            }
+            let _ = write!(long, "\n\n[{usual}: {default}]");
         }
     }
-    let (heading, arg) = match arg.get_index() {
+    let arg = match (lang, arg.get_index()) {
         // Otherwise clap sorts them by name.
-        Some(place) => ("引数", arg.display_order(place)),
-        None => ("オプション", arg),
+        (Lang::Japanese, Some(place)) => arg.display_order(place).help_heading("引数"),
+        (Lang::Japanese, None) => arg.help_heading("オプション"),
+        _ => arg,
     };
     arg.help(short)
         .long_help(long)
-        .help_heading(heading)
         .hide_default_value(true)
         .hide_possible_values(true)
 }
 
+/// Returns the paragraphs of a help text.
+fn paragraphs(text: &StyledStr) -> Vec<String> {
+    let text = text.to_string();
+    text.split("\n\n").map(str::to_owned).collect()
+}
+
 /// Translates a sentence; one without a row stays.
-fn line(english: &StyledStr) -> String {
-    let english = english.to_string();
+fn line(english: &str) -> String {
     let row = lines().find(|(row, _)| *row == english);
-    row.map_or(english, |(_, japanese)| japanese.to_owned())
+    row.map_or(english.to_owned(), |(_, japanese)| japanese.to_owned())
 }
 
 const LINES: &str = include_str!("../help/lines.txt");
@@ -113,21 +238,23 @@ fn endings() -> impl Iterator<Item = (&'static str, &'static str)> {
 
 /// `tip completions`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip completions bash > ~/.local/share/bash-completion/completions/tip
   tip completions zsh > ~/.zfunc/_tip
   tip completions fish > ~/.config/fish/completions/tip.fish")]
 pub(super) struct Completions {
-    /// The shell
+    /// The shell: bash, elvish, fish, powershell or zsh
     shell: Shell,
 }
 
 /// `tip man`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip man -o ~/.local/share/man/man1")]
 pub(super) struct Man {
-    /// The folder for the pages, one for each command; it is created if necessary
+    /// The folder for the pages, one for each command
+    ///
+    /// It is created if necessary
     #[arg(short, long, value_name = "DIR")]
     out: PathBuf,
 }
@@ -135,11 +262,30 @@ pub(super) struct Man {
 /// Prints the completion script of a shell.
 pub(super) fn completions(arguments: &Completions) -> Result<Status, Error> {
     let mut script = Vec::new();
-    let mut command = Arguments::command();
+    let mut command = grammar();
     let name = command.get_name().to_owned();
     clap_complete::generate(arguments.shell, &mut command, name, &mut script);
-    output::print(script)?;
+    let script = String::from_utf8_lossy(&script);
+    output::print(with_files(&script, arguments.shell))?;
     Ok(Status::Success)
+}
+
+/// Completes files wherever the name of a robot is completed, as a description may be there.
+fn with_files(script: &str, shell: Shell) -> String {
+    let lines = script.lines().map(|line| {
+        let names = [robot_names(&[]), robot_names(&["hexapod"])].map(|names| names.join(" "));
+        let names = names.iter().find(|names| line.contains(names.as_str()));
+        match (shell, names) {
+            (Shell::Bash, Some(_)) => line.replace("compgen -W", "compgen -f -W"),
+            (Shell::Zsh, Some(names)) => line.replace(
+                &format!("({names})"),
+                &format!("{{compadd {names}; _files}}"),
+            ),
+            (Shell::Fish, _) if line.contains("-l robot ") => line.replace(" -r -f ", " -r -F "),
+            _ => line.to_owned(),
+        }
+    });
+    lines.map(|line| line + "\n").collect()
 }
 
 /// Writes the manual pages.
@@ -147,7 +293,7 @@ pub(super) fn man(arguments: &Man) -> Result<Status, Error> {
     let folder = &arguments.out;
     let failed = |error: std::io::Error| Error::cannot_write(folder, error);
     fs::create_dir_all(folder).map_err(failed)?;
-    clap_mangen::generate_to(Arguments::command(), folder).map_err(failed)?;
+    clap_mangen::generate_to(grammar(), folder).map_err(failed)?;
     Ok(Status::Success)
 }
 
@@ -193,16 +339,21 @@ mod tests {
                     .iter()
                     .filter_map(|it| it.get_help().cloned())
                     .collect();
-                arg.get_help().cloned().into_iter().chain(values)
+                let text = arg.get_long_help().or(arg.get_help()).cloned();
+                text.into_iter().chain(values)
             });
             abouts.into_iter().chain(arguments).collect::<Vec<_>>()
         });
-        texts.map(|text| text.to_string()).collect()
+        texts.flat_map(|text| paragraphs(&text)).collect()
     }
 
     #[test]
     fn every_sentence_has_a_row_and_every_row_a_sentence() {
-        let said = sentences(&all(Lang::English));
+        let mut tip = grammar();
+        tip.build();
+        let mut commands = Vec::new();
+        collect("tip", &tip, &mut commands);
+        let said = sentences(&commands);
         let rows: BTreeSet<String> = lines().map(|(english, _)| english.to_owned()).collect();
         let missing: Vec<_> = said.difference(&rows).collect();
         let unused: Vec<_> = rows.difference(&said).collect();
@@ -229,7 +380,7 @@ mod tests {
     fn both_languages_show_the_same_examples_and_name_the_same_options() {
         let mut texts = 0;
         for (path, command) in all(Lang::English) {
-            let english = command.get_after_help().map(ToString::to_string);
+            let english = command.get_after_long_help().map(ToString::to_string);
             let row = endings().find(|(name, _)| *name == path);
             assert_eq!(english.is_some(), row.is_some(), "{path}");
             if let (Some(english), Some((_, japanese))) = (english, row) {
@@ -260,6 +411,33 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn short_help_fits_80_columns_and_one_screen() {
+        for lang in [Lang::English, Lang::Japanese] {
+            for (path, mut command) in all(lang) {
+                let text = command.render_help().to_string();
+                for line in text.lines() {
+                    assert!(width(line) <= COLUMNS, "{path}: {line}");
+                }
+                assert!(text.lines().count() <= 40, "{path}:\n{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn each_command_is_in_one_group() {
+        let tip = command(Lang::English);
+        let mut commands: Vec<&str> = tip.get_subcommands().map(Command::get_name).collect();
+        let mut grouped: Vec<&str> = GROUPS
+            .iter()
+            .flat_map(|(.., names)| *names)
+            .copied()
+            .collect();
+        commands.sort_unstable();
+        grouped.sort_unstable();
+        assert_eq!(commands, grouped);
     }
 
     #[test]

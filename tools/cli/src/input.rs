@@ -79,12 +79,12 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
     }
 }
 
-/// The name of standard input.
-const STANDARD_INPUT: &str = "-";
+/// The name of standard input, and of standard output.
+const STANDARD: &str = "-";
 
-/// Returns true if the path names standard input.
-fn is_standard(path: &Path) -> bool {
-    path.to_str() == Some(STANDARD_INPUT)
+/// Returns true if the path names standard input or output.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path.to_str() == Some(STANDARD)
 }
 
 /// Returns true if the path names standard input or another open descriptor of this process, as the shell's `<(COMMAND)` does. A
@@ -96,7 +96,7 @@ pub(super) fn is_stream(path: &Path) -> bool {
 }
 
 /// Returns the name of a file in diagnostics.
-fn name(path: &Path) -> String {
+pub(super) fn name(path: &Path) -> String {
     match is_standard(path) {
         true => "standard input".to_owned(),
         false => path.display().to_string(),

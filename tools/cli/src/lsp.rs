@@ -22,7 +22,7 @@ use tipc::{Loaded, Options, render};
 /// `tip lsp`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Editors start it and use it through standard input and output: diagnostics with fixes while you type, hover,
+    after_long_help = "Editors start it and use it through standard input and output: diagnostics with fixes while you type, hover,
 definition, references, renaming, completion, signature help, inlay hints, folding, semantic tokens and formatting.
 docs/editors.md shows how to set up VS Code, neovim, helix and emacs.
 
@@ -35,11 +35,13 @@ The robot is that of --robot, of the client's option 'robot', of the nearest tip
 Exit status: 0 after 'shutdown' and 'exit', 1 if the connection ends without them, 2 wrong usage."
 )]
 pub(super) struct Lsp {
-    /// Use standard input and output, which is the default
+    /// Use standard input and output (the default)
     #[arg(long)]
     stdio: bool,
 
-    /// The robot of every program: a name that 'tip robot list' shows, or a description
+    /// The robot of every program
+    ///
+    /// A name that 'tip robot list' shows, or a description in a file
     #[arg(long, value_name = "NAME|FILE.toml")]
     robot: Option<RobotChoice>,
 }
@@ -140,6 +142,21 @@ impl Workspace for Files {
     fn encoding(&mut self, path: &Path) -> Option<String> {
         let given = project::of(path).ok().flatten()?;
         given.encoding.map(EncodingName::name)
+    }
+
+    #[cfg(unix)]
+    fn is_running(&mut self, process: u32) -> bool {
+        use nix::errno::Errno;
+        use nix::sys::signal::kill;
+        use nix::unistd::Pid;
+        let process = i32::try_from(process).map(Pid::from_raw);
+        // A process of another user refuses signals.
+        process.is_ok_and(|process| kill(process, None) != Err(Errno::ESRCH))
+    }
+
+    #[cfg(not(unix))]
+    fn is_running(&mut self, _: u32) -> bool {
+        true
     }
 
     fn invalidate(&mut self) {

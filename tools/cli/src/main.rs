@@ -42,7 +42,7 @@ use tipc::Loaded;
     name = "tip",
     version,
     arg_required_else_help = true,
-    after_help = "A first session:
+    after_long_help = "A first session:
   tip new demo                       make a crate with a robot that moves
   tip check walk.prg                 report all errors and warnings
   tip check --fix walk.prg           apply certain fixes
@@ -73,7 +73,7 @@ struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 enum Verb {
-    /// Make a crate with a robot that moves, a test and settings for editors
+    /// Make a crate with a robot that moves, a test and editor settings
     New(new::New),
     /// Check programs and report all errors and warnings
     Check(check::Check),
@@ -91,7 +91,7 @@ enum Verb {
     Cycles(translate::Cycles),
     /// Compare a program's compiled code with the reference interpreter
     Verify(verify::Verify),
-    /// Write a page that replays a run, with the robot in 3-D next to its program
+    /// Write a page that replays a run, or compares two, in 3-D
     View(record::View),
     /// Run a program live in a web page, with controls and an editor
     Serve(serve::Serve),
@@ -101,7 +101,7 @@ enum Verb {
     Dap(dap::Dap),
     /// Migrate a program of an older version to version 3.1
     Migrate(translate::Migrate),
-    /// Explain the code of an error or warning, with a wrong and a right program
+    /// Explain a code such as E205, with a wrong and a right program
     Explain(explain::Explain),
     /// Start the language server for editors
     Lsp(lsp::Lsp),
@@ -139,6 +139,7 @@ impl Verb {
     /// # Errors
     /// What is wrong with it, and how to show that.
     fn complete(&mut self) -> Result<(), (Box<Loaded>, OutputOptions)> {
+        let program;
         let (file, source, inputs, says) = match self {
             Verb::Run(it) => (&it.file, &mut it.source, Some(&mut it.inputs), !it.quiet),
             Verb::Verify(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
@@ -151,10 +152,10 @@ impl Verb {
                 (&it.file, &mut it.source, Some(&mut it.inputs), false)
             }
             Verb::View(it) => {
+                program = it.program(&it.recorded.file);
                 let recorded = &mut it.recorded;
-                let file = it.program.as_ref().unwrap_or(&recorded.file);
                 (
-                    file,
+                    &program,
                     &mut recorded.source,
                     Some(&mut recorded.inputs),
                     false,

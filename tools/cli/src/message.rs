@@ -134,6 +134,18 @@ tipc::message_table! {
     ServeEnds
         "press Ctrl-C to stop",
         "Ctrl-Cで終了します";
+    TraceWithoutProgram { file: Text }
+        "{file} is a trace: name the program that it is of by --program FILE.prg",
+        "{file} はトレースです。--program FILE.prg で元のプログラムを指定してください";
+    CannotWrite { file: Text, reason: Text }
+        "cannot write {file}: {reason}",
+        "{file} に書き込めません: {reason}";
+    LearnMore { first: &'static str, others: Each }
+        "to learn more: tip explain {first}, and likewise {others}",
+        "詳しくは: tip explain {first}({others}も同様)";
+    LearnMoreOf { code: &'static str }
+        "to learn more: tip explain {code}",
+        "詳しくは: tip explain {code}";
     SeeHelp { command: String }
         "`tip help {command}` shows examples",
         "`tip help {command}` で使用例を見られます";
@@ -413,8 +425,8 @@ tipc::message_table! {
 
     // The time of the stop, and the values.
     Moment { step: u32, cycle: SmolStr, time: SmolStr }
-        "step {step}, cycle {cycle}, {time}",
-        "ステップ{step}、サイクル{cycle}、{time}";
+        "step {step}, cycle {cycle}, {time} s",
+        "ステップ{step}、サイクル{cycle}、{time} s";
     Values { values: List } "{values}", "{values}";
 }
 
@@ -484,7 +496,7 @@ tipc::message_table! {
         "Calls",
         "呼び出し";
     Side
-        "From the side",
+        "Side",
         "側面図";
     Said
         "Messages",
@@ -579,6 +591,51 @@ tipc::message_table! {
         "r run, n over, s into, o out, c cycle, l to line, g to cycle, CAPITALS: back",
         "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 大文字:逆方向";
     HelpOthers
-        "b break, B when, f name, w watch, W last set, i event, e value, ↑↓ ., Esc, q",
-        "b:ブレーク B:条件 f:名前 w:監視 W:代入元 i:イベント e:式 ↑↓ .:行 Esc:中断 q:終了";
+        "b break, B when, f name, w watch, W last set, i event, e value, q, ? explains",
+        "b:ブレーク B:条件 f:名前 w:監視 W:代入元 i:イベント e:式 q:終了 ?:説明";
+    Keys
+        "Keys (any key closes this)",
+        "キー(どのキーでも閉じます)";
+    KeysForward
+        "r  run to the next stop             R  back to the stop before",
+        "r  次の停止まで実行                 R  前の停止まで戻る";
+    KeysOver
+        "n  next step, over routines         N  the same backwards",
+        "n  次のステップ(ルーチンは越える)   N  その逆";
+    KeysInto
+        "s  next step, into routines         S  the same backwards",
+        "s  次のステップ(ルーチンに入る)     S  その逆";
+    KeysOut
+        "o  out of the routine               O  back to where it was called",
+        "o  ルーチンを出る                   O  呼び出し元まで戻る";
+    KeysCycle
+        "c  one control cycle                C  the same backwards",
+        "c  1サイクル                        C  その逆";
+    KeysLine
+        "l  to the line of the cursor        L  back to it",
+        "l  カーソルの行まで                 L  その行まで戻る";
+    KeysGo
+        "g  to a cycle by its number         Esc  interrupt a run",
+        "g  サイクル番号へ                   Esc  実行を中断";
+    KeysBreak
+        "b  breakpoint on the line           B  with a condition, or for some passes",
+        "b  行にブレークポイント             B  条件や通過回数を付ける";
+    KeysName
+        "f  stop before a command, label or routine of a name",
+        "f  この名前のコマンド、ラベル、ルーチンの直前で停止";
+    KeysWatch
+        "w  watch a variable: a run stops where it is set, and the list shows it first",
+        "w  変数を監視: 代入された箇所で停止し、一覧の先頭に表示";
+    KeysLastSet
+        "W  back to the last assignment of a variable",
+        "W  変数に最後に代入した箇所へ戻る";
+    KeysChange
+        "i  event: key F, VR1=8, halt, or an assignment such as N = 5",
+        "i  イベント: key F、VR1=8、halt、または N = 5 のような代入";
+    KeysValue
+        "e  value of an expression           Tab  more variables",
+        "e  式の値                           Tab  ほかの変数";
+    KeysCursor
+        "↑ ↓  move the cursor                .  to the running line     q  quit",
+        "↑ ↓  カーソルを移動                 .  実行中の行へ            q  終了";
 }

@@ -22,7 +22,7 @@ use tipc::message::Lang;
 
 /// `tip new`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip new demo && cd demo && cargo run
   tip new grasper --robot hand
   tip new six --robot hexapod                 a description of six legs, to be changed
@@ -36,15 +36,21 @@ pub(super) struct New {
     #[arg(value_name = "NAME")]
     place: CratePath,
 
-    /// The robot: hexapod, a name that 'tip robot list' shows, or a description
+    /// The robot: hexapod, a name or a file
+    ///
+    /// A name that 'tip robot list' shows, or a description in a file
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
     robot: Choice,
 
-    /// Add a skeleton for drives of your own (trait Hardware)
+    /// Add a skeleton for drives of your own
+    ///
+    /// An implementation of the trait Hardware
     #[arg(long)]
     hardware: bool,
 
-    /// The checkout of this project to depend on; by default the one that tip was built from, or the published crates
+    /// The checkout of this project to depend on
+    ///
+    /// By default the one that tip was built from, or the published crates
     #[arg(long, value_name = "FOLDER")]
     workspace: Option<PathBuf>,
 

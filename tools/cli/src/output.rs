@@ -1,6 +1,7 @@
 //! Files that appear complete or not at all, and standard output that may be closed.
 
 use super::error::{Error, is_closed};
+use super::input::is_standard;
 use super::interrupt;
 use std::borrow::Cow;
 use std::fmt::Write as _;
@@ -14,8 +15,11 @@ use tip_runtime::record::AtomicFile;
 use tipc::embed;
 use tipc::message::{Lang, Reading};
 
-/// Replaces the content of a file. A pipe may never get a reader: a signal ends the process then.
+/// Replaces the content of a file, or prints it if the path is `-`. A pipe may never get a reader: a signal ends the process then.
 pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
+    if is_standard(path) {
+        return print(content);
+    }
     if is_pipe(path) {
         interrupt::release();
     }
@@ -97,14 +101,22 @@ fn on_terminal(content: &[u8]) -> Vec<u8> {
     Printable::lines(text).to_string().into_bytes()
 }
 
+/// Returns the name of an output in messages.
+pub(super) fn name(path: &Path) -> String {
+    match is_standard(path) {
+        true => "standard output".to_owned(),
+        false => path.display().to_string(),
+    }
+}
+
 /// Returns an error if a file to write is one of those that are read.
 pub(super) fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
     match inputs.iter().find(|input| is_same(out, input)) {
-        Some(input) => {
+        Some(input) if !is_standard(out) => {
             let reason = format!("this is {}, which is being read", input.display());
             Err(Error::cannot_write(out, reason))
         }
-        None => Ok(()),
+        _ => Ok(()),
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::arguments::{InputArguments, SourceArguments};
 use crate::error::Error;
 use crate::loader::{self, Subject};
-use crate::message::Running;
+use crate::message::{Running, Using};
 use crate::report::plural;
 use crate::run::{LONG_WAIT, wait_message};
 use crate::setup::{BuiltInOnly, SceneChoice};
@@ -11,9 +11,10 @@ use crate::{Status, input, interrupt, output, report};
 use clap::{Args, ValueEnum};
 use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
+use tip_log::Diagram;
 use tip_runtime::printable::Printable;
 use tip_sim::{Robot, urdf};
-use tip_view::{Diagram, Extent, Outcome, Pace, Recording, TraceError};
+use tip_view::{Extent, Outcome, Pace, Recording, TraceError};
 use tipc::Loaded;
 
 /// Maximum length of a recording without `--cycles`, minutes of robot time.
@@ -135,13 +136,16 @@ impl RecordedArguments {
 
 /// `tip view`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip view walk.prg                            runs it, and writes walk.html
   tip view walk.prg -o monday.html --halt 300  all inputs of 'tip run'
   tip view --robot hand grasp.prg --scene scene.toml
   tip view march.prg --robot hexapod.toml --cycles 2000
   tip run walk.prg --trace walk.jsonl --trace-motion
   tip view walk.jsonl --program walk.prg       the run of that trace
+  tip run walk.prg --trace slow.jsonl --trace-motion --events '20:set SPEED=200'
+  tip view walk.jsonl slow.jsonl --program walk.prg   both: plots over each other, the second robot as a ghost
+  tip view walk.prg -o - > walk.html           to standard output
 
 The page is one file that makes no network requests: it opens by double click, and can be sent or
 embedded in another page. It shows the robot in three dimensions next to the running line, with
@@ -156,11 +160,19 @@ pub(super) struct View {
     #[command(flatten)]
     pub(super) recorded: RecordedArguments,
 
-    /// The program of FILE, which is a trace that 'tip run --trace-motion' wrote
-    #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
-    pub(super) program: Option<PathBuf>,
+    /// A second program or trace, to compare
+    #[arg(value_name = "OTHER")]
+    other: Option<PathBuf>,
 
-    /// Write the page to this file; by default next to FILE, as FILE.html
+    /// The program of FILE, if that is a trace
+    ///
+    /// 'tip run --trace-motion' writes such a trace
+    #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
+    program: Option<PathBuf>,
+
+    /// The page; else FILE.html next to FILE
+    ///
+    /// '-' is standard output
     #[arg(short, long, value_name = "OUT.html")]
     out: Option<PathBuf>,
 
@@ -172,29 +184,30 @@ pub(super) struct View {
 /// Records a run, or reads the trace of one, and writes the page that replays it.
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     let recorded = &arguments.recorded;
-    let program = arguments.program.as_deref().unwrap_or(&recorded.file);
-    let Some(Subject { loaded, robot, .. }) =
-        recorded.load(program, arguments.quiet, BuiltInOnly::Records("view"))?
-    else {
+    let out = arguments.out();
+    let mut read = recorded.files();
+    read.extend(arguments.program.as_deref());
+    read.extend(arguments.other.as_deref());
+    output::refuse_inputs(&out, &read)?;
+    let Some(recording) = arguments.recording(&recorded.file)? else {
         return Ok(Status::Failure);
     };
-    let out = arguments.out();
-    let read = recorded.files();
-    let read: Vec<&Path> = read
-        .into_iter()
-        .chain(arguments.program.as_deref())
-        .collect();
-    output::refuse_inputs(&out, &read)?;
-    let recording = match &arguments.program {
-        Some(_) => arguments.read(&loaded, &robot)?,
-        None => recorded.run(&loaded, &robot, Pace::Smooth)?,
+    let other = match &arguments.other {
+        Some(other) => match arguments.recording(other)? {
+            Some(other) => Some(other),
+            None => return Ok(Status::Failure),
+        },
+        None => None,
     };
     interrupt::hold();
-    let page = recording.to_page();
+    let page = match &other {
+        Some(other) => recording.to_comparison(other),
+        None => recording.to_page(),
+    };
     output::replace(&out, &page)?;
     if !arguments.quiet {
         report::complain(&summary(&recording, &out, page.len()));
-        if arguments.program.is_none() {
+        if !arguments.is_trace(&recorded.file) {
             recorded.report_wait(&recording);
         }
     }
@@ -202,6 +215,14 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
         Outcome::Interrupted if interrupt::is_requested() => Status::Interrupted,
         _ => Status::Success,
     })
+}
+
+/// Returns the path of a file next to the program, or in this folder if that is a stream.
+fn beside(program: &Path, ending: &str) -> PathBuf {
+    match input::is_stream(program) {
+        true => PathBuf::from("run").with_extension(ending),
+        false => program.with_extension(ending),
+    }
 }
 
 /// Maximum size of a trace, MiB: some hours of robot time.
@@ -212,27 +233,63 @@ impl View {
     fn out(&self) -> PathBuf {
         match &self.out {
             Some(out) => out.clone(),
-            None if input::is_stream(&self.recorded.file) => PathBuf::from("run.html"),
-            None => self.recorded.file.with_extension("html"),
+            None => beside(&self.recorded.file, "html"),
         }
     }
 
-    fn read(&self, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
-        let name = Printable::line(self.recorded.file.display()).to_string();
+    /// Returns true if a file is a trace, not a program.
+    fn is_trace(&self, file: &Path) -> bool {
+        let is_trace = file.extension().is_some_and(|ending| ending == "jsonl");
+        is_trace || self.program.is_some() && self.other.is_none()
+    }
+
+    /// Returns the program of a file: itself, or that of a trace, which is next to it by default.
+    pub(super) fn program(&self, file: &Path) -> PathBuf {
+        match &self.program {
+            Some(program) if self.is_trace(file) => program.clone(),
+            None if self.is_trace(file) => file.with_extension("prg"),
+            _ => file.to_owned(),
+        }
+    }
+
+    /// Runs a program, or reads a trace; `None` if there are errors, which were reported.
+    fn recording(&self, file: &Path) -> Result<Option<Recording>, Error> {
+        let (recorded, program) = (&self.recorded, self.program(file));
+        if self.program.is_none() && self.is_trace(file) && !program.exists() {
+            let file = file.display().to_string().into();
+            let lang = recorded.source.output_options.lang();
+            let text = Using::TraceWithoutProgram { file };
+            return Err(Error::Usage(text.in_lang(lang).to_string()));
+        }
+        let why = BuiltInOnly::Records("view");
+        let Some(Subject { loaded, robot, .. }) = recorded.load(&program, self.quiet, why)? else {
+            return Ok(None);
+        };
+        let recording = match self.is_trace(file) {
+            true => self.read(file, &loaded, &robot)?,
+            false => recorded.run(&loaded, &robot, Pace::Smooth)?,
+        };
+        Ok(Some(recording))
+    }
+
+    fn read(&self, file: &Path, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
+        let name = Printable::line(file.display()).to_string();
         let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
         let lang = self.recorded.source.output_options.lang();
-        let trace = input::read(&self.recorded.file, MAX_TRACE)
-            .map_err(|reason| failed(&reason.in_lang(lang)))?;
+        let trace = input::read(file, MAX_TRACE).map_err(|reason| failed(&reason.in_lang(lang)))?;
         let trace = String::from_utf8(trace).map_err(|error| failed(&error))?;
         let read = Recording::from_trace(&trace, loaded, robot);
-        read.map_err(|error: TraceError| failed(&error))
+        let mut recording = read.map_err(|error: TraceError| failed(&error))?;
+        // Two traces may be of one program.
+        recording.script.name = name;
+        Ok(recording)
     }
 }
 
 /// Returns the summary of a page.
 fn summary(recording: &Recording, out: &Path, bytes: usize) -> String {
     let (name, cycles) = (
-        Printable::line(out.display()),
+        Printable::line(output::name(out)),
         plural(recording.cycles as usize, "cycle"),
     );
     let time = recording.time(recording.cycles) / 1000.0;
@@ -247,12 +304,13 @@ fn summary(recording: &Recording, out: &Path, bytes: usize) -> String {
 /// `tip log`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "run.mcap holds the robot and its frames, joint states, forces, trails, objects, and what the program did: step and line,
+    after_long_help = "run.mcap holds the robot and its frames, joint states, forces, trails, objects, and what the program did: step and line,
 flags, messages, variables. Foxglove and Rerun show it. run.csv has a row for each cycle. docs/logs.md lists topics and columns.
 
 Examples:
   tip log walk.prg -o walk.mcap
   tip log grasp.prg --robot hand --scene scene.toml -o grasp.csv --every 10
+  tip log walk.prg -o -      the table on standard output
 
 A run without an end is recorded for ten minutes of the robot's time, or until it has waited for a minute without a motion;
 --cycles sets another end.
@@ -263,11 +321,15 @@ pub(super) struct Log {
     #[command(flatten)]
     pub(super) recorded: RecordedArguments,
 
-    /// The file; its extension selects the format
+    /// The file; '-' is a table on standard output
+    ///
+    /// Its extension selects the format
     #[arg(short, long, value_name = "OUT.mcap|OUT.csv")]
     out: PathBuf,
 
-    /// Keep the motion of every Nth cycle; by default MCAP has 50 Hz at most, CSV every cycle
+    /// Keep the motion of every Nth cycle
+    ///
+    /// By default MCAP has 50 Hz at most, CSV every cycle
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     every: Option<u64>,
 }
@@ -282,10 +344,11 @@ enum LogFormat {
 impl LogFormat {
     fn of(path: &Path) -> Result<Self, Error> {
         match path.extension().and_then(|ending| ending.to_str()) {
+            None if input::is_standard(path) => Ok(LogFormat::Csv),
             Some("mcap") => Ok(LogFormat::Mcap),
             Some("csv") => Ok(LogFormat::Csv),
             _ => Err(Error::Usage(
-                "the name of a log must end in .mcap or .csv".to_owned(),
+                "the name of a log must end in .mcap or .csv, or be -".to_owned(),
             )),
         }
     }
@@ -312,15 +375,19 @@ pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
     let recording = &recorded.recording;
     let mut bytes = Vec::new();
     let written: io::Result<()> = match kind {
-        LogFormat::Mcap => recording.mcap(&urdf::export(&recorded.robot), Cursor::new(&mut bytes)),
-        LogFormat::Csv => recording.csv(&mut bytes),
+        LogFormat::Mcap => tip_log::mcap(
+            recording,
+            &urdf::export(&recorded.robot),
+            Cursor::new(&mut bytes),
+        ),
+        LogFormat::Csv => tip_log::csv(recording, &mut bytes),
     };
     written.map_err(|reason| Error::cannot_write(out, reason))?;
     output::replace(out, &bytes)?;
     let (cycles, frames) = (recording.cycles, recording.frames.len());
     report::complain(&format!(
         "{}: {cycles} cycles, the motion of {frames} of them, {}\n",
-        out.display(),
+        output::name(out),
         recording.outcome
     ));
     Ok(recorded.status())
@@ -329,10 +396,11 @@ pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
 /// `tip plot`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The diagrams have units on their axes and are readable on light and dark grounds; --lang ja titles them in Japanese.
+    after_long_help = "The diagrams have units on their axes and are readable on light and dark grounds; --lang ja titles them in Japanese.
 
 Examples:
-  tip plot walk.prg -o walk.svg
+  tip plot walk.prg                            runs it, and writes walk.svg
+  tip plot walk.prg -o -                       to standard output
   tip plot walk.prg -o gait.svg --of gait --of forces
 
 Exit status: as for 'tip run'."
@@ -341,10 +409,14 @@ pub(super) struct Plot {
     #[command(flatten)]
     pub(super) recorded: RecordedArguments,
 
-    /// The file
+    /// The file; else FILE.svg next to FILE
+    ///
+    /// '-' is standard output
     #[arg(short, long, value_name = "OUT.svg")]
-    out: PathBuf,
+    out: Option<PathBuf>,
 
+    /// gait, feet, angles, torques or forces
+    ///
     /// The diagrams from top to bottom; by default all of them
     #[arg(long, value_name = "WHAT", value_enum)]
     of: Vec<DiagramName>,
@@ -379,7 +451,8 @@ impl DiagramName {
 
 /// Runs the program and writes the diagrams.
 pub(super) fn plot(arguments: &Plot) -> Result<Status, Error> {
-    let out = &arguments.out;
+    let out = arguments.out.clone();
+    let out = &out.unwrap_or_else(|| beside(&arguments.recorded.file, "svg"));
     output::refuse_inputs(out, &arguments.recorded.files())?;
     let Some(recorded) = arguments
         .recorded
@@ -392,8 +465,11 @@ pub(super) fn plot(arguments: &Plot) -> Result<Status, Error> {
         some => some.iter().map(|what| what.diagram()).collect(),
     };
     let lang = arguments.recorded.source.output_options.lang();
-    let drawn = recorded.recording.plot(&diagrams, lang);
+    let drawn = tip_log::plot(&recorded.recording, &diagrams, lang);
     let text = drawn.map_err(|reason| Error::cannot_write(out, reason))?;
     output::replace(out, text)?;
+    if arguments.out.is_none() {
+        report::complain(&format!("{}\n", out.display()));
+    }
     Ok(recorded.status())
 }

@@ -3,9 +3,9 @@
 use crate::choices::Format;
 use crate::choices::OutputOptions;
 use crate::error::Error;
-use crate::message::Checking;
-use crate::output;
+use crate::message::{Checking, Using, Weight};
 use crate::sarif::Document;
+use crate::{output, usage};
 use clap::Args;
 use std::io::{self, Write};
 use tip_lint::message::More;
@@ -14,6 +14,7 @@ use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
 use tipc::language::Edition;
 use tipc::message::Lang;
+use tipc::message::list::Each;
 use tipc::{Loaded, render};
 
 /// Maximum number of diagnostics of a file that people see.
@@ -25,6 +26,8 @@ pub(super) struct Total {
     files: usize,
     errors: usize,
     warnings: usize,
+    /// Codes of diagnostics that were reported.
+    codes: Vec<&'static str>,
     /// Files without diagnostics are not mentioned.
     quiet: bool,
     /// The document, if one is written.
@@ -39,6 +42,7 @@ impl Total {
             files: 0,
             errors: 0,
             warnings: 0,
+            codes: Vec::new(),
             quiet,
             document: is_document.then(|| Document::new(output_options.lang())),
         }
@@ -49,6 +53,7 @@ impl Total {
         self.files += 1;
         self.errors += count(loaded, Level::Error);
         self.warnings += count(loaded, Level::Warning);
+        self.codes.extend(shown(loaded));
         if let Some(document) = &mut self.document {
             document.add(loaded);
         }
@@ -80,6 +85,7 @@ impl Total {
             };
             complain(&format!("{}\n", total.in_lang(output_options.lang())));
         }
+        learn_more(self.codes.into_iter(), output_options);
         Ok(())
     }
 }
@@ -105,6 +111,34 @@ pub(super) fn check(loaded: &Loaded, output_options: OutputOptions) -> Result<()
 /// Reports the diagnostics of a program that a command is going to use, to standard error.
 pub(super) fn diagnostics(loaded: &Loaded, output_options: OutputOptions) {
     write_stderr(&render(loaded, output_options));
+    learn_more(shown(loaded), output_options);
+}
+
+/// Tells people once where the codes of diagnostics are explained.
+fn learn_more(codes: impl Iterator<Item = &'static str>, output_options: OutputOptions) {
+    let mut unique: Vec<&str> = Vec::new();
+    for code in codes {
+        // A file that is not there needs no page.
+        if code != Code::FileNotFound.id() && !unique.contains(&code) {
+            unique.push(code);
+        }
+    }
+    let text = match (output_options.message_format, unique.as_slice()) {
+        (Format::Human, [code]) => Using::LearnMoreOf { code },
+        (Format::Human, [first, others @ ..]) => {
+            let others = others.iter().map(|code| (*code).to_owned());
+            let others = Each(others.collect());
+            Using::LearnMore { first, others }
+        }
+        _ => return,
+    };
+    complain(&format!("{}\n", text.in_lang(output_options.lang())));
+}
+
+/// Returns the codes of the diagnostics that people see.
+fn shown(loaded: &Loaded) -> impl Iterator<Item = &'static str> {
+    let diagnostics = loaded.diagnostics.iter().take(MAX_SHOWN);
+    diagnostics.map(Diagnostic::id)
 }
 
 /// Reports an error.
@@ -112,11 +146,13 @@ pub(super) fn error(error: &Error) {
     if let Error::Cargo { output, .. } = error {
         complain(output);
     }
-    let level = match error {
-        Error::Interrupted(_) => "",
-        _ => "error: ",
-    };
-    complain(&format!("{level}{}\n", Printable::line(error)));
+    let lang = usage::lang();
+    let text = Printable::line(error.text(lang)).to_string();
+    let weight = Weight::Error.in_lang(lang);
+    complain(&match error {
+        Error::Interrupted(_) => format!("{text}\n"),
+        _ => format!("{weight}: {text}\n"),
+    });
 }
 
 /// Writes to standard error, made printable; errors are ignored.
@@ -223,7 +259,9 @@ pub(super) fn plural(count: usize, what: &str) -> String {
 /// The option `--deny`.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Deny {
-    /// Fail on these: codes of warnings such as W112, 'warnings' for all of them, 'falls' for falls of the robot in a run
+    /// Fail on warnings by code, or on 'falls'
+    ///
+    /// Codes of warnings such as W112, 'warnings' for all of them, 'falls' for falls of the robot in a run
     #[arg(long, value_name = "WHAT,...", value_delimiter = ',', value_parser = denied_value)]
     deny: Vec<Denied>,
 }

@@ -4,10 +4,11 @@ use crate::choices::OutputOptions;
 use crate::choices::{Format, LangName, RobotName};
 use crate::error::Error;
 use crate::message::{Using, Weight};
-use crate::setup::RobotChoice;
+use crate::setup::{RobotChoice, RobotParser};
 use crate::setup::{SceneChoice, in_scene, load_scene};
 use crate::usage::BadValue;
 use crate::{Status, choices, input, output, report};
+use clap::builder::ValueParserFactory;
 use clap::{Args, Subcommand, ValueEnum};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -26,7 +27,7 @@ pub(super) enum RobotVerb {
     List(List),
     /// Show what a robot has, and the sources of a published one
     Show(Show),
-    /// Check a description, and show what the robot has if there are no errors
+    /// Check a description, and show what the robot has
     Check(CheckRobot),
     /// Make a description from a URDF file
     Import(Import),
@@ -36,7 +37,7 @@ pub(super) enum RobotVerb {
 
 /// `tip robot check`
 #[derive(Debug, Args)]
-#[command(after_help = "Example:
+#[command(after_long_help = "Example:
   tip robot check hexapod.toml
 
 Exit status: 0 if the description can be used, 1 otherwise.")]
@@ -119,7 +120,7 @@ fn summary(robot: &Robot) -> String {
 
 /// `tip robot list`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip robot list
   tip run march.prg --robot phantomx    wherever a robot is chosen, any of these names is
 
@@ -128,14 +129,16 @@ pub(crate) struct List {}
 
 /// `tip robot show`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip robot show titan8
   tip robot show a1                 with its figures and where they come from
   tip robot show a1 > mine.toml     a description to be changed
 
 Exit status: 0 if there is such a robot and its description can be used, 1 otherwise.")]
 pub(crate) struct Show {
-    /// The robot: a name that 'tip robot list' shows, or a description
+    /// The robot: a name or a file
+    ///
+    /// A name that 'tip robot list' shows, or a description in a file
     #[arg(value_name = "NAME|FILE.toml")]
     robot: RobotChoice,
 
@@ -228,7 +231,7 @@ fn coordinates(words: [Option<&str>; 3]) -> Option<[f64; 3]> {
 /// `tip robot import`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
+    after_long_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
 foot is the link at the end, on a fixed joint, or what --foot says. A report on standard error lists what was assumed and what was dropped.
 A CHAIN is named by one of its joints or links, or by what only its first joint's name has: FL for FL_hip_joint.
 
@@ -236,32 +239,44 @@ Examples:
   tip robot import quadruped.urdf -o quadruped.toml
   tip robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint --stand 280 -o dog.toml
   tip robot import arm.urdf --foot hand=0.05,0,0.12 -o arm.toml
+  tip robot import - -o dog.toml     from standard input, such as what xacro writes
 
 Exit status: 0 if the description is written, 1 otherwise."
 )]
 pub(super) struct Import {
-    /// The URDF file; xacro has to be expanded first
+    /// The URDF file; '-' is standard input
+    ///
+    /// xacro has to be expanded first
     #[arg(value_name = "FILE.urdf")]
     file: PathBuf,
 
-    /// A link to use as the foot of its chain instead of the last one; '=X,Y,Z' gives a position in its frame, in m; separate
-    /// several with commas
+    /// A link to use as the foot of its chain
+    ///
+    /// Instead of the last one; '=X,Y,Z' gives a position in its frame, in m; separate several with commas
     #[arg(long, value_name = "LINK[=X,Y,Z]", value_parser = feet)]
     foot: Vec<Feet>,
 
-    /// Leave out a chain, such as an arm or a head; separate several with commas
+    /// Leave out a chain, such as an arm
+    ///
+    /// Separate several with commas
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
     skip: Vec<String>,
 
-    /// The chains that become F1, F2, …, separated by commas; by default in order of position, front to rear and left before right
+    /// The chains that become F1, F2, …
+    ///
+    /// Separated by commas; by default in order of position, front to rear and left before right
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
     order: Vec<String>,
 
-    /// The axis of the file that points up, if that is not z; forward is x, or -z where x points up
+    /// The axis of the file that points up, if not z
+    ///
+    /// Forward is x, or -z where x points up
     #[arg(long, value_enum, value_name = "x|y|z")]
     up: Option<Up>,
 
-    /// Start with all feet this many mm below the robot frame and the body level; by default in the middle of the limits
+    /// Start with the feet this many mm below
+    ///
+    /// Below the robot frame, with the body level; by default joints start in the middle of their limits
     #[arg(long, value_name = "HEIGHT", value_parser = height)]
     stand: Option<f64>,
 
@@ -269,7 +284,7 @@ pub(super) struct Import {
     #[arg(short, long, value_name = "OUT.toml")]
     out: Option<PathBuf>,
 
-    /// The language of the report and of errors; by default that of the locale
+    /// The language of the report; else the locale's
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 }
@@ -312,14 +327,17 @@ fn is_urdf(path: &Path) -> bool {
 fn read_urdf(path: &Path, options: &urdf::ImportOptions, lang: Lang) -> Option<urdf::Import> {
     let read = input::read(path, LIMIT).map_err(|reason| reason.in_lang(lang).to_string());
     let imported = read.and_then(|bytes| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let name = match input::is_stream(path) {
+            true => input::name(path).into(),
+            false => path.file_name().unwrap_or_default().to_string_lossy(),
+        };
         let text = urdf::decode(&bytes);
         let imported = text.and_then(|text| urdf::import_with(&name, &text, options));
         imported.map_err(|refused| refused.message().in_lang(lang).to_string())
     });
     let complain = |reason: &String| {
         let error = Weight::Error.in_lang(lang);
-        let (name, reason) = (Printable::line(path.display()), Printable::line(reason));
+        let (name, reason) = (Printable::line(input::name(path)), Printable::line(reason));
         report::complain(&format!("{error}: {name}: {reason}\n"));
     };
     imported.inspect_err(complain).ok()
@@ -350,7 +368,7 @@ fn import(arguments: &Import) -> Result<Status, Error> {
         }
         None => output::print(&imported.toml)?,
     }
-    let name = Printable::line(path.display());
+    let name = Printable::line(input::name(path));
     for line in &imported.report {
         let line = line.in_lang(lang);
         report::complain(&format!("{name}: {}\n", Printable::line(line)));
@@ -361,7 +379,7 @@ fn import(arguments: &Import) -> Result<Status, Error> {
 /// `tip robot export`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The joints are J11, J12, …, each link is link11, link12, …, the feet are F1, F2, …; base_link is the robot frame, with x
+    after_long_help = "The joints are J11, J12, …, each link is link11, link12, …, the feet are F1, F2, …; base_link is the robot frame, with x
 forward, y left and z up. A robot that is bolted down hangs on the link world. A slider becomes prismatic joints to the link floor.
 A model of MuJoCo has the same names, x to the right and y forward; its motors take the angles that joints are commanded (rad).
 
@@ -373,24 +391,28 @@ Examples:
 Exit status: 0 if the file is written, 1 otherwise."
 )]
 pub(super) struct Export {
-    /// Write URDF, with boxes, cylinders and spheres for its shapes
+    /// Write URDF
+    ///
+    /// Boxes, cylinders and spheres are its shapes
     #[arg(long, required_unless_present = "mjcf")]
     urdf: bool,
 
-    /// Write a model of MuJoCo (MJCF), with motors, contacts and the scene
+    /// Write a model of MuJoCo (MJCF)
+    ///
+    /// With motors, contacts and the scene
     #[arg(long, conflicts_with = "urdf")]
     mjcf: bool,
 
-    /// The scene around the robot: cylinder, an object under a hand, or a scene of your own
+    /// The scene: cylinder, or a file
+    ///
+    /// cylinder is an object under a hand
     #[arg(long, value_name = "NAME|FILE.toml", conflicts_with = "urdf")]
     scene: Option<SceneChoice>,
 
-    /// The robot: a name that 'tip robot list' shows, a description, or a URDF file to normalise
-    #[arg(
-        long,
-        value_name = "NAME|FILE.toml|FILE.urdf",
-        default_value = "titan8"
-    )]
+    /// The robot: a name or a file
+    ///
+    /// A name that 'tip robot list' shows, a description, or a URDF file to normalise
+    #[arg(long, value_name = "NAME|FILE", default_value = "titan8")]
     robot: Model,
 
     /// Write to a file instead of standard output
@@ -406,6 +428,14 @@ pub(super) struct Export {
 enum Model {
     Robot(RobotChoice),
     Urdf(PathBuf),
+}
+
+impl ValueParserFactory for Model {
+    type Parser = RobotParser<Self>;
+
+    fn value_parser() -> Self::Parser {
+        RobotParser::new(&[])
+    }
 }
 
 impl FromStr for Model {

@@ -32,18 +32,18 @@ pub(super) const LONG_WAIT: f64 = 60_000.0;
 
 /// `tip run`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
-  tip run walk.prg                             until END; messages on standard output
-  tip run walk.prg --cycles 500 --trace -      500 control cycles, the trace on standard output
-  tip run walk.prg --halt 300                  HALT_REQUEST is true from cycle 300 on
-  tip run ask.prg --keys '10:y,25:0x2C'        Y before cycle 10, a comma before cycle 25
+#[command(after_long_help = "Examples:
+  tip run walk.prg                         until END; messages on standard output
+  tip run walk.prg --cycles 500 --trace -  500 cycles, trace on standard output
+  tip run walk.prg --halt 300              requests a halt from cycle 300 on
+  tip run ask.prg --keys '10:y,25:0x2C'    Y before cycle 10, a comma before 25
   tip run march.prg --robot hexapod.toml
   tip run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
   tip run --robot hand grasp.prg --scene scene.toml
-  tip run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
-  tip run walk.prg --realtime                  as fast as the robot, with a status line and your keys
+  tip run walk.prg --out-dir logs          TITAN.LOG, EMG.log and the others go to logs/
+  tip run walk.prg --realtime              as fast as the robot, with a status line and your keys
   tip run walk.prg --plant 'exec:python3 mine.py'  on a simulator of yours
-  tip run walk.prg --quiet --deny falls        for scripts: nothing but messages, and exit status 4 after a fall
+  tip run walk.prg --quiet --deny falls    for scripts: nothing but messages, and exit status 4 after a fall
 
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
 program sets another. On a terminal, keys reach the program as they are pressed; RETURN is the
@@ -68,31 +68,38 @@ pub(super) struct Run {
     #[command(flatten)]
     pub(super) inputs: InputArguments,
 
-    /// Write the trace, one JSON object per line, to a file, or to standard output for '-'
+    /// Write the trace; '-' is standard output
+    ///
+    /// One JSON object per line
     #[arg(long, value_name = "OUT.jsonl|-")]
     pub(super) trace: Option<PathBuf>,
 
-    /// Add a hash of the robot's commands and measurements to each record of the trace
+    /// Add a hash of the robot's state to each record
+    ///
+    /// Of the commands and measurements of its joints
     #[arg(long, requires = "trace")]
     pub(super) trace_state: bool,
 
-    /// Add the motion of the simulated robot to each record of the trace: pose, angles, loads, margin, falls, and what a simulation
-    /// without mass leaves out
+    /// Add the robot's motion to each record
+    ///
+    /// Pose, angles, loads, margin, falls, and what a simulation without mass leaves out
     #[arg(long, requires = "trace")]
     pub(super) trace_motion: bool,
 
-    /// Write the log files of the language into this folder
+    /// Write the log files of the language there
     #[arg(long, value_name = "DIR")]
     pub(super) out_dir: Option<PathBuf>,
 
-    /// Run in real time, with a status line and keys from the terminal
+    /// Run in real time, with a status line and keys
+    ///
+    /// Keys come from the terminal
     #[arg(long)]
     pub(super) realtime: bool,
 
     #[command(flatten)]
     pub(super) deny: Deny,
 
-    /// Print only messages of the program and errors that end a run
+    /// Print only messages and errors that end a run
     #[arg(long, short)]
     pub(super) quiet: bool,
 }

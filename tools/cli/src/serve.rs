@@ -13,7 +13,7 @@ use crate::message::Using;
 use crate::record::RecordedArguments;
 use crate::setup::{BuiltInOnly, ChosenRobot};
 use crate::watch::Watch;
-use crate::{Status, input, interrupt, output, project, report};
+use crate::{Status, input, interrupt, output, project, report, usage};
 use clap::Args;
 use guard::Guard;
 use hub::{Hub, HubEvent, HubSender};
@@ -26,7 +26,7 @@ use tipc::message::{Lang, Reading};
 
 /// `tip serve`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip serve walk.prg                          prints the address of the page
   tip serve --robot hand grasp.prg --scene scene.toml
   tip serve walk.prg --paused --events '10:key F'
@@ -46,7 +46,9 @@ pub(super) struct Serve {
     #[command(flatten)]
     pub(super) recorded: RecordedArguments,
 
-    /// The address to listen on; port 0 selects a free one
+    /// Address to listen on
+    ///
+    /// Port 0 selects a free one
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:0")]
     listen: SocketAddr,
 
@@ -179,7 +181,7 @@ impl Host for ServedFile {
             Ok(_) => return Err(Reading::Changed.in_lang(lang).to_string()),
             Err(reason) => return Err(reason.in_lang(lang).to_string()),
         };
-        written.map_err(|error| error.to_string())?;
+        written.map_err(|error| error.text(usage::lang()))?;
         self.known = bytes.to_vec();
         Ok(())
     }

@@ -5,8 +5,11 @@ use crate::error::Error;
 use crate::message::Using;
 use crate::usage::BadValue;
 use crate::{input, report};
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser, ValueParserFactory};
+use clap::{Arg, Command, ValueEnum};
+use std::ffi::OsStr;
 use std::fmt;
+use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tip_runtime::plant::Scene;
@@ -58,15 +61,68 @@ impl fmt::Display for RobotChoice {
     }
 }
 
+/// Returns the names of robots, after those of a command.
+pub(super) fn robot_names(others: &[&'static str]) -> Vec<&'static str> {
+    let built_in = RobotName::value_variants().iter();
+    let built_in = built_in.map(|name| name.robot().name());
+    let published = published::ALL.iter().map(|robot| robot.name);
+    let others = others.iter().copied();
+    others.chain(built_in).chain(published).collect()
+}
+
+/// The parser of values that may be the name of a robot. Shells complete the names; other values are files.
+#[derive(Clone, Debug)]
+pub(super) struct RobotParser<T> {
+    /// Names that only this command has.
+    others: &'static [&'static str],
+    parsed: PhantomData<T>,
+}
+
+impl<T> RobotParser<T> {
+    pub(super) fn new(others: &'static [&'static str]) -> Self {
+        RobotParser {
+            others,
+            parsed: PhantomData,
+        }
+    }
+}
+
+impl<T> TypedValueParser for RobotParser<T>
+where
+    T: FromStr<Err = BadValue> + Clone + Send + Sync + 'static,
+{
+    type Value = T;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<T, clap::Error> {
+        let parser = StringValueParser::new().try_map(|text| text.parse::<T>());
+        parser.parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let names = robot_names(self.others).into_iter();
+        Some(Box::new(names.map(PossibleValue::new)))
+    }
+}
+
+impl ValueParserFactory for RobotChoice {
+    type Parser = RobotParser<Self>;
+
+    fn value_parser() -> Self::Parser {
+        RobotParser::new(&[])
+    }
+}
+
 /// Minimum similarity of a suggested name, from 0 to 1.
 const MIN_SIMILARITY: f64 = 0.75;
 
 /// Returns the message about an unknown robot.
 fn unknown_robot(text: &str) -> Using {
-    let values = RobotName::value_variants().iter();
-    let names = values.filter_map(|name| Some(name.to_possible_value()?.get_name().to_owned()));
-    let published = published::ALL.iter().map(|robot| robot.name.to_owned());
-    let names: Vec<String> = names.chain(published).collect();
+    let names: Vec<String> = robot_names(&[]).into_iter().map(str::to_owned).collect();
     let small = text.to_lowercase();
     let similarity = |name: &String| strsim::jaro_winkler(&small, name);
     let near = names

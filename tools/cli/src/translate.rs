@@ -24,7 +24,7 @@ use tipc::{Loaded, Options, Robot};
 /// `tip fmt`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "There is one style without options: blocks indented by two blanks, capital letters, one blank between words and
+    after_long_help = "There is one style without options: blocks indented by two blanks, capital letters, one blank between words and
 around operators, comments of neighbouring lines in one column. Lines are neither joined nor split, and no byte of a
 comment, of a text, of the first two lines or after END changes: docs/style.md. Each call checks that the result loads to
 the same program. A file with errors is left as it is.
@@ -43,23 +43,29 @@ pub(super) struct Fmt {
     #[arg(value_name = "FILE", required = true)]
     pub(super) files: Vec<PathBuf>,
 
-    /// Write nothing, and print the names of the files that would change
+    /// Write nothing; name the files that would change
     #[arg(long)]
     pub(super) check: bool,
 
-    /// Write nothing, and print what would change
+    /// Write nothing; print what would change
     #[arg(long, conflicts_with = "check")]
     pub(super) diff: bool,
 
-    /// The robot that the programs are for, if it has no name
+    /// The robot, if it has no name
+    ///
+    /// A name that 'tip robot list' shows, or a description in a file
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
+    /// The version in line 1
+    ///
     /// The version of the language that line 1 must name
     #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
     tip_version: f64,
 
-    /// The encoding of the files; auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
+    /// The encoding: auto, utf-8 or shift_jis
+    ///
+    /// auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum)]
     encoding: Option<EncodingName>,
 
@@ -201,7 +207,7 @@ pub(super) enum Form {
 
 /// `tip emit`
 #[derive(Debug, Args)]
-#[command(after_help = "Forms:
+#[command(after_long_help = "Forms:
   rust     one state for each step, as the macros and build scripts compile it
   formal   FORMAL.TMP: the program step by step, comments and layout gone
   label    LABEL.TMP: every label and the number of its step
@@ -212,7 +218,7 @@ Examples:
   tip emit rust walk.prg -o walk.rs
   tip emit label walk.prg")]
 pub(super) struct Emit {
-    /// The form
+    /// The form: rust, formal, label, obj or warning
     #[arg(value_enum)]
     pub(super) form: Form,
 
@@ -270,7 +276,7 @@ fn as_rust(program: &Program) -> Result<String, Error> {
 /// `tip migrate`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Programs of versions 1.0 to 3.0, and those that say 4.0, become programs of version 3.1: declarations,
+    after_long_help = "Programs of versions 1.0 to 3.0, and those that say 4.0, become programs of version 3.1: declarations,
 renamed commands, changed forms. Comments, layout, encoding and the order of the steps are kept.
 Every change is reported with its line. If the text leaves a choice open, the report asks a question and nothing is written.
 
@@ -290,7 +296,9 @@ pub(super) struct Migrate {
     #[arg(short, long, value_name = "NEW")]
     pub(super) out: Option<PathBuf>,
 
-    /// The encoding of the file; auto is UTF-8 if that is valid, else Shift_JIS
+    /// The encoding: auto, utf-8 or shift_jis
+    ///
+    /// auto is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum, default_value = "auto")]
     pub(super) encoding: EncodingName,
 
@@ -335,7 +343,7 @@ fn migration_report(migration: &Migration, output_options: OutputOptions) -> Str
 /// `tip cycles`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "For each subroutine, each turn of a loop, and each stretch from a label to the next: the least and the
+    after_long_help = "For each subroutine, each turn of a loop, and each stretch from a label to the next: the least and the
 most control cycles, and the time at the robot's standard sampling time. One step is one cycle. A step that
 waits counts as the least that it can take, and its part is marked 'waits'. 'or more' marks a part without a bound.
 

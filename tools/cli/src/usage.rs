@@ -2,10 +2,10 @@
 
 use super::choices::LangName;
 use super::report::complain;
-use super::{Arguments, choices};
+use super::{choices, help};
 use crate::message::{Using, Weight};
+use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{CommandFactory, ValueEnum};
 use std::error::Error as _;
 use std::path::Path;
 use std::{env, fmt};
@@ -179,7 +179,7 @@ fn unknown_command(word: String, near: Option<&String>) -> Using {
 /// Returns the option that ends in these words: `--message-format` for `--format`.
 fn full_option(option: &str) -> Option<String> {
     let end = option.strip_prefix('-').filter(|end| end.len() > 2)?;
-    let tip = Arguments::command();
+    let tip = help::grammar();
     let mut options = tip.find_subcommand(command()?)?.get_arguments();
     let near = options.find_map(|it| it.get_long().filter(|long| long.ends_with(end)))?;
     Some(format!("--{near}"))
@@ -187,7 +187,7 @@ fn full_option(option: &str) -> Option<String> {
 
 /// Returns the names of the commands.
 fn commands() -> Vec<String> {
-    let tip = Arguments::command();
+    let tip = help::grammar();
     let commands = tip.get_subcommands();
     commands
         .map(|command| command.get_name().to_owned())
@@ -196,8 +196,8 @@ fn commands() -> Vec<String> {
 
 /// Returns the command of the command line.
 fn command() -> Option<String> {
-    let first = env::args().nth(1)?;
-    commands().into_iter().find(|command| *command == first)
+    let mut words = env::args().skip(1);
+    words.find_map(|word| commands().into_iter().find(|command| *command == word))
 }
 
 /// Returns the language of the command line, which may be invalid otherwise, or that of the locale.

@@ -28,7 +28,7 @@ use tipc::program::Step;
 /// `tip verify`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The program is compiled by tip and cargo, in release mode, with the tip-runtime of your project. Compiled code and
+    after_long_help = "The program is compiled by tip and cargo, in release mode, with the tip-runtime of your project. Compiled code and
 interpreter run side by side on two simulated robots; every record must be the same, floats by bits. Without inputs
 tip makes many runs: it searches for keys, sensor readings and halt requests that lead to new steps and branches,
 and always tries the same ones. What no run reached is listed. If the engines differ, the shortest inputs are output_options.
@@ -52,11 +52,13 @@ pub(super) struct Verify {
     #[command(flatten)]
     pub(super) inputs: InputArguments,
 
-    /// The number of runs of a search
+    /// Number of runs of a search
     #[arg(long, value_name = "N", default_value = "256", value_parser = positive, allow_negative_numbers = true)]
     pub(super) runs: u64,
 
-    /// The Cargo.toml of the project whose tip-runtime is used; by default that of the current folder
+    /// The Cargo.toml whose tip-runtime is used
+    ///
+    /// By default that of the project around the current folder
     #[arg(long, value_name = "Cargo.toml")]
     pub(super) manifest_path: Option<PathBuf>,
 }

@@ -45,6 +45,9 @@ pub trait Launcher {
     /// # Errors
     /// The reason why it cannot be run, in `lang`.
     fn launch(&mut self, launch: &Launch, lang: Lang) -> Result<Debuggee, String>;
+
+    /// Returns true if two paths lead to the same file.
+    fn is_same_file(&self, one: &str, other: &str) -> bool;
 }
 
 /// Serves a client until it disconnects or closes the stream.

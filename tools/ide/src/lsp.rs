@@ -48,6 +48,9 @@ pub trait Workspace {
     /// Returns the name of the encoding that the nearest `tip.toml` gives to a file.
     fn encoding(&mut self, path: &Path) -> Option<String>;
 
+    /// Returns true if a process of this machine runs.
+    fn is_running(&mut self, process: u32) -> bool;
+
     /// Drops what was read from files, since some have changed.
     fn invalidate(&mut self);
 }
@@ -63,7 +66,10 @@ pub struct RobotConfig {
     pub error: Option<String>,
 }
 
-/// Serves a client until it sends `exit` or closes the stream. Returns true if it sent `shutdown` before `exit`.
+/// Time between two looks for the client's process.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Serves a client until it sends `exit`, closes the stream, or its process ends. Returns true if it sent `shutdown` before `exit`.
 ///
 /// # Errors
 /// The client cannot be answered.
@@ -72,7 +78,7 @@ pub fn serve<W: Write>(
     workspace: impl Workspace,
 ) -> io::Result<bool> {
     let mut server = Server::new(workspace);
-    let mut next = connection.wait();
+    let mut next = wait(&connection, &mut server);
     while let Some(frame) = next {
         let mut waiting = Some(frame);
         // A waiting message may change the same text again, so diagnostics are computed after the last of them.
@@ -88,12 +94,25 @@ pub fn serve<W: Write>(
         next = match connection.wait_for(IDLE) {
             Err(RecvTimeoutError::Timeout) => {
                 let _ = catch_unwind(AssertUnwindSafe(|| server.prepare()));
-                connection.wait()
+                wait(&connection, &mut server)
             }
             frame => frame.ok(),
         };
     }
     Ok(false)
+}
+
+/// Waits for the next frame; `None` at the end of the stream or of the client.
+fn wait<W: Write>(
+    connection: &Connection<W>,
+    server: &mut Server<impl Workspace>,
+) -> Option<Frame> {
+    loop {
+        match connection.wait_for(PATIENCE) {
+            Err(RecvTimeoutError::Timeout) if server.has_client() => {}
+            frame => return frame.ok(),
+        }
+    }
 }
 
 /// Answers one message.

@@ -1,7 +1,7 @@
 // Makes a page of src/page.html: one file with a script, styles and the licences of what it holds. The playground is made of it
 // as well (site/page/assemble.mjs).
 import { createHash } from 'node:crypto';
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from 'esbuild';
 
@@ -70,13 +70,19 @@ export async function page({ script: entry, ahead, loader, styles, kinds, left =
   return { html, script: script.text };
 }
 
+/** The text of a package's licence, whatever the ending of its file. */
+const licence = (name) => {
+  const folder = `node_modules/${name}`;
+  return read(`${folder}/${readdirSync(join(here, folder)).find((file) => /^licen[cs]e/i.test(file))}`);
+};
+
 /** The licences of all packages that files belong to. */
 function notice(files) {
   const names = files.map((file) => /node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
   const packages = [...new Set(names.filter(Boolean))].sort();
   const licences = packages.map((name) => {
     const { version } = JSON.parse(read(`node_modules/${name}/package.json`));
-    return `${name} ${version}\n\n${read(`node_modules/${name}/LICENSE`).trim()}\n`;
+    return `${name} ${version}\n\n${licence(name).trim()}\n`;
   });
   return `<!--\nThis page holds parts of these libraries.\n\n${licences.join(`\n${'-'.repeat(72)}\n\n`)}-->\n`;
 }

@@ -3,20 +3,14 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
-mod csv;
 pub mod live;
-mod mcap;
 mod page;
-#[cfg(not(target_arch = "wasm32"))]
-mod plot;
 mod recorder;
 mod recording;
 mod skeleton;
 mod trace;
 mod updates;
 
-#[cfg(not(target_arch = "wasm32"))]
-pub use plot::{Diagram, NothingToPlot};
 pub use recorder::{Extent, RecordError};
 pub use recording::{
     Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Slip, Stop, Tick,

@@ -17,11 +17,22 @@ impl Recording {
     /// Nothing that a program, its name or its messages say becomes markup or script: all of it is in the packed bytes,
     /// which the page shows as text, but the title, which is escaped.
     pub fn to_page(&self) -> String {
+        self.page_with("")
+    }
+
+    /// Returns the page that replays this recording with another one next to it: plots over each other, the other robot as
+    /// a ghost.
+    pub fn to_comparison(&self, other: &Recording) -> String {
+        self.page_with(&STANDARD.encode(other.packed()))
+    }
+
+    fn page_with(&self, other: &str) -> String {
         let title = match self.script.title.trim() {
             "" => &self.script.name,
             title => title,
         };
-        page("live", &escaped(title), &STANDARD.encode(self.packed()))
+        let recording = STANDARD.encode(self.packed());
+        page("live", &escaped(title), &recording, other)
     }
 
     /// Returns the [updates](Self::updates) deflated (RFC 1951), as the page holds them.
@@ -32,14 +43,17 @@ impl Recording {
 
 /// Returns the page that shows a session at the other end of a WebSocket.
 pub(crate) fn live() -> String {
-    page("replay", "tip serve", "")
+    page("replay", "tip serve", "", "")
 }
 
 /// Returns the page without what is marked as another kind's.
-fn page(other: &str, title: &str, recording: &str) -> String {
+fn page(other_kind: &str, title: &str, recording: &str, compared: &str) -> String {
     let mut page = String::new();
     let mut rest = PAGE;
-    let (begin, end) = (format!("<!--{other}-->"), format!("<!--/{other}-->"));
+    let (begin, end) = (
+        format!("<!--{other_kind}-->"),
+        format!("<!--/{other_kind}-->"),
+    );
     while let Some((before, marked)) = rest.split_once(&begin) {
         page.push_str(before);
         rest = marked.split_once(&end).map_or("", |(_, after)| after);
@@ -53,6 +67,7 @@ fn page(other: &str, title: &str, recording: &str) -> String {
     let script = STANDARD.encode(SCRIPT);
     for (mark, content) in [
         ("TIP-SCRIPT", script.as_str()),
+        ("TIP-COMPARED", compared),
         ("TIP-RECORDING", recording),
         ("TIP-TITLE", title),
     ] {
@@ -93,9 +108,10 @@ mod tests {
 
     #[test]
     fn each_kind_of_page_has_what_is_its_own() {
-        let (replay, live) = (page("live", "x", "y"), live());
+        let (replay, live) = (page("live", "x", "y", "z"), live());
         for (part, is_of_replay, is_of_live) in [
             ("id=\"recording\">y<", true, false),
+            ("id=\"compared\">z<", true, false),
             ("id=\"export\"", true, false),
             ("connect-src", false, true),
             ("id=\"stop\"", false, true),

@@ -240,6 +240,7 @@ impl Recorder {
             ..Frame::default()
         };
         if let Some(limbs) = run.limbs() {
+            frame.setpoints = setpoints(run, &limbs.angles);
             frame.angles = limbs.angles;
             frame.loads = limbs.loads;
             frame.forces = limbs.forces;
@@ -370,6 +371,18 @@ fn raised(run: &Run, legs: usize) -> Vec<Flag> {
     let flags = [Target::All].into_iter().chain(feet).flat_map(of);
     let flags = flags.chain(single).chain((0..10).map(Flag::Special));
     flags.filter(|flag| run.flag(*flag)).collect()
+}
+
+/// Returns the angle that each joint is commanded to be at; the angles are those of the joints, leg by leg.
+fn setpoints(run: &Run, angles: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let mut commands = run.commands().iter();
+    let mut of_joint = |angle: &f64| match commands.next() {
+        Some(JointCommand::Angle { angle, .. }) => *angle,
+        _ => *angle,
+    };
+    let legs = angles.iter();
+    legs.map(|leg| leg.iter().map(&mut of_joint).collect())
+        .collect()
 }
 
 /// Returns the joints that are driven by torque; the angles show how many each leg has.

@@ -104,6 +104,8 @@ pub struct Frame {
     pub pose: Option<Pose>,
     /// Angle of each joint, leg by leg, deg.
     pub angles: Vec<Vec<f64>>,
+    /// Angle that each joint is commanded to be at, leg by leg, deg; that of the joint where torque drives it. Empty in a trace.
+    pub setpoints: Vec<Vec<f64>>,
     /// Load of each foot, or push of each fingertip, N. Empty if it is not known.
     pub loads: Vec<f64>,
     /// Force of the ground on each foot, friction included, in the world, N. Empty where only loads

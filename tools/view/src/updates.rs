@@ -249,6 +249,7 @@ struct Leg<'a> {
 struct Joint {
     axis: [f64; 3],
     link: [f64; 3],
+    limits: [f64; 2],
     mass: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     centre: Option<[f64; 3]>,
@@ -378,6 +379,7 @@ impl<'a> Leg<'a> {
         let joints = limb.joints.iter().map(|joint| Joint {
             axis: joint.axis,
             link: joint.link,
+            limits: [joint.limits.min, joint.limits.max],
             mass: joint.mass,
             centre: joint.spread.map(|spread| spread.centre),
         });
@@ -468,6 +470,10 @@ fn all(first: &Frame) -> Vec<Channel> {
             );
             all.push(channel(angle, move |frame| of(&frame.angles)));
             all.push(channel(torque, move |frame| of(&frame.torques)));
+            // Mostly 0, which takes no room.
+            all.push(channel(format!("lag.{leg}.{joint}"), move |frame| {
+                Some(of(&frame.setpoints)? - of(&frame.angles)?)
+            }));
         }
         all.push(channel(format!("load.{leg}"), move |frame| {
             frame.loads.get(leg).copied()

@@ -7,7 +7,7 @@ use std::{env, fs};
 /// The crates that are published.
 fn published() -> Vec<Package> {
     let found = packages(&["tip-runtime", "tipc", "tip-macros", "tools"]);
-    assert_eq!(found.len(), 9, "the published crates are found");
+    assert_eq!(found.len(), 10, "the published crates are found");
     found
 }
 
@@ -39,9 +39,10 @@ fn each_published_package_holds_its_licences_and_its_front_page() {
     }
 }
 
-/// The page of the playground gives its module a clock and nothing else; bindings of browsers would import more.
+/// The page of the playground gives its module a clock and nothing else; bindings of browsers would import more. Logs and plots
+/// are for the command.
 #[test]
-fn the_playground_has_no_bindings_of_browsers() {
+fn the_playground_has_no_bindings_of_browsers_and_no_logs() {
     let cargo = env::var_os("CARGO").expect("cargo runs tests");
     let output = Command::new(cargo)
         .args(["tree", "--locked", "--package", "tip-playground"])
@@ -53,7 +54,7 @@ fn the_playground_has_no_bindings_of_browsers() {
     let tree = String::from_utf8_lossy(&output.stdout);
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(tree.contains("tip-view v"), "{tree}{errors}");
-    for name in ["wasm-bindgen", "js-sys", "web-sys"] {
+    for name in ["wasm-bindgen", "js-sys", "web-sys", "tip-log"] {
         assert!(
             !tree.contains(name),
             "the playground depends on {name}:\n{tree}"

@@ -56,6 +56,10 @@ const ARROWS: &[(&str, &[&str])] = &[
             "tip-ide",
         ],
     ),
+    (
+        "tip-log",
+        &["tip-runtime", "tip-compiler", "tip-sim", "tip-view"],
+    ),
     ("tip-sweep", &["tip-runtime", "tip-compiler", "tip-sim"]),
     (
         "tip-cli",
@@ -63,6 +67,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "tip-runtime",
             "tip-compiler",
             "tip-lint",
+            "tip-log",
             "tip-sim",
             "tip-ide",
             "tip-sweep",

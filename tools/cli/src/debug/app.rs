@@ -35,6 +35,8 @@ pub(crate) struct App {
     pub(crate) question: Option<(Question, String)>,
     /// The last answer.
     pub(crate) answer: Option<String>,
+    /// True while all keys are explained.
+    pub(crate) explains: bool,
     /// The progress of a backward search.
     pub(crate) progress: Option<Progress>,
     is_over: bool,
@@ -56,6 +58,7 @@ impl App {
             page: 0,
             question: None,
             answer: None,
+            explains: false,
             progress: None,
             is_over: false,
         }
@@ -317,6 +320,9 @@ pub(crate) fn press(app: &mut App, key: KeyEvent) {
         }
         return;
     }
+    if std::mem::take(&mut app.explains) {
+        return;
+    }
     match &app.question {
         Some((Question::Discard(..), _)) => {
             let yes = matches!(key.code, KeyCode::Char(char) if char.eq_ignore_ascii_case(&'y'));
@@ -389,6 +395,7 @@ fn letter(app: &mut App, letter: char, is_capital: bool) {
         ('i', false) => app.ask(Question::Event),
         ('e', false) => app.ask(Question::Expression),
         ('g', false) => app.ask(Question::Cycle),
+        ('?', _) => app.explains = true,
         ('.', _) => app.cursor = app.debugger.line(),
         ('k', false) => app.move_cursor(-1),
         ('j', false) => app.move_cursor(1),

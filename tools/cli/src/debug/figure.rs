@@ -13,6 +13,9 @@ use tip_runtime::plant::{ObjectState, Shape};
 use tip_sim::message::Debugging;
 use tip_view::robot_frame;
 
+/// Names of the axes.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// Margin around a walking robot, mm.
 const MARGIN: f64 = 80.0;
 
@@ -83,8 +86,22 @@ pub(super) fn draw_robot(app: &App, frame: &mut Frame<'_>, area: Rect) {
         true => (View::from_above(0, 2), View::from_side(0, 1)),
         false => (View::from_above(0, 1), View::from_side(1, 2)),
     };
-    figure.draw(frame, above, from_above, app.say(Debugging::Above));
-    figure.draw(frame, side, from_side, app.say(DebugText::Side));
+    let title = |name: String, view: View| {
+        let (right, up) = (AXES[view.right], AXES[view.up]);
+        format!("{name} {right}→ {up}↑")
+    };
+    figure.draw(
+        frame,
+        above,
+        from_above,
+        title(app.say(Debugging::Above), from_above),
+    );
+    figure.draw(
+        frame,
+        side,
+        from_side,
+        title(app.say(DebugText::Side), from_side),
+    );
 }
 
 impl Figure {

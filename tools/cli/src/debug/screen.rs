@@ -34,6 +34,10 @@ pub(crate) fn draw(app: &App, frame: &mut Frame<'_>) {
             .spacing(1)
             .areas(body);
     draw_title(app, frame, top);
+    if app.explains {
+        draw_keys(app, frame, body);
+        return;
+    }
     let said = if body.height > 30 { 8 } else { 4 };
     let [source, messages] =
         Layout::vertical([Constraint::Min(0), Constraint::Length(said)]).areas(left);
@@ -89,6 +93,29 @@ fn draw_last_line(app: &App, frame: &mut Frame<'_>, area: Rect) {
         (None, None) => Line::default(),
     };
     frame.render_widget(Paragraph::new(line), area);
+}
+
+/// Explains all keys.
+fn draw_keys(app: &App, frame: &mut Frame<'_>, area: Rect) {
+    let lines = [
+        DebugText::KeysForward,
+        DebugText::KeysOver,
+        DebugText::KeysInto,
+        DebugText::KeysOut,
+        DebugText::KeysCycle,
+        DebugText::KeysLine,
+        DebugText::KeysGo,
+        DebugText::KeysBreak,
+        DebugText::KeysName,
+        DebugText::KeysWatch,
+        DebugText::KeysLastSet,
+        DebugText::KeysChange,
+        DebugText::KeysValue,
+        DebugText::KeysCursor,
+    ];
+    let lines = lines.map(|line| Line::from(app.say(line)));
+    let block = block(app.say(DebugText::Keys));
+    frame.render_widget(Paragraph::new(lines.to_vec()).block(block), area);
 }
 
 fn draw_help(app: &App, frame: &mut Frame<'_>, area: Rect) {
@@ -244,9 +271,14 @@ fn leg_of(target: Target) -> Option<u8> {
 /// The gap between two variables of a line.
 const GAP: &str = "  ";
 
-/// Draws a page of variables. Those that the last movement changed are bold, watched ones have a colour.
+/// Draws a page of variables. Those that the last movement changed are bold; the watched one is first and has a colour.
 pub(super) fn draw_variables(app: &App, frame: &mut Frame<'_>, area: Rect) {
-    let variables = app.debugger.variables();
+    let mut variables = app.debugger.variables();
+    let is_watched = |variable: &Variable| {
+        let watched = app.watched.as_deref();
+        watched.is_some_and(|name| is_of(variable, name))
+    };
+    variables.sort_by_key(|variable| !is_watched(variable));
     let room = usize::from(area.height.saturating_sub(1)).max(1);
     let width = match variables.len() <= room {
         true => 0,

@@ -184,6 +184,42 @@ fn every_variable_can_be_seen_however_many_there_are() {
 }
 
 #[test]
+fn a_watched_variable_is_on_the_first_page() {
+    let names: Vec<String> = (10..70).map(|number| format!("V{number}")).collect();
+    let text = format!("3.1\nmany\nDEF_VAR {}\nV69 = 7\nEND\n", names.join(", "));
+    let mut app = app_of("titan8", &text, Lang::English);
+    press(&mut app, "n");
+    assert!(!screen(&app, 80, 24).contains("V697"));
+    press(&mut app, "wV69\n");
+    assert!(screen(&app, 80, 24).contains("V697"));
+}
+
+#[test]
+fn a_question_mark_explains_the_keys_until_the_next_key() {
+    for lang in [Lang::English, Lang::Japanese] {
+        let mut app = app("titan8", lang);
+        press(&mut app, "?");
+        let shown = screen(&app, 80, 24);
+        // Each key that moves, sets or asks for something, and nothing of the program.
+        for key in "rRnNsSoOcClLgbBfwWieq".chars() {
+            assert!(shown.contains(key), "{key} in\n{shown}");
+        }
+        assert!(!shown.contains("歩数"), "{shown}");
+        press(&mut app, "n");
+        assert_eq!(app.debugger.now(), 0);
+        assert!(screen(&app, 80, 24).contains("歩数"));
+    }
+}
+
+#[test]
+fn both_views_name_their_axes() {
+    let shown = screen(&app("titan8", Lang::English), 80, 24);
+    for title in ["Fromabovex→y↑", "Sidey→z↑"] {
+        assert!(shown.contains(title), "{title} in\n{shown}");
+    }
+}
+
+#[test]
 fn a_change_of_the_past_asks_first() {
     let mut app = app("titan8", Lang::English);
     press(&mut app, "rg20\niN = 1\n");
@@ -212,7 +248,7 @@ fn the_screen_shows_the_program_and_the_robot_in_both_sizes_and_languages() {
                 "Calls",
                 "Modesandtargets",
                 "Fromabove",
-                "Fromtheside",
+                "Side",
                 "Messages",
             ],
         ),

@@ -310,7 +310,9 @@ fn bend_leg(leg: Target, limb: &Limb, turn: f64) -> String {
 }
 
 fn degrees(angles: &[f64]) -> String {
-    let words: Vec<String> = angles.iter().map(f64::to_string).collect();
+    // A program that people read has hundredths.
+    let rounded = angles.iter().map(|angle| (angle * 100.0).round() / 100.0);
+    let words: Vec<String> = rounded.map(|angle| angle.to_string()).collect();
     words.join(" ")
 }
 

@@ -4,8 +4,9 @@ use super::motion;
 use crate::choices::RobotName;
 use crate::input;
 use crate::message::Making;
-use crate::setup::RobotChoice;
+use crate::setup::{RobotChoice, RobotParser};
 use crate::usage::BadValue;
+use clap::builder::ValueParserFactory;
 use std::str::FromStr;
 use tip_runtime::model::{Model as RobotModel, hand, titan8};
 use tip_sim::Robot;
@@ -21,6 +22,14 @@ const HEXAPOD_NAME: &str = "hexapod";
 pub(super) enum Choice {
     Robot(RobotChoice),
     Hexapod,
+}
+
+impl ValueParserFactory for Choice {
+    type Parser = RobotParser<Self>;
+
+    fn value_parser() -> Self::Parser {
+        RobotParser::new(&[HEXAPOD_NAME])
+    }
 }
 
 impl FromStr for Choice {

@@ -1,6 +1,7 @@
 //! The files of a run: checks of their paths, the log files of `--out-dir`, and the trace.
 
 use crate::error::{Error, is_closed};
+use crate::input::is_standard;
 use crate::run::Run;
 use crate::{interrupt, output};
 use std::ffi::OsStr;
@@ -31,7 +32,7 @@ pub(super) fn check(arguments: &Run) -> Result<(), Error> {
         output::refuse_inputs(log, &inputs)?;
     }
     let trace = arguments.trace.as_deref();
-    let Some(trace) = trace.filter(|path| path.as_os_str() != STANDARD_OUTPUT) else {
+    let Some(trace) = trace.filter(|path| !is_standard(path)) else {
         return Ok(());
     };
     output::refuse_inputs(trace, &inputs)?;
@@ -112,9 +113,6 @@ fn error(LogError { path, reason }: LogError) -> Error {
     Error::cannot_write(&path, reason)
 }
 
-/// The name of standard output.
-pub(super) const STANDARD_OUTPUT: &str = "-";
-
 /// A trace that is being written.
 pub(super) struct Trace {
     path: PathBuf,
@@ -150,7 +148,7 @@ struct Terminal {
 impl Trace {
     /// Opens a trace.
     pub(super) fn begin(path: &Path, extras: Extras) -> Result<Self, Error> {
-        let out = if path.as_os_str() == STANDARD_OUTPUT {
+        let out = if is_standard(path) {
             Output::standard()
         } else {
             let file = output::begin(path).map_err(|error| Error::cannot_write(path, error))?;

@@ -216,13 +216,19 @@ fn wrong_usage_exits_with_two() {
 #[test]
 fn help_teaches_by_example() {
     let folder = Folder::new("help");
-    let outcome = folder.tip(&["--help"]).expect(0);
+    let outcome = folder.tip(&["help"]).expect(0);
     assert!(
         outcome.out.contains("tip check walk.prg"),
         "{}",
         outcome.out
     );
     let outcome = folder.tip(&["run", "--help"]).expect(0);
+    assert!(
+        outcome.out.contains("\n  tip run walk.prg --halt 300 "),
+        "{}",
+        outcome.out
+    );
+    let outcome = folder.tip(&["help", "run"]).expect(0);
     for option in [
         "--robot",
         "--cycles",
@@ -393,7 +399,7 @@ fn denied_warnings_fail() {
     tip(&["check", "naps.prg"]).expect(0);
     let denied = tip(&["check", "--deny", "W118", "naps.prg"]).expect(1);
     let line = "error: naps.prg: 1 denied warning: W118\n";
-    assert!(denied.err.ends_with(line), "{denied:#?}");
+    assert!(denied.err.contains(line), "{denied:#?}");
     tip(&["check", "--deny", "falls,warnings", "naps.prg"]).expect(1);
     tip(&["check", "--deny", "W101", "--deny", "falls", "naps.prg"]).expect(0);
     tip(&["check", "--deny", "warnings", "allowed.prg"]).expect(0);
@@ -411,4 +417,58 @@ fn denied_warnings_fail() {
             );
         }
     }
+}
+
+#[test]
+fn codes_are_explained_by_a_command_that_is_named_once() {
+    let folder = Folder::new("check-learn")
+        .program("one.prg", "SLEP 5\nEND")
+        .program("two.prg", "SLEP 5\nGOTO L:\nEND")
+        .program("fine.prg", "END");
+    let last = |arguments: &[&str]| {
+        let outcome = folder.tip(&[&["check"], arguments].concat());
+        assert!(
+            outcome.err.matches("tip explain").count() <= 1,
+            "{outcome:#?}"
+        );
+        outcome.err.lines().last().expect("a line").to_owned()
+    };
+    assert_eq!(last(&["one.prg"]), "to learn more: tip explain E204-01");
+    assert_eq!(
+        last(&["one.prg", "two.prg", "fine.prg"]),
+        "to learn more: tip explain E204-01, and likewise E202"
+    );
+    assert_eq!(
+        last(&["one.prg", "--lang", "ja"]),
+        "詳しくは: tip explain E204-01"
+    );
+    assert_eq!(
+        last(&["fine.prg"]),
+        "fine.prg: 1 step for titan8, 0 warnings"
+    );
+    // Tools read codes themselves, and a file that is not there needs no page.
+    for arguments in [&["one.prg", "--message-format", "short"][..], &["none.prg"]] {
+        let outcome = folder.tip(&[&["check"], arguments].concat()).expect(1);
+        assert!(!(outcome.out + &outcome.err).contains("tip explain"));
+    }
+    let outcome = folder.tip(&["run", "one.prg"]).expect(1);
+    assert!(
+        outcome
+            .err
+            .ends_with("\nto learn more: tip explain E204-01\n"),
+        "{outcome:#?}"
+    );
+}
+
+#[test]
+fn a_command_of_another_robot_says_how_to_choose_it() {
+    let folder = Folder::new("check-robot").program("p.prg", "TORQUE J11 1\nEND");
+    let outcome = folder.tip(&["check", "p.prg"]).expect(1);
+    assert!(
+        outcome.err.contains("which `--robot` or tip.toml chooses"),
+        "{outcome:#?}"
+    );
+    folder
+        .tip(&["check", "p.prg", "--robot", "generic"])
+        .expect(0);
 }

@@ -20,6 +20,35 @@ fn each_shell_knows_the_commands() {
 }
 
 #[test]
+#[cfg(unix)]
+fn bash_completes_robots_and_their_descriptions() {
+    let folder = Folder::new("shell-robots").file("mine.toml", "");
+    let script = folder.tip(&["completions", "bash"]).expect(0).out;
+    let complete = |word: &str| {
+        let ask = format!(
+            "COMP_WORDS=(tip run --robot '{word}'); COMP_CWORD=3; _tip tip '{word}' --robot; echo \"${{COMPREPLY[*]}}\""
+        );
+        let output = std::process::Command::new("bash")
+            .args(["-c", &format!("{script}\n{ask}")])
+            .current_dir(folder.path(""))
+            .output()
+            .expect("bash starts");
+        String::from_utf8(output.stdout)
+            .expect("UTF-8")
+            .trim()
+            .to_owned()
+    };
+    assert_eq!(complete("sol"), "solo12");
+    assert_eq!(complete("mi"), "mine.toml");
+    let fish = folder.tip(&["completions", "fish"]).expect(0).out;
+    let line = fish
+        .lines()
+        .find(|line| line.contains("-l robot ") && line.contains("using_subcommand run"));
+    let line = line.expect("run has --robot");
+    assert!(line.contains(" -F -a \"titan8"), "{line}");
+}
+
+#[test]
 fn each_command_has_its_page() {
     let folder = Folder::new("shell-man");
     folder.tip(&["man", "-o", "man1"]).expect(0);

@@ -289,3 +289,47 @@ fn a_program_that_runs_is_paused_and_shows_nothing_while_it_runs() {
     client.ask("terminate", Value::Null);
     client.event("terminated");
 }
+
+#[test]
+#[cfg(unix)]
+fn breakpoints_bind_by_whatever_path_leads_to_the_program() {
+    let (folder, path) = folder("dap-paths");
+    std::os::unix::fs::symlink(&path, folder.path("link.prg")).expect("a link");
+    std::fs::create_dir(folder.path("x")).expect("a folder");
+    for other in ["link.prg", "x/../walk.prg"] {
+        let mut client = Client::launched(&path, Value::Null);
+        let other = folder.path(other).display().to_string();
+        let asked = json!({ "source": { "path": other }, "breakpoints": [{ "line": 8 }] });
+        let placed = client.ask("setBreakpoints", asked);
+        assert_eq!(placed["breakpoints"][0]["verified"], true, "{other}");
+        client.begin();
+        assert_eq!(client.go("continue", thread()).1, 8);
+        client.ask("disconnect", Value::Null);
+    }
+}
+
+#[test]
+fn a_restart_loads_the_program_again_and_keeps_its_breakpoints() {
+    let (folder, path) = folder("dap-restart");
+    let mut client = Client::launched(&path, Value::Null);
+    let asked =
+        json!({ "source": { "path": path }, "breakpoints": [{ "line": 8, "condition": "N > 2" }] });
+    client.ask("setBreakpoints", asked);
+    client.begin();
+    client.go("continue", thread());
+    assert_eq!(client.value("N"), "3");
+    let folder = folder.file("walk.prg", PROGRAM.replace("N += 1", "N += 2"));
+    client.ask("restart", json!({}));
+    assert_eq!(client.event("stopped")["reason"], "entry");
+    client.go("continue", thread());
+    assert_eq!(
+        (client.value("N"), client.value("N > 2")),
+        ("4".to_owned(), "true".to_owned())
+    );
+    // With errors it is refused, and the program of before stays.
+    let _folder = folder.file("walk.prg", PROGRAM.replace("N += 1", "N ++"));
+    let refused = client.refusal("restart", json!({}));
+    assert!(refused.contains("walk.prg:7:"), "{refused}");
+    assert_eq!(client.value("N"), "4");
+    client.ask("disconnect", Value::Null);
+}

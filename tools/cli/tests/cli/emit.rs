@@ -104,7 +104,7 @@ fn what_cannot_be_written_is_an_error() {
     assert!(
         outcome
             .err
-            .contains("TIP_ERR:File can not write(no/such/file) (PreprocessError)"),
+            .contains("error: cannot write no/such/file: No such file or directory\n"),
         "{outcome:#?}"
     );
 }
@@ -117,7 +117,7 @@ fn the_program_itself_is_never_the_output() {
         .tip(&["emit", "formal", "p.prg", "-o", "./p.prg"])
         .expect(1);
     assert!(
-        outcome.err.contains("File can not write(./p.prg)"),
+        outcome.err.contains("cannot write ./p.prg: "),
         "{outcome:#?}"
     );
     assert_eq!(folder.read("p.prg"), before);

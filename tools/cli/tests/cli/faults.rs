@@ -29,7 +29,7 @@ In every case each file is either the complete earlier one or the complete new o
 ";
 
 const TAIL: &str = "
-- *Refused*: the run stops before the first cycle with `TIP_ERR:File can not write(…) (PreprocessError)`, status 1, and all earlier files stay.
+- *Refused*: the run stops before the first cycle with `cannot write FILE: REASON`, status 1, and all earlier files stay.
 - *Reported at the end*: the program runs to its end, every file that can be written is new, then the run ends with the same error and status 1.
 - *Interrupted*: status 130; the trace ends with `INTERRUPTED`, and the logs hold all cycles up to that point.
 - A *read-only* file is one that nobody may write, as after `chmod a-w`; it is refused to the system administrator too.

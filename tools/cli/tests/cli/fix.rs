@@ -24,7 +24,7 @@ fn what_is_certain_is_written_and_the_rest_reported() {
         "{outcome:#?}"
     );
     let left = "`tip check --fix --unsafe-fixes` fixes 1 finding: review what it writes\n";
-    assert!(outcome.err.ends_with(left), "{outcome:#?}");
+    assert!(outcome.err.contains(left), "{outcome:#?}");
     let outcome = folder
         .tip(&["check", "--fix", "--unsafe-fixes", "walk.prg"])
         .expect(0);
@@ -51,10 +51,10 @@ fn check_says_what_can_be_fixed_and_writes_nothing() {
     let english = said("en");
     let line =
         "`tip check --fix` fixes 2 findings, with `--unsafe-fixes` 3: review what it writes\n";
-    assert!(english.ends_with(line), "{english}");
+    assert!(english.contains(line), "{english}");
     let japanese = said("ja");
     let line = "`tip check --fix` で2件、`--unsafe-fixes` も付けると3件を直せます。結果を確かめてください\n";
-    assert!(japanese.ends_with(line), "{japanese}");
+    assert!(japanese.contains(line), "{japanese}");
     assert_eq!(folder.read("walk.prg"), wrong);
     folder
         .tip(&["check", "--unsafe-fixes", "walk.prg"])
@@ -159,7 +159,7 @@ fn a_file_keeps_its_mode_and_one_that_is_read_only_stays() {
     let path = folder.path("walk.prg");
     fs::set_permissions(&path, Permissions::from_mode(0o444)).expect("it is ours");
     let outcome = folder.tip(&["check", "--fix", "walk.prg"]).expect(1);
-    assert!(outcome.err.contains("File can not write"), "{outcome:#?}");
+    assert!(outcome.err.contains("cannot write "), "{outcome:#?}");
     assert_eq!(folder.read("walk.prg"), format!("3.1\ntest\n{WRONG}\n"));
     fs::set_permissions(&path, Permissions::from_mode(0o640)).expect("it is ours");
     folder.tip(&["check", "--fix", "walk.prg"]).expect(1);

@@ -270,3 +270,29 @@ fn left_out_lines_are_any_and_others_are_not() {
         assert!(!matches("a\n…\nd 1…", printed), "{printed}");
     }
 }
+
+#[test]
+fn the_programs_of_the_tutorial_are_in_the_standard_style() {
+    let folder = crate::support::Folder::new("guides-style");
+    let mut count = 0;
+    for guide in ["docs/tutorial.md", "docs/tutorial.ja.md"] {
+        for block in blocks(&read(guide))
+            .iter()
+            .filter(|block| block.kind == "tip")
+        {
+            let Some(name) = block.file.as_deref().filter(|name| name.ends_with(".prg")) else {
+                continue;
+            };
+            fs::create_dir_all(folder.path("motions")).expect("the folder is writable");
+            fs::write(folder.path(name), &block.text).expect("the folder is writable");
+            let outcome = folder.tip(&["fmt", "--check", name]);
+            assert_eq!(
+                (outcome.status, outcome.out.as_str()),
+                (0, ""),
+                "{guide}: {name}"
+            );
+            count += 1;
+        }
+    }
+    assert_eq!(count, 8);
+}

@@ -314,3 +314,65 @@ fn an_editor_that_goes_away_ends_the_server() {
     drop(input);
     assert_eq!(process.wait().expect("it was started").code(), Some(1));
 }
+
+#[test]
+fn an_unfinished_program_is_not_formatted_and_lines_are_formatted_alone() {
+    let folder = Folder::new("lsp-format");
+    let mut editor = Editor::start(&folder, ENCODINGS[1], Value::Null);
+    let options = json!({ "tabSize": 2, "insertSpaces": true });
+    let whole = json!({ "textDocument": { "uri": URI }, "options": options });
+    editor.open("3.1\nTitle\nIF KB_HIT\n  sleep 5\n");
+    assert_eq!(
+        editor.ask("textDocument/formatting", whole),
+        Ok(Value::Null)
+    );
+    editor.change(vec![json!({
+        "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 3, "character": 9 } },
+        "newText": "3.1\nTitle\nsleep 5\nsleep 6\nsleep 7\nEND",
+    })]);
+    let lines = json!({
+        "textDocument": { "uri": URI }, "options": options,
+        "range": { "start": { "line": 3, "character": 2 }, "end": { "line": 3, "character": 4 } },
+    });
+    let edits = editor
+        .ask("textDocument/rangeFormatting", lines)
+        .expect("edits");
+    editor.change(edits.as_array().expect("a list").clone());
+    assert_eq!(editor.text, "3.1\nTitle\nsleep 5\nSLEEP 6\nsleep 7\nEND\n");
+    assert_eq!(editor.end(), 0);
+}
+
+#[test]
+fn files_have_three_forms_of_addresses() {
+    // The robot of the tip.toml beside the file decides.
+    let folder = Folder::new("lsp-addresses").file("tip.toml", "robot = \"generic\"\n");
+    let mut editor = Editor::start(&folder, ENCODINGS[1], Value::Null);
+    let path = folder.path("walk.prg").display().to_string();
+    for uri in [
+        format!("file://{path}"),
+        format!("file:{path}"),
+        format!("file://localhost{path}"),
+    ] {
+        let text = "3.1\nTitle\nTORQUE J11 1\nEND\n";
+        let item = json!({ "uri": uri, "languageId": "tip", "version": 1, "text": text });
+        editor.tell("textDocument/didOpen", json!({ "textDocument": item }));
+        let published = editor.receive();
+        assert_eq!(published["params"]["uri"], json!(uri));
+        assert_eq!(published["params"]["diagnostics"], json!([]), "{uri}");
+    }
+    assert_eq!(editor.end(), 0);
+}
+
+#[test]
+#[cfg(unix)]
+fn the_server_ends_when_the_process_of_its_client_has_ended() {
+    let folder = Folder::new("lsp-process");
+    let mut gone = std::process::Command::new("true")
+        .spawn()
+        .expect("it starts");
+    let process = json!({ "processId": gone.id() });
+    gone.wait().expect("it ends");
+    let mut editor = Editor::with(&folder, ENCODINGS[1], json!({}), process);
+    // Its input stays open.
+    assert_eq!(editor.process.wait().expect("it ends").code(), Some(1));
+}

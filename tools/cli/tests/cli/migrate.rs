@@ -114,7 +114,7 @@ fn files_that_cannot_be_read_or_written() {
         .tip(&["migrate", "old.prg", "-o", "./old.prg"])
         .expect(1);
     assert!(
-        outcome.err.contains("File can not write(./old.prg)"),
+        outcome.err.contains("cannot write ./old.prg: "),
         "{outcome:#?}"
     );
     assert_eq!(folder.read("old.prg"), OLD);

@@ -320,3 +320,29 @@ fn a_crate_behind_a_link_names_the_whole_path_of_the_checkout() {
     let expected = format!("path = \"{}\"", folder.path("tip/tip-macros").display());
     assert!(manifest.contains(&expected), "{manifest}");
 }
+
+#[test]
+fn programs_have_short_numbers_and_pages_are_not_for_git() {
+    let folder = Folder::new("new-short");
+    for robot in ["trifinger", "solo12", "spotmicro"] {
+        folder.tip(&["new", robot, "--robot", robot]).expect(0);
+        for name in tree(&folder, robot)
+            .iter()
+            .filter(|name| name.ends_with(".prg"))
+        {
+            let text = folder.read(&format!("{robot}/{name}"));
+            let numbers = text.split(|char: char| !char.is_ascii_digit() && char != '.');
+            let decimals =
+                |number: &str| number.split_once('.').map_or(0, |(_, after)| after.len());
+            for number in numbers {
+                assert!(decimals(number) <= 2, "{robot}/{name}: {number}");
+            }
+        }
+    }
+    let ignored = folder.read("solo12/.gitignore");
+    for pattern in ["*.html", "*.svg", "*.jsonl"] {
+        assert!(ignored.lines().any(|line| line == pattern), "{ignored}");
+    }
+    let readme = folder.read("solo12/README.md");
+    assert!(readme.contains("tip serve motions/walk.prg"), "{readme}");
+}

@@ -312,3 +312,22 @@ fn what_is_shown_of_a_published_robot_is_its_description() {
         .expect(0);
     assert!(by_option.err.contains("for solo12"), "{by_option:#?}");
 }
+
+#[test]
+fn a_robot_is_imported_from_standard_input() {
+    let folder = Folder::new("robot-stdin");
+    let mut command = folder.command(&["robot", "import", "-"]);
+    command
+        .stdin(std::process::Stdio::piped())
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped());
+    let mut child = command.spawn().expect("tip starts");
+    let input = child.stdin.take();
+    std::io::Write::write_all(&mut input.expect("a pipe"), URDF.as_bytes()).expect("it reads");
+    let outcome = crate::support::Outcome::of(child.wait_with_output().expect("it ends")).expect(0);
+    assert!(
+        outcome.out.starts_with("# From standard input"),
+        "{outcome:#?}"
+    );
+    assert!(outcome.err.starts_with("standard input: "), "{outcome:#?}");
+}

@@ -253,7 +253,7 @@ fn messages_that_cannot_be_written_end_the_run_with_a_reason() {
         .output()
         .expect("tip starts");
     let outcome = Outcome::of(output).expect(1);
-    let reason = "TIP_ERR:File can not write(standard output) (PreprocessError)";
+    let reason = "error: cannot write standard output: ";
     assert!(outcome.err.contains(reason), "{outcome:#?}");
 }
 

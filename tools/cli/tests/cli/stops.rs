@@ -177,3 +177,18 @@ fn the_logs_of_a_stop_stay_classical_english() {
         Some("TIP_ERR:Domain error (RuntimeError)")
     );
 }
+
+#[test]
+fn the_moment_of_a_stop_has_its_unit() {
+    let folder = Folder::new("stops-unit").program("returns.prg", "RETURN\nEND");
+    for (lang, moment) in [
+        ("en", "step 0, cycle 0, 0.000 s"),
+        ("ja", "ステップ0、サイクル0、0.000 s"),
+    ] {
+        let outcome = folder
+            .tip(&["run", "returns.prg", "--lang", lang])
+            .expect(3);
+        let mut lines = outcome.err.lines();
+        assert!(lines.any(|line| line == moment), "{outcome:#?}");
+    }
+}

@@ -123,6 +123,49 @@ fn a_count_is_a_whole_number() {
 }
 
 #[test]
+fn the_language_may_come_before_the_command() {
+    let folder = Folder::new("usage-lang").program("p.prg", "SLEP 5\nEND");
+    let before = folder.tip(&["--lang", "ja", "check", "p.prg"]).expect(1);
+    let after = folder.tip(&["check", "p.prg", "--lang", "ja"]).expect(1);
+    assert!(before.err.starts_with("エラー"), "{before:#?}");
+    assert_eq!(before.err, after.err);
+    // A missing file is asked for with the command, not with the option.
+    check(
+        &folder,
+        &["--lang", "en", "run"],
+        "error: which program? `tip run` needs a file, as in `tip run walk.prg`",
+    );
+}
+
+#[test]
+fn help_fits_a_screen_and_groups_the_commands() {
+    let folder = Folder::new("usage-screen");
+    for arguments in [&["--help"][..], &["run", "--help"]] {
+        let help = folder.tip(arguments).expect(0);
+        let lines = help.lines();
+        assert!(lines.len() <= 40, "{} lines: {}", lines.len(), help.out);
+        for line in &lines {
+            assert!(line.chars().count() <= 80, "{line}");
+        }
+    }
+    let help = folder.tip(&["--help"]).expect(0);
+    let headings: Vec<&str> = help
+        .lines()
+        .into_iter()
+        .filter(|line| line.ends_with(':'))
+        .collect();
+    let groups = [
+        "Write:",
+        "Run:",
+        "See:",
+        "Embed:",
+        "Robots:",
+        "Editors and shells:",
+    ];
+    assert_eq!(headings, [&groups[..], &["Options:"]].concat());
+}
+
+#[test]
 fn the_locale_chooses_the_language_of_wrong_usage() {
     let folder = Folder::new("usage-locale");
     let output = folder
@@ -139,6 +182,13 @@ fn help_is_in_the_language_that_is_asked_for() {
     let help = folder.tip(&["check", "--help", "--lang", "ja"]).expect(0);
     for line in [
         "使い方: tip check [OPTIONS] <FILE>...",
+        "  <FILE>...  プログラム。'-' は標準入力",
+        "'tip help check' で例・値・終了コードなどの詳細を表示する。",
+    ] {
+        assert!(help.out.lines().any(|it| it == line), "{line}: {help:#?}");
+    }
+    let help = folder.tip(&["--lang", "ja", "help", "check"]).expect(0);
+    for line in [
         "          プログラム。'-' は標準入力",
         "          [既定値: 3.1]",
         "          - short: 1 件 1 行",

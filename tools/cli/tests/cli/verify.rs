@@ -220,3 +220,17 @@ fn a_comparison_of_nothing_is_refused() {
         );
     }
 }
+
+#[test]
+fn outside_of_a_project_it_says_what_it_needs() {
+    let folder = Folder::new("verify-nowhere").program("p.prg", "END");
+    // The folder of tests is in a workspace; the root of the system is in none.
+    let manifest = ["verify", "p.prg", "--manifest-path", "/Cargo.toml"];
+    let outcome = folder.tip(&manifest).expect(1);
+    assert_eq!(
+        outcome.err,
+        "error: the program is compiled in a Cargo project that depends on tip-runtime, and / is in none: \
+         `tip new demo` makes one; run it in the folder of a project that depends on tip-runtime, \
+         or name its Cargo.toml by --manifest-path\n"
+    );
+}

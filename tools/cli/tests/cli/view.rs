@@ -27,6 +27,105 @@ fn a_program_becomes_a_page_beside_it() {
 }
 
 #[test]
+fn a_hyphen_is_standard_output_of_every_command_that_writes() {
+    let folder = Folder::new("view-hyphen").program("wave.prg", WAVE);
+    for (arguments, start) in [
+        (&["view", "wave.prg"][..], "<!DOCTYPE html>"),
+        (&["plot", "wave.prg"], "<svg "),
+        (&["log", "wave.prg"], "cycle,time_ms,"),
+        (&["emit", "label", "wave.prg"], ""),
+        (&["robot", "export", "--urdf"], "<?xml "),
+    ] {
+        let outcome = folder.tip(&[arguments, &["-o", "-"]].concat()).expect(0);
+        assert!(
+            outcome.out.starts_with(start),
+            "{arguments:?}: {}",
+            outcome.out
+        );
+    }
+    assert_eq!(folder.names(), ["wave.prg"]);
+}
+
+#[test]
+fn a_plot_stands_beside_its_program_too() {
+    let folder = Folder::new("view-plot").program("in/wave.prg", WAVE);
+    let outcome = folder.tip(&["plot", "in/wave.prg"]).expect(0);
+    assert_eq!(
+        (outcome.out.as_str(), outcome.err.as_str()),
+        ("", "in/wave.svg\n")
+    );
+    assert!(folder.read("in/wave.svg").starts_with("<svg "));
+}
+
+/// The data of an element of a page.
+fn data<'a>(page: &'a str, id: &str) -> &'a str {
+    let (_, rest) = page
+        .split_once(&format!("id=\"{id}\">"))
+        .expect("an element");
+    rest.split('<').next().expect("text")
+}
+
+#[test]
+fn two_runs_are_compared_on_one_page() {
+    let folder = Folder::new("view-two")
+        .program("a.prg", WAVE)
+        .program("b.prg", &WAVE.replace("10", "20"));
+    for name in ["a", "b"] {
+        let (program, trace) = (format!("{name}.prg"), format!("{name}.jsonl"));
+        folder
+            .tip(&["run", &program, "--trace", &trace, "--trace-motion"])
+            .expect(0);
+    }
+    let alone = |file: &str| {
+        folder.tip(&["view", file, "-o", "alone.html"]).expect(0);
+        data(&folder.read("alone.html"), "recording").to_owned()
+    };
+    assert_eq!(
+        data(
+            &{
+                alone("a.prg");
+                folder.read("alone.html")
+            },
+            "compared"
+        ),
+        ""
+    );
+    // Programs are run; traces are read, each with the program beside it.
+    for ends in [
+        ["a.prg", "b.prg"],
+        ["a.jsonl", "b.jsonl"],
+        ["a.prg", "b.jsonl"],
+    ] {
+        let [one, other] = ends;
+        folder
+            .tip(&["view", one, other, "-o", "two.html"])
+            .expect(0);
+        let page = folder.read("two.html");
+        assert_eq!(data(&page, "recording"), alone(one), "{ends:?}");
+        assert_eq!(data(&page, "compared"), alone(other), "{ends:?}");
+        assert_ne!(alone(one), alone(other), "{ends:?}");
+    }
+    // With --program both are traces of it.
+    folder
+        .tip(&[
+            "view",
+            "a.jsonl",
+            "a.jsonl",
+            "--program",
+            "a.prg",
+            "-o",
+            "two.html",
+        ])
+        .expect(0);
+    std::fs::remove_file(folder.path("b.prg")).expect("it is there");
+    let outcome = folder.tip(&["view", "a.jsonl", "b.jsonl"]).expect(2);
+    assert_eq!(
+        outcome.err,
+        "error: b.jsonl is a trace: name the program that it is of by --program FILE.prg\n"
+    );
+}
+
+#[test]
 fn a_run_without_end_stops_after_ten_minutes_and_says_so() {
     let folder =
         Folder::new("view-endless").program(

@@ -57,9 +57,13 @@ fn a_change_is_checked_and_ctrl_c_ends() {
     fs::write(folder.path("p.prg"), "3.1\nt\nFOO\nEND\n").expect("writable");
     let lines = watching.check();
     assert_eq!(lines[0], "──────── check 2 ────────");
+    let last: Vec<&str> = lines.iter().rev().take(2).map(String::as_str).collect();
     assert_eq!(
-        lines.last().map(String::as_str),
-        Some("p.prg: 1 error, 0 warnings")
+        last,
+        [
+            "to learn more: tip explain E204-01",
+            "p.prg: 1 error, 0 warnings"
+        ]
     );
     // Another file in its place, as editors do it.
     fs::write(folder.path("new"), "3.1\nt\nREM\nEND\n").expect("writable");

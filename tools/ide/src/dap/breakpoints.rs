@@ -5,7 +5,7 @@ use super::protocol::{
     Breakpoint, DataBreakpointInfo, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints,
     SetFunctionBreakpoints, SourceBreakpoint,
 };
-use super::session::{Answer, Session};
+use super::session::{Answer, Session, read};
 use super::{Debuggee, Launcher};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
@@ -24,12 +24,7 @@ pub(super) enum Kind {
 }
 
 impl<L: Launcher> Session<L> {
-    pub(super) fn set_breakpoints(&mut self, wanted: SetBreakpoints) -> Answer {
-        let path = wanted.source.path.as_deref();
-        let program = &self.debuggee()?.path;
-        if path.is_some_and(|path| !is_same_file(path, program)) {
-            return self.reject_other_file(&wanted.breakpoints);
-        }
+    fn set_breakpoints(&mut self, wanted: SetBreakpoints) -> Answer {
         self.clear(Kind::Line)?;
         let (lang, base) = (self.lang(), self.first_line());
         let first_column = self.first_column();
@@ -58,7 +53,7 @@ impl<L: Launcher> Session<L> {
         Ok(Some(json!({ "breakpoints": values(answers) })))
     }
 
-    pub(super) fn set_function_breakpoints(&mut self, wanted: SetFunctionBreakpoints) -> Answer {
+    fn set_function_breakpoints(&mut self, wanted: SetFunctionBreakpoints) -> Answer {
         self.clear(Kind::Name)?;
         let (lang, base) = (self.lang(), self.first_line());
         let debuggee = self.debuggee()?;
@@ -78,7 +73,7 @@ impl<L: Launcher> Session<L> {
         self.answer_with(Kind::Name, answers)
     }
 
-    pub(super) fn set_exception_breakpoints(&mut self, wanted: SetExceptionBreakpoints) -> Answer {
+    fn set_exception_breakpoints(&mut self, wanted: SetExceptionBreakpoints) -> Answer {
         let falls =
             self.launch.stop_on_fall || wanted.filters.iter().any(|filter| filter == "fall");
         self.debuggee()?.debugger.stop_at_fall(falls);
@@ -105,7 +100,7 @@ impl<L: Launcher> Session<L> {
         }))
     }
 
-    pub(super) fn set_data_breakpoints(&mut self, wanted: SetDataBreakpoints) -> Answer {
+    fn set_data_breakpoints(&mut self, wanted: SetDataBreakpoints) -> Answer {
         self.clear(Kind::Watch)?;
         let (lang, reason) = (self.lang(), self.text(DebugAdapter::WatchHasNoCondition));
         let debuggee = self.debuggee()?;
@@ -124,6 +119,41 @@ impl<L: Launcher> Session<L> {
         };
         let answers = wanted.breakpoints.iter().map(watch).collect();
         self.answer_with(Kind::Watch, answers)
+    }
+
+    /// Sets the breakpoints that the client last asked for again, in a program that has been loaded again.
+    pub(super) fn set_all_again(&mut self) -> Result<(), String> {
+        self.breakpoints = Default::default();
+        for (command, arguments) in self.wanted.clone() {
+            self.set(&command, arguments)?;
+        }
+        Ok(())
+    }
+
+    /// Sets breakpoints of a kind, and remembers the request for a restart.
+    pub(super) fn set(&mut self, command: &str, arguments: Value) -> Answer {
+        let asked = arguments.clone();
+        let answer = match command {
+            "setBreakpoints" => {
+                let wanted: SetBreakpoints = read(arguments)?;
+                if !self.is_program(wanted.source.path.as_deref())? {
+                    return self.reject_other_file(&wanted.breakpoints);
+                }
+                self.set_breakpoints(wanted)
+            }
+            "setFunctionBreakpoints" => self.set_function_breakpoints(read(arguments)?),
+            "setExceptionBreakpoints" => self.set_exception_breakpoints(read(arguments)?),
+            _ => self.set_data_breakpoints(read(arguments)?),
+        }?;
+        self.wanted.insert(command.to_owned(), asked);
+        Ok(answer)
+    }
+
+    /// Returns true if a path leads to the program; the client may leave it out.
+    fn is_program(&mut self, path: Option<&str>) -> Result<bool, String> {
+        let program = self.debuggee()?.path.clone();
+        let leads = |path| is_end_of(path, &program) || self.launcher.is_same_file(path, &program);
+        Ok(path.is_none_or(leads))
     }
 
     /// Removes the breakpoints of a kind.
@@ -207,7 +237,7 @@ fn text(of: &Option<String>) -> Option<&str> {
 }
 
 /// Returns true if one path is the end of the other, so that they probably name the same file.
-fn is_same_file(one: &str, other: &str) -> bool {
+fn is_end_of(one: &str, other: &str) -> bool {
     let parts = |path: &str| -> Vec<String> {
         let parts = path
             .split(['/', '\\'])

@@ -79,6 +79,7 @@ pub(crate) struct Capabilities {
     pub(crate) supports_data_breakpoints: bool,
     pub(crate) supports_stepping_granularity: bool,
     pub(crate) supports_terminate_request: bool,
+    pub(crate) supports_restart_request: bool,
     pub(crate) supports_cancel_request: bool,
     pub(crate) exception_breakpoint_filters: Vec<Filter>,
 }
@@ -120,6 +121,14 @@ pub struct Launch {
     /// Run without stops.
     #[serde(default)]
     pub no_debug: bool,
+}
+
+/// The arguments of `restart`.
+#[derive(Debug, Default, Deserialize)]
+pub(crate) struct Restart {
+    /// The newest arguments of `launch`, if the client sends them.
+    #[serde(default)]
+    pub(crate) arguments: Option<Launch>,
 }
 
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]

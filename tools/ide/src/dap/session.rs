@@ -1,11 +1,14 @@
 //! The state of a session: requests are dispatched, and responses and events are queued. It does no input or output.
 
-use super::protocol::{Capabilities, Client, Event, Filter, Launch, Request, Response, Sent};
+use super::protocol::{
+    Capabilities, Client, Event, Filter, Launch, Request, Response, Restart, Sent,
+};
 use super::{Debuggee, Launcher};
 use crate::message::DebugAdapter;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use tip_sim::debug::{Move, Work};
 use tipc::message::{Lang, Message};
 
@@ -18,7 +21,7 @@ const PORTION: u64 = 500;
 /// A session with one client.
 #[derive(Debug)]
 pub struct Session<L> {
-    launcher: L,
+    pub(super) launcher: L,
     /// The number of the last message that was queued.
     seq: i64,
     output: Vec<String>,
@@ -27,6 +30,8 @@ pub struct Session<L> {
     pub(super) debuggee: Option<Debuggee>,
     /// The ids of breakpoints by kind.
     pub(super) breakpoints: [Vec<u32>; 3],
+    /// The last request of each kind that set breakpoints.
+    pub(super) wanted: BTreeMap<String, Value>,
     /// The cycle and text of a change that would discard later cycles; repeating it confirms it.
     pub(super) unconfirmed: Option<(u64, String)>,
     /// True while the progress of a search is reported.
@@ -54,6 +59,7 @@ impl<L: Launcher> Session<L> {
             launch: Launch::default(),
             debuggee: None,
             breakpoints: Default::default(),
+            wanted: BTreeMap::new(),
             unconfirmed: None,
             has_progress: false,
             has_moved: false,
@@ -126,17 +132,18 @@ impl<L: Launcher> Session<L> {
                 body(&self.capabilities())
             }
             "launch" => self.start(read(arguments)?),
+            "restart" => self.restart(read(arguments)?),
             "attach" => Err(self.text(DebugAdapter::NothingToAttach)),
             "configurationDone" | "cancel" => Ok(None),
             "disconnect" | "terminate" => {
                 self.is_over = command == "disconnect";
                 Ok(None)
             }
-            "setBreakpoints" => self.set_breakpoints(read(arguments)?),
-            "setFunctionBreakpoints" => self.set_function_breakpoints(read(arguments)?),
-            "setExceptionBreakpoints" => self.set_exception_breakpoints(read(arguments)?),
+            "setBreakpoints"
+            | "setFunctionBreakpoints"
+            | "setExceptionBreakpoints"
+            | "setDataBreakpoints" => self.set(command, arguments),
             "dataBreakpointInfo" => self.data_breakpoint_info(&read(arguments)?),
-            "setDataBreakpoints" => self.set_data_breakpoints(read(arguments)?),
             "threads" => self.threads(),
             "stackTrace" => self.stack_trace(&read(arguments)?),
             "scopes" => self.scopes(),
@@ -163,6 +170,10 @@ impl<L: Launcher> Session<L> {
                 self.event("initialized", None);
             }
             "configurationDone" => self.begin(),
+            "restart" => {
+                self.warn();
+                self.begin();
+            }
             "pause" | "cancel" => self.interrupt(),
             "terminate" => self.end(0),
             _ if self.debuggee.is_some() => self.follow_move(command),
@@ -184,6 +195,7 @@ impl<L: Launcher> Session<L> {
             supports_data_breakpoints: true,
             supports_stepping_granularity: true,
             supports_terminate_request: true,
+            supports_restart_request: true,
             supports_cancel_request: true,
             exception_breakpoint_filters: vec![Filter {
                 filter: "fall",
@@ -201,6 +213,21 @@ impl<L: Launcher> Session<L> {
         debuggee.debugger.stop_at_fall(launch.stop_on_fall);
         self.debuggee = Some(debuggee);
         self.launch = launch;
+        Ok(None)
+    }
+
+    /// Loads the program again, perhaps with other arguments, and sets all breakpoints in it. If it has errors now, the
+    /// program of before stays.
+    fn restart(&mut self, restart: Restart) -> Answer {
+        self.debuggee()?;
+        let launch = restart.arguments.unwrap_or_else(|| self.launch.clone());
+        let mut debuggee = self.launcher.launch(&launch, self.lang())?;
+        debuggee.debugger.stop_at_fall(launch.stop_on_fall);
+        self.debuggee = Some(debuggee);
+        self.launch = launch;
+        self.unconfirmed = None;
+        self.reported_end = None;
+        self.set_all_again()?;
         Ok(None)
     }
 

@@ -22,6 +22,8 @@ pub(crate) struct Client {
     pub(crate) can_watch: bool,
     /// The robot of its settings.
     pub(crate) robot: Option<String>,
+    /// The process that it is, or that started the server for it.
+    pub(crate) process: Option<u32>,
 }
 
 /// The supported encodings of positions.
@@ -57,6 +59,10 @@ impl Client {
             robot: params
                 .get("initializationOptions")
                 .and_then(configured_robot),
+            process: params
+                .get("processId")
+                .and_then(Value::as_u64)
+                .and_then(|process| process.try_into().ok()),
         }
     }
 

@@ -15,6 +15,7 @@ use lsp_server::ErrorCode;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, from_value, json, to_value};
+use tip_lint::message::Formatting;
 use tipc::message::Message;
 use tipc::source::Span;
 
@@ -59,7 +60,8 @@ impl<W: Workspace> Server<W> {
             }
             "textDocument/documentSymbol" => self.whole(params, |it| it.outline()),
             "textDocument/foldingRange" => self.whole(params, |it| it.folds()),
-            "textDocument/formatting" => self.whole(params, |it| it.format()),
+            "textDocument/formatting" => self.whole(params, |it| it.format(it.all())),
+            "textDocument/rangeFormatting" => self.range(params, |it, span| it.format(span)),
             "textDocument/semanticTokens/full" => {
                 self.whole(params, |it| it.semantic_tokens(it.all()))
             }
@@ -273,9 +275,17 @@ impl<W: Workspace> OpenProgram<'_, W> {
         write(folds.collect::<Vec<_>>())
     }
 
-    fn format(&self) -> Result<Value, Failure> {
+    /// Formats the lines of a span. An unfinished program has no edits: editors format after each save, and would show the error.
+    fn format(&self, span: Span) -> Result<Value, Failure> {
         match self.document.format() {
-            Ok(edits) => write(self.positions().edits(&edits)),
+            Ok(mut edits) => {
+                let source = self.document.source();
+                let line = |at: usize| source.line_column(at).0;
+                let lines = line(span.start)..=line(span.end);
+                edits.retain(|edit| lines.contains(&line(edit.span.start)));
+                write(self.positions().edits(&edits))
+            }
+            Err(Formatting::DoesNotLoad) => Ok(Value::Null),
             Err(reason) => Err(self.refused(&reason.into())),
         }
     }

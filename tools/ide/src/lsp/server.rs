@@ -75,6 +75,12 @@ impl<W: Workspace> Server<W> {
         self.exit
     }
 
+    /// Returns false once the process of the client has ended.
+    pub fn has_client(&mut self) -> bool {
+        let process = self.client.as_ref().and_then(|client| client.process);
+        process.is_none_or(|process| self.workspace.is_running(process))
+    }
+
     /// Handles a message; returns the response to a request, and requests to the client.
     pub fn handle(&mut self, message: Message) -> Vec<Message> {
         match message {
@@ -270,9 +276,16 @@ fn watch_request() -> Message {
     Request::new(id, "client/registerCapability".to_owned(), params).into()
 }
 
-/// Returns the path of a `file:` address.
+/// Returns the path of a `file:` address: `file:///x`, `file:/x` or `file://localhost/x`.
 pub(super) fn path(uri: &str) -> Option<PathBuf> {
-    let path = uri.strip_prefix("file://")?;
+    let path = uri.strip_prefix("file:")?;
+    let path = match path.strip_prefix("//") {
+        Some(rest) => rest
+            .strip_prefix("localhost")
+            .filter(|path| path.starts_with('/'))
+            .unwrap_or(rest),
+        None => path,
+    };
     let mut bytes = Vec::new();
     let mut rest = path.as_bytes();
     while let [first, after @ ..] = rest {
@@ -311,6 +324,7 @@ fn capabilities(encoding: &str) -> Value {
         "signatureHelpProvider": { "triggerCharacters": [" ", ","] },
         "codeActionProvider": { "codeActionKinds": ["quickfix", "source.fixAll"] },
         "documentFormattingProvider": true,
+        "documentRangeFormattingProvider": true,
         "foldingRangeProvider": true,
         "inlayHintProvider": true,
         "semanticTokensProvider": {

@@ -101,6 +101,10 @@ impl Workspace for NoFiles {
         None
     }
 
+    fn is_running(&mut self, _: u32) -> bool {
+        true
+    }
+
     fn invalidate(&mut self) {}
 }
 

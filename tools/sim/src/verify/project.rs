@@ -143,9 +143,17 @@ fn metadata(folder: &Path) -> Result<Value, NotBuilt> {
         .current_dir(folder);
     let output = command.output().map_err(no_cargo)?;
     if !output.status.success() {
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        let folder = folder.display();
+        if said.contains("could not find `Cargo.toml`") {
+            return Err(NotBuilt::Failed(format!(
+                "the program is compiled in a Cargo project that depends on tip-runtime, and {folder} is in none: \
+                 `tip new demo` makes one; {WHERE}"
+            )));
+        }
         return Err(NotBuilt::NoProject {
-            reason: format!("cargo knows no project in {}: {WHERE}", folder.display()),
-            said: String::from_utf8_lossy(&output.stderr).into_owned(),
+            reason: format!("cargo cannot read the project in {folder}: {WHERE}"),
+            said,
         });
     }
     serde_json::from_slice(&output.stdout)

@@ -11,7 +11,26 @@ const CODES = { Enter: 'key 0x0D', Escape: 'halt', Backspace: 'key 0x08' };
 export function controls(requests, recording) {
   const happen = (event) => requests.send({ do: 'event', event });
   element('stop').addEventListener('click', () => happen(CODES.Enter));
-  element('halt').addEventListener('click', () => happen(CODES.Escape));
+  // A run that rests takes it when it goes on.
+  let asked = false;
+  element('halt').addEventListener('click', () => {
+    happen(CODES.Escape);
+    asked = true;
+    showHalt();
+  });
+  const showHalt = () => {
+    const taken = recording.events.some(({ text }) => text === 'halt');
+    asked &&= !taken;
+    const pending = recording.outcome.how === 'limit' && (asked || taken);
+    element('halt').setAttribute('aria-pressed', pending);
+    element('halt').textContent = word(pending ? 'halting' : 'halt');
+  };
+  whenSpoken(showHalt);
+  const field = (name) => Number(element(`push-${name}`).value) || 0;
+  element('push').addEventListener('submit', (event) => {
+    event.preventDefault();
+    happen(`push ${field('x')} ${field('y')} ${field('z')} for ${Math.max(Math.round(field('cycles')), 1)}`);
+  });
   const keys = element('keys');
   keys.addEventListener('keydown', (event) => {
     event.stopPropagation();
@@ -32,15 +51,22 @@ export function controls(requests, recording) {
   let knobs = [];
   /** Those of a robot, once it runs. */
   const begin = () => {
+    asked = false;
     knobs = recording.inputs.map((name) => knob(name, happen));
     const isKnob = ({ name }) => name.startsWith('VR');
     element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));
     element('other-inputs').replaceChildren(...knobs.filter((knob) => !isKnob(knob)).map(({ box }) => box));
     element('other-inputs-box').hidden = !element('other-inputs').childElementCount;
+    // Only a walking robot with mass is pushed, and it alone has forces in three directions.
+    element('push').hidden = !recording.robot.body || !recording.has('force.0.0');
   };
   begin();
   whenSpoken(() => knobs.forEach((knob) => knob.say()));
-  return { begin, show: () => knobs.forEach((knob) => knob.show(recording)) };
+  const show = () => {
+    knobs.forEach((knob) => knob.show(recording));
+    showHalt();
+  };
+  return { begin, show };
 }
 
 /** A slider of an input; it shows what others do as well. */

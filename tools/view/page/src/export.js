@@ -1,9 +1,13 @@
 // Images, videos and links.
 
-import { element, make } from './dom.js';
+import { clockTime, element, make } from './dom.js';
 import { Film } from './film.js';
+import { Gif } from './gif.js';
 import { word } from './words.js';
 import { zip } from './zip.js';
+
+/** A GIF for slides has at most so many frames per second. */
+const SLIDES = 20;
 
 export function exporting(player, stage) {
   const dialog = element('export-box');
@@ -27,11 +31,11 @@ export function exporting(player, stage) {
   const rate = () => Math.min(Math.max(Number(element('export-rate').value) || 25, 1), 60);
 
   /** Has each frame of a span shown, and what is to be done with it done. */
-  async function each(act) {
-    const [from, to] = span();
-    const count = Math.floor(((to - from) / 1000) * rate() * (1 / player.speed)) + 1;
+  async function each(act, most = Infinity) {
+    const [[from, to], per] = [span(), Math.min(rate(), most)];
+    const count = Math.floor(((to - from) / 1000) * per * (1 / player.speed)) + 1;
     for (let n = 0; n < count && !stopped; n++) {
-      player.goToTime(from + (n * 1000 * player.speed) / rate());
+      player.goToTime(from + (n * 1000 * player.speed) / per);
       await act(n);
       status.textContent = word('recordingNow', `${n + 1} / ${count}`);
     }
@@ -64,10 +68,23 @@ export function exporting(player, stage) {
     return '';
   }
 
-  /** One at a time, with a button to stop it. */
+  async function gif() {
+    const { canvas } = stage;
+    stage.drawFine();
+    const made = new Gif(canvas, Math.min(rate(), SLIDES));
+    await each(async () => {
+      stage.drawFine();
+      made.add(clockTime(player.time), player.recording.messageAt(player.cycle));
+      await new Promise((go) => setTimeout(go));
+    }, SLIDES);
+    if (!stopped) save(made.end(), `${stem}.gif`);
+  }
+
+  /** One at a time, with a button to stop it; the player is where it was again. */
   const doing = (what) => async () => {
     stopped = false;
     player.pause();
+    const { time } = player;
     dialog.classList.add('busy');
     status.textContent = '';
     try {
@@ -75,6 +92,7 @@ export function exporting(player, stage) {
     } catch ({ message }) {
       status.textContent = message;
     } finally {
+      player.goToTime(time);
       dialog.classList.remove('busy');
     }
   };
@@ -91,6 +109,7 @@ export function exporting(player, stage) {
   const quoted = (text) => text.replace(/&/g, '&amp;').replace(/"/g, '&quot;');
   element('save-image').addEventListener('click', doing(async () => save(await image(), `${stem}-${player.cycle}.png`)));
   element('save-frames').addEventListener('click', doing(frames));
+  element('save-gif').addEventListener('click', doing(gif));
   element('save-video').addEventListener('click', doing(video));
   element('stop-export').addEventListener('click', () => (stopped = true));
   element('copy-link').addEventListener('click', copy(address));

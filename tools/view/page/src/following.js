@@ -46,7 +46,10 @@ export class FollowingPlayer extends Player {
 
   /** The run goes on from where one looks. */
   goOnFromHere() {
-    if (!this.following) this.requests.send({ do: 'go', cycle: this.cycle });
+    if (!this.following) {
+      this.requests.send({ do: 'go', cycle: this.cycle });
+      this.requests.send({ do: 'play' });
+    }
     this.newest();
   }
 

@@ -1,7 +1,7 @@
 // What the session knows of the text, in the editor: words under the pointer, and what can be written.
 
 import { autocompletion, completionKeymap, snippet } from '@codemirror/autocomplete';
-import { hoverTooltip, keymap } from '@codemirror/view';
+import { hoverTooltip, keymap, tooltips } from '@codemirror/view';
 import { make } from './dom.js';
 import { spoken } from './words.js';
 
@@ -17,6 +17,8 @@ export function knowledge(ask, valueAt) {
     hoverTooltip((view, place) => hover(view.state.doc, place, ask, valueAt)),
     autocompletion({ override: [(context) => offers(context, ask)], icons: false }),
     keymap.of(completionKeymap),
+    // All of them stay within the editor, whose section shows nothing outside of it.
+    tooltips({ tooltipSpace: ({ dom }) => dom.getBoundingClientRect() }),
   ];
 }
 

@@ -52,6 +52,8 @@ export function openLive(session, stage) {
   session.watch?.((reached) => {
     document.documentElement.dataset.reached = reached;
     element('lost').hidden = reached;
+    // What cannot be done is not offered; what was can still be looked at.
+    for (const part of ['controls', 'play', 'speed', 'restart', 'save', 'reload', 'go-on']) element(part)?.toggleAttribute('inert', !reached);
   });
   return requests;
 }
@@ -75,7 +77,7 @@ function build(requests, recording, stage) {
   const shown = state(player, (scalar) => {
     showTab('plots-tab');
     charts().showVariable(scalar);
-  });
+  }, (name, value) => requests.send({ do: 'event', event: `set ${name}=${value}` }));
   const knobs = controls(requests, recording);
 
   const showNames = () => {
@@ -160,8 +162,8 @@ function build(requests, recording, stage) {
         around = kind();
         stage?.begin();
         offer();
-        knobs.begin();
       }
+      knobs.begin();
       shown.begin();
       plots?.begin();
       editor.running(recording.script);

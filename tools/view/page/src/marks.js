@@ -9,6 +9,8 @@ import { towards } from './robot.js';
 export const PLACES = 240;
 /** Corners of a support polygon are at most so many: of nine feet and a belly. */
 const CORNERS = 13;
+/** How many axes a frame has, and corners the triangles of the arrow on the floor. */
+const [AXES, ARROW] = [3, 9];
 /** How high above the ground marks are, each above those before: mm. */
 const LIFT = { fill: 1.2, edge: 1.4, spot: 1.6, ring: 1.8 };
 
@@ -29,8 +31,8 @@ export class Marks extends Group {
     this.slipRing = triangles(new RingGeometry(size * 0.04, size * 0.05, 24));
     const each = this.shaft.length + this.head.length + this.slipRing.length;
     const common = { vertexColors: true, transparent: true };
-    this.lines = new Batch(LineSegments, new LineBasicMaterial(common), 2 * (legs * PLACES + CORNERS + 1));
-    this.faces = new Batch(Mesh, new MeshBasicMaterial({ ...common, side: DoubleSide }), legs * each + this.spotRing.length + 3 * CORNERS);
+    this.lines = new Batch(LineSegments, new LineBasicMaterial(common), 2 * (legs * PLACES + CORNERS + 1 + AXES));
+    this.faces = new Batch(Mesh, new MeshBasicMaterial({ ...common, side: DoubleSide }), legs * each + this.spotRing.length + 3 * CORNERS + ARROW);
     this.centre = new Mesh(new SphereGeometry(size * 0.014, 12, 8), new MeshBasicMaterial({ transparent: true, depthTest: false }));
     // Faces that let lines through are drawn after them, objects that let forces through after those.
     [this.lines.shape.renderOrder, this.faces.shape.renderOrder, this.centre.renderOrder] = [0.4, 0.6, 2];
@@ -41,7 +43,7 @@ export class Marks extends Group {
   /** Takes the colours of the page's scheme. */
   recolour() {
     const named = (name) => new Color(colour(name));
-    this.tints = { good: named('good'), bad: named('bad'), force: named('force'), legs: Array.from({ length: this.legs }, (_, leg) => new Color(legColour(leg))) };
+    this.tints = { good: named('good'), bad: named('bad'), force: named('force'), front: named('robot-front'), axes: ['axis-x', 'axis-y', 'axis-z'].map(named), legs: Array.from({ length: this.legs }, (_, leg) => new Color(legColour(leg))) };
   }
 
   begin() {
@@ -85,6 +87,27 @@ export class Marks extends Group {
     const put = (corner) => this.faces.corner(...corner.applyQuaternion(turn).add(place).toArray());
     for (const { x, y, z } of this.shaft) put(new Vector3(x, y * length, z));
     for (const { x, y, z } of this.head) put(new Vector3(x, y + length, z));
+  }
+
+  /** The axes of a frame, from its origin to their ends. */
+  axes(origin, ends) {
+    ends.forEach((end, axis) => {
+      this.lines.tint(this.tints.axes[axis]);
+      this.lines.path([origin.toArray(), end.toArray()]);
+    });
+  }
+
+  /** An arrow on the floor from a place, along a level unit vector; gives its tip. */
+  forward(from, ahead, length, ground) {
+    this.faces.tint(this.tints.front, 0.9);
+    const aside = [-ahead.y, ahead.x];
+    const at = (along, across) => {
+      const [x, y] = [from.x + length * (along * ahead.x + across * aside[0]), from.y + length * (along * ahead.y + across * aside[1])];
+      return [x, y, ground(x, y) + LIFT.spot];
+    };
+    const [shaft, head] = [[at(0, 0.07), at(0, -0.07), at(0.55, -0.07), at(0.55, 0.07)], [at(0.55, 0.2), at(0.55, -0.2), at(1, 0)]];
+    for (const corner of [shaft[0], shaft[1], shaft[2], shaft[0], shaft[2], shaft[3], ...head]) this.faces.corner(...corner);
+    return new Vector3(...head[2]);
   }
 
   slip({ x, y }, ground) {

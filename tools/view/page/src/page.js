@@ -50,6 +50,7 @@ export function choices(stage, player) {
     const { planar, body } = stage.robot;
     element('show-follow').hidden = planar || !body;
     element('show-support').hidden = !body;
+    element('scale').hidden = planar;
     element('show-forces').hidden = !stage.recording.has('load.0');
   };
   offer();
@@ -138,6 +139,7 @@ export function keys(player, stage) {
     p: () => player.skip(-1),
     '[': () => player.changeSpeed(-1),
     ']': () => player.changeSpeed(1),
+    m: () => element('plot-mark').click(),
     f: () => element('show-follow').click(),
     r: () => stage?.resetView(),
     '?': () => element('help-box').showModal(),

@@ -1,33 +1,83 @@
 // Signals over time, and when each foot stands, all on one axis.
 
 import uPlot from 'uplot';
-import { colour, element, legColour, make } from './dom.js';
-import { firstChoice, series, signalGroups } from './signals.js';
+import { clockTime, colour, element, fixed, legColour, make } from './dom.js';
+import { counterpart, firstChoice, series, signalGroups, valueOf } from './signals.js';
+import { shown } from './source.js';
 import { whenSpoken, word } from './words.js';
 
 /** The width of what stands left of every plot: px. */
 const GUTTER = 64;
+/** The width of what stands right of it, where the last label of its axis ends: px. */
+const EDGE = 28;
 const HEIGHT = 108;
+/** The opacity of the lines of a run that is compared: two digits behind a colour. */
+const FAINT = '70';
 const DASHES = [[], [6, 3], [2, 2], [8, 2, 2, 2]];
 
 export class Plots {
-  constructor(player) {
+  /** Of a player, and of another recording to compare. */
+  constructor(player, other) {
     this.player = player;
     this.recording = player.recording;
+    this.other = other;
     this.box = element('plots');
     this.chosen = firstChoice(this.recording);
-    this.range = [0, this.recording.duration / 1000];
+    this.range = this.whole;
     this.charts = [];
     this.gait = element('gait');
     this.gait.addEventListener('click', (event) => this.goTo(event.offsetX));
     whenSpoken(() => this.say());
     player.onRest(() => this.movePlayheads());
+    element('plot-mark').addEventListener('click', () => this.measureFrom(this.mark === undefined ? this.looked : undefined));
     new ResizeObserver(() => this.resize()).observe(this.box);
+  }
+
+  /** From when to when the runs are: s. */
+  get whole() {
+    return [0, Math.max(this.recording.duration, this.other?.duration ?? 0) / 1000];
+  }
+
+  /** The time under the pointer, else that of the player: ms. */
+  get looked() {
+    return this.pointed ?? this.player.time;
+  }
+
+  /** The second cursor: values are also told as differences from those at this time (ms). */
+  measureFrom(time) {
+    this.mark = time;
+    element('plot-mark').setAttribute('aria-pressed', time !== undefined);
+    this.movePlayheads();
+  }
+
+  /** Tells all values at once, however many plots say where the pointer is. */
+  tell() {
+    this.due ??= requestAnimationFrame(() => {
+      this.due = undefined;
+      this.showValues();
+    });
+  }
+
+  showValues() {
+    const { looked, mark } = this;
+    const signed = (text) => (text.startsWith('-') ? text : `+${text}`);
+    element('plot-time').textContent = clockTime(looked) + (mark === undefined ? '' : `  Δ ${signed(clockTime(looked - mark))}`);
+    for (const { group, signals, outputs } of this.charts) {
+      const said = (value) => (value === undefined ? '–' : group.unit ? fixed(value, 1) : shown(value));
+      signals.forEach((signal, n) => {
+        const value = valueOf(this.recording, signal, looked);
+        const before = mark === undefined ? undefined : valueOf(this.recording, signal, mark);
+        const change = value === undefined || before === undefined ? '' : `  Δ ${signed(said(value - before))}`;
+        const same = this.other && counterpart(this.other, signal);
+        const compared = same ? ` | ${said(valueOf(this.other, same, looked))}` : '';
+        outputs[n].textContent = said(value) + compared + change;
+      });
+    }
   }
 
   goTo(x) {
     const [from, to] = this.range;
-    const share = (x - GUTTER) / Math.max(this.gait.clientWidth - GUTTER - 8, 1);
+    const share = (x - GUTTER) / Math.max(this.gait.clientWidth - GUTTER - EDGE, 1);
     this.player.pause();
     this.player.goToTime((from + share * (to - from)) * 1000);
   }
@@ -59,7 +109,8 @@ export class Plots {
     this.listSignals();
     this.build();
     const chart = this.charts.find(({ group }) => group.key === 'variable');
-    chart?.box.scrollIntoView({ block: 'nearest' });
+    // Its plot is there once the page has been laid out.
+    requestAnimationFrame(() => chart?.box.scrollIntoView({ block: 'nearest' }));
   }
 
   build() {
@@ -103,11 +154,13 @@ export class Plots {
 
   chart(group, signals) {
     const title = group.key === 'variable' ? word('variables') : `${word(group.title)} (${group.unit})`;
-    const legend = signals.map((signal) => {
+    const outputs = signals.map(() => make('output'));
+    const legend = signals.map((signal, n) => {
       const dot = make('i', { className: 'dot' });
       dot.style.background = this.stroke(signal);
-      return make('span', {}, dot, signal.name());
+      return make('span', { className: 'signal' }, dot, signal.name(), outputs[n]);
     });
+    const others = this.other ? signals.map((signal) => counterpart(this.other, signal)).filter(Boolean) : [];
     const box = make('figure', { className: 'chart' }, make('figcaption', {}, make('b', { textContent: title }), ...legend));
     this.box.append(box);
     const axis = { stroke: colour('muted'), grid: { stroke: colour('line'), width: 1 }, ticks: { show: false }, font: '11px system-ui, sans-serif' };
@@ -116,36 +169,44 @@ export class Plots {
       {
         width: this.width,
         height: HEIGHT,
-        padding: [6, 8, 0, 0],
+        padding: [6, EDGE, 0, 0],
         legend: { show: false },
         cursor: { sync: { key: 'run' }, points: { show: false }, drag: { x: true, y: false } },
         scales: { x: { time: false, range: () => this.range } },
         axes: [{ ...axis, size: 22, values: (_, ticks) => ticks.map((tick) => `${tick} s`) }, { ...axis, size: GUTTER, gap: 4, space: 22 }],
-        series: [{}, ...signals.map((signal) => ({
-          stroke: this.stroke(signal),
-          width: 1.4,
+        series: [{}, ...[...signals.map((signal) => [signal, '', 1.4]), ...others.map((signal) => [signal, FAINT, 1])].map(([signal, opacity, width]) => ({
+          stroke: this.stroke(signal) + opacity,
+          width,
           dash: DASHES[(signal.dash ?? 0) % DASHES.length],
           points: { show: false },
           spanGaps: true,
           ...(signal.scalar === undefined ? {} : { paths: steps }),
         }))],
-        hooks: { setSelect: [(plot) => this.zoom(plot)] },
+        hooks: {
+          setSelect: [(plot) => this.zoom(plot)],
+          setCursor: [({ cursor, posToVal }) => {
+            this.pointed = cursor.left >= 0 ? posToVal(cursor.left, 'x') * 1000 : undefined;
+            this.tell();
+          }],
+        },
       },
-      series(this.recording, signals),
+      others.length ? uPlot.join([series(this.recording, signals), series(this.other, others)]) : series(this.recording, signals),
       box,
     );
-    const head = make('div', { className: 'playhead' });
-    plot.over.append(head);
+    const [head, reference] = ['playhead', 'reference'].map((className) => make('div', { className }));
+    plot.over.append(head, reference);
     plot.over.addEventListener('dblclick', () => {
       this.zoomed = false;
-      this.setRange([0, this.recording.duration / 1000]);
+      this.setRange(this.whole);
     });
     plot.over.addEventListener('click', (event) => {
-      if (!plot.select.width) this.goTo(event.offsetX + GUTTER);
+      if (plot.select.width) return;
+      if (event.shiftKey) this.measureFrom(this.pointed);
+      else this.goTo(event.offsetX + GUTTER);
     });
     plot.root.setAttribute('role', 'img');
     plot.root.setAttribute('aria-label', `${title}: ${signals.map((signal) => signal.name()).join(', ')}`);
-    return { group, signals, plot, head, box };
+    return { group, signals, outputs, plot, head, reference, box };
   }
 
   stroke(signal) {
@@ -182,14 +243,18 @@ export class Plots {
 
   movePlayheads() {
     const [from, to] = this.range;
-    const share = (this.player.time / 1000 - from) / (to - from);
-    const visible = share >= 0 && share <= 1;
-    const width = this.width - GUTTER - 8;
-    for (const head of [element('gait-head'), ...this.charts.map(({ head }) => head)]) {
-      head.hidden = !visible;
-      const offset = head.id ? GUTTER : 0;
-      head.style.transform = `translateX(${offset + share * width}px)`;
-    }
+    const width = this.width - GUTTER - EDGE;
+    const move = (time, lines) => {
+      const share = (time / 1000 - from) / (to - from);
+      for (const line of lines) {
+        line.hidden = !(share >= 0 && share <= 1);
+        const offset = line.id ? GUTTER : 0;
+        line.style.transform = `translateX(${offset + share * width}px)`;
+      }
+    };
+    move(this.player.time, [element('gait-head'), ...this.charts.map(({ head }) => head)]);
+    move(this.mark ?? NaN, [element('gait-reference'), ...this.charts.map(({ reference }) => reference)]);
+    this.tell();
   }
 
   /** One row a leg, filled while it stands. */
@@ -206,7 +271,7 @@ export class Plots {
     const pen = gait.getContext('2d');
     pen.scale(ratio, ratio);
     const [from, to] = this.range;
-    const x = (time) => GUTTER + ((Math.min(Math.max(time / 1000, from), to) - from) / (to - from)) * (width - GUTTER - 8);
+    const x = (time) => GUTTER + ((Math.min(Math.max(time / 1000, from), to) - from) / (to - from)) * (width - GUTTER - EDGE);
     pen.font = '11px system-ui, sans-serif';
     pen.textBaseline = 'middle';
     pen.textAlign = 'right';
@@ -215,7 +280,7 @@ export class Plots {
       pen.fillStyle = colour('text');
       pen.fillText(`F${leg + 1}`, GUTTER - 8, top + row / 2);
       pen.fillStyle = colour('well');
-      pen.fillRect(GUTTER, top + 2, width - GUTTER - 8, row - 4);
+      pen.fillRect(GUTTER, top + 2, width - GUTTER - EDGE, row - 4);
       pen.fillStyle = legColour(leg);
       for (const [begin, end] of recording.stances(leg)) {
         pen.fillRect(x(begin), top + 2, x(end) - x(begin), row - 4);

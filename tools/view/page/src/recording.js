@@ -93,6 +93,12 @@ export class Recording {
     return values[countUpTo(cycles, cycle) - 1];
   }
 
+  /** The cycle up to one in which a scalar was given the value that it has; none before it is assigned. */
+  assignedAt(scalar, cycle) {
+    const { cycles } = this.sets[scalar];
+    return cycles[countUpTo(cycles, cycle) - 1];
+  }
+
   /** Whether each foot or fingertip touches something. */
   touchesAt(cycle) {
     const mask = this.contacts[countUpTo(this.contactCycles, cycle) - 1] ?? 0;

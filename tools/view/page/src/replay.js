@@ -9,7 +9,7 @@ import { Recording } from './recording.js';
 import { source } from './source.js';
 import { endOf, listMarks, state } from './state.js';
 import { timeline } from './timeline.js';
-import { whenSpoken } from './words.js';
+import { whenSpoken, word } from './words.js';
 
 /** Shows the run that is held in an element. */
 export async function openReplay(held) {
@@ -17,13 +17,19 @@ export async function openReplay(held) {
   languages(() => player?.goToTime(player.time));
   const stage = openStage();
   const recording = await Recording.of(held.textContent);
+  const compared = element('compared').textContent;
+  const other = compared && (await Recording.of(compared));
   player = new Player(recording);
   element('title').textContent = recording.script.title || recording.script.name;
-  element('file').textContent = `${recording.script.name} · ${recording.robot.name}`;
+  whenSpoken(() => {
+    const ghost = other ? ` · ${word('ghost', other.script.name)}` : '';
+    element('file').textContent = `${recording.script.name} · ${recording.robot.name}${ghost}`;
+  });
   stage?.begin(recording);
+  if (other) stage?.compare(other);
   // Charts can wait until the robot is there.
   let plots;
-  const charts = () => (plots ??= new Plots(player));
+  const charts = () => (plots ??= new Plots(player, other));
   const strip = timeline(player);
   const plot = (scalar) => {
     showTab('plots-tab');

@@ -17,6 +17,7 @@ export function signalGroups(recording) {
     group('objects', 'objects', 'mm', columns(recording.scene.objects.map((_, n) => ({ column: `thing.${n}.1`, name: () => `${word('object', n + 1)} y` })))),
     group('load', 'loads', 'N', columns(legs.map((leg) => ({ column: `load.${leg}`, leg, name: () => `F${leg + 1}` })))),
     group('angle', 'angles', '°', columns(joints.map(({ l, j }) => ({ column: `angle.${l}.${j}`, leg: l, dash: j, name: () => `J${l + 1}${j + 1}` })))),
+    group('lag', 'lags', '°', columns(joints.map(({ l, j }) => ({ column: `lag.${l}.${j}`, leg: l, dash: j, name: () => `J${l + 1}${j + 1}` })))),
     group('torque', 'torques', robot.planar ? 'mN·m' : 'N·m', columns(joints.map(({ l, j }) => ({ column: `torque.${l}.${j}`, leg: l, dash: j, name: () => `J${l + 1}${j + 1}` })))),
     group('variable', 'variables', '', recording.script.scalars.map((name, scalar) => ({ scalar, name: () => name }))),
   ];
@@ -31,6 +32,19 @@ export function firstChoice(recording) {
   const arm = recording.robot.legs.flatMap((leg, l) => leg.joints.map((_, j) => `angle.${l * leg.joints.length + j}`));
   if (recording.has('margin')) return new Set(walker);
   return new Set(recording.has('load.0') ? hand : arm);
+}
+
+/** The value of a signal at a time (ms); none of a variable before it is assigned. */
+export function valueOf(recording, { column, scalar }, time) {
+  if (column) return recording.value(column, recording.between(time));
+  return recording.valueAt(scalar, recording.cycleAt(time));
+}
+
+/** The same signal of another recording, of a variable by its name; none if that has none. */
+export function counterpart(recording, signal) {
+  if (signal.column) return recording.has(signal.column) ? signal : undefined;
+  const scalar = recording.script.scalars.indexOf(signal.name());
+  return scalar < 0 ? undefined : { ...signal, scalar };
 }
 
 /** Times (s) and values of signals of one group, on common times, from a time (ms) on. */

@@ -20,8 +20,22 @@ export function source(player, plot) {
     const line = target.closest('li');
     if (line) goToLine(player, Number(line.value));
   });
+  // One line can be reached by Tab, the others from there by arrows.
+  const lines = rows.filter((row) => row.matches('.step')).map((row) => row.firstElementChild);
+  const rove = (to) => {
+    lines.forEach((button) => (button.tabIndex = button === to ? 0 : -1));
+    return to;
+  };
+  rove(lines[0]);
+  list.addEventListener('focusin', ({ target }) => lines.includes(target) && rove(target));
   list.addEventListener('keydown', (event) => {
-    if (event.key === 'Enter' && event.target.matches('button')) event.stopPropagation();
+    if (!event.target.matches('button')) return;
+    if (event.key === 'Enter') event.stopPropagation();
+    const way = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    const next = way && lines[lines.indexOf(event.target) + way];
+    if (!next) return;
+    event.preventDefault();
+    rove(next).focus();
   });
   list.addEventListener('pointerover', ({ target }) => showTip(target.closest('[data-scalar]')));
   list.addEventListener('pointerleave', () => showTip(undefined));
@@ -99,7 +113,7 @@ function row(text, number, recording, byName) {
   code.append(statement.slice(at));
   if (comment >= 0) code.append(make('span', { className: 'comment', textContent: text.slice(comment) }));
   const runs = recording.stepsOfLine.has(number);
-  const button = make('button', { type: 'button', textContent: number, tabIndex: runs ? 0 : -1, disabled: !runs });
+  const button = make('button', { type: 'button', textContent: number, tabIndex: -1, disabled: !runs });
   return make('li', { value: number, className: runs ? 'step' : 'idle' }, button, code);
 }
 

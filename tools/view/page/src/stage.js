@@ -3,7 +3,8 @@
 import { AmbientLight, Color, DirectionalLight, Fog, Group, HemisphereLight, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { colour } from './dom.js';
-import { belly, centreOfMass, feet, hull } from './kinematics.js';
+import { belly, centreOfMass, feet, hull, placed } from './kinematics.js';
+import { Labels } from './labels.js';
 import { Marks, PLACES } from './marks.js';
 import { REHEARSAL } from './rehearsal.js';
 import { RobotSolid, reach } from './robot.js';
@@ -22,7 +23,7 @@ export class Stage {
   /** It shows nothing before `begin`, but its graphics get ready. */
   constructor(canvas) {
     this.canvas = canvas;
-    this.shows = { follow: true, trails: true, forces: true, support: true };
+    this.shows = { follow: true, trails: true, forces: true, labels: true, support: true };
     this.screen = new Screen(canvas, () => this.render());
     this.camera = new PerspectiveCamera(32);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -55,13 +56,24 @@ export class Stage {
     if (this.screen.isSoftware) this.solid.receiveShadow = false;
     this.surroundings = new Surroundings(this.recording, this.size);
     this.marks = new Marks(this.size, robot.legs.length);
-    this.world.add(this.solid, this.surroundings, this.marks);
+    this.labels = new Labels(robot);
+    this.world.add(this.solid, this.surroundings, this.marks, this.labels);
+    if (this.other) this.compare(this.other);
     this.recolour();
     this.resize();
     this.resetView();
     this.screen.prepareFor(this.scene, this.camera);
     // What both need of the graphics is kept.
     if (before) release(before);
+  }
+
+  /** Shows the robot of another recording as well, as a ghost. */
+  compare(other) {
+    this.other = other;
+    this.ghost = new RobotSolid(other.robot);
+    this.ghost.castShadow = false;
+    Object.assign(this.ghost.material, { transparent: true, opacity: 0.35, depthWrite: false });
+    this.world.add(this.ghost);
   }
 
   light() {
@@ -84,6 +96,8 @@ export class Stage {
     this.surroundings.recolour();
     this.marks.recolour();
     this.solid.recolour();
+    this.ghost?.recolour();
+    this.labels.recolour();
     this.screen.draw();
   }
 
@@ -125,6 +139,7 @@ export class Stage {
     this.place = recording.between(time);
     this.posture = recording.posture(this.place);
     this.solid.pose(this.posture);
+    this.ghost?.pose(this.other.posture(this.other.between(time)));
     this.surroundings.move(this.place, this.posture.pose);
     this.ends = feet(this.robot, this.posture);
     this.marks.begin();
@@ -132,6 +147,7 @@ export class Stage {
     if (this.shows.support && this.robot.body) this.showSupport();
     if (this.shows.forces) this.showForces();
     this.showSlips();
+    this.showLabels();
     this.marks.end();
     if (this.shows.follow && !this.robot.planar) this.follow();
     this.screen.draw();
@@ -196,6 +212,23 @@ export class Stage {
       const slip = recording.slips.find((slip) => slip.leg === leg && Math.abs(recording.endOf(slip.cycle) - this.time) < MARKED);
       if (slip) this.marks.slip(end, this.surroundings.ground(end.x, end.y));
     });
+  }
+
+  /** Names of feet and axes, the axes of the robot's frame, and an arrow on the floor to where forward is. */
+  showLabels() {
+    this.labels.visible = this.shows.labels;
+    if (!this.shows.labels) return;
+    const frame = placed(this.posture.pose);
+    const [centre, length] = [new Vector3().setFromMatrixPosition(frame), this.size * 0.3];
+    const axes = [0, 1, 2].map((axis) => new Vector3().setFromMatrixColumn(frame, axis).multiplyScalar(length).add(centre));
+    this.marks.axes(centre, axes);
+    let front;
+    if (this.robot.body) {
+      const ahead = new Vector3().setFromMatrixColumn(frame, 1).setZ(0).normalize();
+      const from = ahead.clone().multiplyScalar(Math.max(...this.robot.body.y) + this.size * 0.12).add(centre);
+      front = this.marks.forward(from, ahead, this.size * 0.32, (x, y) => this.surroundings.ground(x, y));
+    }
+    this.labels.put(this.ends, axes, front);
   }
 
   /** Draws at once, with all pixels. */

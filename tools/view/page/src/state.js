@@ -1,40 +1,59 @@
 // How the program and the robot are: message, lamps, keys, what each leg was told last, variables; and what happened.
 
 import { clockTime, element, fixed, make } from './dom.js';
+import { feet } from './kinematics.js';
 import { countUpTo, lastUpTo } from './search.js';
 import { shown } from './source.js';
-import { whenSpoken, word } from './words.js';
+import { label, whenSpoken, word } from './words.js';
 
 /** How long a key stays lit, and a fall is announced: ms. */
 const PRESSED = 600;
 const ANNOUNCED = 2000;
 
+/** So near to its limit a joint is at it: deg. */
+const NEAR = 0.5;
+
 const legName = (recording, leg) => `F${leg + 1}`;
 
-export function state(player, plot) {
+/** `assign(name, value)`, if there is one, gives a variable a value. */
+export function state(player, plot, assign) {
   const { recording } = player;
-  let [devices, lamps, cells, modes] = [[], [], [], []];
+  let [devices, lamps, cells, modes, joints, places] = [[], [], [], [], [], []];
   /** The rows that a robot and its program have, once it runs. */
   const begin = () => {
     element('modes').replaceChildren();
     modes = recording.robot.legs.map((_, leg) => {
       const [name, mode, command] = [make('dt'), make('span', { className: 'mode' }), make('span')];
-      const dot = make('i', { className: 'dot' });
-      dot.style.background = `var(--leg-${(leg % 9) + 1})`;
-      name.append(dot, legName(recording, leg));
+      name.append(dotOf(leg), legName(recording, leg));
       element('modes').append(name, make('dd', {}, mode, command));
       return { mode, command };
     });
+    joints = recording.robot.legs.flatMap((leg, l) => leg.joints.map((joint, j) => jointRow(l, j, joint)));
+    element('joint-rows').replaceChildren(...joints.map(({ row }) => row));
+    element('feet').replaceChildren();
+    places = recording.robot.legs.map((_, leg) => {
+      const [name, place] = [make('dt', {}, dotOf(leg), legName(recording, leg)), make('dd')];
+      element('feet').append(name, place);
+      return place;
+    });
     cells = recording.script.scalars.map((name, scalar) => {
-      const value = make('td');
+      const [value, from] = [make('td'), make('button', { type: 'button' })];
+      from.addEventListener('click', () => {
+        player.pause();
+        player.goTo(recording.assignedAt(scalar, player.cycle));
+      });
+      if (assign) assignable(value, name, assign);
       const button = make('button', { type: 'button', textContent: name });
       button.addEventListener('click', () => plot(scalar));
-      return { value, button, name };
+      return { value, button, name, from };
     });
-    element('variables').replaceChildren(...cells.map(({ value, button }) => make('tr', {}, make('th', { scope: 'row' }, button), value)));
+    element('variables').replaceChildren(...cells.map(({ value, button, from }) => make('tr', {}, make('th', { scope: 'row' }, button), value, make('td', { className: 'from' }, from))));
     nameCells();
   };
-  const nameCells = () => cells.forEach(({ button, name }) => button.setAttribute('aria-label', word('plotIt', name)));
+  const nameCells = () => {
+    cells.forEach(({ button, name }) => button.setAttribute('aria-label', word('plotIt', name)));
+    element('torque-unit').textContent = word('torque', recording.robot.planar ? 'mN·m' : 'N·m');
+  };
 
   const show = () => {
     const { cycle } = player;
@@ -56,12 +75,23 @@ export function state(player, plot) {
       command.textContent = last ? `${last.op} ${last.target} ${rounded(last.values)}` : '–';
       mode.textContent = inWords(now.filter(([target]) => concerns(target, leg)));
     });
+    showJoints();
     const flags = lastUpTo(recording.flags, cycle)?.text;
     element('flags-box').hidden = flags === undefined;
     element('flags').textContent = flags || word('none');
-    cells.forEach(({ value }, scalar) => {
+    cells.forEach(({ value, name, from }, scalar) => {
+      const set = recording.assignedAt(scalar, cycle);
+      const outside = recording.events.some((event) => event.cycle === set && event.text.startsWith(`set ${name}=`));
+      from.hidden = set === undefined || outside;
+      if (!from.hidden) {
+        const line = recording.lineAt(set);
+        from.textContent = `${word('line')} ${line}`;
+        label(from, 'setBy', name, line);
+      }
       const now = recording.valueAt(scalar, cycle);
       const text = now === undefined ? '–' : shown(now);
+      // Somebody writes there.
+      if (value.contains(document.activeElement)) return;
       value.classList.toggle('changed', value.textContent !== '' && value.textContent !== text);
       value.textContent = text;
     });
@@ -73,6 +103,21 @@ export function state(player, plot) {
         return make('kbd', { className: fresh ? 'fresh' : '', textContent: event.text });
       }),
     );
+  };
+  const showJoints = () => {
+    const place = recording.between(player.time);
+    const value = (name) => recording.value(name, place);
+    for (const { l, j, limits: [min, max], angle, setpoint, torque } of joints) {
+      const [now, lag, effort] = ['angle', 'lag', 'torque'].map((name) => value(`${name}.${l}.${j}`));
+      angle.textContent = fixed(now ?? 0, 1);
+      angle.classList.toggle('bad', now < min + NEAR || now > max - NEAR);
+      setpoint.textContent = lag === undefined ? '–' : fixed(now + lag, 1);
+      torque.textContent = effort === undefined ? '–' : fixed(effort, 2);
+    }
+    // In the frame in which programs say where feet go.
+    feet(recording.robot, { angles: recording.posture(place).angles }).forEach((foot, leg) => {
+      places[leg].textContent = foot.toArray().map((at) => fixed(at, 1)).join('  ');
+    });
   };
   const showLamps = (cycle) => {
     const known = [...new Set(recording.lamps.map((lamp) => lamp.device))].sort((one, other) => one - other);
@@ -95,6 +140,56 @@ export function state(player, plot) {
   whenSpoken(show);
   whenSpoken(showState);
   return { begin };
+}
+
+function dotOf(leg) {
+  const dot = make('i', { className: 'dot' });
+  dot.style.background = `var(--leg-${(leg % 9) + 1})`;
+  return dot;
+}
+
+/** A row of the table of joints. */
+function jointRow(l, j, { limits }) {
+  const [angle, setpoint, torque] = [make('td'), make('td'), make('td')];
+  const range = make('td', { textContent: limits.map((limit) => fixed(limit, 0)).join(' … ') });
+  const row = make('tr', {}, make('th', { scope: 'row' }, dotOf(l), `J${l + 1}${j + 1}`), angle, setpoint, range, torque);
+  return { l, j, limits, angle, setpoint, torque, row };
+}
+
+/** A cell in which a variable is given another value: at a click or Enter it becomes a field. */
+function assignable(cell, name, assign) {
+  const open = () => {
+    if (cell.firstElementChild) return;
+    const field = make('input', { className: 'assigned', inputMode: 'decimal', value: cell.textContent === '–' ? '' : cell.textContent });
+    field.setAttribute('aria-label', word('assign', name));
+    let done = false;
+    const close = (takes) => {
+      if (done) return;
+      done = true;
+      const { value } = field;
+      cell.textContent = value;
+      if (takes && value.trim() !== '') assign(name, value.trim());
+      cell.focus();
+    };
+    field.addEventListener('keydown', (event) => {
+      event.stopPropagation();
+      if (event.key === 'Enter') close(true);
+      if (event.key === 'Escape') close(false);
+    });
+    field.addEventListener('blur', () => close(false));
+    cell.replaceChildren(field);
+    field.focus();
+    field.select();
+  };
+  cell.tabIndex = 0;
+  cell.classList.add('assignable');
+  cell.addEventListener('click', open);
+  cell.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' && event.target === cell) {
+      event.preventDefault();
+      open();
+    }
+  });
 }
 
 /** How a leg is controlled: its foot, or its joints, which share a word if they can. */

@@ -73,9 +73,9 @@ export class Surroundings extends Group {
   }
 
   makeThing(outline) {
-    const depth = this.size * 0.42;
-    const round = 'disc' in outline;
-    const geometry = round ? new CylinderGeometry(outline.disc, outline.disc, depth, 32).rotateX(Math.PI / 2) : new BoxGeometry(...outline.box, depth);
+    // What has a width and a height in the plane of the fingers stands upright; what has a radius lies along z.
+    const cylinder = (radius, length) => new CylinderGeometry(radius, radius, length, 48);
+    const geometry = 'disc' in outline ? cylinder(outline.disc, this.size * 0.42).rotateX(Math.PI / 2) : cylinder(outline.box[0] / 2, outline.box[1]);
     const mesh = new Mesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.82 }));
     // Forces inside it show through.
     mesh.renderOrder = 1;

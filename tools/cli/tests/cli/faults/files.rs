@@ -192,7 +192,7 @@ pub(super) fn require_refused(bench: &Bench, outcome: Outcome, before: &Texts) {
 }
 
 fn require_told(outcome: &Outcome) {
-    let told = outcome.err.contains("TIP_ERR:File can not write(");
+    let told = outcome.err.contains("error: cannot write ");
     assert!(told, "{outcome:#?}");
 }
 

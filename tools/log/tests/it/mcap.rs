@@ -32,7 +32,7 @@ fn hand() -> Robot {
 
 fn bytes(recording: &Recording, robot: &Robot) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let written = recording.mcap(&urdf::export(robot), Cursor::new(&mut bytes));
+    let written = tip_log::mcap(recording, &urdf::export(robot), Cursor::new(&mut bytes));
     written.expect("memory takes it");
     bytes
 }

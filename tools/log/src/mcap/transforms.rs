@@ -2,11 +2,10 @@
 //! has.
 
 use super::foxglove::{FrameTransform, FrameTransforms, Timestamp};
-use crate::recording::Frame;
-use crate::skeleton::{Skeleton, robot_frame};
 use nalgebra::{Matrix3, Rotation3, Unit, UnitQuaternion, Vector3};
 use tip_runtime::plant::Pose;
 use tip_sim::urdf::frame::{self, BASE, BODY, FLOOR, WORLD, direction, metres};
+use tip_view::{Frame, Skeleton, robot_frame};
 
 /// A frame in its parent's.
 pub(super) struct Transform {

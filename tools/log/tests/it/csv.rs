@@ -19,7 +19,7 @@ fn record(text: &str, every: u64) -> Recording {
 
 fn rows(recording: &Recording) -> Vec<Vec<String>> {
     let mut bytes = Vec::new();
-    recording.csv(&mut bytes).expect("memory takes it");
+    tip_log::csv(recording, &mut bytes).expect("memory takes it");
     let text = String::from_utf8(bytes).expect("it is UTF-8");
     assert!(text.ends_with("\r\n"));
     text.lines().map(split).collect()

@@ -2,13 +2,12 @@
 
 mod page;
 
-use crate::recording::{Frame, Recording};
-use crate::skeleton::robot_frame;
 use page::{Drawn, Page, Span, View, padded, themed};
 use std::fmt;
 use tip_runtime::model::Point;
 use tip_sim::urdf::frame;
 use tip_sim::urdf::xml::permitted;
+use tip_view::{Frame, Recording, robot_frame};
 use tipc::message::Lang;
 
 /// A kind of diagram.
@@ -56,35 +55,43 @@ const PLANE: u32 = 360;
 const GAIT: u32 = 76;
 const ROW: u32 = 26;
 
-impl Recording {
-    /// Draws diagrams as SVG, readable on light and dark grounds. The same recording gives the same text.
-    ///
-    /// # Errors
-    /// There is nothing to show, such as of a run without a cycle.
-    pub fn plot(&self, diagrams: &[Diagram], lang: Lang) -> Result<String, NothingToPlot> {
-        let plot = Plot::new(self, lang).ok_or(NothingToPlot)?;
-        let wanted = Diagram::ALL
-            .into_iter()
-            .filter(|one| diagrams.contains(one));
-        let panels: Vec<Panel> = wanted.flat_map(|diagram| plot.panels(diagram)).collect();
-        if panels.is_empty() {
-            return Err(NothingToPlot);
-        }
-        let heights: Vec<u32> = panels.iter().map(Panel::height).collect();
-        let names: Vec<String> = (1..).take(self.robot.legs.len()).map(frame::foot).collect();
-        let draw = |page: Page<'_>| -> Drawn {
-            // Its characters are not looked at by what writes SVG.
-            let heading = permitted(&format!("{}: {}", self.robot.name, self.script.title));
-            let areas = page.split(&heading, &names, &heights)?;
-            for (panel, area) in panels.iter().zip(areas) {
-                panel.draw(&area, lang)?;
-            }
-            Ok(())
-        };
-        let text = page::svg(&heights, draw).map_err(|_| NothingToPlot)?;
-        let title = Title::Page.in_lang(lang, self.robot.is_planar);
-        Ok(themed(&text, &format!("{title}: {}", self.robot.name)))
+/// Draws diagrams of a recording as SVG, readable on light and dark grounds. The same recording gives the same text.
+///
+/// # Errors
+/// There is nothing to show, such as of a run without a cycle.
+pub fn plot(
+    recording: &Recording,
+    diagrams: &[Diagram],
+    lang: Lang,
+) -> Result<String, NothingToPlot> {
+    let plot = Plot::new(recording, lang).ok_or(NothingToPlot)?;
+    let wanted = Diagram::ALL
+        .into_iter()
+        .filter(|one| diagrams.contains(one));
+    let panels: Vec<Panel> = wanted.flat_map(|diagram| plot.panels(diagram)).collect();
+    if panels.is_empty() {
+        return Err(NothingToPlot);
     }
+    let heights: Vec<u32> = panels.iter().map(Panel::height).collect();
+    let names: Vec<String> = (1..)
+        .take(recording.robot.legs.len())
+        .map(frame::foot)
+        .collect();
+    let draw = |page: Page<'_>| -> Drawn {
+        // Its characters are not looked at by what writes SVG.
+        let heading = permitted(&format!(
+            "{}: {}",
+            recording.robot.name, recording.script.title
+        ));
+        let areas = page.split(&heading, &names, &heights)?;
+        for (panel, area) in panels.iter().zip(areas) {
+            panel.draw(&area, lang)?;
+        }
+        Ok(())
+    };
+    let text = page::svg(&heights, draw).map_err(|_| NothingToPlot)?;
+    let title = Title::Page.in_lang(lang, recording.robot.is_planar);
+    Ok(themed(&text, &format!("{title}: {}", recording.robot.name)))
 }
 
 /// Points of lines, leg by leg; a leg may have none.

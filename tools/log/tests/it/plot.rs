@@ -2,10 +2,11 @@
 
 use std::fs;
 use std::path::Path;
+use tip_log::{Diagram, plot};
 use tip_runtime::plant::Scene;
 use tip_sim::tipc::message::Lang;
 use tip_sim::{Events, Robot, tipc};
-use tip_view::{Diagram, Extent, Recording};
+use tip_view::{Extent, Recording};
 
 fn record(path: &str, robot: &Robot) -> Recording {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
@@ -33,7 +34,7 @@ fn texts(svg: &str) -> Vec<&str> {
 
 #[test]
 fn each_diagram_says_what_it_shows_and_in_which_unit() {
-    let svg = walk().plot(&Diagram::ALL, Lang::English).expect("it moved");
+    let svg = plot(&walk(), &Diagram::ALL, Lang::English).expect("it moved");
     let texts = texts(&svg);
     for text in [
         "Gait diagram: feet on the ground",
@@ -55,9 +56,7 @@ fn each_diagram_says_what_it_shows_and_in_which_unit() {
 
 #[test]
 fn a_hand_has_fingers_and_japanese_titles() {
-    let svg = grasp()
-        .plot(&Diagram::ALL, Lang::Japanese)
-        .expect("it moved");
+    let svg = plot(&grasp(), &Diagram::ALL, Lang::Japanese).expect("it moved");
     let texts = texts(&svg);
     for text in [
         "指先軌跡",
@@ -73,22 +72,20 @@ fn a_hand_has_fingers_and_japanese_titles() {
 #[test]
 fn only_what_is_asked_for_is_drawn_in_its_order() {
     let wanted = [Diagram::Forces, Diagram::Gait];
-    let svg = walk().plot(&wanted, Lang::English).expect("it moved");
+    let svg = plot(&walk(), &wanted, Lang::English).expect("it moved");
     let texts = texts(&svg);
     let place = |text| texts.iter().position(|known| *known == text);
     assert!(place("Gait diagram: feet on the ground") < place("Load on each foot"));
     assert_eq!(place("Angle of joint 1 of each leg"), None);
     assert!(
-        walk().plot(&[], Lang::English).is_err(),
+        plot(&walk(), &[], Lang::English).is_err(),
         "nothing is asked for"
     );
 }
 
 #[test]
 fn colours_follow_the_ground_of_the_reader() {
-    let svg = walk()
-        .plot(&[Diagram::Gait], Lang::English)
-        .expect("it moved");
+    let svg = plot(&walk(), &[Diagram::Gait], Lang::English).expect("it moved");
     assert!(svg.contains("@media (prefers-color-scheme: dark)"));
     let (style, drawing) = svg.split_once("</style>").expect("a style");
     for part in drawing
@@ -104,9 +101,7 @@ fn colours_follow_the_ground_of_the_reader() {
     assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"));
     assert_eq!(
         svg,
-        walk()
-            .plot(&[Diagram::Gait], Lang::English)
-            .expect("the same")
+        plot(&walk(), &[Diagram::Gait], Lang::English).expect("the same")
     );
 }
 
@@ -117,9 +112,7 @@ fn what_xml_cannot_hold_is_not_in_a_diagram() {
     let loaded = tipc::load("t.prg", text.as_bytes(), &robot.options());
     let recording = Recording::of(&loaded, &robot, &Events::NONE, Extent::cycles(9), || true);
     let recording = recording.expect("it runs");
-    let svg = recording
-        .plot(&Diagram::ALL, Lang::English)
-        .expect("it stood");
+    let svg = plot(&recording, &Diagram::ALL, Lang::English).expect("it stood");
     let is_char = |c: char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{fffd}' | '\u{10000}'..);
     assert!(svg.chars().all(is_char));
     assert!(
@@ -129,4 +122,24 @@ fn what_xml_cannot_hold_is_not_in_a_diagram() {
     let page = recording.to_page();
     let title = page.split("</title>").next().expect("a title");
     assert!(title.chars().all(is_char), "{title:.200}");
+}
+
+#[test]
+fn legs_have_the_colours_of_the_page() {
+    let css = Path::new(env!("CARGO_MANIFEST_DIR")).join("../view/page/src/style.css");
+    let css = fs::read_to_string(css).expect("the styles of the page");
+    let svg = plot(&walk(), &[Diagram::Gait], Lang::English).expect("it moved");
+    for leg in 1..=9 {
+        let name = format!("--leg-{leg}: #");
+        let values: Vec<String> = css
+            .split(&name)
+            .skip(1)
+            .map(|rest| rest[..6].to_uppercase())
+            .collect();
+        let [light, dark] = values.as_slice() else {
+            panic!("{name} is there in two schemes: {values:?}");
+        };
+        let rule = format!("[fill=\"#{light}\"]{{fill:#{dark}}}");
+        assert!(svg.contains(&rule), "{rule}");
+    }
 }

@@ -7,11 +7,10 @@ mod proto;
 mod scene;
 mod transforms;
 
-use crate::recording::{Frame, Recording};
+use ::mcap::records::MessageHeader;
+use ::mcap::{McapResult, WriteOptions, Writer};
 use cdr::Cdr;
 use foxglove::Timestamp;
-use mcap::records::MessageHeader;
-use mcap::{McapResult, WriteOptions, Writer};
 use own::{State, Variables};
 use prost::Message;
 use prost_types::FileDescriptorSet;
@@ -19,21 +18,20 @@ use scene::Stage;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Seek, Write};
 use tip_sim::urdf::frame;
+use tip_view::{Frame, Recording};
 
 /// Levels of infos and errors in `foxglove.Log`.
 const INFO: i32 = 2;
 const ERROR: i32 = 4;
 
-impl Recording {
-    /// Writes the recording as MCAP, with the robot as URDF, such as [`urdf::export`](tip_sim::urdf::export) gives. The same
-    /// recording gives the same bytes.
-    ///
-    /// # Errors
-    /// It cannot be written there.
-    pub fn mcap(&self, urdf: &str, out: impl Write + Seek) -> io::Result<()> {
-        let file = Log::new(self, out).and_then(|log| log.write(urdf));
-        file.map_err(io::Error::other)
-    }
+/// Writes a recording as MCAP, with the robot as URDF, such as [`urdf::export`](tip_sim::urdf::export) gives. The same
+/// recording gives the same bytes.
+///
+/// # Errors
+/// It cannot be written there.
+pub fn mcap(recording: &Recording, urdf: &str, out: impl Write + Seek) -> io::Result<()> {
+    let file = Log::new(recording, out).and_then(|log| log.write(urdf));
+    file.map_err(io::Error::other)
 }
 
 /// A file that is being written.

@@ -1,26 +1,23 @@
 //! A recording as a table: a row for each frame, a column for each figure, after RFC 4180. `docs/logs.md` lists the columns.
 
-use crate::recording::{Frame, Recording};
-use crate::skeleton::robot_frame;
 use std::collections::BTreeSet;
 use std::fmt::Display;
 use std::io::{self, Write};
 use tip_runtime::model::TorqueUnit;
 use tip_sim::urdf::frame::{foot, joint};
+use tip_view::{Frame, Recording, robot_frame};
 
-impl Recording {
-    /// Writes the frames as CSV: [`Pace`](crate::Pace) says which cycles have one.
-    ///
-    /// # Errors
-    /// It cannot be written there.
-    pub fn csv(&self, mut out: impl Write) -> io::Result<()> {
-        let mut table = Table::new(self);
-        write_row(&mut out, &table.head())?;
-        for frame in &self.frames {
-            write_row(&mut out, &table.row(frame))?;
-        }
-        out.flush()
+/// Writes the frames of a recording as CSV: [`Pace`](tip_view::Pace) says which cycles have one.
+///
+/// # Errors
+/// It cannot be written there.
+pub fn csv(recording: &Recording, mut out: impl Write) -> io::Result<()> {
+    let mut table = Table::new(recording);
+    write_row(&mut out, &table.head())?;
+    for frame in &recording.frames {
+        write_row(&mut out, &table.row(frame))?;
     }
+    out.flush()
 }
 
 /// Fields with commas, quotes or ends of lines are quoted.

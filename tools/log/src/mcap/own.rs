@@ -2,10 +2,10 @@
 
 use super::foxglove::{TIME, Timestamp};
 use super::proto::{self, message, protobuf};
-use crate::recording::{Frame, Recording};
 use prost::encoding::{bytes, double};
 use prost_types::{DescriptorProto, FieldDescriptorProto, FileDescriptorProto};
 use tip_sim::urdf::frame::foot;
+use tip_view::{Frame, Recording};
 
 protobuf! { same:
     State {

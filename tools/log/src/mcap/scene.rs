@@ -5,13 +5,12 @@ use super::foxglove::{
     SceneUpdate, Timestamp,
 };
 use super::transforms::STRAIGHT;
-use crate::recording::Frame;
-use crate::skeleton::{Skeleton, robot_frame};
 use nalgebra::{Unit, UnitQuaternion, Vector3};
 use std::collections::VecDeque;
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Block, Floor, Object, Scene, Shape};
 use tip_sim::urdf::frame::{self, BASE, WORLD, direction, metres};
+use tip_view::{Frame, Skeleton, robot_frame};
 
 /// Length of an arrow for each newton, m.
 const METRES_PER_NEWTON: f64 = 0.002;
