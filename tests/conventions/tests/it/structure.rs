@@ -57,11 +57,13 @@ const ARROWS: &[(&str, &[&str])] = &[
         ],
     ),
     ("tip-sweep", &["tip-runtime", "tip-compiler", "tip-sim"]),
+    ("tip-drives", &["tip-runtime"]),
     (
         "tip-cli",
         &[
             "tip-runtime",
             "tip-compiler",
+            "tip-drives",
             "tip-lint",
             "tip-sim",
             "tip-ide",
