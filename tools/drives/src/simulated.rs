@@ -554,11 +554,18 @@ impl SimulatedBus {
         }
     }
 
+    /// Puts bytes on the wire. Where two servos send, zeros win.
     fn put(&mut self, bytes: &[u8], at: u64) {
+        let each = self.timing.bytes(1);
         for (number, byte) in bytes.iter().enumerate() {
             let at = at + self.timing.bytes(number + 1);
-            let place = self.answers.partition_point(|(other, _)| *other <= at);
-            self.answers.insert(place, (at, *byte));
+            let place = self
+                .answers
+                .partition_point(|(other, _)| other + each <= at);
+            match self.answers.get_mut(place) {
+                Some((other, old)) if *other < at + each => *old &= byte,
+                _ => self.answers.insert(place, (at, *byte)),
+            }
         }
     }
 
