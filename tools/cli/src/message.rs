@@ -234,6 +234,15 @@ tipc::message_table! {
     Force { finger: u32, now: String, most: String }
         "F{finger}: {now} N, {most} N at most",
         "F{finger}: {now} N、最大{most} N";
+    BusTime { servos: usize, mean: String, period: f64, share: String, longest: String }
+        "{servos} servos, {mean} ms of {period} ms in each cycle ({share} %), {longest} ms at most",
+        "サーボ{servos}台、1周期{period} msのうち平均{mean} ms({share} %)、最大{longest} ms";
+    BusAnswers { missing: String, asked: String, implausible: String, slowed: String, clipped: String }
+        "{missing} of {asked} missing, {implausible} not believed; commands: {slowed} slowed down, {clipped} outside of limits",
+        "{asked}回中、欠落{missing}回、不採用{implausible}回。指令: 減速{slowed}回、範囲外{clipped}回";
+    CycleJitter { p50: usize, p99: usize, p999: usize, worst: String }
+        "cycles start late by {p50}, {p99}, {p999} µs (p50, p99, p99.9), {worst} µs at most",
+        "周期開始の遅れは{p50}、{p99}、{p999} µs(p50、p99、p99.9)、最大{worst} µs";
     InTime
         "no cycle late",
         "遅れた周期なし";
@@ -304,6 +313,9 @@ tipc::message_table! {
     Lift "lift", "持上";
     Force "force", "力";
     Pace "pace", "周期";
+    Bus "bus", "バス";
+    Answers "answers", "応答";
+    Jitter "jitter", "ゆらぎ";
 }
 
 tipc::message_table! {

@@ -93,7 +93,7 @@ fn run(
     drives.bus_mut().port_mut().bus = bus.with_faults(faults, 3);
     let (mut wrong, mut times, mut stopped) = (0, Vec::new(), 0);
     for cycle in 0..cycles {
-        let begin = 1_000_000 + cycle * period * 1000;
+        let begin = 5_000_000 + cycle * period * 1000;
         drives.bus_mut().port_mut().pass(begin);
         let busy = drives.counts().busy;
         stopped += u64::from(drives.read_cycle().is_err());

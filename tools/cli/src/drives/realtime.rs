@@ -57,7 +57,9 @@ pub(crate) fn prioritise() -> Vec<Driving> {
             set_thread_priority_and_policy, thread_native_id,
         };
         let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
-        let priority = PRIORITY.try_into().map_or(ThreadPriority::Max, ThreadPriority::Crossplatform);
+        let priority = PRIORITY
+            .try_into()
+            .map_or(ThreadPriority::Max, ThreadPriority::Crossplatform);
         if let Err(error) = set_thread_priority_and_policy(thread_native_id(), priority, policy) {
             let error = match error {
                 thread_priority::Error::OS(code) => {
