@@ -279,7 +279,10 @@ fn scan(arguments: &Scan) -> Result<Status, Error> {
                 continue;
             }
             let name = model.map_or_else(|| format!("#{number}"), |model| model.name.to_owned());
-            let mut get = |register| bus.read_register(id, register).unwrap_or(-1);
+            let mut get = |register| {
+                let mut tries = (0..3).map(|_| bus.read_register(id, register));
+                tries.find_map(Result::ok).unwrap_or(-1)
+            };
             let (delay, volts) = (get(family.return_delay) * 2, get(family.voltage));
             let (celsius, counts) = (get(family.temperature), get(family.position));
             let volts = f64::from(volts) / 10.0;
@@ -514,13 +517,12 @@ fn table(connection: &Connection) -> String {
             None => writeln!(text, "{head}       -"),
         };
     }
-    let (counts, bus) = (drives.counts(), drives.bus().counters());
+    let bus = drives.bus().counters();
     let _ = writeln!(
         text,
         "{} / {} answers, {} B discarded",
         bus.answered, bus.asked, bus.discarded
     );
-    let _ = counts;
     text
 }
 

@@ -363,15 +363,8 @@ impl<P: Port> Drives<P> {
         self.bus.set_return_delay(delay);
         // Two readings that agree, so that a damaged one cannot be the first.
         for _ in 0..2 * (self.settings.silence as usize + 1) {
-            for number in 0..self.joints.len() {
-                self.first = number;
-                self.measure(u64::MAX)?;
-                if self.reads_many() {
-                    break;
-                }
-            }
+            self.measure(u64::MAX)?;
         }
-        self.first = 0;
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
                 return self.fail(Some(number), Problem::Silent);

@@ -16,7 +16,7 @@ pub(super) fn serve(
     announce: impl FnOnce(String) -> Result<(), Error>,
 ) -> Result<Status, Error> {
     use nix::fcntl::{OFlag, open};
-    use nix::poll::{PollFd, PollFlags, PollTimeout, ppoll};
+    use nix::poll::{PollFd, PollFlags, ppoll};
     use nix::pty::{grantpt, posix_openpt, ptsname_r, unlockpt};
     use nix::sys::stat::Mode;
     use nix::sys::termios::{SetArg, cfmakeraw, tcgetattr, tcsetattr};
@@ -25,7 +25,6 @@ pub(super) fn serve(
     use std::os::fd::AsFd;
     let failed = |error: nix::Error| Error::Failed(io::Error::from(error).to_string());
 
-    let _ = PollTimeout::NONE;
     let pty = posix_openpt(OFlag::O_RDWR | OFlag::O_NOCTTY).map_err(failed)?;
     grantpt(&pty).map_err(failed)?;
     unlockpt(&pty).map_err(failed)?;
