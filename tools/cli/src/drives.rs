@@ -72,6 +72,10 @@ struct PortArguments {
     #[arg(long, default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(9600..=4_500_000))]
     baud: u32,
 
+    /// The most that adapter and driver add to an answer, ms
+    #[arg(long, value_name = "MS", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    latency: u32,
+
     /// The language of messages; by default that of the locale
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
@@ -87,7 +91,7 @@ impl PortArguments {
         let timing = Timing {
             baud: self.baud,
             return_delay: 500,
-            latency: 4000,
+            latency: self.latency * 1000,
         };
         Ok(Bus::new(port, family.protocol, timing))
     }
@@ -209,7 +213,7 @@ pub(crate) struct Jog {
   tip drives monitor robot.toml            until Ctrl-C
   tip drives monitor robot.toml --once     one table
 
-Exit status: 0, or 1 if a servo does not answer.")]
+Exit status: 0 with --once, 130 after Ctrl-C, 1 if a servo does not answer.")]
 pub(crate) struct Monitor {
     #[command(flatten)]
     robot: RobotArguments,
@@ -225,7 +229,7 @@ pub(crate) struct Monitor {
   tip drives simulate robot.toml                                 prints the name of a port
   tip drives simulate robot.toml --mishaps faults=0.01,unplug=7@20
 
-Exit status: 0 after Ctrl-C.")]
+Exit status: 130 after Ctrl-C, 1 if it cannot start.")]
 pub(crate) struct Simulate {
     /// The description of the robot, with [bus] and [[drive]]
     #[arg(value_name = "FILE.toml")]
@@ -342,6 +346,13 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
     let mut connection =
         setup.open(&arguments.robot.file, arguments.robot.port.as_deref(), lang)?;
     connection.connect(false)?;
+    let joints = connection.setup.joints.iter();
+    let off: Vec<(u8, i32)> = joints.map(|joint| (joint.id, 0)).collect();
+    if let Some(joint) = connection.setup.joints.first() {
+        let register = joint.model.family.torque_enable;
+        let sent = connection.drives().bus_mut().sync_write(register, &off);
+        sent.map_err(|error| Error::Failed(error.to_string()))?;
+    }
     report::complain(&format!("{}\n", Driving::ZeroHow.in_lang(lang)));
     let mut text = String::new();
     for place in 0..connection.setup.joints.len() {
@@ -436,10 +447,12 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
         let (speed, period) = (connection.setup.bus.start, connection.period());
         stopped = connection.drives().approach(&to, speed, period).err();
         let angle = connection.drives().angle(place).unwrap_or_default();
-        report::complain(&format!(
-            "\r{} {:7.1} -> {:7.1} deg ",
-            arguments.joint, angle, to[place]
-        ));
+        let status = format!(
+            "\r{} {angle:7.1} -> {:7.1} deg ",
+            arguments.joint, to[place]
+        );
+        // Nothing is lost with a status that cannot be shown.
+        let _ = io::stderr().write_all(status.as_bytes());
         realtime::wait_until(due);
     }
     drop(keyboard);
@@ -490,8 +503,11 @@ fn monitor(arguments: &Monitor) -> Result<Status, Error> {
         if let Some(failure) = failure {
             return Err(connection.failed(failure));
         }
-        if arguments.once || interrupt::is_requested() {
+        if arguments.once {
             return Ok(Status::Success);
+        }
+        if interrupt::is_requested() {
+            return Ok(Status::Interrupted);
         }
         realtime::wait_until(Instant::now() + Duration::from_millis(200));
     }

@@ -1,5 +1,5 @@
 //! A long run on a bus that fails, as fast as the machine can: `cargo run --release -p tip-drives --features std --example long_run
-//! CYCLES`.
+//! CYCLES [MODEL]`.
 //!
 //! It counts angles that are not what a servo sent, compares the faults that happened with those that were noticed, and shows
 //! the time of the bus and the memory in use.
@@ -26,14 +26,17 @@ const TIMING: Timing = Timing {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let cycles = env::args().nth(1).map_or(Ok(100_000), |it| it.parse())?;
+    let only = env::args().nth(2);
     println!(
         "servos             period  faults   cycles  wrong  unused  injected  mean ms  p99 ms  longest ms  memory kB"
     );
-    for (name, servos, period) in [
+    let robots = [
         ("AX-12", 18, 20),
         ("XL430-W250", 12, 20),
         ("STS3215", 12, 10),
-    ] {
+    ];
+    let is_meant = |name: &str| only.as_deref().is_none_or(|only| only == name);
+    for (name, servos, period) in robots.into_iter().filter(|(name, ..)| is_meant(name)) {
         for (cycles, faults) in [
             (2000, Faults::default()),
             (cycles, Faults::evenly(0.01)),

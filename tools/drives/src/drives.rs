@@ -623,7 +623,7 @@ impl<P: Port> Drives<P> {
 
     /// Checks everything that was measured, after a cycle of `time` s.
     fn check(&mut self, time: f64) -> Result<(), Failure> {
-        let settings = self.settings;
+        let (settings, is_held) = (self.settings, self.is_held);
         let mut found = None;
         for (number, state) in self.joints.iter_mut().enumerate() {
             let Some(measured) = state.measured else {
@@ -632,7 +632,8 @@ impl<P: Port> Drives<P> {
             let since = |sum: f64, is_so: bool| if is_so { sum + time } else { 0.0 };
             let lag = (state.joint.angle(measured.counts) - state.sent).abs();
             state.overloaded = since(state.overloaded, measured.load.abs() > settings.overload.0);
-            state.lagging = since(state.lagging, lag > settings.lag.0);
+            // Without torque it goes where a hand turns it.
+            state.lagging = since(state.lagging, is_held && lag > settings.lag.0);
             let problem = if state.silence > settings.silence {
                 Problem::Silent
             } else if measured.temperature > settings.temperature {

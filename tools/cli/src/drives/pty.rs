@@ -61,7 +61,7 @@ pub(super) fn serve(
         let count = read(&pty, &mut bytes).map_err(failed)?;
         bus.receive(&bytes[..count], start.elapsed().as_micros() as u64);
     }
-    Ok(Status::Success)
+    Ok(Status::Interrupted)
 }
 
 #[cfg(not(unix))]

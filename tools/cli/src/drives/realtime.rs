@@ -3,6 +3,8 @@
 use super::message::Driving;
 use crate::choices::LangName;
 use crate::error::Error;
+use crate::message::{Using, Weight};
+use crate::usage::BadValue;
 use crate::{Status, choices, interrupt, output, report};
 use clap::Args;
 use std::fmt::Write as _;
@@ -10,7 +12,7 @@ use std::time::{Duration, Instant};
 use tip_runtime::realtime::Pacer;
 use tipc::message::Lang;
 
-/// Waits until a deadline. A longer wait than this is cut into pieces, so that it can be interrupted.
+/// The longest sleep in one piece: an interrupt is noticed after it.
 const NAP: Duration = Duration::from_millis(50);
 
 /// Waits until a deadline, or an interrupt; returns how late it was noticed.
@@ -44,7 +46,7 @@ fn sleep(time: Duration) {
     std::thread::sleep(time);
 }
 
-/// Priority of the control loop among real-time threads: above most drivers' threads is not needed.
+/// Priority of the control loop among real-time threads, 1 to 99.
 const PRIORITY: u8 = 50;
 
 /// Gives this thread real-time priority and keeps its memory in place; returns messages about what was not possible.
@@ -171,10 +173,15 @@ pub(crate) struct Jitter {
     lang: Option<LangName>,
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+/// Parses a time.
+fn positive(text: &str) -> Result<f64, BadValue> {
     let number = text.parse().ok();
     let number = number.filter(|it: &f64| (0.1..=86_400_000.0).contains(it));
-    number.ok_or_else(|| "a number from 0.1 on belongs here".to_owned())
+    number.ok_or_else(|| {
+        BadValue(Using::NotATime {
+            text: text.to_owned(),
+        })
+    })
 }
 
 /// Measures how late cycles start.
@@ -203,8 +210,8 @@ pub(crate) fn jitter(arguments: &Jitter) -> Result<Status, Error> {
 
 /// Reports messages as warnings.
 pub(crate) fn warn(messages: &[Driving], lang: Lang) {
-    let warning = crate::message::Weight::Warning;
     for message in messages {
+        let warning = Weight::Warning;
         let text = format!("{}: {}\n", warning.in_lang(lang), message.in_lang(lang));
         report::complain(&text);
     }

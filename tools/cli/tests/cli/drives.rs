@@ -4,6 +4,7 @@ use crate::support::Folder;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Stdio};
+use std::time::Duration;
 
 /// A new crate with a bus for a robot.
 fn crate_for(robot: &str) -> Folder {
@@ -196,13 +197,14 @@ fn servos_on_a_pseudo_terminal_are_found_named_watched_and_moved() {
     // Tests share their machine: an answer may take long here.
     let slow = folder.read("it/robot.toml").replace(
         "[bus]\n",
-        "[bus]\nlatency = 100\nsilence = 200\nlag = [90, 60]\n",
+        "[bus]\nlatency = 400\nsilence = 200\nlag = [90, 60]\n",
     );
     let folder = folder.file("slow.toml", slow);
     let pty = Pty::open(&folder);
-    let port = ["--port", &pty.1];
+    let (port, patient) = (["--port", &pty.1], ["--latency", "400"]);
     let scan = [
         &["drives", "scan", "--family", "sts", "--to", "13"][..],
+        &patient,
         &port,
     ]
     .concat();
@@ -214,7 +216,8 @@ fn servos_on_a_pseudo_terminal_are_found_named_watched_and_moved() {
     );
 
     let id = |from: &str, to: &str| {
-        folder.tip(&[&["drives", "id", from, to, "--family", "sts"][..], &port].concat())
+        let id = ["drives", "id", from, to, "--family", "sts"];
+        folder.tip(&[&id[..], &patient, &port].concat())
     };
     assert!(
         id("3", "4")
@@ -247,6 +250,49 @@ fn servos_on_a_pseudo_terminal_are_found_named_watched_and_moved() {
         "{}",
         outcome.err
     );
+}
+
+/// Servos without a host stop within their time-out, or after the last step.
+#[test]
+fn a_killed_host_leaves_servos_that_stand() {
+    let folder = crate_for("spotmicro");
+    let slow = folder
+        .read("it/robot.toml")
+        .replace("STS3215", "XL430-W250")
+        .replace(
+            "[bus]\n",
+            "[bus]\nlatency = 400\nsilence = 200\nlag = [90, 60]\n",
+        );
+    let folder = folder.file("slow.toml", slow);
+    let pty = Pty::open(&folder);
+    let port = ["--port", &pty.1];
+    let run = [
+        "run",
+        "it/motions/walk.prg",
+        "--hardware",
+        "slow.toml",
+        "--yes",
+    ];
+    let mut host = folder.command(&[&run[..], &port].concat());
+    let mut host = host.stderr(Stdio::piped()).spawn().expect("it starts");
+    let mut said = BufReader::new(host.stderr.take().expect("a pipe")).lines();
+    // The status is shown each second: it walks.
+    let walks = said.any(|line| line.is_ok_and(|line| line.starts_with("3.")));
+    assert!(walks);
+    host.kill().expect("it runs");
+    host.wait().expect("it ends");
+    std::thread::sleep(Duration::from_secs(1));
+    let monitor = [&["drives", "monitor", "slow.toml", "--once"][..], &port].concat();
+    let counts = || {
+        let table = folder.tip(&monitor).expect(0).out;
+        let rows = table.lines().filter(|line| line.starts_with('J'));
+        let counts = rows.filter_map(|row| row.split_whitespace().nth(3).map(str::to_owned));
+        counts.collect::<Vec<_>>()
+    };
+    let stopped = counts();
+    assert_eq!(stopped.len(), 12);
+    std::thread::sleep(Duration::from_secs(1));
+    assert_eq!(counts(), stopped);
 }
 
 #[test]

@@ -241,6 +241,23 @@ fn commands_are_limited_in_angle_and_in_step() {
 }
 
 #[test]
+fn a_joint_without_torque_may_be_turned_by_hand() {
+    let mut drives = robot("STS3215", 1, Faults::default());
+    drives.connect().expect("it is there");
+    let family = drives.joints().next().expect("one").model.family;
+    // Another master is the hand.
+    for (register, value) in [(family.goal_position, 3000), (family.torque_enable, 1)] {
+        let sent = drives.bus_mut().sync_write(register, &[(1, value)]);
+        sent.expect("sent");
+    }
+    for number in START..START + 100 {
+        drives.bus_mut().port_mut().pass(number * 20_000);
+        drives.read_cycle().expect("nothing is commanded");
+    }
+    assert!(drives.angle(0).expect("measured") > 80.0);
+}
+
+#[test]
 fn no_torque_can_be_commanded() {
     let mut drives = held("STS3215", 1, Faults::default());
     let refused = drives.write_cycle(&[JointCommand::Torque(1.0)], PERIOD);
