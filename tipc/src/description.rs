@@ -24,6 +24,7 @@
 //! assert!(description.model::<3, 3>().is_some());
 //! ```
 
+mod drives;
 mod keys;
 mod legs;
 mod model;
@@ -40,6 +41,7 @@ mod spread;
 #[cfg(test)]
 mod tests;
 
+pub use drives::{Bus, Drive, Servo};
 pub use keys::{KEYS, Key, Part};
 pub use model::WithModel;
 pub use project::{Project, Settings, parse_project};
@@ -73,6 +75,14 @@ pub struct Description {
     slider: Option<Slider>,
     /// Shapes of the body.
     shapes: Vec<Shape>,
+    bus: Option<Bus>,
+}
+
+impl Description {
+    /// Returns the bus of the real robot, if the description has one.
+    pub const fn bus(&self) -> Option<&Bus> {
+        self.bus.as_ref()
+    }
 }
 
 /// A leg: the data of [`tip_runtime::model::Leg`], whatever the number of joints, and shapes.
@@ -92,7 +102,21 @@ struct Leg {
 /// # Errors
 /// Everything that is wrong with the file, each fault at its location; there is no program in it.
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Description, Box<Loaded>> {
-    open(name, bytes, Part::Robot, describe)
+    parse_for_servos(name, bytes, &[])
+}
+
+/// Reads a description whose drives are servos of these models.
+///
+/// # Errors
+/// Those of [`parse`], and what a servo cannot do.
+pub fn parse_for_servos(
+    name: &str,
+    bytes: &[u8],
+    servos: &[Servo],
+) -> Result<Description, Box<Loaded>> {
+    open(name, bytes, Part::Robot, |source, robot, found| {
+        describe(source, robot, servos, found)
+    })
 }
 
 impl Published {
@@ -156,7 +180,12 @@ fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
 }
 
 /// Reads everything before anything is given up, so that every fault is found.
-fn describe(source: &Source, robot: Section<'_>, found: &mut Found) -> Option<Description> {
+fn describe(
+    source: &Source,
+    robot: Section<'_>,
+    servos: &[Servo],
+    found: &mut Found,
+) -> Option<Description> {
     let name = name::read(robot, found);
     let legs = legs::read(robot, found);
     let periods = settings::periods(robot, found);
@@ -169,6 +198,7 @@ fn describe(source: &Source, robot: Section<'_>, found: &mut Found) -> Option<De
     let legs = legs?;
     let forces = settings::forces(robot, &legs, found);
     let inverse = model::inverse(robot, chosen, &legs, found)?;
+    let bus = drives::read(robot, &legs, servos, found);
     // A name that does not end up in a robot need not stay in memory.
     let name = name.filter(|_| found.is_empty())?;
     Some(Description {
@@ -185,5 +215,6 @@ fn describe(source: &Source, robot: Section<'_>, found: &mut Found) -> Option<De
         forces,
         slider,
         shapes: shapes.unwrap_or_default(),
+        bus,
     })
 }

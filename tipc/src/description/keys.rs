@@ -23,6 +23,10 @@ pub enum Part {
     Slider,
     /// `[[shape]]` of a joint or the body.
     Shape,
+    /// `[bus]`.
+    Bus,
+    /// `[[drive]]`.
+    Drive,
     /// Keys above the first table of a scene.
     Scene,
     /// `[floor]` of a scene.
@@ -48,6 +52,8 @@ impl Part {
         Part::Forces,
         Part::Slider,
         Part::Shape,
+        Part::Bus,
+        Part::Drive,
     ];
 
     /// Every table of a scene, in the order of the documentation.
@@ -99,6 +105,8 @@ impl Part {
             Part::Forces => "[forces]",
             Part::Slider => "[slider]",
             Part::Shape => "[[shape]]",
+            Part::Bus => "[bus]",
+            Part::Drive => "[[drive]]",
             Part::Floor => "[floor]",
             Part::Object => "[[object]]",
             Part::Block => "[[block]]",
@@ -160,6 +168,8 @@ keys! {
     Robot "periods", "[min, max] in ms" / "ms単位の[最小, 最大]", Some("[1, 1000]"), "the sampling times that it accepts" / "受け付けるサンプリング時間";
     Robot "contact", "a number in V" / "V単位の数値", Some("0.25"), "the reading of a sole from which its foot stands on something" / "足裏センサがこの値以上なら接地とみなす";
     Robot "lamps", "a whole number, 0 to 255" / "0から255までの整数", Some("16"), "how many lamps and relays it has" / "ランプとリレーの数";
+    Robot "bus", "a [bus] table" / "[bus]表", Some("none: the robot is only simulated"), "the bus of the real robot's servos" / "実機のサーボをつなぐバス";
+    Robot "drive", "a list of [[drive]] tables" / "[[drive]]表の並び", Some("none"), "the servo of each joint, where there is a bus" / "バスがある場合の各関節のサーボ";
 
     Joint "axis", "\"x\", \"-y\", … or [x, y, z]" / "\"x\"、\"-y\" など、または [x, y, z]", None, "the axis of the joint, right-handed, in the frame of the link before" / "前のリンクの座標系で表した関節の軸(右ねじの向き)";
     Joint "link", "[x, y, z] in mm" / "mm単位の[x, y, z]", None, "from this joint to the next, or to the foot, at angle 0" / "角度0のときの、この関節から次の関節(または足先)までのベクトル";
@@ -212,6 +222,30 @@ keys! {
     Shape "sphere", "a number in mm" / "mm単位の数値", Some("`block` or `cylinder` must be there"), "that it is a sphere of this radius" / "この半径の球であること";
     Shape "at", "[x, y, z] in mm" / "mm単位の[x, y, z]", Some("the origin"), "its middle: from the joint, at angle 0, or in the robot frame" / "中心の位置(角度0のときの関節から見た位置。胴体ではロボット座標系)";
     Shape "turned", "[roll, pitch, yaw] in deg" / "度単位の[ロール, ピッチ, ヨー]", Some("[0, 0, 0]"), "how it is turned about x, then y, then z of the robot frame" / "ロボット座標系のx軸、y軸、z軸の順に回した角度";
+
+    Bus "port", "a text" / "文字列", Some("the option `--port` must be there"), "the serial port, such as \"/dev/ttyUSB0\"; \"simulated\" for servos without hardware" / "シリアルポート(例: \"/dev/ttyUSB0\")。\"simulated\" なら実機なしの模擬サーボ";
+    Bus "servo", "a text" / "文字列", Some("every drive has a `model`"), "the model of every drive that has none of its own" / "`model` のない全ての駆動軸のサーボ型名";
+    Bus "baud", "a whole number, 9600 to 4500000" / "9600から4500000までの整数", Some("1000000"), "the speed of the bus, bits per second" / "バスの通信速度(ビット毎秒)";
+    Bus "latency", "a number in ms" / "ms単位の数値", Some("4"), "the most that adapter and driver add to an answer" / "アダプタとドライバによる応答の遅れの上限";
+    Bus "answers", "\"each\" or \"together\"" / "\"each\" または \"together\"", Some("each"), "whether servos of Dynamixel protocol 2 answer one after the other or in one frame" / "Dynamixelプロトコル2のサーボが1台ずつ応答するか、まとめて1フレームで応答するか";
+    Bus "silence", "a whole number, 0 to 1000" / "0から1000までの整数", Some("5"), "how many cycles a servo may be silent before the emergency stop; its last angle stands for the missing ones" / "サーボの無応答を許す周期数(その間は最後の角度を使い、超えると非常停止)";
+    Bus "temperature", "a number in °C" / "°C単位の数値", Some("65"), "the hottest that a servo may be" / "サーボの温度の上限";
+    Bus "voltage", "[min, max] in V" / "V単位の[最小, 最大]", Some("[6, 15]"), "the supply voltage that the servos may measure" / "サーボが測る電源電圧の範囲";
+    Bus "overload", "[load, s]" / "[負荷, 秒]", Some("[0.9, 0.5]"), "how much of the stall torque a joint may need for longer than this time" / "関節の負荷(停動トルクに対する割合)の上限と、超えてよい時間";
+    Bus "lag", "[deg, s]" / "[度, 秒]", Some("[25, 0.5]"), "how far a joint may stay behind its command for longer than this time" / "関節が指令から遅れてよい角度と、超えてよい時間";
+    Bus "start", "a number in deg/s" / "deg/s単位の数値", Some("30"), "how fast joints move to the initial posture before the program starts" / "プログラム開始前に初期姿勢へ動く速さ";
+    Bus "at_end", "\"hold\" or \"relax\"" / "\"hold\" または \"relax\"", Some("hold"), "what the servos do when the program has ended" / "プログラム終了後のサーボの動作";
+    Bus "in_emergency", "\"hold\" or \"relax\"" / "\"hold\" または \"relax\"", Some("hold"), "what the servos do in an emergency" / "非常停止時のサーボの動作";
+
+    Drive "joint", "a text" / "文字列", None, "the joint: J11 to J99, leg and joint" / "関節(J11からJ99。脚と関節の番号)";
+    Drive "id", "a whole number, 0 to 252" / "0から252までの整数", None, "the servo's identity on the bus" / "バス上のサーボのID";
+    Drive "model", "a text" / "文字列", Some("`servo` of the bus"), "the servo's model, such as \"AX-12\", \"XL430-W250\" or \"STS3215\"" / "サーボの型名(例: \"AX-12\"、\"XL430-W250\"、\"STS3215\")";
+    Drive "sign", "1 or -1" / "1または-1", Some("1"), "which way the motor turns when the joint's angle grows" / "関節角度が増えるときのモータの回転方向";
+    Drive "offset", "a number in deg" / "度単位の数値", Some("0"), "the motor angle, from the middle of its travel, when the joint is at 0; `tip drives zero` finds it" / "関節角度0のときの、可動範囲の中央から測ったモータ角度(`tip drives zero` で求める)";
+    Drive "gear", "a number" / "数値", Some("1"), "turns of the motor for each turn of the joint" / "関節1回転あたりのモータの回転数";
+    Drive "limits", "[min, max] in deg" / "度単位の[最小, 最大]", Some("the limits of the joint"), "the joint angles that are commanded" / "指令する関節角度の範囲";
+    Drive "speed", "a number in deg/s" / "deg/s単位の数値", Some("180"), "the fastest that the joint is commanded" / "関節に指令する速さの上限";
+    Drive "torque", "a number, 1 at most" / "1以下の数値", Some("1"), "the torque limit, as a part of the servo's full torque" / "トルク制限(サーボの最大トルクに対する割合)";
 
     Scene "plant", "\"quasi-static\" or \"dynamic\"" / "\"quasi-static\" または \"dynamic\"", Some("quasi-static"), "how a walking robot is simulated; the option `--plant` wins" / "歩行ロボットのシミュレーション方法(`--plant` オプションが優先)";
     Scene "floor", "a [floor] table" / "[floor]表", Some("level, friction 0.5"), "what carries the objects, or a walking robot" / "物体や歩行ロボットを載せる床";

@@ -100,6 +100,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
     };
     let generic = generic::MODEL;
     let stands_in = Description {
+        bus: None,
         source_name: source_name.to_owned(),
         source_hash: 0,
         name: "",

@@ -1,5 +1,6 @@
 //! Descriptions, good and bad. Expected values are worked out by hand.
 
+mod drives;
 mod faults;
 mod shapes;
 

@@ -139,6 +139,47 @@ messages! {
         "the slider starts at {at}, which is outside",
         "スライダの初期位置{at}が範囲の外にあります";
 
+    // Drives.
+    DrivesNeedBus
+        "drives need a [bus]",
+        "駆動軸には[bus]表が必要です";
+    NoSuchJoint
+        "the robot has no joint of this name",
+        "この名前の関節はありません";
+    TwoDrives
+        "this joint has a drive already",
+        "この関節の駆動軸は既にあります";
+    NoDrive { joint: String }
+        "joint {joint} has no [[drive]]",
+        "関節{joint}の[[drive]]がありません";
+    SameIdentity { id: usize }
+        "two servos of one bus cannot have the identity {id}",
+        "1つのバスに同じID {id} のサーボは置けません";
+    OtherFamily { family: &'static str, first: &'static str }
+        "servos of {family} and {first} cannot share a bus",
+        "{family}と{first}のサーボは1つのバスに混ぜられません";
+    NoModel
+        "the drive needs a `model`, or the bus a `servo`",
+        "駆動軸の `model` か、バスの `servo` が必要です";
+    NoSign
+        "a sign is 1 or -1",
+        "符号は1か-1です";
+    NotWhole { least: f64, most: f64 }
+        "a whole number from {least} to {most} belongs here",
+        "ここには{least}から{most}までの整数を書きます";
+    BeyondJoint { min: f64, max: f64 }
+        "the joint itself goes from {min} to {max} deg only",
+        "関節自体の範囲は{min}から{max}度までです";
+    StartsOutside { angle: f64 }
+        "the initial posture has this joint at {angle} deg, which is outside",
+        "初期姿勢でのこの関節の角度{angle}度が範囲の外にあります";
+    BeyondTravel { angle: f64, min: f64, max: f64 }
+        "the motor would have to turn to {angle} deg, and goes from {min} to {max} deg: look at sign, offset and gear, or narrow the limits",
+        "モータが{angle}度まで回る必要がありますが、範囲は{min}から{max}度です。符号、オフセット、減速比を確かめるか、範囲を狭めてください";
+    AboveFullTorque
+        "no torque limit is above 1",
+        "トルク制限は1以下です";
+
     // Shapes.
     NoForm
         "a shape needs `block`, `cylinder` or `sphere`",

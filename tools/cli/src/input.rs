@@ -53,7 +53,9 @@ pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<
 pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     let name = name(path);
     match read(path, LIMIT) {
-        Ok(bytes) => tipc::description::parse(&name, &bytes),
+        Ok(bytes) => {
+            tipc::description::parse_for_servos(&name, &bytes, &crate::drives::robot::servos())
+        }
         Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }

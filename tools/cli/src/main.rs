@@ -6,6 +6,7 @@ mod check;
 mod choices;
 mod dap;
 mod debug;
+mod drives;
 mod embedded;
 mod error;
 mod explain;
@@ -109,6 +110,11 @@ enum Verb {
     Completions(help::Completions),
     /// Write manual pages
     Man(help::Man),
+    /// Find, name, zero, move and watch the servos of a real robot
+    #[command(subcommand)]
+    Drives(drives::DrivesVerb),
+    /// Measure how late control cycles start on this machine
+    Jitter(drives::realtime::Jitter),
     /// Work with robots and their descriptions
     #[command(subcommand)]
     Robot(robot::RobotVerb),
@@ -139,6 +145,11 @@ impl Verb {
     /// # Errors
     /// What is wrong with it, and how to show that.
     fn complete(&mut self) -> Result<(), (Box<Loaded>, OutputOptions)> {
+        if let Verb::Run(it) = self
+            && let Some(file) = &it.hardware
+        {
+            it.source.robot = Some(setup::RobotChoice::File(file.clone()));
+        }
         let program;
         let (file, source, inputs, says) = match self {
             Verb::Run(it) => (&it.file, &mut it.source, Some(&mut it.inputs), !it.quiet),
@@ -234,6 +245,8 @@ fn main() -> ExitCode {
         Verb::Lsp(arguments) => lsp::lsp(arguments),
         Verb::Completions(arguments) => help::completions(arguments),
         Verb::Man(arguments) => help::man(arguments),
+        Verb::Drives(verb) => drives::drives(verb),
+        Verb::Jitter(arguments) => drives::realtime::jitter(arguments),
         Verb::Robot(verb) => robot::robot(verb),
     };
     exit(outcome.unwrap_or_else(|error| {

@@ -64,6 +64,9 @@ tipc::message_table! {
     NotAFoot { text: String }
         "`{text}` is not a foot: write the name of a link, or `LINK=X,Y,Z` for a position in its frame in metres, such as `shank=0,0,-0.13`",
         "`{text}` は足先の指定ではありません。リンクの名前か、`shank=0,0,-0.13` のようにリンク座標系での位置(メートル)を付けて書いてください";
+    NotATime { text: String }
+        "`{text}` is not a time: write a number, 0.1 or more",
+        "`{text}` は時間ではありません。0.1以上の数を指定してください";
     NotAHeight { text: String }
         "`{text}` is not a height: write a number of mm above 0, such as 250",
         "`{text}` は高さではありません。250のように0より大きいmmの値を指定してください";
@@ -246,6 +249,15 @@ tipc::message_table! {
     Force { finger: u32, now: String, most: String }
         "F{finger}: {now} N, {most} N at most",
         "F{finger}: {now} N、最大{most} N";
+    BusTime { servos: usize, mean: String, period: f64, share: String, longest: String }
+        "{servos} servos, {mean} ms of {period} ms in each cycle ({share} %), {longest} ms at most",
+        "サーボ{servos}台、1周期{period} msのうち平均{mean} ms({share} %)、最大{longest} ms";
+    BusAnswers { missing: String, asked: String, implausible: String, slowed: String, clipped: String }
+        "{missing} of {asked} missing, {implausible} not believed; commands: {slowed} slowed down, {clipped} outside of limits",
+        "{asked}回中、欠落{missing}回、不採用{implausible}回。指令: 減速{slowed}回、範囲外{clipped}回";
+    CycleJitter { p50: usize, p99: usize, p999: usize, worst: String }
+        "cycles start late by {p50}, {p99}, {p999} µs (p50, p99, p99.9), {worst} µs at most",
+        "周期開始の遅れは{p50}、{p99}、{p999} µs(p50、p99、p99.9)、最大{worst} µs";
     InTime
         "no cycle late",
         "遅れた周期なし";
@@ -316,6 +328,9 @@ tipc::message_table! {
     Lift "lift", "持上";
     Force "force", "力";
     Pace "pace", "周期";
+    Bus "bus", "バス";
+    Answers "answers", "応答";
+    Jitter "jitter", "ゆらぎ";
 }
 
 tipc::message_table! {

@@ -1,5 +1,6 @@
 //! `tip new`: makes a crate with a robot that moves, a test and settings for editors.
 
+mod bus;
 mod files;
 mod motion;
 mod name;
@@ -28,6 +29,7 @@ use tipc::message::Lang;
   tip new six --robot hexapod                 a description of six legs, to be changed
   tip new ours --robot robots/ours.toml       a robot of your own (docs/robots.md)
   tip new drives --hardware                   with src/hardware.rs, for drives of your own
+  tip new hexa --robot phantomx --hardware    with a bus of servos in robot.toml (docs/drives.md)
   tip new demo --workspace ../tip             depend on this checkout of the project
 
 Exit status: 0 if the crate is made, 1 if not: then nothing is written; 2 if NAME cannot be the name of a crate.")]
@@ -44,7 +46,7 @@ pub(super) struct New {
 
     /// Add a skeleton for drives of your own
     ///
-    /// An implementation of the trait Hardware
+    /// An implementation of the trait Hardware. A described robot gets a bus of servos too
     #[arg(long)]
     hardware: bool,
 
@@ -63,13 +65,16 @@ pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let refused = |reason: Making| Error::Failed(reason.in_lang(lang).to_string());
     let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(refused)?;
-    let template = match arguments.robot.template() {
+    let mut template = match arguments.robot.template() {
         Ok(template) => template,
         Err(loaded) => {
             report::diagnostics(&loaded, arguments.output_options);
             return Ok(Status::Failure);
         }
     };
+    if arguments.hardware {
+        template.description = template.description.take().map(bus::with_bus);
+    }
     let files = files::crate_files(place, &template, &origin, arguments.hardware);
     files::write_crate(place, &files).map_err(refused)?;
     output::print(made(place, &template, &files, lang))?;

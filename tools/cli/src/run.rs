@@ -6,6 +6,9 @@ mod files;
 mod summary;
 
 use super::arguments::{InputArguments, SourceArguments};
+use super::drives::message::Driving;
+use super::drives::realtime;
+use super::drives::robot::{Connection, Setup};
 use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;
@@ -16,8 +19,9 @@ use clap::Args;
 use console::{Live, Progress, Screen};
 use emergency::Stopped;
 use files::{Extras, Trace};
-use std::path::PathBuf;
-use summary::{fall, summary};
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
+use summary::{driven, fall, summary};
 
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
@@ -43,6 +47,7 @@ pub(super) const LONG_WAIT: f64 = 60_000.0;
   tip run walk.prg --out-dir logs          TITAN.LOG, EMG.log and the others go to logs/
   tip run walk.prg --realtime              as fast as the robot, with a status line and your keys
   tip run walk.prg --plant 'exec:python3 mine.py'  on a simulator of yours
+  tip run walk.prg --hardware robot.toml   on the servos of a real robot
   tip run walk.prg --quiet --deny falls    for scripts: nothing but messages, and exit status 4 after a fall
 
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
@@ -96,6 +101,22 @@ pub(super) struct Run {
     #[arg(long)]
     pub(super) realtime: bool,
 
+    /// Run on a real robot: its description, with [bus] and [[drive]] (docs/drives.md)
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["robot", "plant", "scene"])]
+    pub(super) hardware: Option<PathBuf>,
+
+    /// The serial port of the real robot, or 'simulated' for servos without hardware; by default that of the description
+    #[arg(long, value_name = "PORT", requires = "hardware")]
+    pub(super) port: Option<String>,
+
+    /// Start to move the real robot without waiting for a key
+    #[arg(long, requires = "hardware")]
+    pub(super) yes: bool,
+
+    /// Use real-time priority (SCHED_FIFO) and lock the memory
+    #[arg(long, requires = "hardware")]
+    pub(super) fifo: bool,
+
     #[command(flatten)]
     pub(super) deny: Deny,
 
@@ -129,11 +150,19 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         files::check(arguments)?;
     }
     let program = loaded.program.take();
-    let job = Job {
+    let connection = match (&arguments.hardware, &program) {
+        (Some(file), Some(_)) => match connected(arguments, file)? {
+            Some(connection) => Some(connection),
+            None => return Ok(Status::Interrupted),
+        },
+        _ => None,
+    };
+    let mut job = Job {
         arguments,
         loaded: &loaded,
         inputs: &inputs,
         process,
+        connection,
     };
     // A process that does not start leaves no file.
     let begun = match program {
@@ -169,6 +198,37 @@ struct Job<'a> {
     inputs: &'a Inputs,
     /// The process that simulates the robot, if it is not a built-in plant.
     process: Option<ExternalPlant>,
+    /// The real robot, if it is one.
+    connection: Option<Connection>,
+}
+
+/// Finds the servos of a real robot, and moves it to its initial posture after a key; `None` if it was interrupted.
+fn connected(arguments: &Run, file: &Path) -> Result<Option<Connection>, Error> {
+    let lang = arguments.source.output_options.lang();
+    let description = match input::describe(file) {
+        Ok(description) => description,
+        // It was loaded before, and can have changed only since.
+        Err(loaded) => return Err(Error::Failed(loaded.source.name().to_owned())),
+    };
+    let setup = Setup::new(file, &description, lang)?;
+    let mut connection = setup.open(file, arguments.port.as_deref(), lang)?;
+    connection.connect(arguments.quiet)?;
+    if !connection.is_simulated() && !arguments.yes {
+        connection.announce();
+        if !io::stdin().is_terminal() {
+            return Err(Error::Usage(Driving::NeedsYes.in_lang(lang).to_string()));
+        }
+        report::complain(&format!("{}\n", Driving::PressReturn.in_lang(lang)));
+        let mut line = String::new();
+        let read = io::stdin().read_line(&mut line);
+        if !read.is_ok_and(|count| count > 0) || interrupt::is_requested() {
+            return Ok(None);
+        }
+    }
+    if arguments.fifo {
+        realtime::warn(&realtime::prioritise(), lang);
+    }
+    Ok(connection.stand_ready()?.then_some(connection))
 }
 
 impl Job<'_> {
@@ -182,7 +242,7 @@ impl Job<'_> {
 
     /// Runs the program and reports the end.
     fn simulate(
-        &self,
+        &mut self,
         begun: tip_sim::Run,
         robot: &Robot,
         mut trace: Option<Trace>,
@@ -193,6 +253,11 @@ impl Job<'_> {
         let anatomy = robot.anatomy();
         let options = self.arguments.source.options(robot.options().robot);
         let mut run = begun.with_console(screen);
+        let is_live = match &self.connection {
+            Some(connection) => !connection.is_simulated() || self.arguments.realtime,
+            None => self.arguments.realtime,
+        };
+        let mut connection = self.connection.take();
         let mut watch = Watch {
             job: self,
             trace: trace.as_mut(),
@@ -201,7 +266,7 @@ impl Job<'_> {
             waits: WaitDetector::default(),
             has_waited: false,
         };
-        if self.arguments.realtime {
+        if is_live {
             watch.live = Some(Live::begin(
                 self.arguments.quiet,
                 self.arguments.source.output_options.lang(),
@@ -209,6 +274,9 @@ impl Job<'_> {
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
         let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
+        if let Some(connection) = &mut connection {
+            connection.finish(matches!(ending, Ending::Emergency(_)));
+        }
         interrupt::hold();
         let logged = run.console_mut().map_or(Ok(()), Screen::close);
         if trace.as_ref().is_some_and(Trace::is_straight) {
@@ -232,6 +300,14 @@ impl Job<'_> {
             report::complain(&summary);
             live.iter()
                 .for_each(|live| report::complain(&live.pace(lang)));
+            if let Some(connection) = &connection {
+                report::complain(&driven(connection, live.as_ref().map(Live::jitter), lang));
+            }
+        }
+        if let Some(connection) = &connection
+            && let Some(failure) = connection.drives().failure()
+        {
+            report::complain(&format!("{}\n", connection.explain(failure)));
         }
         traced.and(logged)?;
         Ok(self.status(&ending, fell))
@@ -239,6 +315,10 @@ impl Job<'_> {
 
     /// Puts the program on its robot.
     fn start(&self, program: Interpreter, robot: &Robot) -> Result<tip_sim::Run, Error> {
+        if let Some(connection) = &self.connection {
+            let run = tip_sim::Run::real(program, robot, connection.joints());
+            return run.map_err(|mismatch| Error::Usage(mismatch.to_string()));
+        }
         match &self.process {
             Some(process) => {
                 let lang = self.arguments.source.output_options.lang();

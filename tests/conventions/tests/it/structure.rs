@@ -61,11 +61,13 @@ const ARROWS: &[(&str, &[&str])] = &[
         &["tip-runtime", "tip-compiler", "tip-sim", "tip-view"],
     ),
     ("tip-sweep", &["tip-runtime", "tip-compiler", "tip-sim"]),
+    ("tip-drives", &["tip-runtime"]),
     (
         "tip-cli",
         &[
             "tip-runtime",
             "tip-compiler",
+            "tip-drives",
             "tip-lint",
             "tip-log",
             "tip-sim",

@@ -1,5 +1,6 @@
 //! The console of a run: keys of the terminal, messages, log files, a line of progress or status, and the pace of `--realtime`.
 
+use crate::drives::realtime::{Histogram, wait_until};
 use crate::error::{Error, is_closed};
 use crate::message::{Figure, Running};
 use crate::run::files::finish;
@@ -9,7 +10,6 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Sink, Write};
 use std::path::Path;
-use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tip_runtime::console::{Bars, Console, LogFiles, Terminal};
 use tip_runtime::machine::Report;
@@ -258,9 +258,6 @@ fn style(template: &str) -> ProgressStyle {
 /// Time between two lines of status, on a terminal and elsewhere.
 const ON_TERMINAL: Duration = Duration::from_millis(100);
 const ELSEWHERE: Duration = Duration::from_secs(1);
-/// Maximum delay of an interrupt.
-const NAP: Duration = Duration::from_millis(50);
-
 /// The pace and the status of a run in real time.
 #[derive(Debug)]
 pub(super) struct Live {
@@ -268,6 +265,7 @@ pub(super) struct Live {
     /// The time of the next status; `None` if it is not shown.
     due: Option<Instant>,
     every: Duration,
+    jitter: Histogram,
     lang: Lang,
 }
 
@@ -290,6 +288,7 @@ impl Live {
             pacer: Pacer::start(),
             due: (!quiet).then(|| Instant::now() + every),
             every,
+            jitter: Histogram::default(),
             lang,
         }
     }
@@ -304,13 +303,12 @@ impl Live {
             }
         }
         let over = self.pacer.due(run.period());
-        loop {
-            let left = over.saturating_duration_since(Instant::now());
-            if left.is_zero() || interrupt::is_requested() {
-                break;
-            }
-            sleep(left.min(NAP));
-        }
+        self.jitter.add(wait_until(over));
+    }
+
+    /// Returns how late cycles started.
+    pub(super) fn jitter(&self) -> &Histogram {
+        &self.jitter
     }
 
     /// Returns the line about the pace for the summary.

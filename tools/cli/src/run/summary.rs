@@ -1,6 +1,8 @@
 //! The summary of a run, its status line, and the report of a fall.
 
 use crate::choices::step_location;
+use crate::drives::realtime::Histogram;
+use crate::drives::robot::Connection;
 use crate::message::count::Cycles;
 use crate::message::{Along, Aside, Figure, How, Running, Until, Upright, Waiting, Weight};
 use std::fmt::Write as _;
@@ -77,6 +79,40 @@ pub(super) fn line(figure: Figure, value: &Running, lang: Lang) -> String {
         .sum();
     let gap = " ".repeat(8_usize.saturating_sub(width));
     format!("  {label}{gap}{}\n", value.in_lang(lang))
+}
+
+/// Returns the lines about the bus of a real robot.
+pub(super) fn driven(connection: &Connection, jitter: Option<&Histogram>, lang: Lang) -> String {
+    let drives = connection.drives();
+    let (counts, period) = (drives.counts(), connection.period());
+    let mean = counts.busy as f64 / counts.cycles.max(1) as f64 / 1000.0;
+    let time = Running::BusTime {
+        servos: drives.joints().count(),
+        mean: format!("{mean:.2}"),
+        period,
+        share: format!("{:.0}", mean / period * 100.0),
+        longest: format!("{:.2}", counts.longest as f64 / 1000.0),
+    };
+    let answers = Running::BusAnswers {
+        missing: counts.missing.to_string(),
+        asked: drives.bus().counters().asked.to_string(),
+        implausible: counts.implausible.to_string(),
+        slowed: counts.slowed.to_string(),
+        clipped: counts.clipped.to_string(),
+    };
+    let mut text = line(Figure::Bus, &time, lang) + &line(Figure::Answers, &answers, lang);
+    if let Some(jitter) = jitter {
+        let [p50, p99, p999] = [0.5, 0.99, 0.999].map(|part| jitter.quantile(part));
+        let worst = jitter.worst().to_string();
+        let jitter = Running::CycleJitter {
+            p50,
+            p99,
+            p999,
+            worst,
+        };
+        text += &line(Figure::Jitter, &jitter, lang);
+    }
+    text
 }
 
 /// A summary while it is written.

@@ -6,6 +6,8 @@ mod commands;
 mod completions;
 mod cycles;
 mod dap;
+#[cfg(target_os = "linux")]
+mod drives;
 mod emit;
 #[cfg(unix)]
 mod external;

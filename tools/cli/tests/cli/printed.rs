@@ -49,8 +49,11 @@ fn read(path: &str) -> String {
 
 /// The files that the lines name.
 fn provide(folder: &Folder, line: &str) {
-    let walk = read("examples/walk/motions/walk.prg");
     let hexapod = read("examples/six-legs/hexapod.toml");
+    let walk = read(match line.contains("--hardware") {
+        true => "examples/six-legs/motions/tripod.prg",
+        false => "examples/walk/motions/walk.prg",
+    });
     let march = read(match line.contains("phantomx") {
         true => "examples/published/tripod.prg",
         false => "examples/six-legs/motions/tripod.prg",
@@ -69,6 +72,7 @@ fn provide(folder: &Folder, line: &str) {
         ("march.prg", &march),
         ("hexapod.toml", &hexapod),
         ("robots/ours.toml", &hexapod),
+        ("robot.toml", &with_bus(&hexapod)),
         ("steps.toml", "[floor]\nfriction = 0.9\n"),
         ("grasp.prg", &read("examples/grasp/motions/grasp.prg")),
         (
@@ -99,6 +103,16 @@ fn provide(folder: &Folder, line: &str) {
         let _ = std::os::unix::fs::symlink(workspace().join(shared), &link);
         assert!(link.exists(), "{name}");
     }
+}
+
+/// The hexapod with simulated servos.
+fn with_bus(hexapod: &str) -> String {
+    let mut text = format!("{hexapod}\n[bus]\nport = \"simulated\"\nservo = \"STS3215\"\n");
+    for id in 0..18 {
+        let joint = format!("J{}{}", id / 3 + 1, id % 3 + 1);
+        text += &format!("[[drive]]\njoint = \"{joint}\"\nid = {id}\n");
+    }
+    text
 }
 
 /// Runs a line in a folder as a shell does; its exit status and all that it printed.
@@ -152,7 +166,9 @@ fn end(child: &mut Child, line: &str) -> i32 {
 
 /// Returns true if a line ends only by Ctrl-C.
 fn goes_on(line: &str) -> bool {
-    line.contains("tip serve") || line.contains("--watch")
+    let is_bus =
+        line.contains("tip drives simulate") || line.ends_with("tip drives monitor robot.toml");
+    line.contains("tip serve") || line.contains("--watch") || is_bus
 }
 
 /// The exit statuses that a line may have.
@@ -163,6 +179,8 @@ fn statuses(line: &str) -> &'static [i32] {
         _ if line.contains("*.prg") || line.contains("--diff") => &[0, 1],
         // Its client has gone.
         _ if line == "tip lsp" => &[0, 1],
+        // There is no such port, or no keyboard.
+        _ if line.contains("/dev/tty") || line.contains("tip drives jog") => &[1],
         // It needs a terminal.
         _ if line.contains("tip debug") => &[1, 2],
         _ => &[0],
@@ -196,7 +214,7 @@ fn check(folder: &Folder, source: &str, line: &str) {
         assert_eq!(status, 1, "{source}: {line}\n{text}");
         return;
     }
-    for made in ["demo", "grasper", "six", "ours", "drives"] {
+    for made in ["demo", "grasper", "six", "ours", "drives", "hexa"] {
         let _ = fs::remove_dir_all(folder.path(made));
     }
     let (status, text) = run(folder, &line);

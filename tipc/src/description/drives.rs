@@ -1,0 +1,302 @@
+//! The drives of a real robot in its description: `[bus]` and `[[drive]]`, checked against the joints.
+//!
+//! What servos there are is known to who talks to them; their names and travels are passed in.
+
+use super::Leg;
+use super::keys::Part;
+use super::section::{Found, Section, Sign};
+use crate::message::{Describing, Message};
+use crate::source::Span;
+use tip_runtime::model::Range;
+
+/// A servo model that a description can name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Servo {
+    /// Its name.
+    pub name: &'static str,
+    /// Its family; those of one bus are all of one.
+    pub family: &'static str,
+    /// Angles that its shaft can have, deg.
+    pub travel: Range,
+}
+
+/// `[bus]`, with the drives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bus {
+    /// Name of the port, if it is stated.
+    pub port: Option<String>,
+    /// Bits per second.
+    pub baud: u32,
+    /// The most that adapter and driver add to an answer, ms.
+    pub latency: f64,
+    /// True if all servos answer in one frame.
+    pub together: bool,
+    /// Cycles for which a servo may be silent.
+    pub silence: u32,
+    /// The hottest that a servo may be, °C.
+    pub temperature: f64,
+    /// V
+    pub voltage: Range,
+    /// Load, and the time for which a joint may have more, s.
+    pub overload: [f64; 2],
+    /// Distance from the command, deg, and the time for which a joint may be farther away, s.
+    pub lag: [f64; 2],
+    /// Speed of the way to the initial posture, deg/s.
+    pub start: f64,
+    /// True if the torque is taken away at the end, and in an emergency.
+    pub relaxes: [bool; 2],
+    /// One for each joint, leg by leg.
+    pub drives: Vec<Drive>,
+}
+
+/// `[[drive]]`: the servo of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drive {
+    /// Identity on the bus.
+    pub id: u8,
+    /// Name of its model.
+    pub model: String,
+    /// +1 or -1.
+    pub sign: f64,
+    /// Motor angle at a joint angle of 0, deg.
+    pub offset: f64,
+    /// Turns of the motor for each turn of the joint.
+    pub gear: f64,
+    /// Angles that are commanded, deg.
+    pub limits: Range,
+    /// deg/s
+    pub speed: f64,
+    /// Part of the full torque.
+    pub torque: f64,
+}
+
+/// Reads the bus, if there is one.
+pub(super) fn read(
+    robot: Section<'_>,
+    legs: &[Leg],
+    servos: &[Servo],
+    found: &mut Found,
+) -> Option<Bus> {
+    let Some(bus) = robot.table("bus", Part::Bus, found) else {
+        if robot.has("drive") && !robot.has("bus") {
+            let location = robot.location_of("drive");
+            robot.refuse::<()>("drive", location, Describing::DrivesNeedBus, found);
+        }
+        return None;
+    };
+    let family = bus.text("servo", found);
+    let family = family.and_then(|named| servo(bus, "servo", named, servos, found));
+    let drives = robot.tables("drive", Part::Drive, found);
+    let mut places: Vec<Option<Drive>> = legs
+        .iter()
+        .flat_map(|leg| &leg.joints)
+        .map(|_| None)
+        .collect();
+    let mut first = family;
+    for section in drives.unwrap_or_default() {
+        let Some((location, name)) = section.text("joint", found) else {
+            continue;
+        };
+        let Some((place, joint, initial)) = joint_of(legs, name) else {
+            section.refuse::<()>("joint", location, Describing::NoSuchJoint, found);
+            continue;
+        };
+        if places[place].is_some() {
+            section.refuse::<()>("joint", location, Describing::TwoDrives, found);
+            continue;
+        }
+        let Some((drive, model)) = drive(section, bus, (joint, initial), servos, found) else {
+            continue;
+        };
+        if places.iter().flatten().any(|other| other.id == drive.id) {
+            let reason = Describing::SameIdentity {
+                id: drive.id.into(),
+            };
+            section.refuse::<()>("id", section.location_of("id"), reason, found);
+        }
+        if let (Some(first), Some(model)) = (first, model)
+            && first.family != model.family
+        {
+            let reason = Describing::OtherFamily {
+                family: model.family,
+                first: first.family,
+            };
+            section.refuse::<()>("model", section.location_of("model"), reason, found);
+        }
+        first = first.or(model);
+        places[place] = Some(drive);
+    }
+    let joints = legs.first().map_or(1, |leg| leg.joints.len());
+    let complete = found.is_empty();
+    for (place, _) in places.iter().enumerate().filter(|(_, it)| it.is_none()) {
+        if complete {
+            let joint = format!("J{}{}", place / joints + 1, place % joints + 1);
+            let reason = Describing::NoDrive { joint };
+            bus.refuse::<()>("servo", bus.location, reason, found);
+        }
+    }
+    settings(bus, places.into_iter().flatten().collect(), found)
+}
+
+fn settings(bus: Section<'_>, drives: Vec<Drive>, found: &mut Found) -> Option<Bus> {
+    let port = bus.text("port", found).map(|(_, text)| text.to_owned());
+    let baud = whole(bus, "baud", 9_600.0..=4_500_000.0, 1_000_000, found);
+    let latency = bus.number("latency", Sign::NotNegative, found);
+    let answers = [("each", false), ("together", true)];
+    let together = bus.has("answers") && bus.choice("answers", &answers, found)?;
+    let policies = [("hold", false), ("relax", true)];
+    let mut relaxes = [false; 2];
+    for (relaxes, key) in relaxes.iter_mut().zip(["at_end", "in_emergency"]) {
+        *relaxes = bus.has(key) && bus.choice(key, &policies, found)?;
+    }
+    let silence = whole(bus, "silence", 0.0..=1000.0, 5, found);
+    let temperature = bus.number("temperature", Sign::Positive, found);
+    let voltage = bus.range("voltage", Sign::Positive, found);
+    let overload = bus.numbers("overload", Sign::Positive, found);
+    let lag = bus.numbers("lag", Sign::Positive, found);
+    let start = bus.number("start", Sign::Positive, found);
+    Some(Bus {
+        port,
+        baud: baud?,
+        latency: latency.unwrap_or(4.0),
+        together,
+        silence: silence?,
+        temperature: temperature.unwrap_or(65.0),
+        voltage: voltage.unwrap_or(Range::new(6.0, 15.0)),
+        overload: overload.unwrap_or([0.9, 0.5]),
+        lag: lag.unwrap_or([25.0, 0.5]),
+        start: start.unwrap_or(30.0),
+        relaxes,
+        drives,
+    })
+}
+
+/// Reads a whole number.
+fn whole(
+    section: Section<'_>,
+    key: &str,
+    range: std::ops::RangeInclusive<f64>,
+    standard: u32,
+    found: &mut Found,
+) -> Option<u32> {
+    if !section.has(key) {
+        return Some(standard);
+    }
+    let number = section.number(key, Sign::Any, found)?;
+    if number.fract() == 0.0 && range.contains(&number) {
+        return Some(number as u32);
+    }
+    let (least, most) = (*range.start(), *range.end());
+    let reason = Describing::NotWhole { least, most };
+    section.refuse(key, section.location_of(key), reason, found)
+}
+
+/// Returns the place of a joint by its name, its working limits and its initial angle.
+fn joint_of(legs: &[Leg], name: &str) -> Option<(usize, Range, f64)> {
+    let digits = name.strip_prefix('J')?.as_bytes();
+    let [leg, joint] = digits else {
+        return None;
+    };
+    let number = |digit: &u8| usize::from(digit.checked_sub(b'1')?).into();
+    let (leg, joint): (Option<usize>, Option<usize>) = (number(leg), number(joint));
+    let (leg, joint) = (leg?, joint?);
+    let found = legs.get(leg)?;
+    let limits = found.joints.get(joint)?.limits;
+    Some((
+        leg * found.joints.len() + joint,
+        limits,
+        found.initial[joint],
+    ))
+}
+
+/// Returns the servo that a key names; `None` if no servos are known here.
+fn servo(
+    section: Section<'_>,
+    key: &str,
+    (location, name): (Span, &str),
+    servos: &[Servo],
+    found: &mut Found,
+) -> Option<Servo> {
+    let meant = servos
+        .iter()
+        .find(|servo| servo.name.eq_ignore_ascii_case(name));
+    if meant.is_none() && !servos.is_empty() {
+        let known = servos.iter().map(|servo| servo.name);
+        section.refuse_word::<()>(key, (location, name), known, found);
+    }
+    meant.copied()
+}
+
+/// Reads a drive of a joint with these limits and this initial angle.
+fn drive(
+    section: Section<'_>,
+    bus: Section<'_>,
+    (joint, initial): (Range, f64),
+    servos: &[Servo],
+    found: &mut Found,
+) -> Option<(Drive, Option<Servo>)> {
+    let refuse = |key: &str, reason: Message, found: &mut Found| {
+        section.refuse::<()>(key, section.location_of(key), reason, found);
+    };
+    let id = section
+        .has("id")
+        .then(|| whole(section, "id", 0.0..=252.0, 0, found));
+    let named = section.text("model", found);
+    let model = match named {
+        Some(named) => servo(section, "model", named, servos, found),
+        None => bus
+            .text("servo", &mut Found::new())
+            .and_then(|named| servo(bus, "servo", named, servos, &mut Found::new())),
+    };
+    let name = named.or_else(|| bus.text("servo", &mut Found::new()));
+    if name.is_none() && !bus.has("servo") {
+        refuse("model", Describing::NoModel.into(), found);
+    }
+    let sign = section.number("sign", Sign::Any, found).unwrap_or(1.0);
+    if sign.abs() != 1.0 {
+        refuse("sign", Describing::NoSign.into(), found);
+    }
+    let offset = section.number("offset", Sign::Any, found).unwrap_or(0.0);
+    let gear = section.number("gear", Sign::Positive, found).unwrap_or(1.0);
+    let limits = section.range("limits", Sign::Any, found).unwrap_or(joint);
+    let is_inside = joint.contains(limits.min) && joint.contains(limits.max);
+    if !is_inside {
+        let Range { min, max } = joint;
+        refuse("limits", Describing::BeyondJoint { min, max }.into(), found);
+    } else if !limits.contains(initial) {
+        refuse(
+            "limits",
+            Describing::StartsOutside { angle: initial }.into(),
+            found,
+        );
+    }
+    let speed = section.number("speed", Sign::Positive, found);
+    let torque = section.number("torque", Sign::Positive, found);
+    if torque.is_some_and(|torque| torque > 1.0) {
+        refuse("torque", Describing::AboveFullTorque.into(), found);
+    }
+    if let Some(servo) = model.filter(|_| is_inside) {
+        let Range { min, max } = servo.travel;
+        let ends = [limits.min, limits.max].map(|angle| sign * gear * angle + offset);
+        if let Some(angle) = ends.into_iter().find(|end| !servo.travel.contains(*end)) {
+            let key = if section.has("limits") {
+                "limits"
+            } else {
+                "joint"
+            };
+            let reason = Describing::BeyondTravel { angle, min, max };
+            refuse(key, reason.into(), found);
+        }
+    }
+    let drive = Drive {
+        id: id?? as u8,
+        model: name?.1.to_owned(),
+        sign,
+        offset,
+        gear,
+        limits,
+        speed: speed.unwrap_or(180.0),
+        torque: torque.unwrap_or(1.0),
+    };
+    Some((drive, model))
+}

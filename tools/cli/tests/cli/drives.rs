@@ -1,0 +1,304 @@
+//! Real robots whose servos are simulated: runs, faults, and `tip drives` on a pseudo-terminal.
+
+use crate::support::Folder;
+use serde_json::Value;
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Stdio};
+use std::time::Duration;
+
+/// A new crate with a bus for a robot.
+fn crate_for(robot: &str) -> Folder {
+    let folder = Folder::new(&format!("drives-{robot}"));
+    folder
+        .tip(&["new", "it", "--robot", robot, "--hardware"])
+        .expect(0);
+    folder
+}
+
+/// The steps of a trace in their order, the messages, and the angles of the last cycle.
+fn trace(text: &str) -> (Vec<u64>, Vec<String>, Vec<f64>) {
+    let (mut steps, mut said, mut angles) = (Vec::new(), Vec::new(), Vec::new());
+    for line in text.lines() {
+        let record: Value = serde_json::from_str(line).expect("JSON");
+        if let Some(step) = record["step"].as_u64() {
+            steps.push(step);
+        }
+        said.extend(record["say"].as_str().map(str::to_owned));
+        if let Some(now) = record["angles"].as_array() {
+            let now = now.iter().flat_map(|leg| match leg {
+                Value::Array(leg) => leg.clone(),
+                angle => vec![angle.clone()],
+            });
+            angles = now.filter_map(|angle| angle.as_f64()).collect();
+        }
+    }
+    // A step that waits takes longer on servos.
+    steps.dedup();
+    (steps, said, angles)
+}
+
+#[test]
+fn robots_walk_on_servos_as_they_do_in_the_simulation() {
+    for (robot, resolution, servos) in [("phantomx", 0.3, 18), ("spotmicro", 0.09, 12)] {
+        let folder = crate_for(robot);
+        let run = |options: &[&str], out: &str| {
+            let all = [
+                "run",
+                "it/motions/walk.prg",
+                "--trace-motion",
+                "--trace",
+                out,
+            ];
+            let outcome = folder.tip(&[&all[..], options].concat()).expect(0);
+            (trace(&folder.read(out)), outcome.err)
+        };
+        let (real, said) = run(&["--hardware", "it/robot.toml"], "real.jsonl");
+        let (simulated, _) = run(&["--robot", "it/robot.toml"], "simulated.jsonl");
+        assert_eq!(real.0, simulated.0, "{robot}: steps");
+        assert_eq!(real.1, simulated.1, "{robot}: messages");
+        assert_eq!(real.2.len(), servos, "{robot}: {said}");
+        for (real, simulated) in real.2.iter().zip(&simulated.2) {
+            // The last step may begin within JUST of its position, 1 deg.
+            let difference = (real - simulated).abs();
+            assert!(difference <= 1.0 + resolution, "{robot}: {difference} deg");
+        }
+        let bus = format!("  bus     {servos} servos, ");
+        assert!(said.contains(&bus), "{said}");
+        assert!(said.contains("  answers 0 of "), "{said}");
+    }
+}
+
+#[test]
+fn each_fault_has_its_outcome() {
+    let folder = crate_for("phantomx");
+    for (mishap, status, reason) in [
+        ("faults=0.01", 0, " missing, "),
+        (
+            "unplug=7@3",
+            3,
+            "J31 (servo 7) has not answered for more than 5 cycles",
+        ),
+        ("reset=7@3", 3, "J31 (servo 7) has lost its torque"),
+        (
+            "overheat=7@3",
+            3,
+            "J31 (servo 7) has 66 °C, and 65 at most is allowed",
+        ),
+        ("unplug=7@0", 1, "J31 (servo 7) has not answered"),
+        ("faults=2", 1, "`faults=2` is not a list of faults"),
+    ] {
+        let port = format!("simulated:{mishap}");
+        let run = [
+            "run",
+            "it/motions/walk.prg",
+            "--hardware",
+            "it/robot.toml",
+            "--port",
+            &port,
+        ];
+        let outcome = folder.tip(&run).expect(status);
+        assert!(outcome.err.contains(reason), "{mishap}: {}", outcome.err);
+    }
+}
+
+#[test]
+fn equal_mishaps_give_equal_traces() {
+    let folder = crate_for("spotmicro");
+    let run = |out: &str| {
+        let port = "simulated:faults=0.02";
+        folder
+            .tip(&[
+                "run",
+                "it/motions/walk.prg",
+                "--hardware",
+                "it/robot.toml",
+                "--port",
+                port,
+                "--cycles",
+                "200",
+                "--trace-state",
+                "--trace",
+                out,
+            ])
+            .expect(0);
+        folder.read(out)
+    };
+    assert_eq!(run("a.jsonl"), run("b.jsonl"));
+}
+
+#[test]
+fn a_file_without_a_bus_or_a_port_says_what_is_missing() {
+    let folder = crate_for("phantomx");
+    let text = folder.read("it/robot.toml");
+    let without = text.replace("port = \"simulated\"", "");
+    let folder = folder.file("port.toml", without);
+    let program = "it/motions/walk.prg";
+    let outcome = folder
+        .tip(&["run", program, "--hardware", "port.toml"])
+        .expect(1);
+    assert!(
+        outcome.err.contains("--port /dev/ttyUSB0"),
+        "{}",
+        outcome.err
+    );
+    let (model, _) = text.split_once("[bus]").expect("a bus");
+    let folder = folder.file("model.toml", model);
+    let outcome = folder
+        .tip(&["run", program, "--hardware", "model.toml"])
+        .expect(1);
+    assert!(
+        outcome.err.contains("model.toml has no [bus]"),
+        "{}",
+        outcome.err
+    );
+    let wrong = text.replace("id = 2\n", "id = 1\n");
+    let folder = folder.file("wrong.toml", wrong);
+    let outcome = folder.tip(&["robot", "check", "wrong.toml"]).expect(1);
+    let said = outcome.out + &outcome.err;
+    assert!(said.contains("cannot have the identity 1"), "{said}");
+    let nowhere = ["--port", "/dev/nowhere", "--yes"];
+    let run = [&["run", program, "--hardware", "port.toml"][..], &nowhere].concat();
+    let outcome = folder.tip(&run).expect(1);
+    assert!(
+        outcome.err.contains("cannot open /dev/nowhere"),
+        "{}",
+        outcome.err
+    );
+}
+
+/// Simulated servos on a pseudo-terminal; the process ends with it.
+struct Pty(Child, String);
+
+impl Pty {
+    fn open(folder: &Folder) -> Self {
+        let mut command = folder.command(&["drives", "simulate", "slow.toml"]);
+        let mut child = command.stdout(Stdio::piped()).spawn().expect("it starts");
+        let mut line = String::new();
+        let out = child.stdout.take().expect("a pipe");
+        BufReader::new(out).read_line(&mut line).expect("a line");
+        let port = line
+            .split_whitespace()
+            .find(|word| word.starts_with("/dev/"));
+        let port = port.expect(&line).trim_end_matches(';').to_owned();
+        Pty(child, port)
+    }
+}
+
+impl Drop for Pty {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+#[test]
+fn servos_on_a_pseudo_terminal_are_found_named_watched_and_moved() {
+    let folder = crate_for("spotmicro");
+    // Tests share their machine: an answer may take long here.
+    let slow = folder.read("it/robot.toml").replace(
+        "[bus]\n",
+        "[bus]\nlatency = 400\nsilence = 200\nlag = [90, 60]\n",
+    );
+    let folder = folder.file("slow.toml", slow);
+    let pty = Pty::open(&folder);
+    let (port, patient) = (["--port", &pty.1], ["--latency", "400"]);
+    let scan = [
+        &["drives", "scan", "--family", "sts", "--to", "13"][..],
+        &patient,
+        &port,
+    ]
+    .concat();
+    let found = folder.tip(&scan).expect(0).out;
+    assert!(found.contains("12 servos found"), "{found}");
+    assert!(
+        found.contains("STS3215") && found.contains("12.0 V"),
+        "{found}"
+    );
+
+    let id = |from: &str, to: &str| {
+        let id = ["drives", "id", from, to, "--family", "sts"];
+        folder.tip(&[&id[..], &patient, &port].concat())
+    };
+    assert!(
+        id("3", "4")
+            .expect(1)
+            .err
+            .contains("servo 4 exists already")
+    );
+    assert_eq!(id("12", "13").expect(0).out, "servo 12 is servo 13 now\n");
+    assert_eq!(id("13", "12").expect(0).out, "servo 13 is servo 12 now\n");
+
+    let monitor = [&["drives", "monitor", "slow.toml", "--once"][..], &port].concat();
+    let table = folder.tip(&monitor).expect(0).out;
+    assert!(table.contains("J43       12  STS3215"), "{table}");
+
+    let run = [
+        "run",
+        "it/motions/walk.prg",
+        "--hardware",
+        "slow.toml",
+        "--cycles",
+        "50",
+    ];
+    let outcome = folder.tip(&[&run[..], &port].concat()).expect(2);
+    assert!(outcome.err.contains("give --yes"), "{}", outcome.err);
+    let outcome = folder
+        .tip(&[&run[..], &port, &["--yes"]].concat())
+        .expect(0);
+    assert!(
+        outcome.err.contains("  jitter  cycles start late by "),
+        "{}",
+        outcome.err
+    );
+}
+
+/// Servos without a host stop within their time-out, or after the last step.
+#[test]
+fn a_killed_host_leaves_servos_that_stand() {
+    let folder = crate_for("spotmicro");
+    let slow = folder
+        .read("it/robot.toml")
+        .replace("STS3215", "XL430-W250")
+        .replace(
+            "[bus]\n",
+            "[bus]\nlatency = 400\nsilence = 200\nlag = [90, 60]\n",
+        );
+    let folder = folder.file("slow.toml", slow);
+    let pty = Pty::open(&folder);
+    let port = ["--port", &pty.1];
+    let run = [
+        "run",
+        "it/motions/walk.prg",
+        "--hardware",
+        "slow.toml",
+        "--yes",
+    ];
+    let mut host = folder.command(&[&run[..], &port].concat());
+    let mut host = host.stderr(Stdio::piped()).spawn().expect("it starts");
+    let mut said = BufReader::new(host.stderr.take().expect("a pipe")).lines();
+    // The status is shown each second: it walks.
+    let walks = said.any(|line| line.is_ok_and(|line| line.starts_with("3.")));
+    assert!(walks);
+    host.kill().expect("it runs");
+    host.wait().expect("it ends");
+    std::thread::sleep(Duration::from_secs(1));
+    let monitor = [&["drives", "monitor", "slow.toml", "--once"][..], &port].concat();
+    let counts = || {
+        let table = folder.tip(&monitor).expect(0).out;
+        let rows = table.lines().filter(|line| line.starts_with('J'));
+        let counts = rows.filter_map(|row| row.split_whitespace().nth(3).map(str::to_owned));
+        counts.collect::<Vec<_>>()
+    };
+    let stopped = counts();
+    assert_eq!(stopped.len(), 12);
+    std::thread::sleep(Duration::from_secs(1));
+    assert_eq!(counts(), stopped);
+}
+
+#[test]
+fn jitter_is_measured() {
+    let folder = Folder::new("jitter");
+    let outcome = folder.tip(&["jitter", "--period", "2", "--seconds", "0.2"]);
+    let text = outcome.expect(0).out;
+    assert!(text.contains("overruns / 100"), "{text}");
+}

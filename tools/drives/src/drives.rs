@@ -1,0 +1,780 @@
+//! The joints of a robot as servos on a bus: the [`Hardware`] of a machine, and the checks that keep a robot whole.
+//!
+//! Angles of this module are those of joints, in deg; counts are those of servos. Every command is limited here, before it leaves.
+
+use crate::bus::{Bus, BusError, Port, SERVOS};
+use crate::model::{Model, Window};
+use core::fmt;
+use heapless::Vec;
+use tip_runtime::fault::Fault;
+use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
+use tip_runtime::model::Range;
+
+/// A joint and the servo that moves it. Motor angle = `sign` · `gear` · joint angle + `offset`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Identity of the servo.
+    pub id: u8,
+    /// Model of the servo.
+    pub model: &'static Model,
+    /// +1, or -1 if the motor turns against the joint.
+    pub sign: f64,
+    /// Motor angle at a joint angle of 0, deg.
+    pub offset: f64,
+    /// Turns of the motor for each turn of the joint.
+    pub gear: f64,
+    /// Angles that are commanded, deg.
+    pub limits: Range,
+    /// The fastest that is commanded, deg/s.
+    pub speed: f64,
+    /// Torque limit, as a part of the full torque.
+    pub torque: f64,
+}
+
+impl Joint {
+    /// Returns the position of the servo at a joint angle, counts.
+    pub fn counts(&self, angle: f64) -> i32 {
+        let motor = self.sign * self.gear * angle + self.offset;
+        let counts = libm::round(self.model.counts(motor));
+        (counts as i32).clamp(0, self.model.largest)
+    }
+
+    /// Returns the joint angle at a position of the servo, deg.
+    pub fn angle(&self, counts: i32) -> f64 {
+        (self.model.angle(counts.into()) - self.offset) * self.sign / self.gear
+    }
+
+    /// Returns the value of its torque limit.
+    fn torque_limit(&self) -> i32 {
+        (self.torque * f64::from(self.model.family.full_torque)) as i32
+    }
+
+    /// Returns the smallest difference of joint angles that the servo can tell, deg.
+    pub fn resolution(&self) -> f64 {
+        360.0 / self.model.turn / self.gear
+    }
+}
+
+/// Treatment of the robot when its program does not move it any more.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Policy {
+    /// The servos hold their position.
+    #[default]
+    Hold,
+    /// The torque falls to nothing, slowly.
+    Relax,
+}
+
+impl Policy {
+    /// The policies with their names in robot files.
+    pub const ALL: [(&'static str, Policy); 2] = [("hold", Policy::Hold), ("relax", Policy::Relax)];
+}
+
+/// Limits beyond which the robot is stopped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Number of cycles in a row for which a servo may be silent; its last angle stands for the missing ones.
+    pub silence: u32,
+    /// The hottest that a servo may be, °C.
+    pub temperature: f64,
+    /// Supply voltage, V.
+    pub voltage: Range,
+    /// Load, as a part of the stall torque, and the time for which a joint may have more, s.
+    pub overload: (f64, f64),
+    /// Distance from the command, deg, and the time for which a joint may be farther away, s.
+    pub lag: (f64, f64),
+    /// The part of a cycle in which servos are read one by one, where one request cannot read all.
+    pub reading: f64,
+    /// Time in which the torque falls to nothing, s.
+    pub relaxing: f64,
+    /// Treatment at END, at EXIT and when the run is interrupted.
+    pub at_end: Policy,
+    /// Treatment in an emergency.
+    pub in_emergency: Policy,
+    /// Servos of protocol 2 answer in one frame.
+    pub fast: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings {
+            silence: 5,
+            temperature: 65.0,
+            voltage: Range::new(6.0, 15.0),
+            overload: (0.9, 0.5),
+            lag: (25.0, 0.5),
+            reading: 0.6,
+            relaxing: 2.0,
+            at_end: Policy::Hold,
+            in_emergency: Policy::Hold,
+            fast: false,
+        }
+    }
+}
+
+/// A reason why the drives stop the robot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Problem {
+    /// The port cannot be read or written.
+    Port,
+    /// A servo did not answer for longer than allowed.
+    Silent,
+    /// A servo is of another model, whose number this is.
+    Model(u16),
+    /// °C.
+    Hot(f64),
+    /// V.
+    Voltage(f64),
+    /// Load, as a part of the stall torque.
+    Overload(f64),
+    /// The servo has an alarm; the bits are those of its family.
+    Alarm(u8),
+    /// The servo has lost its torque and its settings.
+    Reset,
+    /// The joint is this far from its command, deg.
+    Lags(f64),
+    /// The joint is at this angle, outside of its limits, deg.
+    Outside(f64),
+    /// The joint is commanded a torque.
+    Torque,
+}
+
+impl Problem {
+    /// Returns the words of the fault in an emergency report.
+    pub const fn words(&self) -> &'static str {
+        match self {
+            Problem::Port => "drives: the port is gone",
+            Problem::Silent => "drives: a servo does not answer",
+            Problem::Model(_) => "drives: a servo of another model",
+            Problem::Hot(_) => "drives: a servo is too hot",
+            Problem::Voltage(_) => "drives: the supply voltage",
+            Problem::Overload(_) => "drives: a servo is overloaded",
+            Problem::Alarm(_) => "drives: a servo has an alarm",
+            Problem::Reset => "drives: a servo was reset",
+            Problem::Lags(_) => "drives: a joint does not follow",
+            Problem::Outside(_) => "drives: a joint is outside of its limits",
+            Problem::Torque => "drives: position servos take no torques",
+        }
+    }
+}
+
+/// A problem and its joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Failure {
+    /// The joint, leg by leg from 0; `None` if all are concerned.
+    pub joint: Option<usize>,
+    /// The problem.
+    pub problem: Problem,
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.problem.words())
+    }
+}
+
+impl core::error::Error for Failure {}
+
+impl From<Failure> for HardwareFault {
+    fn from(failure: Failure) -> Self {
+        HardwareFault(failure.problem.words())
+    }
+}
+
+/// The last answer of a servo.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// Position, counts.
+    pub counts: i32,
+    /// Load, as a part of the stall torque.
+    pub load: f64,
+    /// V.
+    pub voltage: f64,
+    /// °C.
+    pub temperature: f64,
+    /// Time of the answer on the port's clock, µs.
+    pub at: u64,
+}
+
+/// Counts of what the drives have done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Cycles that read.
+    pub cycles: u64,
+    /// Answers that were missing or damaged.
+    pub missing: u64,
+    /// Valid frames with a content that cannot be.
+    pub implausible: u64,
+    /// Commands that were slowed down.
+    pub slowed: u64,
+    /// Commands beyond the limits.
+    pub clipped: u64,
+    /// Longest time of reading and writing in a cycle, µs.
+    pub longest: u64,
+    /// Sum of these times, µs.
+    pub busy: u64,
+}
+
+/// A joint while it runs.
+#[derive(Clone, Debug)]
+struct State {
+    joint: Joint,
+    measured: Option<Measured>,
+    /// An answer that was not believed: it is when the next one agrees.
+    suspect: Option<Measured>,
+    /// False until the position is known for sure.
+    is_settled: bool,
+    /// Requests without an answer in a row.
+    silence: u32,
+    /// Error byte of the answers, and another one that came once.
+    error: u8,
+    other_error: Option<u8>,
+    /// Answers in a row that say that the torque is off.
+    off: u32,
+    /// Angle that was sent last, deg.
+    sent: f64,
+    /// Time with too much load, and too far away, s.
+    overloaded: f64,
+    lagging: f64,
+}
+
+/// The servos of a robot.
+#[derive(Debug)]
+pub struct Drives<P> {
+    bus: Bus<P>,
+    settings: Settings,
+    joints: Vec<State, SERVOS>,
+    counts: Counts,
+    failure: Option<Failure>,
+    /// Number of the next window.
+    turn: usize,
+    /// The joint that is read first, where they are read one by one.
+    first: usize,
+    /// Part of the torque limits that is left while the robot relaxes.
+    torque: f64,
+    is_held: bool,
+    is_resting: bool,
+    /// Time of reading in this cycle, µs.
+    reading: u64,
+    /// Sampling time, ms.
+    period: f64,
+}
+
+/// A difference of positions that noise explains, counts.
+const NOISE: f64 = 12.0;
+/// The farthest that a servo is beside the way to its goal, deg.
+const STRAY: f64 = 5.0;
+
+impl<P: Port> Drives<P> {
+    /// Creates the drives of a robot, joint by joint and leg by leg; nothing is sent.
+    ///
+    /// # Errors
+    /// There are more joints than a bus can have.
+    pub fn new(bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, BusError> {
+        let states = joints.iter().map(|joint| State {
+            joint: *joint,
+            measured: None,
+            suspect: None,
+            is_settled: false,
+            silence: 0,
+            error: 0,
+            other_error: None,
+            off: 0,
+            sent: 0.0,
+            overloaded: 0.0,
+            lagging: 0.0,
+        });
+        if joints.len() > SERVOS {
+            return Err(BusError::TooLong);
+        }
+        Ok(Drives {
+            bus,
+            settings,
+            joints: states.collect(),
+            counts: Counts::default(),
+            failure: None,
+            turn: 0,
+            first: 0,
+            torque: 1.0,
+            is_held: false,
+            is_resting: false,
+            reading: 0,
+            period: 20.0,
+        })
+    }
+
+    /// Returns the bus.
+    pub const fn bus(&self) -> &Bus<P> {
+        &self.bus
+    }
+
+    /// Returns the bus.
+    pub const fn bus_mut(&mut self) -> &mut Bus<P> {
+        &mut self.bus
+    }
+
+    /// Returns the limits.
+    pub const fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Returns the joints.
+    pub fn joints(&self) -> impl Iterator<Item = &Joint> {
+        self.joints.iter().map(|state| &state.joint)
+    }
+
+    /// Returns the last answer of a joint's servo.
+    pub fn measured(&self, joint: usize) -> Option<Measured> {
+        self.joints.get(joint)?.measured
+    }
+
+    /// Returns the last angle of a joint, deg.
+    pub fn angle(&self, joint: usize) -> Option<f64> {
+        let state = self.joints.get(joint)?;
+        Some(state.joint.angle(state.measured?.counts))
+    }
+
+    /// Returns the counts.
+    pub const fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    /// Returns the problem that stopped the robot.
+    pub const fn failure(&self) -> Option<Failure> {
+        self.failure
+    }
+
+    /// Finds every servo, checks its model, takes over the delay of its answers, and reads its position. Nothing moves.
+    ///
+    /// # Errors
+    /// A servo is missing or another one, is not well, or its joint is outside of its limits.
+    pub fn connect(&mut self) -> Result<(), Failure> {
+        let mut delay = 0;
+        for number in 0..self.joints.len() {
+            let Joint { id, model, .. } = self.joints[number].joint;
+            let family = model.family;
+            let reported = self.persist(number, |bus| bus.read_register(id, family.model))? as u16;
+            if model.number != 0 && reported != model.number {
+                return self.fail(Some(number), Problem::Model(reported));
+            }
+            let own = self.persist(number, |bus| bus.read_register(id, family.return_delay))?;
+            delay = delay.max(own.unsigned_abs() * 2);
+        }
+        self.bus.set_return_delay(delay);
+        // Two readings that agree, so that a damaged one cannot be the first.
+        for _ in 0..2 * (self.settings.silence as usize + 1) {
+            self.measure(u64::MAX)?;
+        }
+        for number in 0..self.joints.len() {
+            let Some(angle) = self.angle(number) else {
+                return self.fail(Some(number), Problem::Silent);
+            };
+            let state = &mut self.joints[number];
+            (state.sent, state.is_settled) = (angle, true);
+            let Range { min, max } = state.joint.limits;
+            // A joint that hangs may hang a little too far.
+            if !(min - 5.0..=max + 5.0).contains(&angle) {
+                return self.fail(Some(number), Problem::Outside(angle));
+            }
+        }
+        self.check(0.0)
+    }
+
+    /// Sets speeds and torque limits, and switches the torque on, where each joint is.
+    ///
+    /// # Errors
+    /// A servo does not answer.
+    pub fn hold(&mut self) -> Result<(), Failure> {
+        let period = self.period;
+        for number in 0..self.joints.len() {
+            let State {
+                joint, measured, ..
+            } = self.joints[number];
+            let (id, family) = (joint.id, joint.model.family);
+            let units = joint.speed * joint.gear / joint.model.speed_unit;
+            // 0 would be as fast as it can.
+            let speed = (libm::ceil(units) as i32).clamp(1, 1023.max(joint.model.largest));
+            let torque = joint.torque_limit();
+            let here = measured.map_or(0, |measured| measured.counts);
+            if let Some(watchdog) = family.watchdog {
+                // Writing 0 ends the state that an old one has left.
+                self.persist(number, |bus| bus.write(id, watchdog, 0))?;
+                let units = libm::ceil(10.0 * period / 20.0).clamp(5.0, 127.0) as i32;
+                self.persist(number, |bus| bus.write(id, watchdog, units))?;
+            }
+            for (register, value) in [
+                (family.torque_limit, torque),
+                (family.goal_speed, speed),
+                (family.goal_position, here),
+                (family.torque_enable, 1),
+            ] {
+                self.persist(number, |bus| bus.write(id, register, value))?;
+            }
+            let state = &mut self.joints[number];
+            (state.sent, state.off) = (joint.angle(here), 0);
+        }
+        (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
+        Ok(())
+    }
+
+    /// Moves every joint one cycle of `period` ms towards an angle, at this many deg/s at most, and returns the largest angle
+    /// that is left, deg.
+    ///
+    /// # Errors
+    /// What stops the robot in a run stops it here.
+    pub fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
+        self.read_cycle()?;
+        let mut commands: Vec<JointCommand, SERVOS> = Vec::new();
+        let mut left: f64 = 0.0;
+        for (state, to) in self.joints.iter().zip(to) {
+            let step = speed.min(state.joint.speed) * period / 1000.0;
+            let next = state.sent + (to - state.sent).clamp(-step, step);
+            left = left.max((to - state.sent).abs());
+            // As many as there are joints.
+            let _ = commands.push(JointCommand::at(next));
+        }
+        self.write_cycle(&commands, period)?;
+        Ok(left)
+    }
+
+    /// Reads the joints at the beginning of a cycle. A joint without an answer keeps its angle.
+    ///
+    /// # Errors
+    /// The reason to stop the robot.
+    pub fn read_cycle(&mut self) -> Result<(), Failure> {
+        let begin = self.bus.port_mut().now();
+        let allowed = self.settings.reading * self.period * 1000.0;
+        self.counts.cycles += 1;
+        self.measure(begin.saturating_add(allowed as u64))?;
+        self.reading = self.bus.port_mut().now() - begin;
+        self.check(self.period / 1000.0)
+    }
+
+    /// Sends a command to each joint, at the end of a cycle of `period` ms.
+    ///
+    /// # Errors
+    /// The port is gone, or a joint is commanded a torque.
+    pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
+        let begin = self.bus.port_mut().now();
+        self.period = period;
+        for (number, command) in commands.iter().enumerate().take(self.joints.len()) {
+            let JointCommand::Angle { angle, .. } = *command else {
+                return self.fail(Some(number), Problem::Torque);
+            };
+            let state = &mut self.joints[number];
+            let Range { min, max } = state.joint.limits;
+            let inside = angle.clamp(min, max);
+            self.counts.clipped += u64::from((inside - angle).abs() > 1e-6);
+            let step = state.joint.speed * period / 1000.0;
+            let next = state.sent + (inside - state.sent).clamp(-step, step);
+            self.counts.slowed += u64::from((next - inside).abs() > 1e-6);
+            if !next.is_nan() {
+                state.sent = next;
+            }
+        }
+        self.send_goals()?;
+        let busy = self.bus.port_mut().now() - begin + self.reading;
+        self.counts.busy += busy;
+        self.counts.longest = self.counts.longest.max(busy);
+        Ok(())
+    }
+
+    /// Holds or relaxes the robot in place of a command; returns true when there is nothing left to do. Called in each cycle.
+    pub fn rest(&mut self, policy: Policy) -> bool {
+        let family = self.joints.first().map(|state| state.joint.model.family);
+        let Some(family) = family.filter(|_| self.is_held) else {
+            return true;
+        };
+        if policy == Policy::Hold {
+            if !self.is_resting {
+                // Not where it was to be, which may be behind an obstacle.
+                for state in &mut self.joints {
+                    if let Some(measured) = state.measured {
+                        state.sent = state.joint.angle(measured.counts);
+                    }
+                }
+                self.is_resting = true;
+            }
+            return self.send_goals().is_err();
+        }
+        let step = self.period / 1000.0 / self.settings.relaxing.max(0.001);
+        self.torque = (self.torque - step).max(0.0);
+        let register = if self.torque > 0.0 {
+            family.torque_limit
+        } else {
+            family.torque_enable
+        };
+        let values: Vec<(u8, i32), SERVOS> = self
+            .joints
+            .iter()
+            .map(|state| {
+                let left = state.joint.torque * self.torque * f64::from(family.full_torque);
+                (state.joint.id, left as i32)
+            })
+            .collect();
+        // Nothing is left to be done about a port that is gone.
+        let sent = self.bus.sync_write(register, &values);
+        self.is_held = self.torque > 0.0 && sent.is_ok();
+        !self.is_held
+    }
+
+    /// Ends the watchdogs, so that servos that are to hold go on holding without the host.
+    pub fn leave(&mut self) {
+        for number in 0..self.joints.len() {
+            let Joint { id, model, .. } = self.joints[number].joint;
+            if let Some(watchdog) = model.family.watchdog {
+                let _ = self.persist(number, |bus| bus.write(id, watchdog, 0));
+            }
+        }
+    }
+
+    fn reads_many(&self) -> bool {
+        let first = self.joints.first();
+        first.is_none_or(|state| state.joint.model.family.reads_many)
+    }
+
+    /// Repeats a request as often as a servo may be silent.
+    fn persist<T>(
+        &mut self,
+        joint: usize,
+        mut request: impl FnMut(&mut Bus<P>) -> Result<T, BusError>,
+    ) -> Result<T, Failure> {
+        for _ in 0..=self.settings.silence {
+            match request(&mut self.bus) {
+                Ok(answer) => return Ok(answer),
+                Err(BusError::NoAnswer) => {}
+                Err(_) => return self.fail(None, Problem::Port),
+            }
+        }
+        self.fail(Some(joint), Problem::Silent)
+    }
+
+    fn fail<T>(&mut self, joint: Option<usize>, problem: Problem) -> Result<T, Failure> {
+        let failure = Failure { joint, problem };
+        Err(*self.failure.get_or_insert(failure))
+    }
+
+    /// Asks the servos until a time of the port's clock.
+    fn measure(&mut self, limit: u64) -> Result<(), Failure> {
+        let Some(family) = self.joints.first().map(|state| state.joint.model.family) else {
+            return Ok(());
+        };
+        let window = family.windows[self.turn % family.windows.len()];
+        self.turn += 1;
+        let mut order: Vec<usize, SERVOS> = (0..self.joints.len()).collect();
+        order.rotate_left(self.first);
+        let ids: Vec<u8, SERVOS> = order
+            .iter()
+            .map(|number| self.joints[*number].joint.id)
+            .collect();
+        let mut answers: Vec<Option<Reading>, SERVOS> = Vec::new();
+        // As many as there are joints.
+        let _ = answers.resize(order.len(), None);
+        let fast = self.settings.fast;
+        let read = self
+            .bus
+            .read_many(family, window, &ids, limit, fast, |place, error, bytes| {
+                let state = &self.joints[order[place]];
+                answers[place] = Reading::of(&state.joint, window, error, bytes);
+            });
+        let Ok(asked) = read else {
+            return self.fail(None, Problem::Port);
+        };
+        let now = self.bus.port_mut().now();
+        for (number, reading) in order.iter().zip(&answers).take(asked) {
+            let state = &mut self.joints[*number];
+            let taken = reading
+                .as_ref()
+                .is_some_and(|reading| state.accept(reading, now, self.is_held));
+            match (taken, reading) {
+                (true, _) => state.silence = 0,
+                (false, reading) => {
+                    state.silence += 1;
+                    match reading {
+                        Some(_) => self.counts.implausible += 1,
+                        None => self.counts.missing += 1,
+                    }
+                }
+            }
+            if let Some(torque) = reading.as_ref().and_then(|reading| reading.torque) {
+                state.off = if torque == 0 { state.off + 1 } else { 0 };
+            }
+            let alarm = if taken {
+                state.error & family.alarms
+            } else {
+                0
+            };
+            if alarm != 0 {
+                let id = state.joint.id;
+                let status = family.alarm_status;
+                let bits = status.and_then(|status| self.bus.read_register(id, status).ok());
+                let bits = bits.map_or(alarm, |bits| bits as u8);
+                return self.fail(Some(*number), Problem::Alarm(bits));
+            }
+            if state.off > 1 && self.is_held {
+                return self.fail(Some(*number), Problem::Reset);
+            }
+        }
+        if !self.reads_many() {
+            self.first = (self.first + asked) % self.joints.len().max(1);
+        }
+        Ok(())
+    }
+
+    /// Checks everything that was measured, after a cycle of `time` s.
+    fn check(&mut self, time: f64) -> Result<(), Failure> {
+        let (settings, is_held) = (self.settings, self.is_held);
+        let mut found = None;
+        for (number, state) in self.joints.iter_mut().enumerate() {
+            let Some(measured) = state.measured else {
+                continue;
+            };
+            let since = |sum: f64, is_so: bool| if is_so { sum + time } else { 0.0 };
+            let lag = (state.joint.angle(measured.counts) - state.sent).abs();
+            state.overloaded = since(state.overloaded, measured.load.abs() > settings.overload.0);
+            // Without torque it goes where a hand turns it.
+            state.lagging = since(state.lagging, is_held && lag > settings.lag.0);
+            let problem = if state.silence > settings.silence {
+                Problem::Silent
+            } else if measured.temperature > settings.temperature {
+                Problem::Hot(measured.temperature)
+            } else if !settings.voltage.contains(measured.voltage) {
+                Problem::Voltage(measured.voltage)
+            } else if state.overloaded > settings.overload.1 {
+                Problem::Overload(measured.load.abs())
+            } else if state.lagging > settings.lag.1 {
+                Problem::Lags(lag)
+            } else {
+                continue;
+            };
+            found = found.or(Some((number, problem)));
+        }
+        found.map_or(Ok(()), |(number, problem)| self.fail(Some(number), problem))
+    }
+
+    fn send_goals(&mut self) -> Result<(), Failure> {
+        let Some(family) = self.joints.first().map(|state| state.joint.model.family) else {
+            return Ok(());
+        };
+        let goals = self.joints.iter();
+        let goals: Vec<(u8, i32), SERVOS> = goals
+            .map(|state| (state.joint.id, state.joint.counts(state.sent)))
+            .collect();
+        match self.bus.sync_write(family.goal_position, &goals) {
+            Ok(()) => Ok(()),
+            Err(_) => self.fail(None, Problem::Port),
+        }
+    }
+}
+
+/// The registers of an answer.
+#[derive(Clone, Debug)]
+struct Reading {
+    error: u8,
+    counts: i32,
+    load: f64,
+    voltage: f64,
+    temperature: f64,
+    /// Torque on or off, if it was read.
+    torque: Option<i32>,
+    /// Torque limit, if it was read.
+    limit: Option<i32>,
+    /// False if the lock is open, which nothing here leaves so.
+    is_locked: bool,
+}
+
+impl Reading {
+    fn of(joint: &Joint, window: Window, error: u8, bytes: &[u8]) -> Option<Self> {
+        let family = joint.model.family;
+        let get = |register: crate::model::Register| register.decode(window.start, bytes);
+        Some(Reading {
+            error,
+            counts: get(family.position)?,
+            load: f64::from(get(family.load)?) / joint.model.full_load,
+            voltage: f64::from(get(family.voltage)?) / 10.0,
+            temperature: f64::from(get(family.temperature)?),
+            torque: get(family.torque_enable),
+            limit: get(family.torque_limit),
+            is_locked: family.lock.and_then(get).is_none_or(|it| it == 1),
+        })
+    }
+}
+
+impl State {
+    /// Takes a reading over, unless no servo could give it: a checksum of 8 bits lets some damaged frames pass. Returns true if it
+    /// was taken.
+    fn accept(&mut self, reading: &Reading, now: u64, is_held: bool) -> bool {
+        let model = self.joint.model;
+        // An error byte counts when it has come twice.
+        if reading.error != self.error {
+            if self.other_error != Some(reading.error) {
+                self.other_error = Some(reading.error);
+                return false;
+            }
+            self.error = reading.error;
+        }
+        self.other_error = None;
+        // The byte before the position belongs to one of these, or is the error byte.
+        let is_ours = reading.is_locked
+            && (!is_held
+                || reading
+                    .limit
+                    .is_none_or(|it| it == self.joint.torque_limit()));
+        let possible = is_ours
+            && (-model.largest..=2 * model.largest).contains(&reading.counts)
+            && reading.load.abs() <= 1.5
+            && (1.0..=40.0).contains(&reading.voltage)
+            && (-20.0..=120.0).contains(&reading.temperature);
+        let new = Measured {
+            counts: reading.counts,
+            load: reading.load,
+            voltage: reading.voltage,
+            temperature: reading.temperature,
+            at: now,
+        };
+        let Some(old) = self.measured else {
+            self.measured = possible.then_some(new);
+            return possible;
+        };
+        let follows = |old: &Measured| {
+            let time = now.saturating_sub(old.at) as f64 / 1e6;
+            let reach = 1.5 * model.speed * model.turn / 360.0 * time + NOISE;
+            f64::from((new.counts - old.counts).abs()) <= reach
+                && (new.voltage - old.voltage).abs() <= 3.0
+                && (new.temperature - old.temperature).abs() <= 5.0 + 20.0 * time
+        };
+        // A servo that holds is between its last position and its goal, or close by.
+        let goal = self.joint.counts(self.sent);
+        let slack = (STRAY * model.turn / 360.0) as i32;
+        let (low, high) = (old.counts.min(goal) - slack, old.counts.max(goal) + slack);
+        let is_on_its_way = !is_held || (low..=high).contains(&new.counts);
+        let is_expected = follows(&old) && is_on_its_way;
+        let is_taken = possible && (is_expected || self.suspect.as_ref().is_some_and(follows));
+        self.suspect = (possible && !is_taken).then_some(new);
+        if is_taken {
+            self.measured = Some(new);
+        } else if !self.is_settled {
+            // The one before may have been the damaged one.
+            self.measured = None;
+        }
+        is_taken
+    }
+}
+
+impl<P: Port, const L: usize, const J: usize> Hardware<L, J> for Drives<P> {
+    fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
+        self.read_cycle()?;
+        for (number, angle) in into.angles.as_flattened_mut().iter_mut().enumerate() {
+            *angle = self.angle(number).unwrap_or(*angle);
+        }
+        Ok(())
+    }
+
+    fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
+        Ok(self.write_cycle(outputs.joints.as_flattened(), outputs.period)?)
+    }
+
+    fn stop(&mut self, _why: &Fault) {
+        self.rest(self.settings.in_emergency);
+    }
+}

@@ -1,0 +1,369 @@
+//! Drives on a simulated bus that fails.
+
+use tip_drives::bus::{Bus, BusError, Timing};
+use tip_drives::drives::{Drives, Joint, Policy, Problem, Settings};
+use tip_drives::frame::Protocol;
+use tip_drives::model::{Family, Model};
+use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
+use tip_runtime::hardware::JointCommand;
+use tip_runtime::model::Range;
+
+const MBAUD: Timing = Timing {
+    baud: 1_000_000,
+    return_delay: 0,
+    latency: 2000,
+};
+/// ms
+const PERIOD: f64 = 20.0;
+
+fn joint(id: u8, model: &'static Model) -> Joint {
+    Joint {
+        id,
+        model,
+        sign: if id.is_multiple_of(2) { -1.0 } else { 1.0 },
+        offset: 0.0,
+        gear: 1.0,
+        limits: Range::new(-90.0, 90.0),
+        speed: 180.0,
+        torque: 0.8,
+    }
+}
+
+/// Robots of servos of one model, which rest at 0 deg.
+fn robot(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
+    let model = Model::named(name).expect("a model");
+    let joints: Vec<Joint> = (1..=servos).map(|id| joint(id, model)).collect();
+    let rest = |joint: &Joint| Servo::new(model, joint.id, joint.counts(0.0).into());
+    let bus = SimulatedBus::new(joints.iter().map(rest).collect(), MBAUD);
+    let port = MemoryPort::new(bus.with_faults(faults, 11));
+    let bus = Bus::new(port, model.family.protocol, MBAUD);
+    Drives::new(bus, &joints, Settings::default()).expect("not too many")
+}
+
+/// A robot that holds itself.
+fn held(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
+    let mut drives = robot(name, servos, faults);
+    drives.connect().expect("all are there");
+    drives.hold().expect("all are there");
+    drives
+}
+
+fn wave(cycle: u64) -> f64 {
+    30.0 * libm::sin(cycle as f64 * 0.02)
+}
+
+/// Runs one cycle on the time grid; returns the problem.
+fn cycle(drives: &mut Drives<MemoryPort>, number: u64, angle: f64) -> Result<(), Problem> {
+    let begin = number * (PERIOD * 1000.0) as u64;
+    drives.bus_mut().port_mut().pass(begin);
+    let commands = vec![JointCommand::at(angle); drives.joints().count()];
+    let read = drives.read_cycle();
+    let done = read.and_then(|()| drives.write_cycle(&commands, PERIOD));
+    done.map_err(|failure| failure.problem)
+}
+
+/// Returns the number of joints whose angle of this cycle is not what the servo sent.
+fn wrong(drives: &Drives<MemoryPort>, since: u64) -> usize {
+    let servos = drives.bus().port().bus.servos();
+    let is_wrong = |number: &usize| {
+        let measured = drives.measured(*number).expect("settled");
+        measured.at >= since && Some(measured.counts) != servos[*number].reported()
+    };
+    (0..servos.len()).filter(is_wrong).count()
+}
+
+const START: u64 = 50;
+
+#[test]
+fn each_family_follows_its_commands() {
+    for (name, servos) in [("AX-12", 18), ("XL430-W250", 12), ("STS3215", 12)] {
+        let mut drives = held(name, servos, Faults::default());
+        for number in START..START + 500 {
+            cycle(&mut drives, number, wave(number - START)).expect(name);
+        }
+        let counts = drives.counts();
+        assert_eq!((counts.missing, counts.implausible), (0, 0), "{name}");
+        for number in 0..usize::from(servos) {
+            let angle = drives.angle(number).expect("measured");
+            let lag = (angle - wave(499)).abs();
+            assert!(lag < 3.0, "{name} {number}: {lag}");
+        }
+        // The robot has 20 ms.
+        assert!(counts.longest < 12_000, "{name}: {} µs", counts.longest);
+    }
+}
+
+#[test]
+fn servos_of_protocol_2_answer_in_one_frame() {
+    let model = Model::named("XM430-W350").expect("a model");
+    let joints: Vec<Joint> = (1..=12).map(|id| joint(id, model)).collect();
+    let rest = |joint: &Joint| Servo::new(model, joint.id, joint.counts(0.0).into());
+    let bus = SimulatedBus::new(joints.iter().map(rest).collect(), MBAUD);
+    let bus = Bus::new(MemoryPort::new(bus), Protocol::Dynamixel2, MBAUD);
+    let settings = Settings {
+        fast: true,
+        ..Settings::default()
+    };
+    let mut drives = Drives::new(bus, &joints, settings).expect("not too many");
+    drives.connect().expect("all are there");
+    drives.hold().expect("all are there");
+    for number in START..START + 200 {
+        cycle(&mut drives, number, wave(number - START)).expect("no fault");
+        assert_eq!(wrong(&drives, number * 20_000), 0);
+    }
+    assert_eq!(drives.counts().missing, 0);
+}
+
+/// The bar of a bus: no angle is silently wrong, each fault is counted, and no cycle waits for long.
+#[test]
+fn no_angle_is_wrong_on_a_bus_that_fails() {
+    for (name, servos) in [("AX-12", 12), ("XL430-W250", 12), ("STS3215", 12)] {
+        let mut drives = held(name, servos, Faults::evenly(0.05));
+        for number in START..START + 3000 {
+            let (begin, angle) = (number * 20_000, wave(number - START));
+            cycle(&mut drives, number, angle).expect(name);
+            assert_eq!(wrong(&drives, begin), 0, "{name}, cycle {number}");
+        }
+        let (counts, happened) = (drives.counts(), drives.bus().port().bus.happened());
+        let harmful = happened.corrupt + happened.dropped + happened.truncated;
+        let unused = counts.missing + counts.implausible;
+        // Those of the beginning are repeated at once. What comes late may still be in time, or meet another answer on the wire.
+        assert!(unused + 60 > harmful, "{name}: {counts:?} {happened:?}");
+        let most = harmful + 3 * happened.delayed + happened.duplicated;
+        assert!(unused < most, "{name}: {counts:?} {happened:?}");
+        assert!(counts.longest < 18_000, "{name}: {} µs", counts.longest);
+    }
+}
+
+/// Every answer is damaged half of the time. `examples/long_run.rs` does the same with 10⁶ frames.
+#[test]
+fn damaged_frames_give_no_wrong_angle() {
+    let faults = Faults {
+        corrupt: 0.5,
+        drop: 0.01,
+        duplicate: 0.05,
+        delay: 0.05,
+        truncate: 0.1,
+    };
+    let (mut frames, mut right) = (0, 0);
+    for name in ["AX-12", "XL430-W250", "STS3215"] {
+        let mut drives = held(name, 12, Faults::default());
+        let bus = drives.bus().port().bus.clone();
+        drives.bus_mut().port_mut().bus = bus.with_faults(faults, 5);
+        let mut number = START;
+        while drives.bus().counters().asked < 50_000 {
+            number += 1;
+            let begin = number * 20_000;
+            drives.bus_mut().port_mut().pass(begin);
+            // The drives would stop for their silence; the bus is what is tested.
+            let _ = drives.read_cycle();
+            assert_eq!(wrong(&drives, begin), 0, "{name}, cycle {number}");
+        }
+        frames += drives.bus().counters().asked;
+        right += drives.bus().counters().answered;
+    }
+    assert!(frames > 150_000 && right > 40_000, "{frames} {right}");
+}
+
+#[test]
+fn a_silent_servo_is_held_and_then_stops_the_robot() {
+    let mut drives = held("STS3215", 12, Faults::default());
+    for number in START..START + 50 {
+        cycle(&mut drives, number, 0.0).expect("well");
+    }
+    drives.bus_mut().port_mut().bus.unplug(7);
+    let silence = u64::from(drives.settings().silence);
+    for number in START + 50..START + 50 + silence {
+        cycle(&mut drives, number, 0.0).expect("held");
+    }
+    let stopped = cycle(&mut drives, START + 50 + silence, 0.0);
+    assert_eq!(stopped, Err(Problem::Silent));
+    let failure = drives.failure().expect("a failure");
+    assert_eq!(failure.joint, Some(6));
+    assert_eq!(drives.counts().missing, silence + 1);
+}
+
+/// Runs until a problem, and returns it with the number of cycles before it.
+fn until_problem(drives: &mut Drives<MemoryPort>) -> (Problem, u64) {
+    for number in 0..1000 {
+        if let Err(problem) = cycle(drives, START + 50 + number, wave(number)) {
+            return (problem, number);
+        }
+    }
+    panic!("no problem");
+}
+
+#[test]
+fn a_servo_that_was_reset_is_noticed_by_its_torque() {
+    for name in ["AX-12", "STS3215"] {
+        let mut drives = held(name, 12, Faults::default());
+        cycle(&mut drives, START, 0.0).expect("well");
+        drives.bus_mut().port_mut().bus.reset(4);
+        let (problem, cycles) = until_problem(&mut drives);
+        assert_eq!(problem, Problem::Reset, "{name}");
+        // Each third answer tells, and two are needed.
+        assert!(cycles <= 12, "{name}: {cycles}");
+    }
+    // Its window does not hold the torque: it is noticed when it stays behind.
+    let mut drives = held("XL430-W250", 12, Faults::default());
+    cycle(&mut drives, START, 0.0).expect("well");
+    drives.bus_mut().port_mut().bus.reset(4);
+    let (problem, _) = until_problem(&mut drives);
+    assert!(matches!(problem, Problem::Lags(_)), "{problem:?}");
+}
+
+#[test]
+fn a_hot_servo_stops_the_robot() {
+    for name in ["AX-12", "XL430-W250", "STS3215"] {
+        let mut drives = held(name, 6, Faults::default());
+        cycle(&mut drives, START, 0.0).expect("well");
+        drives.bus_mut().port_mut().bus.overheat(2);
+        let (problem, _) = until_problem(&mut drives);
+        assert!(matches!(problem, Problem::Hot(it) if it > 65.0), "{name}");
+        assert_eq!(drives.failure().expect("a failure").joint, Some(1));
+    }
+}
+
+#[test]
+fn commands_are_limited_in_angle_and_in_step() {
+    let mut drives = held("STS3215", 2, Faults::default());
+    let mut before = 0.0;
+    for number in START..START + 60 {
+        cycle(&mut drives, number, 170.0).expect("well");
+        let angle = drives.angle(0).expect("measured");
+        // 180 deg/s for 20 ms, and a count for the encoder.
+        assert!(angle - before < 3.6 + 0.1, "{before} {angle}");
+        assert!(angle < 90.1, "{angle}");
+        before = angle;
+    }
+    assert!(before > 89.0, "{before}");
+    assert!(drives.counts().clipped > 100 && drives.counts().slowed > 40);
+}
+
+#[test]
+fn a_joint_without_torque_may_be_turned_by_hand() {
+    let mut drives = robot("STS3215", 1, Faults::default());
+    drives.connect().expect("it is there");
+    let family = drives.joints().next().expect("one").model.family;
+    // Another master is the hand.
+    for (register, value) in [(family.goal_position, 3000), (family.torque_enable, 1)] {
+        let sent = drives.bus_mut().sync_write(register, &[(1, value)]);
+        sent.expect("sent");
+    }
+    for number in START..START + 100 {
+        drives.bus_mut().port_mut().pass(number * 20_000);
+        drives.read_cycle().expect("nothing is commanded");
+    }
+    assert!(drives.angle(0).expect("measured") > 80.0);
+}
+
+#[test]
+fn no_torque_can_be_commanded() {
+    let mut drives = held("STS3215", 1, Faults::default());
+    let refused = drives.write_cycle(&[JointCommand::Torque(1.0)], PERIOD);
+    assert_eq!(refused.map_err(|it| it.problem), Err(Problem::Torque));
+}
+
+#[test]
+fn the_start_is_slow() {
+    let mut drives = held("AX-12", 18, Faults::default());
+    let to = [45.0; 18];
+    let mut cycles = 0;
+    loop {
+        let begin = (START + cycles) * 20_000;
+        drives.bus_mut().port_mut().pass(begin);
+        let left = drives.approach(&to, 30.0, PERIOD).expect("well");
+        if left == 0.0 {
+            break;
+        }
+        cycles += 1;
+    }
+    // 45 deg at 30 deg/s.
+    assert!((74..=77).contains(&cycles), "{cycles}");
+}
+
+#[test]
+fn an_end_holds_or_relaxes() {
+    let mut drives = held("STS3215", 3, Faults::default());
+    for number in START..START + 20 {
+        cycle(&mut drives, number, 20.0).expect("well");
+    }
+    assert!(!drives.rest(Policy::Hold));
+    drives.bus_mut().port_mut().pass((START + 100) * 20_000);
+    let bus = &drives.bus().port().bus;
+    assert!(
+        bus.servos()
+            .iter()
+            .all(|servo| servo.has_torque() && servo.velocity() == 0.0)
+    );
+
+    let mut limits = Vec::new();
+    while !drives.rest(Policy::Relax) {
+        limits.push(drives.bus().port().bus.servos()[0].torque_limit());
+    }
+    // In 2 s, from 0.8 of the torque; the last of 100 cycles switches it off.
+    assert_eq!(limits.len(), 99);
+    assert!(limits.is_sorted_by(|a, b| a > b), "{limits:?}");
+    let bus = &drives.bus().port().bus;
+    assert!(bus.servos().iter().all(|servo| !servo.has_torque()));
+}
+
+#[test]
+fn a_servo_with_a_watchdog_stops_without_its_host() {
+    let mut drives = held("XL430-W250", 3, Faults::default());
+    cycle(&mut drives, START, 0.0).expect("well");
+    // The last command leads far away, as one of a faulty host would.
+    let goals = [(1, 4000), (2, 4000), (3, 4000)];
+    let family: &Family = Model::named("XL430-W250").expect("a model").family;
+    let sent = drives.bus_mut().sync_write(family.goal_position, &goals);
+    sent.expect("sent");
+    let port = drives.bus_mut().port_mut();
+    let killed = (START + 1) * 20_000;
+    // Its time-out is 10 cycles.
+    port.pass(killed + 250_000);
+    let stopped = port.bus.servos()[0].position();
+    port.pass(killed + 2_000_000);
+    assert!((port.bus.servos()[0].position() - stopped).abs() < 1.0);
+    assert!(stopped < 3500.0, "{stopped}");
+}
+
+#[test]
+fn another_model_or_a_missing_servo_is_refused() {
+    let model = Model::named("STS3215").expect("a model");
+    let missing = {
+        let bus = SimulatedBus::new(vec![Servo::new(model, 1, 2048.0)], MBAUD);
+        let bus = Bus::new(MemoryPort::new(bus), Protocol::Feetech, MBAUD);
+        let joints = [joint(1, model), joint(2, model)];
+        let drives = Drives::new(bus, &joints, Settings::default());
+        drives.expect("two").connect().expect_err("one is missing")
+    };
+    assert_eq!((missing.joint, missing.problem), (Some(1), Problem::Silent));
+    let (mx, ax) = (
+        Model::named("MX-28").unwrap(),
+        Model::named("AX-12").unwrap(),
+    );
+    let bus = SimulatedBus::new(vec![Servo::new(mx, 1, 512.0)], MBAUD);
+    let bus = Bus::new(MemoryPort::new(bus), Protocol::Dynamixel1, MBAUD);
+    let drives = Drives::new(bus, &[joint(1, ax)], Settings::default());
+    let other = drives.expect("one").connect().expect_err("another model");
+    assert_eq!(other.problem, Problem::Model(29));
+}
+
+#[test]
+fn a_scan_finds_servos_and_an_identity_can_be_set() {
+    for name in ["AX-12", "XL430-W250", "STS3215"] {
+        let model = Model::named(name).expect("a model");
+        let servos = vec![Servo::new(model, 3, 500.0), Servo::new(model, 9, 500.0)];
+        let port = MemoryPort::new(SimulatedBus::new(servos, MBAUD));
+        let mut bus = Bus::new(port, model.family.protocol, MBAUD);
+        let mut found = Vec::new();
+        let scanned = bus.scan(model.family, 0..20, |id, number| found.push((id, number)));
+        assert_eq!(scanned, Ok(()));
+        assert_eq!(found, [(3, model.number), (9, model.number)], "{name}");
+        bus.set_id(model.family, 9, 5).expect(name);
+        let gone = bus.read_register(9, model.family.model);
+        assert_eq!(gone, Err(BusError::NoAnswer));
+        let number = bus.read_register(5, model.family.model);
+        assert_eq!(number, Ok(i32::from(model.number)), "{name}");
+    }
+}

@@ -1,0 +1,4 @@
+//! Tests of the drives on a simulated bus.
+
+mod drives;
+mod frames;
