@@ -56,7 +56,11 @@ const ARROWS: &[(&str, &[&str])] = &[
             "tip-ide",
         ],
     ),
-    ("tip-sweep", &["tip-runtime", "tip-compiler", "tip-sim"]),
+    // Its tests compare compiled code.
+    (
+        "tip-sweep",
+        &["tip-runtime", "tip-compiler", "tip-sim", "tip-macros"],
+    ),
     (
         "tip-cli",
         &[
