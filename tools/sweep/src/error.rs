@@ -6,7 +6,10 @@ use tipc::message::Lang;
 
 /// A reason why a sweep cannot run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SweepError {
+pub struct SweepError(Box<Parts>);
+
+#[derive(Clone, Debug, PartialEq)]
+struct Parts {
     reason: Sweeping,
     /// The nearest known name.
     near: Option<String>,
@@ -18,18 +21,15 @@ pub struct SweepError {
 impl SweepError {
     /// Returns the error of an axis.
     pub(crate) fn axis(axis: &str, reason: impl Into<SweepError>) -> Self {
-        SweepError {
-            axis: Some(axis.to_owned()),
-            ..reason.into()
-        }
+        let mut error = reason.into();
+        error.0.axis = Some(axis.to_owned());
+        error
     }
 
     /// Returns the error that the values of a case cause.
-    pub(crate) fn in_case(self, number: u64, values: String) -> Self {
-        SweepError {
-            case: Some((number, values)),
-            ..self
-        }
+    pub(crate) fn in_case(mut self, number: u64, values: String) -> Self {
+        self.0.case = Some((number, values));
+        self
     }
 
     /// Returns an error of another crate.
@@ -45,23 +45,23 @@ impl SweepError {
             |known: &str| strsim::damerau_levenshtein(&known.to_ascii_lowercase(), &wanted);
         let near = known.map(|known| (distance(known), known));
         let near = near.filter(|(distance, _)| *distance <= 1 + name.len() / 4);
-        self.near = near.min().map(|(_, near)| near.to_owned());
+        self.0.near = near.min().map(|(_, near)| near.to_owned());
         self
     }
 
     /// Returns the message in a language. Errors of robots, scenes and programs are English.
     pub fn text(&self, lang: Lang) -> String {
         let say = |message: Sweeping| message.in_lang(lang).to_string();
-        let mut text = say(self.reason.clone());
-        if let Some(near) = self.near.clone() {
+        let mut text = say(self.0.reason.clone());
+        if let Some(near) = self.0.near.clone() {
             let reason = text.into();
             text = say(Sweeping::Suggests { reason, near });
         }
-        if let Some(axis) = self.axis.clone() {
+        if let Some(axis) = self.0.axis.clone() {
             let reason = text.into();
             text = say(Sweeping::CannotVary { axis, reason });
         }
-        if let Some((case, values)) = self.case.clone() {
+        if let Some((case, values)) = self.0.case.clone() {
             let (case, values, reason) = (case.to_string(), values.into(), text.into());
             text = say(Sweeping::InCase {
                 case,
@@ -75,12 +75,12 @@ impl SweepError {
 
 impl From<Sweeping> for SweepError {
     fn from(reason: Sweeping) -> Self {
-        SweepError {
+        SweepError(Box::new(Parts {
             reason,
             near: None,
             axis: None,
             case: None,
-        }
+        }))
     }
 }
 
