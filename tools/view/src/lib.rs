@@ -15,6 +15,7 @@ mod skeleton;
 mod trace;
 mod updates;
 
+pub use page::sweep_page;
 #[cfg(not(target_arch = "wasm32"))]
 pub use plot::{Diagram, NothingToPlot};
 pub use recorder::{Extent, RecordError};
