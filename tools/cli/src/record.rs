@@ -3,11 +3,12 @@
 use crate::arguments::{InputArguments, SourceArguments};
 use crate::error::Error;
 use crate::loader::{self, Subject};
-use crate::message::Running;
+use crate::message::{Running, Sweeping, Using};
 use crate::report::plural;
 use crate::run::{LONG_WAIT, wait_message};
 use crate::setup::{BuiltInOnly, SceneChoice};
-use crate::{Status, input, interrupt, output, report};
+use crate::usage::{count, quoted};
+use crate::{Status, input, interrupt, output, report, sweep};
 use clap::{Args, ValueEnum};
 use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
@@ -142,6 +143,8 @@ impl RecordedArguments {
   tip view march.prg --robot hexapod.toml --cycles 2000
   tip run walk.prg --trace walk.jsonl --trace-motion
   tip view walk.jsonl --program walk.prg       the run of that trace
+  tip view runs.csv                            the table of 'tip sweep': plots, and the worst cases first
+  tip view runs.csv --case 3                   the run of a row of that table
 
 The page is one file that makes no network requests: it opens by double click, and can be sent or
 embedded in another page. It shows the robot in three dimensions next to the running line, with
@@ -160,6 +163,10 @@ pub(super) struct View {
     #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
     pub(super) program: Option<PathBuf>,
 
+    /// The case of FILE, a table that 'tip sweep' wrote, whose run the page replays
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    case: Option<u64>,
+
     /// Write the page to this file; by default next to FILE, as FILE.html
     #[arg(short, long, value_name = "OUT.html")]
     out: Option<PathBuf>,
@@ -172,6 +179,15 @@ pub(super) struct View {
 /// Records a run, or reads the trace of one, and writes the page that replays it.
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     let recorded = &arguments.recorded;
+    if sweep::is_table(&recorded.file) {
+        return arguments.table();
+    }
+    if arguments.case.is_some() {
+        let lang = recorded.source.output_options.lang();
+        return Err(Error::Usage(
+            Using::CaseNeedsTable.in_lang(lang).to_string(),
+        ));
+    }
     let program = arguments.program.as_deref().unwrap_or(&recorded.file);
     let Some(Subject { loaded, robot, .. }) =
         recorded.load(program, arguments.quiet, BuiltInOnly::Records("view"))?
@@ -215,6 +231,47 @@ impl View {
             None if input::is_stream(&self.recorded.file) => PathBuf::from("run.html"),
             None => self.recorded.file.with_extension("html"),
         }
+    }
+
+    /// Writes the page of a table, or that of one of its runs.
+    fn table(&self) -> Result<Status, Error> {
+        let file = &self.recorded.file;
+        let lang = self.recorded.source.output_options.lang();
+        let out = match (&self.out, self.case) {
+            (None, Some(case)) => file.with_extension(format!("{case}.html")),
+            _ => self.out(),
+        };
+        output::refuse_inputs(&out, &[file])?;
+        if let Some(case) = self.case {
+            let recording = sweep::record(file, case, lang)?;
+            let page = recording.to_page();
+            output::replace(&out, &page)?;
+            if !self.quiet {
+                report::complain(&summary(&recording, &out, page.len()));
+            }
+            return Ok(Status::Success);
+        }
+        let name = Printable::line(file.display()).to_string();
+        let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
+        let table = input::read(file, MAX_TRACE).map_err(|reason| failed(&reason.in_lang(lang)))?;
+        let table = String::from_utf8(table).map_err(|error| failed(&error))?;
+        if !table.starts_with("case,") {
+            let file = name.into();
+            return Err(Error::Failed(
+                Sweeping::NoTable { file }.in_lang(lang).to_string(),
+            ));
+        }
+        let page = tip_view::sweep_page(&name, &table, &format!("tip view {}", quoted(&name)));
+        output::replace(&out, &page)?;
+        if !self.quiet {
+            let page = Sweeping::Page {
+                file: Printable::line(out.display()).to_string().into(),
+                runs: (table.lines().count() - 1).to_string(),
+                size: (page.len() / 1000).to_string(),
+            };
+            report::complain(&format!("{}\n", page.in_lang(lang)));
+        }
+        Ok(Status::Success)
     }
 
     fn read(&self, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
