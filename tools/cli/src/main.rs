@@ -26,6 +26,7 @@ mod run;
 mod sarif;
 mod serve;
 mod setup;
+mod sweep;
 mod translate;
 mod usage;
 mod verify;
@@ -53,6 +54,8 @@ use tipc::Loaded;
   tip plot walk.prg -o walk.svg      draw diagrams of a run
   tip emit rust walk.prg -o walk.rs  write it as Rust source
   tip cycles walk.prg                count the control cycles of its parts
+  tip sweep walk.prg --vary STRIDE=160..240/20 -o runs.csv
+                                     run it with each of these strides
   tip view walk.prg                  write walk.html, a page that replays the run
   tip serve walk.prg                 run it live in a web page, with keys, knobs and an editor
   tip verify walk.prg                compare its compiled code with the interpreter
@@ -92,6 +95,8 @@ enum Verb {
     Cycles(translate::Cycles),
     /// Compare a program's compiled code with the reference interpreter
     Verify(verify::Verify),
+    /// Run a program thousands of times over ranges of its variables and surroundings
+    Sweep(sweep::Sweep),
     /// Write a page that replays a run, or compares two, in 3-D
     View(record::View),
     /// Run a program live in a web page, with controls and an editor
@@ -126,6 +131,7 @@ impl Verb {
         let output_options = match self {
             Verb::Run(arguments) => arguments.source.output_options,
             Verb::Fmt(arguments) => arguments.output_options,
+            Verb::Sweep(arguments) => arguments.source.output_options,
             Verb::Emit(arguments) => arguments.source.output_options,
             Verb::Cycles(arguments) => arguments.source.output_options,
             Verb::Verify(arguments) => arguments.source.output_options,
@@ -154,6 +160,7 @@ impl Verb {
         let (file, source, inputs, says) = match self {
             Verb::Run(it) => (&it.file, &mut it.source, Some(&mut it.inputs), !it.quiet),
             Verb::Verify(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
+            Verb::Sweep(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
             Verb::Emit(it) => (&it.file, &mut it.source, None, false),
             Verb::Cycles(it) => (&it.file, &mut it.source, None, false),
             Verb::Debug(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
@@ -236,6 +243,7 @@ fn main() -> ExitCode {
         Verb::Emit(arguments) => translate::emit(arguments),
         Verb::Cycles(arguments) => translate::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),
+        Verb::Sweep(arguments) => sweep::sweep(arguments),
         Verb::View(arguments) => record::view(arguments),
         Verb::Serve(arguments) => serve::serve(arguments),
         Verb::Debug(arguments) => debug::debug(arguments),

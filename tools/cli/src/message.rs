@@ -94,6 +94,24 @@ tipc::message_table! {
     FallsAreElsewhere
         "--deny falls needs a built-in plant: the falls of a process's robot are not counted",
         "--deny falls を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒は数えられません";
+    NotAnAxis { text: String }
+        "`{text}` is not a quantity with values: write NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)",
+        "`{text}` は量と値の指定ではありません。NAME=FROM..TO/STEP、NAME=A,B,C、NAME=uniform(LOW,HIGH)、NAME=normal(MEAN,DEVIATION) のように書いてください";
+    NotATime { text: String }
+        "`{text}` is not a time above 0, such as 60s or 500ms",
+        "`{text}` は60sや500msのような、0より長い時間ではありません";
+    ResumesNothing
+        "--resume needs a file: what went to standard output is not there to go on with",
+        "--resumeにはファイルが必要です。標準出力に書いた表の続きは実行できません";
+    HasPart { part: Text }
+        "{part} holds an unfinished table: add --resume to go on with it, or remove the file",
+        "{part} に書きかけの表があります。--resumeを付けて続きを実行するか、ファイルを削除してください";
+    OtherSweep { file: Text }
+        "{file} belongs to another sweep, with another program, robot, scene or options: use its options, or another file",
+        "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプションのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+    CaseNeedsTable
+        "--case needs the table of a sweep: tip view runs.csv --case 3",
+        "--caseにはスイープの表が必要です: tip view runs.csv --case 3";
     NotAVersion { text: String }
         "`{text}` is not a version of the language, such as 3.1",
         "`{text}` は3.1のような言語のバージョンではありません";
@@ -291,6 +309,48 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
+    /// Results of sweeps.
+    Sweeping;
+
+    Made { file: Text, runs: String, made: String, time: String, rate: String }
+        "{file}: {runs} runs, {made} of them now in {time} s, {rate} a second",
+        "{file}: {runs}回の実行(うち今回{made}回、{time} s、毎秒{rate}回)";
+    Share { count: String, all: String, share: String }
+        "{count} of {all}, {share} %",
+        "{all}回中{count}回、{share}%";
+    CutOff { count: String, all: String, time: String }
+        "{count} of {all}, after {time} s or --cycles; --until sets another limit",
+        "{all}回中{count}回({time} sまたは--cycles)。--untilで上限を変えられます";
+    Outstanding { result: Text, case: String, values: Text }
+        "{result}: case {case}{values}",
+        "{result}: ケース{case}{values}";
+    Walked { length: String }
+        "{length} mm forward",
+        "前へ{length} mm";
+    Lifted { length: String }
+        "object 1 lifted by {length} mm",
+        "物体1を{length} mm持ち上げ";
+    FellAfter { time: String }
+        "a fall after {time} s",
+        "{time} sで転倒";
+    StoppedAfter { time: String }
+        "an emergency stop after {time} s",
+        "{time} sで非常停止";
+    Kept { runs: String, all: String, part: Text }
+        "{runs} of {all} runs are in {part}; the same command with --resume goes on",
+        "{part} に{all}回中{runs}回の結果があります。同じコマンドに--resumeを付けると続きを実行します";
+    NoSpecification { file: Text, error: Text }
+        "{file}, which `tip sweep` writes next to its table, cannot be read: {error}",
+        "`tip sweep` が表のそばに書く {file} を読めません: {error}";
+    Page { file: Text, runs: String, size: String }
+        "{file}: {runs} runs, {size} kB",
+        "{file}: {runs}回の実行、{size} kB";
+    NoTable { file: Text }
+        "{file} is not a table of `tip sweep`: its first line must begin with `case,`",
+        "{file} は `tip sweep` の表ではありません。先頭の行が `case,` で始まっていません";
+}
+
+tipc::message_table! {
     /// Severities.
     Weight;
 
@@ -331,6 +391,10 @@ tipc::message_table! {
     Bus "bus", "バス";
     Answers "answers", "応答";
     Jitter "jitter", "ゆらぎ";
+    Stops "stops", "停止";
+    CutOff "cut off", "打切";
+    Best "best", "最良";
+    Worst "worst", "最悪";
 }
 
 tipc::message_table! {

@@ -3,11 +3,12 @@
 use crate::arguments::{InputArguments, SourceArguments};
 use crate::error::Error;
 use crate::loader::{self, Subject};
-use crate::message::{Running, Using};
+use crate::message::{Running, Sweeping, Using};
 use crate::report::plural;
 use crate::run::{LONG_WAIT, wait_message};
 use crate::setup::{BuiltInOnly, SceneChoice};
-use crate::{Status, input, interrupt, output, report};
+use crate::usage::{count, quoted};
+use crate::{Status, input, interrupt, output, report, sweep};
 use clap::{Args, ValueEnum};
 use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
@@ -146,6 +147,8 @@ impl RecordedArguments {
   tip run walk.prg --trace slow.jsonl --trace-motion --events '20:set SPEED=200'
   tip view walk.jsonl slow.jsonl --program walk.prg   both: plots over each other, the second robot as a ghost
   tip view walk.prg -o - > walk.html           to standard output
+  tip view runs.csv                            the table of 'tip sweep': plots, and the worst cases first
+  tip view runs.csv --case 3                   the run of a row of that table
 
 The page is one file that makes no network requests: it opens by double click, and can be sent or
 embedded in another page. It shows the robot in three dimensions next to the running line, with
@@ -170,6 +173,10 @@ pub(super) struct View {
     #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
     program: Option<PathBuf>,
 
+    /// The case of FILE, a table that 'tip sweep' wrote, whose run the page replays
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    case: Option<u64>,
+
     /// The page; else FILE.html next to FILE
     ///
     /// '-' is standard output
@@ -184,6 +191,15 @@ pub(super) struct View {
 /// Records a run, or reads the trace of one, and writes the page that replays it.
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     let recorded = &arguments.recorded;
+    if sweep::is_table(&recorded.file) {
+        return arguments.table();
+    }
+    if arguments.case.is_some() {
+        let lang = recorded.source.output_options.lang();
+        return Err(Error::Usage(
+            Using::CaseNeedsTable.in_lang(lang).to_string(),
+        ));
+    }
     let out = arguments.out();
     let mut read = recorded.files();
     read.extend(arguments.program.as_deref());
@@ -235,6 +251,47 @@ impl View {
             Some(out) => out.clone(),
             None => beside(&self.recorded.file, "html"),
         }
+    }
+
+    /// Writes the page of a table, or that of one of its runs.
+    fn table(&self) -> Result<Status, Error> {
+        let file = &self.recorded.file;
+        let lang = self.recorded.source.output_options.lang();
+        let out = match (&self.out, self.case) {
+            (None, Some(case)) => file.with_extension(format!("{case}.html")),
+            _ => self.out(),
+        };
+        output::refuse_inputs(&out, &[file])?;
+        if let Some(case) = self.case {
+            let recording = sweep::record(file, case, lang)?;
+            let page = recording.to_page();
+            output::replace(&out, &page)?;
+            if !self.quiet {
+                report::complain(&summary(&recording, &out, page.len()));
+            }
+            return Ok(Status::Success);
+        }
+        let name = Printable::line(file.display()).to_string();
+        let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
+        let table = input::read(file, MAX_TRACE).map_err(|reason| failed(&reason.in_lang(lang)))?;
+        let table = String::from_utf8(table).map_err(|error| failed(&error))?;
+        if !table.starts_with("case,") {
+            let file = name.into();
+            return Err(Error::Failed(
+                Sweeping::NoTable { file }.in_lang(lang).to_string(),
+            ));
+        }
+        let page = tip_view::sweep_page(&name, &table, &format!("tip view {}", quoted(&name)));
+        output::replace(&out, &page)?;
+        if !self.quiet {
+            let page = Sweeping::Page {
+                file: Printable::line(out.display()).to_string().into(),
+                runs: (table.lines().count() - 1).to_string(),
+                size: (page.len() / 1000).to_string(),
+            };
+            report::complain(&format!("{}\n", page.in_lang(lang)));
+        }
+        Ok(Status::Success)
     }
 
     /// Returns true if a file is a trace, not a program.

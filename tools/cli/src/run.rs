@@ -29,7 +29,7 @@ use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, WaitDetector}
 use tipc::Loaded;
 use tipc::program::Program;
 
-pub(super) use summary::wait_message;
+pub(super) use summary::{line, wait_message};
 
 /// Time without a motion after which a run probably waits for something that does not come, ms.
 pub(super) const LONG_WAIT: f64 = 60_000.0;

@@ -63,6 +63,16 @@ pub(super) fn positive(text: &str) -> Result<u64, BadValue> {
     }
 }
 
+/// Quotes a word for a shell.
+pub(super) fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-=".contains(c);
+    if word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
 /// Reports an error of the command line, or prints the help that was asked for.
 pub(super) fn report(error: &clap::Error) {
     let lang = lang();

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::loader::{Checked, checked, load};
 use crate::message::Using;
 use crate::setup::{BuiltInOnly, ChosenRobot, PlantChoice};
-use crate::usage::positive;
+use crate::usage::{positive, quoted};
 use crate::{Status, interrupt, output, report};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -257,16 +257,6 @@ fn without_inputs(arguments: impl Iterator<Item = String>) -> String {
         }
     }
     words.join(" ")
-}
-
-/// Quotes a word for a shell.
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "/._-=".contains(c);
-    if word.chars().all(is_plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
-    }
 }
 
 /// Rate of drawing, Hz.

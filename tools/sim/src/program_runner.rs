@@ -2,11 +2,26 @@
 
 use std::any::Any;
 use std::fmt;
+use std::sync::Arc;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Flow, Program, Signature};
 
 /// A program of any engine, compiled or interpreted, that can be copied in the middle of its run.
-pub struct ProgramRunner(Box<dyn AnyProgram>);
+pub struct ProgramRunner {
+    program: Box<dyn AnyProgram>,
+    replacements: Arc<[Replacement]>,
+}
+
+/// A value that a scalar gets in place of the constant that some steps of the program assign to it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Replacement {
+    /// The scalar, by its place in the order of declaration.
+    pub scalar: usize,
+    /// The value; it is finite.
+    pub value: f64,
+    /// The steps, in ascending order.
+    pub steps: Vec<u32>,
+}
 
 /// A program of any type that can be copied.
 trait AnyProgram: Program + Any + Send {
@@ -22,62 +37,83 @@ impl<P: Program + Clone + Send + 'static> AnyProgram for P {
 impl ProgramRunner {
     /// Takes a program as it is.
     pub fn new(program: impl Program + Clone + Send + 'static) -> Self {
-        ProgramRunner(Box::new(program))
+        ProgramRunner {
+            program: Box::new(program),
+            replacements: Arc::default(),
+        }
+    }
+
+    /// Replaces constants that steps of the program assign.
+    #[must_use]
+    pub fn with_replacements(mut self, replacements: impl Into<Arc<[Replacement]>>) -> Self {
+        self.replacements = replacements.into();
+        self
     }
 
     /// Returns the program, if it is one of type `P`.
     pub fn get<P: Program + 'static>(&self) -> Option<&P> {
-        let program: &dyn Any = self.0.as_ref();
+        let program: &dyn Any = self.program.as_ref();
         program.downcast_ref()
     }
 }
 
 impl Clone for ProgramRunner {
     fn clone(&self) -> Self {
-        ProgramRunner(self.0.boxed())
+        ProgramRunner {
+            program: self.program.boxed(),
+            replacements: Arc::clone(&self.replacements),
+        }
     }
 }
 
 impl fmt::Debug for ProgramRunner {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} at {}", self.0.name(), self.0.at())
+        write!(f, "{} at {}", self.program.name(), self.program.at())
     }
 }
 
 impl Program for ProgramRunner {
     fn signature(&self) -> Signature {
-        self.0.signature()
+        self.program.signature()
     }
 
     fn name(&self) -> &str {
-        self.0.name()
+        self.program.name()
     }
 
     fn title(&self) -> &str {
-        self.0.title()
+        self.program.title()
     }
 
     fn at(&self) -> u32 {
-        self.0.at()
+        self.program.at()
     }
 
     fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
-        self.0.step(cx)
+        let step = self.program.at();
+        let flow = self.program.step(cx)?;
+        for replacement in self.replacements.iter() {
+            if replacement.steps.binary_search(&step).is_ok() {
+                let Replacement { scalar, value, .. } = *replacement;
+                self.program.set_scalar(scalar, value);
+            }
+        }
+        Ok(flow)
     }
 
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
-        self.0.scalar(i)
+        self.program.scalar(i)
     }
 
     fn set_scalar(&mut self, i: usize, value: f64) {
-        self.0.set_scalar(i, value);
+        self.program.set_scalar(i, value);
     }
 
     fn line(&self, step: u32) -> u32 {
-        self.0.line(step)
+        self.program.line(step)
     }
 
     fn reset(&mut self) {
-        self.0.reset();
+        self.program.reset();
     }
 }

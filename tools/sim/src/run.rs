@@ -165,6 +165,11 @@ impl Run {
         Ok(())
     }
 
+    /// Returns all events, past and to come.
+    pub fn all_events(&self) -> &Events {
+        &self.events
+    }
+
     /// Forgets all events that were to happen from now on; past ones stay.
     pub fn forget_events(&mut self) {
         self.events.truncate(self.happened);

@@ -1,70 +1,92 @@
-//! Errors of a specification, found before the first run.
+//! Errors of a specification, found before the first run, and of cases.
 
+use crate::message::Sweeping;
 use std::fmt;
+use tipc::message::Lang;
 
 /// A reason why a sweep cannot run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SweepError {
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepError(Box<Parts>);
+
+#[derive(Clone, Debug, PartialEq)]
+struct Parts {
+    reason: Sweeping,
+    /// The nearest known name.
+    near: Option<String>,
     axis: Option<String>,
-    reason: String,
-    help: Option<String>,
+    /// The case whose values are not allowed, and these values.
+    case: Option<(u64, String)>,
 }
 
 impl SweepError {
-    pub(crate) fn new(reason: impl Into<String>) -> Self {
-        SweepError {
-            axis: None,
-            reason: reason.into(),
-            help: None,
-        }
+    /// Returns the error of an axis.
+    pub(crate) fn axis(axis: &str, reason: impl Into<SweepError>) -> Self {
+        let mut error = reason.into();
+        error.0.axis = Some(axis.to_owned());
+        error
     }
 
-    pub(crate) fn axis(axis: &str, reason: impl Into<String>) -> Self {
-        SweepError {
-            axis: Some(axis.to_owned()),
-            ..Self::new(reason)
-        }
-    }
-
-    pub(crate) fn with_help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+    /// Returns the error that the values of a case cause.
+    pub(crate) fn in_case(mut self, number: u64, values: String) -> Self {
+        self.0.case = Some((number, values));
         self
     }
 
-    /// Makes the error of an unknown name, with the nearest known one if one is near.
-    pub(crate) fn unknown<'a>(
-        name: &str,
-        what: &str,
-        known: impl Iterator<Item = &'a str>,
-    ) -> Self {
+    /// Returns an error of another crate.
+    pub(crate) fn says(error: impl fmt::Display) -> Self {
+        let text = error.to_string().trim_end().to_owned();
+        Sweeping::Says { text: text.into() }.into()
+    }
+
+    /// Adds the nearest of the known names, if one is near.
+    pub(crate) fn suggest<'a>(mut self, name: &str, known: impl Iterator<Item = &'a str>) -> Self {
         let wanted = name.to_ascii_lowercase();
-        let near = known
-            .map(|known| {
-                (
-                    strsim::damerau_levenshtein(&known.to_ascii_lowercase(), &wanted),
-                    known,
-                )
-            })
-            .filter(|(distance, _)| *distance <= 1 + name.len() / 4)
-            .min();
-        let error = Self::axis(name, format!("this is {what}"));
-        match near {
-            Some((_, near)) => error.with_help(format!("did you mean {near}?")),
-            None => error,
+        let distance =
+            |known: &str| strsim::damerau_levenshtein(&known.to_ascii_lowercase(), &wanted);
+        let near = known.map(|known| (distance(known), known));
+        let near = near.filter(|(distance, _)| *distance <= 1 + name.len() / 4);
+        self.0.near = near.min().map(|(_, near)| near.to_owned());
+        self
+    }
+
+    /// Returns the message in a language. Errors of robots, scenes and programs are English.
+    pub fn text(&self, lang: Lang) -> String {
+        let say = |message: Sweeping| message.in_lang(lang).to_string();
+        let mut text = say(self.0.reason.clone());
+        if let Some(near) = self.0.near.clone() {
+            let reason = text.into();
+            text = say(Sweeping::Suggests { reason, near });
         }
+        if let Some(axis) = self.0.axis.clone() {
+            let reason = text.into();
+            text = say(Sweeping::CannotVary { axis, reason });
+        }
+        if let Some((case, values)) = self.0.case.clone() {
+            let (case, values, reason) = (case.to_string(), values.into(), text.into());
+            text = say(Sweeping::InCase {
+                case,
+                values,
+                reason,
+            });
+        }
+        text
+    }
+}
+
+impl From<Sweeping> for SweepError {
+    fn from(reason: Sweeping) -> Self {
+        SweepError(Box::new(Parts {
+            reason,
+            near: None,
+            axis: None,
+            case: None,
+        }))
     }
 }
 
 impl fmt::Display for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(axis) = &self.axis {
-            write!(f, "cannot vary '{axis}': ")?;
-        }
-        f.write_str(&self.reason)?;
-        match &self.help {
-            Some(help) => write!(f, "; {help}"),
-            None => Ok(()),
-        }
+        f.write_str(&self.text(Lang::English))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Quantities that a sweep varies: their names, and how a value reaches a run.
 
 use crate::error::SweepError;
+use crate::message::Sweeping;
 use tip_runtime::command::Port;
 use tipc::analysis::{access, flow::Flow};
 use tipc::program::{Action, Operand, Program, ScalarExpression, StepId};
@@ -12,7 +13,7 @@ use toml::{Table, Value};
 /// |---|---|---|
 /// | `STRIDE`, `P.X` | a scalar of the program | as the program uses it |
 /// | `friction` | the floor's coefficient of friction, short for `scene.floor.friction` | |
-/// | `scene.KEY` | a number of the scene file, such as `scene.floor.slope.1` or `scene.block.1.height` | as in the file |
+/// | `scene.KEY` | a number of the scene file, such as `scene.floor.slope.1` or `scene.block.1.height`; elements of lists count from 1 | as in the file |
 /// | `robot.KEY` | a number of the robot's description, such as `robot.body.mass` | as in the file |
 /// | `push.x`, `push.y`, `push.z` | a force on the body, along an axis of the world | N |
 /// | `push.at`, `push.for` | start and duration of that force; 1 s and 0.2 s if they do not vary | s |
@@ -84,7 +85,11 @@ impl Quantity {
             return Ok(Quantity::Robot(keys(path)));
         }
         if let Some(input) = name.strip_prefix("sensor.") {
-            let unknown = |_| SweepError::axis(name, format!("'{input}' is not an input"));
+            let input = input.to_owned();
+            let unknown = |_| {
+                let input = input.clone();
+                SweepError::axis(name, Sweeping::NotAnInput { input })
+            };
             let port = input.to_ascii_uppercase().parse().map_err(unknown)?;
             return Ok(Quantity::Sensor(port));
         }
@@ -98,11 +103,8 @@ impl Quantity {
             .map(String::as_str)
             .chain(NAMES.iter().map(|(known, _)| *known))
             .chain(["friction"]);
-        Err(SweepError::unknown(
-            name,
-            "neither a variable of the program nor a quantity of robot, scene, push, noise or sensor",
-            known,
-        ))
+        let unknown = SweepError::from(Sweeping::UnknownQuantity).suggest(name, known);
+        Err(SweepError::axis(name, unknown))
     }
 }
 
@@ -193,9 +195,7 @@ impl Settings {
     /// # Errors
     /// It is not TOML.
     pub(crate) fn read(text: &str) -> Result<Self, SweepError> {
-        let table = text
-            .parse()
-            .map_err(|error| SweepError::new(format!("{error}")))?;
+        let table = text.parse().map_err(SweepError::says)?;
         Ok(Settings { table })
     }
 
@@ -218,7 +218,7 @@ impl Settings {
     }
 }
 
-fn put(value: &mut Value, path: &[String], number: f64) -> Result<(), String> {
+fn put(value: &mut Value, path: &[String], number: f64) -> Result<(), Sweeping> {
     let Some((key, rest)) = path.split_first() else {
         *value = Value::Float(number);
         return Ok(());
@@ -235,9 +235,9 @@ fn put(value: &mut Value, path: &[String], number: f64) -> Result<(), String> {
                 .and_then(|index| index.checked_sub(1));
             match index.and_then(|index| list.get_mut(index)) {
                 Some(element) => put(element, rest, number),
-                None => Err(format!("there is no element {key}; elements count from 1")),
+                None => Err(Sweeping::NoElement { index: key.clone() }),
             }
         }
-        _ => Err(format!("there is no {key} in a number")),
+        _ => Err(Sweeping::NoKey { key: key.clone() }),
     }
 }

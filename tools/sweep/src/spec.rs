@@ -1,8 +1,10 @@
 //! The specification of a sweep: a JSON document, and the text forms of its axes.
 
+use crate::message::Sweeping;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
+use tip_runtime::plant::Simulation;
 
 /// Everything that determines the results of a sweep.
 ///
@@ -15,7 +17,7 @@ pub struct Spec {
     /// The robot; `titan8` if it is left out.
     #[serde(default)]
     pub robot: RobotSpec,
-    /// The text of a scene file; a level floor if it is left out.
+    /// The text of a scene file, or the name of a scene; a level floor if it is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scene: Option<String>,
     /// The simulation of the robot's body.
@@ -39,6 +41,9 @@ pub struct Spec {
     /// Longest time of a run on the robot, s.
     #[serde(default = "minute")]
     pub until: f64,
+    /// Largest number of control cycles of a run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cycles: Option<u64>,
     /// Scalars of the program whose last values become columns, named `final_A`.
     #[serde(default)]
     pub record: Vec<String>,
@@ -82,11 +87,24 @@ impl Default for RobotSpec {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlantSpec {
-    /// The one that the scene names; without mass if it names none.
+    /// The one that the scene names; without mass if it names none and has no blocks.
     #[default]
     Scene,
+    /// The body has no mass.
+    QuasiStatic,
     /// The body has mass.
     Dynamic,
+}
+
+impl PlantSpec {
+    /// Returns the simulation that overrides that of the scene.
+    pub(crate) fn simulation(self) -> Option<Simulation> {
+        match self {
+            PlantSpec::Scene => None,
+            PlantSpec::QuasiStatic => Some(Simulation::QuasiStatic),
+            PlantSpec::Dynamic => Some(Simulation::Dynamic),
+        }
+    }
 }
 
 /// A sampling method of random axes.
@@ -149,35 +167,35 @@ impl Values {
     ///
     /// # Errors
     /// The list is empty or too long, or a number is not usable.
-    pub(crate) fn listed(&self) -> Result<Option<Vec<f64>>, &'static str> {
+    pub(crate) fn listed(&self) -> Result<Option<Vec<f64>>, Sweeping> {
         let are_finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
         match self {
-            Values::List(list) if list.is_empty() => Err("the list of values is empty"),
-            Values::List(list) if !are_finite(list) => Err("a value is not a finite number"),
+            Values::List(list) if list.is_empty() => Err(Sweeping::EmptyList),
+            Values::List(list) if !are_finite(list) => Err(Sweeping::NotFinite),
             Values::List(list) => Ok(Some(list.clone())),
             Values::Range { from, to, step } => {
                 if !are_finite(&[*from, *to, *step]) {
-                    return Err("a value is not a finite number");
+                    return Err(Sweeping::NotFinite);
                 }
                 if *step == 0.0 || (to - from) * step < 0.0 {
-                    return Err("the range is empty: the step leads away from its end");
+                    return Err(Sweeping::EmptyRange);
                 }
                 // A last value that only rounding keeps beyond the end belongs to the range.
                 let steps = libm::floor((to - from) / step + 1e-9);
                 if steps >= LIST_LIMIT {
-                    return Err("the range has more than 1,000,000 values");
+                    return Err(Sweeping::LongRange);
                 }
                 let values = (0..=steps as u32).map(|index| from + f64::from(index) * step);
                 Ok(Some(values.collect()))
             }
             Values::Uniform { low, high } => match are_finite(&[*low, *high]) && low <= high {
                 true => Ok(None),
-                false => Err("the lower bound is above the upper one"),
+                false => Err(Sweeping::UpsideDown),
             },
             Values::Normal { mean, deviation } => {
                 match are_finite(&[*mean, *deviation]) && *deviation >= 0.0 {
                     true => Ok(None),
-                    false => Err("the standard deviation is negative or no number"),
+                    false => Err(Sweeping::NegativeDeviation),
                 }
             }
         }

@@ -2,14 +2,18 @@
 
 use crate::columns::{Cell, Columns};
 use crate::error::SweepError;
+use crate::message::Sweeping;
 use crate::quantity::{Noise, Override, Push, Quantity, Settings};
 use crate::sampling::{Draw, hash, noise_seed};
 use crate::spec::{PlantSpec, RobotSpec, Spec, Values};
-use std::sync::Arc;
+use std::collections::HashMap;
+use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
 use tip_runtime::machine::Status;
+use tip_runtime::model::TorqueUnit;
 use tip_runtime::plant::{self, Scene};
-use tip_runtime::program::End;
-use tip_sim::{Event, Events, Interpreter, Plant, Robot, Run, Timed};
+use tip_runtime::program::{End, Program as _};
+use tip_sim::{Event, Events, Interpreter, ProgramRunner, Replacement, Robot, Run, Timed};
 use tipc::analysis::access;
 use tipc::language::Keyword;
 use tipc::program::Program;
@@ -18,32 +22,41 @@ use tipc::published;
 /// Largest number of cases.
 const CASE_LIMIT: u64 = 1_000_000_000;
 
+/// The end of a run that was cut off.
+pub const LIMIT: &str = "limit";
+
 /// Start of a push that does not vary, s.
 const PUSH_AT: f64 = 1.0;
 /// Duration of a push that does not vary, s.
 const PUSH_FOR: f64 = 0.2;
 
-/// A checked specification: program, robot and axes.
-///
-/// It is not sent between threads; each thread makes its own from the same [`Spec`].
-#[derive(Debug)]
+/// A checked specification: program, robot and axes. Copies share what is large; each thread has its own.
+#[derive(Clone)]
 pub struct Sweep {
     spec: Spec,
     program: Arc<Program>,
+    engine: Engine,
     names: Vec<String>,
     events: Events,
     robot: Robot,
     /// The description of the robot, if one of its numbers varies.
     description: Option<Settings>,
+    /// The robots of descriptions with other numbers, by their texts. A robot stays in memory for good: none is made twice.
+    described: Arc<Mutex<HashMap<String, Robot>>>,
     /// The scene file, if one of its numbers varies.
     scene: Option<Settings>,
     axes: Vec<Axis>,
     /// Scalars that are recorded.
     record: Vec<usize>,
     cases: u64,
+    /// Number of the robot's units of torque in 1 N·m.
+    torque_unit: f64,
 }
 
-#[derive(Debug)]
+/// Makes the program of a run.
+type Engine = Arc<dyn Fn() -> ProgramRunner + Send + Sync>;
+
+#[derive(Clone, Debug)]
 struct Axis {
     name: String,
     quantity: Quantity,
@@ -53,14 +66,15 @@ struct Axis {
     start: Override,
 }
 
-/// A case: the values of all axes, and the run they determine.
-#[derive(Debug)]
+/// A case: the values of all axes, and the robot in its scene.
+#[derive(Clone, Debug)]
 pub struct Case {
     /// The number of the case, from 0.
     pub number: u64,
     /// The value of each axis.
     pub values: Vec<f64>,
-    robot: Robot,
+    /// The robot.
+    pub robot: Robot,
 }
 
 impl Sweep {
@@ -70,23 +84,16 @@ impl Sweep {
     /// The first thing that is wrong: a program or robot with errors, an unknown axis, an empty range, too many cases.
     pub fn new(spec: Spec) -> Result<Self, SweepError> {
         let (robot, description) = robot(&spec)?;
-        let robot = match spec.plant {
-            PlantSpec::Scene => robot,
-            PlantSpec::Dynamic => robot.with_plant(Plant::Dynamic),
-        };
         let loaded = tip_sim::load(&spec.program.name, &spec.program.text, &robot);
-        let loaded = loaded.map_err(|errors| SweepError::new(errors.to_string().trim_end()))?;
+        let loaded = loaded.map_err(SweepError::says)?;
         let program = Arc::clone(loaded.program());
         let names: Vec<String> = program.scalar_names().collect();
-        let events: Events = spec
-            .events
-            .parse()
-            .map_err(|error| SweepError::new(format!("events: {error}")))?;
+        let events: Events = spec.events.parse().map_err(SweepError::says)?;
         let mut axes: Vec<Axis> = Vec::new();
         for axis in &spec.vary {
             let new = axis_of(axis, &program)?;
             if axes.iter().any(|other| other.quantity == new.quantity) {
-                return Err(SweepError::axis(&axis.name, "it is varied twice"));
+                return Err(SweepError::axis(&axis.name, Sweeping::VariedTwice));
             }
             axes.push(new);
         }
@@ -95,11 +102,8 @@ impl Sweep {
             (false, _) => None,
             (true, Some(text)) => Some(Settings::read(&text)?),
             (true, None) => {
-                let name = robot.name();
-                return Err(SweepError::new(format!(
-                    "the numbers of {name} cannot vary, because it has no description"
-                ))
-                .with_help("use a robot with a description, such as a1, or --robot FILE.toml"));
+                let robot = robot.name().to_owned();
+                return Err(Sweeping::NoDescription { robot }.into());
             }
         };
         let text = spec.scene.as_deref().unwrap_or_default();
@@ -107,38 +111,92 @@ impl Sweep {
             true => Some(Settings::read(text)?),
             false => None,
         };
-        let robot = with_scene(robot, text)?;
+        let robot = with_scene(robot, text, spec.plant)?;
         let mut record = Vec::new();
         for name in &spec.record {
             let wanted = name.to_ascii_uppercase();
             let scalar = names.iter().position(|known| *known == wanted);
             record.push(scalar.ok_or_else(|| {
                 let known = names.iter().map(String::as_str);
-                SweepError::unknown(name, "not a variable of the program", known)
+                let name = name.clone();
+                SweepError::from(Sweeping::UnknownVariable { name: name.clone() })
+                    .suggest(&name, known)
             })?);
         }
         if !(spec.until > 0.0 && spec.until.is_finite()) {
-            return Err(SweepError::new(
-                "the longest time of a run must be above 0 s",
-            ));
+            return Err(Sweeping::NoTime.into());
         }
         let cases = count(&axes, spec.repeat)?;
+        let forces = robot.anatomy().forces;
+        let unit = forces.map_or(TorqueUnit::NewtonMetre, |forces| forces.unit);
+        let interpreted = Interpreter::new(Arc::clone(&program));
         let sweep = Sweep {
             spec,
             program,
+            engine: Arc::new(move || ProgramRunner::new(interpreted.clone())),
             names,
             events,
             robot,
             description,
+            described: Arc::default(),
             scene,
             axes,
             record,
             cases,
+            torque_unit: unit.per_newton_metre(),
         };
         // Refuses what only a run can refuse: keys of files, values out of range, inputs that the robot lacks.
         let first = sweep.case(0)?;
         sweep.start(&first)?;
+        sweep.try_bounds(&first.values)?;
         Ok(sweep)
+    }
+
+    /// Checks a specification, and runs it on compiled code: `make` is the constructor that `include_tip!` writes.
+    ///
+    /// # Errors
+    /// The errors of [`new`](Self::new), or the code was compiled from another text.
+    pub fn of<P: tip_runtime::program::Program + Clone + Send + 'static>(
+        spec: Spec,
+        make: impl Fn() -> P + Send + Sync + 'static,
+    ) -> Result<Self, SweepError> {
+        let mut sweep = Self::new(spec)?;
+        let (interpreted, compiled) = (Interpreter::new(Arc::clone(&sweep.program)), make());
+        let names = (0..=sweep.names.len()).all(|scalar| {
+            let name = interpreted.scalar(scalar).map(|(name, _)| name);
+            name == compiled.scalar(scalar).map(|(name, _)| name)
+        });
+        let steps = 0..=sweep.program.steps().len() as u32;
+        let lines = steps.map(|step| (interpreted.line(step), compiled.line(step)));
+        let is_same = interpreted.signature() == compiled.signature()
+            && names
+            && interpreted.title() == compiled.title()
+            && lines.into_iter().all(|(one, other)| one == other);
+        if !is_same {
+            return Err(Sweeping::OtherProgram.into());
+        }
+        sweep.engine = Arc::new(move || ProgramRunner::new(make()));
+        Ok(sweep)
+    }
+
+    /// Tries the least and the greatest value of each axis with the first ones of the others.
+    fn try_bounds(&self, first: &[f64]) -> Result<(), SweepError> {
+        for (index, axis) in self.axes.iter().enumerate() {
+            let (low, high) = match (&axis.values, &axis.list) {
+                (Values::Uniform { low, high }, _) => (*low, *high),
+                (_, Some(list)) => list.iter().fold((list[0], list[0]), |(low, high), value| {
+                    (value.min(low), value.max(high))
+                }),
+                _ => continue,
+            };
+            for bound in [low, high] {
+                let mut values = first.to_vec();
+                values[index] = bound;
+                self.robot_of(&values)
+                    .map_err(|error| SweepError::axis(&axis.name, error))?;
+            }
+        }
+        Ok(())
     }
 
     /// The specification.
@@ -159,8 +217,12 @@ impl Sweep {
     /// Returns a case by its number. It depends on the specification and the number alone.
     ///
     /// # Errors
-    /// Robot or scene do not allow a value.
+    /// There is no such case, or robot or scene do not allow a value.
     pub fn case(&self, number: u64) -> Result<Case, SweepError> {
+        if number >= self.cases {
+            let (case, count) = (number.to_string(), self.cases.to_string());
+            return Err(Sweeping::NoCase { case, count }.into());
+        }
         let repeats = self.spec.repeat;
         let (combination, repeat) = (number / repeats, number % repeats);
         let mut rest = combination;
@@ -185,7 +247,11 @@ impl Sweep {
                     .unwrap_or(f64::NAN),
             };
         }
-        let robot = self.robot_of(&values)?;
+        let robot = self.robot_of(&values).map_err(|error| {
+            let values = self.axes.iter().zip(&values);
+            let values = values.map(|(axis, value)| format!("{}={value}", axis.name));
+            error.in_case(number, values.collect::<Vec<_>>().join(", "))
+        })?;
         Ok(Case {
             number,
             values,
@@ -195,41 +261,57 @@ impl Sweep {
 
     /// Returns the robot of a case in its scene.
     fn robot_of(&self, values: &[f64]) -> Result<Robot, SweepError> {
-        let set = |settings: &Settings, is_of: fn(&Quantity) -> Option<&[String]>| {
-            let mut settings = settings.clone();
-            for (axis, value) in self.axes.iter().zip(values) {
-                if let Some(path) = is_of(&axis.quantity) {
-                    settings.set(path, *value)?;
-                }
-            }
-            Ok::<String, SweepError>(settings.text())
-        };
         let mut robot = self.robot.clone();
         if let Some(description) = &self.description {
-            let text = set(description, |of| match of {
-                Quantity::Robot(path) => Some(path),
+            let of_robot = |axis: &Axis| match &axis.quantity {
+                Quantity::Robot(path) => Some(path.clone()),
                 _ => None,
-            })?;
-            let described = Robot::description(&text);
-            let described = described.map_err(|errors| {
-                SweepError::new(format!(
-                    "the robot does not allow a value: {}",
-                    errors.to_string().trim_end()
-                ))
-            })?;
-            robot = match self.spec.plant {
-                PlantSpec::Scene => described,
-                PlantSpec::Dynamic => described.with_plant(Plant::Dynamic),
             };
-            robot = with_scene(robot, self.spec.scene.as_deref().unwrap_or_default())?;
+            let set = self.set(description, values, of_robot)?;
+            robot = self.described(&set)?;
+            let scene = self.spec.scene.as_deref().unwrap_or_default();
+            robot = with_scene(robot, scene, self.spec.plant)?;
         }
         if let Some(scene) = &self.scene {
-            let text = set(scene, |of| match of {
-                Quantity::Scene(path) => Some(path),
+            let of_scene = |axis: &Axis| match &axis.quantity {
+                Quantity::Scene(path) => Some(path.clone()),
                 _ => None,
-            })?;
-            robot = with_scene(robot, &text)?;
+            };
+            let set = self.set(scene, values, of_scene)?;
+            robot = with_scene(robot, &set.text(), self.spec.plant)?;
         }
+        Ok(robot)
+    }
+
+    /// Returns a file with the numbers of a case.
+    fn set(
+        &self,
+        settings: &Settings,
+        values: &[f64],
+        path: impl Fn(&Axis) -> Option<Vec<String>>,
+    ) -> Result<Settings, SweepError> {
+        let mut settings = settings.clone();
+        for (axis, value) in self.axes.iter().zip(values) {
+            if let Some(path) = path(axis) {
+                settings.set(&path, *value)?;
+            }
+        }
+        Ok(settings)
+    }
+
+    /// Returns the robot of a description.
+    fn described(&self, settings: &Settings) -> Result<Robot, SweepError> {
+        let text = settings.text();
+        let described = self.described.lock();
+        let mut described = described.unwrap_or_else(PoisonError::into_inner);
+        if let Some(robot) = described.get(&text) {
+            return Ok(robot.clone());
+        }
+        let robot = Robot::description(&text).map_err(|errors| {
+            let errors = errors.to_string().trim_end().to_owned().into();
+            SweepError::from(Sweeping::RobotRefuses { errors })
+        })?;
+        described.insert(text, robot.clone());
         Ok(robot)
     }
 
@@ -274,44 +356,33 @@ impl Sweep {
         Events::new(events)
     }
 
-    /// Starts the run of a case, before its first cycle, on the interpreter.
+    /// Starts the run of a case, before its first cycle.
     ///
     /// # Errors
     /// The robot lacks an input, or the body cannot be pushed.
     pub fn start(&self, case: &Case) -> Result<Run, SweepError> {
-        let program = Interpreter::new(Arc::clone(&self.program));
-        let run = Run::new(program, case.robot.clone());
-        let run = run.map_err(|error| SweepError::new(error.to_string()))?;
+        let replaced = self.axes.iter().zip(&case.values);
+        let replaced = replaced.filter_map(|(axis, value)| match axis.quantity {
+            Quantity::Variable(scalar) => Some(Replacement {
+                scalar,
+                value: *value,
+                steps: axis.start.steps.clone(),
+            }),
+            _ => None,
+        });
+        let program = (self.engine)().with_replacements(replaced.collect::<Vec<_>>());
+        let run = Run::of(program, &case.robot).map_err(SweepError::says)?;
         let events = self.events(case, run.period());
-        run.with_events(&events)
-            .map_err(|refused| SweepError::new(refused.to_string()))
-    }
-
-    /// Runs one cycle of a case's run. A step that assigns a constant to a varied variable assigns the case's value.
-    pub fn advance(&self, run: &mut Run, case: &Case) -> Status {
-        let step = run.program().at();
-        let cycles = run.cycles();
-        let status = run.advance(None);
-        if status == Status::Running && run.cycles() > cycles {
-            for (axis, value) in self.axes.iter().zip(&case.values) {
-                if let Quantity::Variable(scalar) = axis.quantity
-                    && axis.start.steps.binary_search(&step).is_ok()
-                {
-                    // The program has the scalar, and the value is finite.
-                    let _ = run.set(&self.names[scalar], *value);
-                }
-            }
-        }
-        status
+        run.with_events(&events).map_err(SweepError::says)
     }
 
     /// Runs cases one after the other.
     ///
     /// # Errors
-    /// Robot or scene do not allow a value of a case.
+    /// There is no such case, or robot or scene do not allow its values.
     pub fn run(&self, first: u64, count: u64) -> Result<Columns, SweepError> {
         let mut columns = Columns::default();
-        for number in first..first.saturating_add(count).min(self.cases) {
+        for number in first..first.saturating_add(count) {
             let case = self.case(number)?;
             let run = self.start(&case)?;
             self.measure(run, &case, &mut columns);
@@ -322,12 +393,13 @@ impl Sweep {
     /// Runs a case to its end, and adds its row.
     fn measure(&self, mut run: Run, case: &Case, columns: &mut Columns) {
         let limit = self.spec.until * 1000.0;
+        let cycles = self.spec.cycles.unwrap_or(u64::MAX);
         let mut figures = Figures::new(&run);
         let end = loop {
-            if run.time() >= limit {
-                break "limit".to_owned();
+            if run.time() >= limit || run.cycles() >= cycles {
+                break LIMIT.to_owned();
             }
-            let status = self.advance(&mut run, case);
+            let status = run.advance(None);
             figures.after(&run);
             match status {
                 Status::Running => {}
@@ -376,11 +448,14 @@ impl Sweep {
             add("first_fall", "s", Cell::Number(fall));
             add("slip", "mm", Cell::Number(motion.slip));
             add("least_margin", "mm", Cell::Number(motion.least_margin));
+            add("tilt", "deg", Cell::Number(figures.tilt));
         }
         add("peak_speed", "deg/s", Cell::Number(figures.speed));
         if figures.has_mass {
-            add("peak_torque", "N·m", Cell::Number(figures.torque));
-            add("energy", "J", Cell::Number(figures.energy));
+            let torque = figures.torque / self.torque_unit;
+            add("peak_torque", "N·m", Cell::Number(torque));
+            let energy = figures.energy / self.torque_unit;
+            add("energy", "J", Cell::Number(energy));
         }
         if let Some(grasp) = run.grasp() {
             for (number, object) in (1..).zip(&grasp.objects) {
@@ -410,10 +485,12 @@ struct Figures {
     angles: Vec<f64>,
     /// Greatest speed of a joint, deg/s.
     speed: f64,
+    /// Greatest angle between the body's z axis and the vertical, deg.
+    tilt: f64,
     has_mass: bool,
-    /// Greatest torque of a joint, N·m.
+    /// Greatest torque of a joint, in the robot's unit.
     torque: f64,
-    /// Mechanical work of the motors, without what they take back, J.
+    /// Sum over joints and cycles of |torque · rotation|, in the robot's unit of torque.
     energy: f64,
 }
 
@@ -423,8 +500,9 @@ impl Figures {
             run.limbs().is_some_and(|limbs| !limbs.forces.is_empty()) || run.grasp().is_some();
         Figures {
             hash: 0,
-            angles: run.angles().to_vec(),
+            angles: Vec::new(),
             speed: 0.0,
+            tilt: 0.0,
             has_mass,
             torque: 0.0,
             energy: 0.0,
@@ -434,60 +512,59 @@ impl Figures {
     fn after(&mut self, run: &Run) {
         let step = u64::from(run.program().at());
         self.hash = hash([self.hash, step, run.state_hash(), 0]);
-        let seconds = run.period() / 1000.0;
-        let angles = run.angles();
-        if run.cycles() > 1 {
-            for (now, before) in angles.iter().zip(&self.angles) {
-                self.speed = self.speed.max(libm::fabs(now - before) / seconds);
-            }
-            if self.has_mass
-                && let Some(limbs) = run.limbs()
-            {
-                let torques = limbs.torques.iter().flatten();
-                for ((torque, now), before) in torques.zip(angles).zip(&self.angles) {
-                    self.torque = self.torque.max(libm::fabs(*torque));
-                    self.energy += libm::fabs(torque * (now - before).to_radians());
-                }
-            }
+        if let Some(pose) = run.pose() {
+            let cosine = libm::cos(pose.roll.to_radians()) * libm::cos(pose.pitch.to_radians());
+            self.tilt = self
+                .tilt
+                .max(libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees());
         }
-        self.angles.copy_from_slice(angles);
+        // Measured angles have the errors of sensors; those of a robot with mass are at hand without.
+        match run.limbs().filter(|_| self.has_mass) {
+            Some(limbs) => self.moved(run, &limbs.angles.concat(), &limbs.torques.concat()),
+            None => self.moved(run, run.angles(), &[]),
+        }
+    }
+
+    fn moved(&mut self, run: &Run, angles: &[f64], torques: &[f64]) {
+        let seconds = run.period() / 1000.0;
+        for (now, before) in angles.iter().zip(&self.angles) {
+            self.speed = self.speed.max(libm::fabs(now - before) / seconds);
+        }
+        for ((torque, now), before) in torques.iter().zip(angles).zip(&self.angles) {
+            self.torque = self.torque.max(libm::fabs(*torque));
+            self.energy += libm::fabs(torque * (now - before).to_radians());
+        }
+        self.angles.clear();
+        self.angles.extend_from_slice(angles);
     }
 }
 
 /// Makes the robot, and returns the text of its description if it has one.
 fn robot(spec: &Spec) -> Result<(Robot, Option<String>), SweepError> {
-    let described = |text: &str| {
-        Robot::description(text).map_err(|errors| SweepError::new(errors.to_string().trim_end()))
-    };
+    let described = |text: &str| Robot::description(text).map_err(SweepError::says);
     match &spec.robot {
         RobotSpec::Description(text) => Ok((described(text)?, Some(text.clone()))),
         RobotSpec::Name(name) => match published::find(name) {
             Some(published) => Ok((described(published.text)?, Some(published.text.to_owned()))),
-            None => {
-                let robot = Robot::named(name);
-                let robot = robot.map_err(|error| SweepError::new(error.to_string()))?;
-                Ok((robot, None))
-            }
+            None => Ok((Robot::named(name).map_err(SweepError::says)?, None)),
         },
     }
 }
 
-fn with_scene(robot: Robot, text: &str) -> Result<Robot, SweepError> {
-    let scene = match text {
-        "" => Ok(Scene::EMPTY),
-        text => tipc::description::parse_scene("scene.toml", text.as_bytes()),
+fn with_scene(robot: Robot, text: &str, plant: PlantSpec) -> Result<Robot, SweepError> {
+    let scene = match Scene::by_name(text) {
+        Some(scene) => Ok(scene),
+        None if text.is_empty() => Ok(Scene::EMPTY),
+        None => tipc::description::parse_scene("scene.toml", text.as_bytes()),
     };
-    let scene = scene.map_err(|loaded| {
+    let mut scene = scene.map_err(|loaded| {
         let lines = loaded.diagnostics.iter();
         let lines = lines.map(|one| tipc::render::classical(&loaded.source, one));
-        SweepError::new(format!(
-            "the scene does not allow a value: {}",
-            lines.collect::<String>().trim_end()
-        ))
+        let errors = lines.collect::<String>().trim_end().to_owned().into();
+        SweepError::from(Sweeping::SceneRefuses { errors })
     })?;
-    robot
-        .with_scene(&scene)
-        .map_err(|error| SweepError::new(error.to_string()))
+    scene.plant = plant.simulation().or(scene.plant);
+    robot.with_scene(&scene).map_err(SweepError::says)
 }
 
 fn axis_of(axis: &crate::spec::Axis, program: &Program) -> Result<Axis, SweepError> {
@@ -502,15 +579,10 @@ fn axis_of(axis: &crate::spec::Axis, program: &Program) -> Result<Axis, SweepErr
                 found
             });
             if !is_used {
-                return Err(SweepError::axis(&axis.name, "the program does not use it"));
+                return Err(SweepError::axis(&axis.name, Sweeping::Unused));
             }
-            Override::of(program, scalar).map_err(|line| {
-                SweepError::axis(
-                    &axis.name,
-                    format!("line {line} computes it before its first use"),
-                )
-                .with_help("vary what it is computed from")
-            })?
+            Override::of(program, scalar)
+                .map_err(|line| SweepError::axis(&axis.name, Sweeping::ComputedFirst { line }))?
         }
         _ => Override::default(),
     };
@@ -525,7 +597,7 @@ fn axis_of(axis: &crate::spec::Axis, program: &Program) -> Result<Axis, SweepErr
 
 fn count(axes: &[Axis], repeat: u64) -> Result<u64, SweepError> {
     if repeat == 0 {
-        return Err(SweepError::new("the number of repeats is 0"));
+        return Err(Sweeping::NoRepeat.into());
     }
     let lists = axes.iter().filter_map(|axis| axis.list.as_ref());
     let count = lists.fold(u128::from(repeat), |count, list| {
@@ -533,9 +605,19 @@ fn count(axes: &[Axis], repeat: u64) -> Result<u64, SweepError> {
     });
     match u64::try_from(count) {
         Ok(count) if count <= CASE_LIMIT => Ok(count),
-        _ => Err(
-            SweepError::new(format!("these are {count} cases, more than {CASE_LIMIT}"))
-                .with_help("take wider steps, or random values: NAME=uniform(LOW,HIGH)"),
-        ),
+        _ => Err(Sweeping::ManyCases {
+            count: count.to_string(),
+            limit: CASE_LIMIT.to_string(),
+        }
+        .into()),
+    }
+}
+
+impl fmt::Debug for Sweep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Sweep")
+            .field("axes", &self.axes)
+            .field("cases", &self.cases)
+            .finish_non_exhaustive()
     }
 }

@@ -11,6 +11,7 @@ mod skeleton;
 mod trace;
 mod updates;
 
+pub use page::sweep_page;
 pub use recorder::{Extent, RecordError};
 pub use recording::{
     Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Slip, Stop, Tick,

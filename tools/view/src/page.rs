@@ -8,6 +8,12 @@ use miniz_oxide::deflate::compress_to_vec;
 /// The page without its script and what it shows.
 const PAGE: &str = include_str!("../page/dist/page.html");
 
+/// The page of a table of runs, which has its own script.
+const SWEEP: &str = include_str!("../page/sweep.html");
+
+/// Largest number of runs that the page of a table holds; of more, it shows every second, third and so on.
+const MAX_RUNS: usize = 50_000;
+
 /// The script, deflated by `build.rs`.
 const SCRIPT: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/page.js"));
 
@@ -39,6 +45,20 @@ impl Recording {
     pub fn packed(&self) -> Vec<u8> {
         compress_to_vec(self.updates().as_bytes(), 9)
     }
+}
+
+/// Returns one HTML file that shows a table of runs, as `tip sweep` writes it, and makes no network requests. `command` with
+/// ` --case N` replays a run.
+pub fn sweep_page(name: &str, table: &str, command: &str) -> String {
+    let every = table.lines().count().div_ceil(MAX_RUNS + 1).max(1);
+    let lines = table.lines().enumerate();
+    let lines = lines.filter(|(line, _)| *line == 0 || (line - 1) % every == 0);
+    let table = lines.flat_map(|(_, line)| [line, "\n"]).collect::<String>();
+    let data = serde_json::json!({ "table": table, "command": command, "every": every });
+    // Nothing in the data ends the script element.
+    let data = data.to_string().replace('<', "\\u003c");
+    let (before, after) = SWEEP.split_once("TIP-DATA").unwrap_or((SWEEP, ""));
+    before.replace("TIP-TITLE", &escaped(name)) + &data + after
 }
 
 /// Returns the page that shows a session at the other end of a WebSocket.

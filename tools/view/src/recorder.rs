@@ -110,16 +110,32 @@ impl Recording {
         events: &Events,
         extent: Extent,
         pace: Pace,
-        mut goes_on: impl FnMut() -> bool,
+        goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
         let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
         let interpreter = Interpreter::new(program.clone());
-        let mut run = Run::new(interpreter, robot.clone())
+        let run = Run::new(interpreter, robot.clone())
             .map_err(RecordError::Mismatch)?
             .with_events(events)
             .map_err(RecordError::Refused)?;
+        Self::of_run(run, loaded, robot, extent, pace, goes_on)
+    }
+
+    /// Records a run of a program that has not begun.
+    ///
+    /// # Errors
+    /// There is no program.
+    pub fn of_run(
+        mut run: Run,
+        loaded: &Loaded,
+        robot: &Robot,
+        extent: Extent,
+        pace: Pace,
+        mut goes_on: impl FnMut() -> bool,
+    ) -> Result<Self, RecordError> {
+        let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
-        recorder.recording.events = events.all().to_vec();
+        recorder.recording.events = run.all_events().all().to_vec();
         recorder.pace = pace;
         let mut waits = WaitDetector::default();
         let outcome = loop {

@@ -60,8 +60,12 @@ const ARROWS: &[(&str, &[&str])] = &[
         "tip-log",
         &["tip-runtime", "tip-compiler", "tip-sim", "tip-view"],
     ),
-    ("tip-sweep", &["tip-runtime", "tip-compiler", "tip-sim"]),
     ("tip-drives", &["tip-runtime"]),
+    // Its tests compare compiled code.
+    (
+        "tip-sweep",
+        &["tip-runtime", "tip-compiler", "tip-sim", "tip-macros"],
+    ),
     (
         "tip-cli",
         &[

@@ -321,7 +321,7 @@ impl Live {
                 worst: tenths(self.pacer.worst().as_secs_f64() * 1000.0),
             },
         };
-        line(Figure::Pace, &pace, lang)
+        line(Figure::Pace, pace.in_lang(lang), lang)
     }
 }
 

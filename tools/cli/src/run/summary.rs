@@ -5,7 +5,7 @@ use crate::drives::realtime::Histogram;
 use crate::drives::robot::Connection;
 use crate::message::count::Cycles;
 use crate::message::{Along, Aside, Figure, How, Running, Until, Upright, Waiting, Weight};
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use tip_runtime::command::{Op, Target};
 use tip_runtime::machine::Emergency;
 use tip_runtime::plant::{Motion, Travel, Unmodelled};
@@ -70,7 +70,7 @@ pub(super) fn summary(
 }
 
 /// Returns a line of the summary.
-pub(super) fn line(figure: Figure, value: &Running, lang: Lang) -> String {
+pub(crate) fn line(figure: Figure, value: impl fmt::Display, lang: Lang) -> String {
     let label = figure.in_lang(lang).to_string();
     // Letters of Japanese are two columns wide.
     let width: usize = label
@@ -78,7 +78,7 @@ pub(super) fn line(figure: Figure, value: &Running, lang: Lang) -> String {
         .map(|letter| if letter.is_ascii() { 1 } else { 2 })
         .sum();
     let gap = " ".repeat(8_usize.saturating_sub(width));
-    format!("  {label}{gap}{}\n", value.in_lang(lang))
+    format!("  {label}{gap}{value}\n")
 }
 
 /// Returns the lines about the bus of a real robot.
@@ -123,7 +123,7 @@ struct Lines {
 
 impl Lines {
     fn add(&mut self, figure: Figure, value: &Running) {
-        self.text += &line(figure, value, self.lang);
+        self.text += &line(figure, value.in_lang(self.lang), self.lang);
     }
 
     /// Adds the next statement, and what it waits for.

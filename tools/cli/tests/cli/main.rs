@@ -43,6 +43,8 @@ mod script;
 mod serve;
 mod stops;
 mod support;
+#[cfg(target_os = "linux")]
+mod sweep;
 mod usage;
 mod verify;
 mod view;

@@ -58,6 +58,11 @@ fn provide(folder: &Folder, line: &str) {
         true => "examples/published/tripod.prg",
         false => "examples/six-legs/motions/tripod.prg",
     });
+    let swept = serde_json::json!({ "tip": "0", "spec": {
+        "program": { "name": "walk.prg", "text": walk },
+        "vary": [{ "name": "STRIDE", "values": { "range": { "from": 160, "to": 240, "step": 20 } } }],
+    } });
+    let swept = swept.to_string();
     let files = [
         ("walk.prg", walk.as_str()),
         ("motions/walk.prg", &walk),
@@ -81,6 +86,11 @@ fn provide(folder: &Folder, line: &str) {
         ),
         ("scene.toml", &read("examples/grasp/scene.toml")),
         ("bin/python3", SIMULATOR),
+        (
+            "runs.csv",
+            "case,STRIDE,end,line\n0,160,EXIT,80\n1,180,EXIT,80\n",
+        ),
+        ("runs.sweep.json", &swept),
     ];
     for (name, text) in files {
         let path = folder.path(name);

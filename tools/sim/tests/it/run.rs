@@ -12,7 +12,10 @@ use tip_runtime::model::titan8;
 use tip_runtime::plant::{self, SimulatedPlant};
 use tip_runtime::program::End;
 use tip_runtime::record::{Cycle, Ending, Sink};
-use tip_sim::{Event, IssuedCommand, Limit, Observer, Plant, Refused, Robot, Run, load};
+use tip_sim::{
+    Event, IssuedCommand, Limit, Observer, Plant, ProgramRunner, Refused, Replacement, Robot, Run,
+    load,
+};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -141,6 +144,31 @@ fn a_host_sets_variables_between_cycles() -> Outcome {
         let refused = run.set(name, value);
         assert!(matches!(refused, Err(Refused::Variable(..))), "{name}");
     }
+    Ok(())
+}
+
+#[test]
+fn a_replaced_constant_is_in_the_trace_and_in_copies_of_the_run() -> Outcome {
+    let robot = Robot::named("generic")?;
+    let program = load("p.prg", "3.1\nt\nDEF_VAR A B\nA = 2\nB = A\nEND\n", &robot)?;
+    let replacement = Replacement {
+        scalar: 1,
+        value: 7.0,
+        steps: vec![0],
+    };
+    let program = ProgramRunner::new(program).with_replacements([replacement]);
+    let mut run = Run::of(program, &robot)?.with_trace(false);
+    let start = run.snapshot();
+    let expected = "{\"cycle\":0,\"step\":0,\"next\":1,\"set\":{\"A\":7.0}}\n\
+                    {\"cycle\":1,\"step\":1,\"next\":2,\"set\":{\"B\":7.0}}\n\
+                    {\"cycle\":2,\"step\":2}\n\
+                    {\"end\":\"END\",\"cycles\":3}\n";
+    run.to_end(Limit::NONE);
+    assert_eq!(run.trace(), expected);
+    run.restore(&start);
+    let mut copy = run.clone();
+    copy.to_end(Limit::NONE);
+    assert_eq!(copy.trace(), expected);
     Ok(())
 }
 

@@ -103,7 +103,7 @@ fn keys_of_files_are_checked_before_the_first_run() {
     assert!(with(slope, "scene.floor.frictio=1").is_err());
     assert!(with(slope, "friction=-1").is_err());
     let titan = refused(LIFT, &["robot.body.mass=20"]);
-    assert!(titan.contains("it has no description"), "{titan}");
+    assert!(titan.contains("titan8 has no description"), "{titan}");
 }
 
 #[test]

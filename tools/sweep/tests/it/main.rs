@@ -2,7 +2,9 @@
 
 mod axes;
 mod cases;
+mod compiled;
 mod results;
+mod surroundings;
 
 use tip_sweep::{Axis, Spec, Sweep, SweepError};
 

@@ -3,7 +3,7 @@
 use base64::Engine as _;
 use serde_json::Value;
 use tip_sim::{Events, Robot, tipc};
-use tip_view::{Extent, Recording};
+use tip_view::{Extent, Recording, sweep_page};
 
 fn record(text: &str) -> Recording {
     let robot = Robot::named("titan8").expect("it has a name");
@@ -112,4 +112,36 @@ fn nothing_that_a_program_says_is_markup() {
     assert!(page.contains(title));
     assert_eq!(page.matches("alert(").count(), 1, "all else is packed");
     assert_eq!(page.matches("<script").count(), 3);
+}
+
+/// The data of the page of a table.
+fn data(page: &str) -> Value {
+    let (_, rest) = page.split_once("id=\"data\">").expect("data");
+    let (data, _) = rest.split_once("</script>").expect("its end");
+    serde_json::from_str(data).expect("JSON")
+}
+
+#[test]
+fn no_table_leaves_its_place() {
+    let table = "case,A,end\n0,1,\"</script><script>alert(1)</script><!--\"\n";
+    let page = sweep_page("TIP-DATA</title>.csv", table, "tip view '<b>.csv'");
+    assert_eq!(page.matches("<script").count(), 2);
+    assert_eq!(page.matches("</script").count(), 2);
+    assert!(page.contains("<title>TIP-DATA&lt;/title&gt;.csv</title>"));
+    assert!(!page.contains("http:") && !page.contains("https:"));
+    assert_eq!(data(&page)["table"], table);
+    assert_eq!(data(&page)["command"], "tip view '<b>.csv'");
+}
+
+#[test]
+fn a_long_table_is_thinned_out() {
+    let rows = |every: usize| {
+        (0..100_000)
+            .step_by(every)
+            .map(|row| format!("{row},1,END\n"))
+    };
+    let table = |every| "case,A,end\n".to_owned() + &rows(every).collect::<String>();
+    let page = sweep_page("t.csv", &table(1), "tip view t.csv");
+    assert_eq!(data(&page)["every"], 2);
+    assert!(data(&page)["table"] == table(2));
 }

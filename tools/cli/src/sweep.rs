@@ -1,0 +1,484 @@
+//! `tip sweep`: many runs of a program over ranges of its variables and of its surroundings, as one table.
+//!
+//! The table grows in `OUT.part`, in the order of cases, and gets its name when it is complete. The specification of the sweep is
+//! written next to it; `--resume` and `tip view` read it.
+
+mod table;
+mod tally;
+
+use crate::arguments::{InputArguments, SourceArguments};
+use crate::choices::PlantName;
+use crate::error::Error;
+use crate::loader::{self, Subject};
+use crate::message::{Sweeping, Using};
+use crate::report::{Deny, complain};
+use crate::setup::{BuiltInOnly, ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
+use crate::usage::{BadValue, count, positive};
+use crate::{Status, input, interrupt, output};
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Condvar, Mutex, PoisonError};
+use std::{fs, thread};
+use table::Table;
+pub(super) use table::{Saved, is_table};
+use tally::Tally;
+use tip_runtime::printable::Printable;
+use tip_sweep::{Axis, Columns, PlantSpec, RobotSpec, Sampling, Spec, SweepError, Text};
+use tip_view::{Extent, Pace, Recording};
+use tipc::message::Lang;
+
+/// `tip sweep`
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  tip sweep walk.prg --vary STRIDE=160..240/20 --vary friction=0.4,0.9 -o runs.csv
+  tip sweep walk.prg --vary 'STRIDE=uniform(150,250)' --repeat 20 --seed 7 --until 60s --deny falls -o runs.csv
+  tip sweep walk.prg --plant dynamic --vary push.x=0..40/20 --until 5s -o pushed.csv
+  tip sweep grasp.prg --robot hand --scene scene.toml --vary scene.object.1.friction=0.3,0.6 -o grasps.csv
+  tip sweep walk.prg --vary STRIDE=160..240/20 -o strides.csv --resume
+  tip view runs.csv                      the page of the table
+  tip view runs.csv --case 3             the replay page of a run
+
+Names of quantities:
+  STRIDE, P.X                     a variable of the program: its value replaces the constants that are assigned before its first use
+  friction                        the floor's, short for scene.floor.friction
+  scene.KEY, robot.KEY            a number of the scene file or of the robot's description, such as scene.floor.slope.1, robot.body.mass
+  push.x, push.y, push.z          a force on a robot with mass, N; push.at and push.for are its start and duration, s (1 and 0.2)
+  noise.angle, noise.sole         standard deviations of measured joint angles (deg) and soles (V)
+  sensor.VR1                      the reading of an input, V
+
+Lists and ranges are combined with one another; --repeat is the number of cases of each combination. Random values
+differ from case to case and depend on --seed and the number of the case alone: a table is the same with
+any number of threads. The table grows in OUT.csv.part and is renamed when it is complete; the specification goes to
+OUT.sweep.json. Ctrl-C and kill keep finished runs, --resume goes on.
+
+Exit status: 0 complete, 1 the program does not load or has a denied warning, or a file cannot be written, 2 wrong usage,
+4 a robot fell, with --deny falls, 130 interrupted.")]
+pub(super) struct Sweep {
+    /// The program
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+
+    #[command(flatten)]
+    pub(super) inputs: InputArguments,
+
+    /// Vary a quantity: NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)
+    #[arg(long, value_name = "NAME=VALUES", value_parser = axis)]
+    vary: Vec<Axis>,
+
+    /// The number of cases for each combination of listed values
+    #[arg(long, value_name = "N", default_value = "1", value_parser = positive, allow_negative_numbers = true)]
+    repeat: u64,
+
+    /// The seed of random values and of sensor noise
+    #[arg(long, value_name = "N", default_value = "0", value_parser = count, allow_negative_numbers = true)]
+    seed: u64,
+
+    /// The sampling of random values
+    #[arg(long, value_enum, default_value = "random")]
+    sampling: SamplingName,
+
+    /// The longest time of a run on the robot, such as 60s or 500ms
+    #[arg(long, value_name = "TIME", default_value = "60s", value_parser = seconds, allow_negative_numbers = true)]
+    until: f64,
+
+    /// Add the last values of these variables to the table
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    record: Vec<String>,
+
+    #[command(flatten)]
+    deny: Deny,
+
+    /// The table, or standard output for '-'
+    #[arg(short, long, value_name = "OUT.csv|-")]
+    out: PathBuf,
+
+    /// Go on with an unfinished table of the same sweep
+    #[arg(long)]
+    resume: bool,
+
+    /// The number of threads; by default that of the cores
+    #[arg(long, value_name = "N", value_parser = positive, allow_negative_numbers = true)]
+    jobs: Option<u64>,
+
+    /// Print only errors
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// The names of sampling methods.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum SamplingName {
+    /// Independent samples
+    Random,
+    /// One sample in each of --repeat equally likely intervals
+    LatinHypercube,
+}
+
+/// Parses an axis.
+fn axis(text: &str) -> Result<Axis, BadValue> {
+    text.parse().map_err(|_| {
+        BadValue(Using::NotAnAxis {
+            text: text.to_owned(),
+        })
+    })
+}
+
+/// Parses a time: `60s`, `500ms` or a number of seconds.
+fn seconds(text: &str) -> Result<f64, BadValue> {
+    let (number, unit) = match (text.strip_suffix("ms"), text.strip_suffix('s')) {
+        (Some(number), _) => (number, 1e-3),
+        (None, Some(number)) => (number, 1.0),
+        (None, None) => (text, 1.0),
+    };
+    match number.trim().parse::<f64>() {
+        Ok(time) if time > 0.0 && time.is_finite() => Ok(time * unit),
+        _ => Err(BadValue(Using::NotATime {
+            text: text.to_owned(),
+        })),
+    }
+}
+
+/// Number of cases that a thread runs before it hands them over.
+const CHUNK: u64 = 32;
+/// Largest number of chunks per thread that wait for one before them to be written.
+const AHEAD: u64 = 16;
+
+/// Runs the cases and writes the table.
+pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
+    interrupt::catch();
+    let lang = arguments.source.output_options.lang();
+    let subject = loader::load(
+        &arguments.file,
+        &arguments.source,
+        &arguments.inputs,
+        Some(BuiltInOnly::RunsAgain("sweep")),
+    );
+    let subject = loader::reported(subject, &arguments.source, arguments.quiet)?;
+    let Some(subject) = subject.filter(|subject| subject.loaded.program.is_some()) else {
+        return Ok(Status::Failure);
+    };
+    if arguments.deny.rejects(&subject.loaded) {
+        return Ok(Status::Failure);
+    }
+    let spec = arguments.spec(&subject)?;
+    let usage = |error: SweepError| Error::Usage(error.text(lang));
+    let sweep = tip_sweep::Sweep::new(spec.clone()).map_err(usage)?;
+    let (mut table, mut tally) = match input::is_stream(&arguments.out) {
+        true if arguments.resume => {
+            return Err(Error::Usage(
+                Using::ResumesNothing.in_lang(lang).to_string(),
+            ));
+        }
+        true => (Table::stream(), Tally::default()),
+        false => {
+            output::refuse_inputs(&arguments.out, &arguments.files())?;
+            Table::open(&arguments.out, &Saved::new(spec), arguments.resume, lang)?
+        }
+    };
+    let began = tally.runs;
+    let cores = || thread::available_parallelism().map_or(1, |cores| cores.get() as u64);
+    let work = Work {
+        cases: sweep.cases(),
+        first: began,
+        threads: arguments.jobs.unwrap_or_else(cores),
+        progress: Mutex::default(),
+        written: Condvar::new(),
+    };
+    let bar = arguments.bar(work.cases, began);
+    let ended = work.run(&sweep, &mut table, &mut tally, &bar);
+    let elapsed = bar.elapsed();
+    bar.finish_and_clear();
+    interrupt::hold();
+    let complete = tally.runs == work.cases;
+    if complete {
+        table.finish()?;
+    }
+    let name = Printable::line(arguments.out.display()).to_string();
+    if !arguments.quiet {
+        let rate = (tally.runs - began, elapsed);
+        complain(&tally.summary(&name, table.is_stream(), arguments.until, rate, lang));
+    }
+    if complete {
+        ended.map_err(|failed| failed.error(lang))?;
+        return Ok(match arguments.deny.falls() && tally.fell > 0 {
+            true => Status::Fell,
+            false => Status::Success,
+        });
+    }
+    if !table.is_stream() {
+        let kept = Sweeping::Kept {
+            runs: tally.runs.to_string(),
+            all: work.cases.to_string(),
+            part: table::part(&arguments.out).display().to_string().into(),
+        };
+        complain(&format!("{}\n", kept.in_lang(lang)));
+    }
+    match ended {
+        Err(failed) => Err(failed.error(lang)),
+        Ok(()) if interrupt::is_requested() => Ok(Status::Interrupted),
+        // The reader of standard output has closed it.
+        Ok(()) => Ok(Status::Success),
+    }
+}
+
+impl Sweep {
+    /// Returns the specification of the sweep of a loaded program.
+    fn spec(&self, subject: &Subject) -> Result<Spec, Error> {
+        let robot = match (&subject.chosen, self.source.robot()) {
+            (ChosenRobot::Named(name), _) => RobotSpec::Name(name.robot().name().to_owned()),
+            (_, RobotChoice::Published(robot)) => RobotSpec::Name(robot.name.to_owned()),
+            (_, choice) => RobotSpec::Description(text(choice.file())?),
+        };
+        let scene = match &self.inputs.scene {
+            None => None,
+            Some(SceneChoice::File(path)) => Some(text(Some(path))?),
+            Some(named) => Some(named.to_string()),
+        };
+        let plant = self.inputs.plant.as_ref().and_then(PlantChoice::name);
+        let inputs = self.inputs.inputs();
+        let source = &subject.loaded.source;
+        Ok(Spec {
+            program: Text {
+                name: source.name().to_owned(),
+                text: source.text().to_owned(),
+            },
+            robot,
+            scene,
+            plant: match plant {
+                None => PlantSpec::Scene,
+                Some(PlantName::QuasiStatic) => PlantSpec::QuasiStatic,
+                Some(PlantName::Dynamic) => PlantSpec::Dynamic,
+            },
+            vary: self.vary.clone(),
+            sampling: match self.sampling {
+                SamplingName::Random => Sampling::Random,
+                SamplingName::LatinHypercube => Sampling::LatinHypercube,
+            },
+            repeat: self.repeat,
+            seed: self.seed,
+            events: inputs.events.to_string(),
+            until: self.until,
+            cycles: inputs.cycles,
+            record: self.record.clone(),
+        })
+    }
+
+    /// Returns the files that are read.
+    fn files(&self) -> Vec<&Path> {
+        let scene = self.inputs.scene.as_ref().and_then(SceneChoice::file);
+        let files = [Some(self.file.as_path()), self.source.robot().file(), scene];
+        files.into_iter().flatten().collect()
+    }
+
+    fn bar(&self, cases: u64, began: u64) -> ProgressBar {
+        let target = match self.quiet {
+            true => ProgressDrawTarget::hidden(),
+            false => ProgressDrawTarget::stderr_with_hz(RATE),
+        };
+        let bar = ProgressBar::with_draw_target(Some(cases), target);
+        let style = ProgressStyle::with_template(SHOWS);
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+        bar.set_style(style.progress_chars("=> "));
+        bar.set_position(began);
+        bar.reset_eta();
+        bar
+    }
+}
+
+/// Rate of drawing, Hz.
+const RATE: u8 = 5;
+const SHOWS: &str = "{wide_bar} {pos} of {len} runs, {msg} fell, {per_sec}, {eta} left";
+
+/// Reads a file that has been read before.
+fn text(path: Option<&Path>) -> Result<String, Error> {
+    let path = path.unwrap_or(Path::new(""));
+    fs::read_to_string(path).map_err(|error| Error::Failed(format!("{}: {error}", path.display())))
+}
+
+/// The cases that are left, and the threads that run them.
+struct Work {
+    /// Number of all cases.
+    cases: u64,
+    /// The first case that is left.
+    first: u64,
+    threads: u64,
+    progress: Mutex<Progress>,
+    /// Tells threads that a chunk was written, or that they are to end.
+    written: Condvar,
+}
+
+#[derive(Default)]
+struct Progress {
+    /// Number of chunks that threads have taken.
+    taken: u64,
+    /// Number of chunks that are in the table.
+    written: u64,
+    is_over: bool,
+}
+
+/// The results of some cases.
+struct Chunk {
+    index: u64,
+    columns: Columns,
+    /// The reason why the chunk ends early.
+    ended: Option<Ended>,
+}
+
+/// An early end of a sweep.
+enum Ended {
+    Interrupted,
+    Failed(Failed),
+}
+
+enum Failed {
+    Case(SweepError),
+    Table(Error),
+}
+
+impl Failed {
+    fn error(self, lang: Lang) -> Error {
+        match self {
+            Failed::Case(error) => Error::Failed(error.text(lang)),
+            Failed::Table(error) => error,
+        }
+    }
+}
+
+impl Work {
+    /// Runs all cases and writes them in order; an early end keeps those before it.
+    fn run(
+        &self,
+        sweep: &tip_sweep::Sweep,
+        table: &mut Table,
+        tally: &mut Tally,
+        bar: &ProgressBar,
+    ) -> Result<(), Failed> {
+        let (sender, receiver) = channel();
+        thread::scope(|scope| {
+            for _ in 0..self.threads {
+                let (sender, sweep) = (sender.clone(), sweep.clone());
+                scope.spawn(move || self.chunks(&sweep, &sender));
+            }
+            drop(sender);
+            let mut waiting = BTreeMap::new();
+            let mut next = 0;
+            let ended = loop {
+                let Ok(chunk) = receiver.recv() else {
+                    break Ok(());
+                };
+                waiting.insert(chunk.index, chunk);
+                match self.write(&mut waiting, &mut next, table, tally, bar) {
+                    None => {}
+                    Some(Ended::Interrupted) => break Ok(()),
+                    Some(Ended::Failed(failed)) => break Err(failed),
+                }
+            };
+            self.lock().is_over = true;
+            self.written.notify_all();
+            ended
+        })
+    }
+
+    /// Writes the chunks whose turn it is.
+    fn write(
+        &self,
+        waiting: &mut BTreeMap<u64, Chunk>,
+        next: &mut u64,
+        table: &mut Table,
+        tally: &mut Tally,
+        bar: &ProgressBar,
+    ) -> Option<Ended> {
+        while let Some(chunk) = waiting.remove(next) {
+            match table.add(&chunk.columns, tally) {
+                Err(error) => return Some(Ended::Failed(Failed::Table(error))),
+                Ok(false) => return Some(Ended::Interrupted),
+                Ok(true) => {}
+            }
+            bar.set_message(tally.fell.to_string());
+            bar.set_position(tally.runs);
+            if chunk.ended.is_some() {
+                return chunk.ended;
+            }
+            *next += 1;
+            self.lock().written = *next;
+            self.written.notify_all();
+        }
+        None
+    }
+
+    /// Runs chunks until none is left.
+    fn chunks(&self, sweep: &tip_sweep::Sweep, sender: &Sender<Chunk>) {
+        let chunks = (self.cases - self.first).div_ceil(CHUNK);
+        while let Some(index) = self.take(chunks) {
+            let first = self.first + index * CHUNK;
+            let mut chunk = Chunk {
+                index,
+                columns: Columns::default(),
+                ended: None,
+            };
+            for case in first..(first + CHUNK).min(self.cases) {
+                if interrupt::is_requested() {
+                    chunk.ended = Some(Ended::Interrupted);
+                    break;
+                }
+                match sweep.run(case, 1) {
+                    Ok(row) => chunk.columns.append(row),
+                    Err(error) => {
+                        chunk.ended = Some(Ended::Failed(Failed::Case(error)));
+                        break;
+                    }
+                }
+            }
+            if sender.send(chunk).is_err() {
+                return;
+            }
+        }
+    }
+
+    /// Takes the next chunk, when those before it are not too far behind.
+    fn take(&self, chunks: u64) -> Option<u64> {
+        let mut progress = self.lock();
+        loop {
+            if progress.is_over || progress.taken == chunks {
+                return None;
+            }
+            if progress.taken < progress.written + self.threads * AHEAD {
+                progress.taken += 1;
+                return Some(progress.taken - 1);
+            }
+            let waited = self.written.wait(progress);
+            progress = waited.unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Progress> {
+        self.progress.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Records a case of a table.
+pub(super) fn record(file: &Path, number: u64, lang: Lang) -> Result<Recording, Error> {
+    interrupt::catch();
+    let spec = Saved::of(file, lang)?.spec;
+    let usage = |error: SweepError| Error::Usage(error.text(lang));
+    let extent = match spec.cycles {
+        Some(cycles) => Extent::cycles(cycles),
+        None => Extent::Time {
+            most: spec.until * 1000.0,
+            wait: f64::INFINITY,
+        },
+    };
+    let (name, program) = (spec.program.name.clone(), spec.program.text.clone());
+    let sweep = tip_sweep::Sweep::new(spec).map_err(usage)?;
+    let case = sweep.case(number).map_err(usage)?;
+    let run = sweep.start(&case).map_err(usage)?;
+    let loaded = tip_lint::load(&name, program.as_bytes(), &case.robot.options());
+    let goes_on = || !interrupt::is_requested();
+    Recording::of_run(run, &loaded, &case.robot, extent, Pace::Smooth, goes_on)
+        .map_err(|reason| Error::Usage(reason.to_string()))
+}
