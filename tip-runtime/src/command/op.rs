@@ -1,4 +1,4 @@
-//! The commands of the robot (T.I.P. 3.1 §7).
+//! The commands of the robot (T.I.P. 3.1 §7, and §1-2 for those of edition 3.2).
 
 use super::UnknownWord;
 use core::fmt;
@@ -102,6 +102,17 @@ ops! {
     SitDown "SIT_DOWN" true,
     DetectFloor "DETECT_FLOOR" true,
     DetectObject "DETECT_OBJECT" true,
+    StartTimer "START_TIMER" false,
+    StopTimer "STOP_TIMER" false,
+    RestartTimer "RESTART_TIMER" false,
+    ResetTimer "RESET_TIMER" false,
+    SpeedUp "TIP_SPEED_UP" true,
+    Direct "DIRECT" true,
+    Trajectory "TRAJECTORY" true,
+    Lock "LOCK" true,
+    Unlock "UNLOCK" true,
+    SetLimit "SET_LIMIT" true,
+    ResetLimit "RESET_LIMIT" true,
 }
 
 impl fmt::Display for Op {
