@@ -1,6 +1,7 @@
 //! Commands of the robot, each by its row in the compiler's table.
 
 use crate::writer::{JOINTS, POSITIONS, VARS, Writer};
+use tipc::language::Edition;
 use tipc::language::commands::{Arguments, COMMANDS, Command, Form, Joints, Targets, Values};
 
 impl Writer {
@@ -10,7 +11,9 @@ impl Writer {
         let known: Vec<&Command> = COMMANDS
             .iter()
             .filter(|command| {
-                command.robots.contains(robot) && !matches!(command.form, Form::Words(_))
+                command.since == Edition::V3_1
+                    && command.robots.contains(robot)
+                    && !matches!(command.form, Form::Words(_))
             })
             .collect();
         let command = self.pick(&known);
@@ -76,14 +79,17 @@ impl Writer {
         match form.values {
             Values::None => String::new(),
             Values::One => self.plain(command, form, 1),
-            Values::Three => self.plain(command, form, 3),
+            Values::Three | Values::ThreeOrPos => self.plain(command, form, 3),
+            Values::Limits if single => self.scalars(command, form, target, 2),
+            Values::Limits => format!("{0} {0}", self.pick(JOINTS)),
             Values::Position => self.several(command, form, target, POSITIONS, 3),
             Values::Angles if single => self.scalars(command, form, target, 1),
-            Values::PerJoint if single => self.plain(command, form, 1),
+            Values::PerJoint | Values::PerLeg if single => self.plain(command, form, 1),
+            Values::PerLeg if target == "ALL" => self.plain(command, form, 1),
             Values::PerJoint if target == "ALL" && self.random.once_in(2) => {
                 self.plain(command, form, 1)
             }
-            Values::Angles | Values::PerJoint => {
+            Values::Angles | Values::PerJoint | Values::PerLeg => {
                 self.several(command, form, target, JOINTS, joints)
             }
         }
