@@ -21,8 +21,8 @@ use crate::syntax::Module;
 pub struct Options {
     /// The robot.
     pub robot: Robot,
-    /// The version that line 1 must name.
-    pub tip_version: f64,
+    /// The version that line 1 must name; without one, any edition.
+    pub tip_version: Option<f64>,
     /// The encoding of the file.
     pub encoding: Encoding,
 }
@@ -31,7 +31,7 @@ impl Default for Options {
     fn default() -> Self {
         Options {
             robot: Robot::default(),
-            tip_version: Edition::default().number(),
+            tip_version: None,
             encoding: Encoding::Auto,
         }
     }

@@ -59,10 +59,11 @@ pub struct Call {
     pub back: NodeId,
 }
 
-/// The flow of a program. Its run begins at node 0.
+/// The flow of a program. Its run begins at node 0, and each thread at the node of its THREAD.
 #[derive(Clone, Debug)]
 pub struct Flow {
     nodes: Vec<Node>,
+    starts: Vec<NodeId>,
 }
 
 impl Flow {
@@ -82,7 +83,15 @@ impl Flow {
             }
             nodes.push(ways.node(step, action));
         }
-        Flow { nodes }
+        let threads = program.threads().iter();
+        let threads = threads.filter_map(|thread| ways.to(thread.first));
+        let starts = [0].into_iter().chain(threads).collect();
+        Flow { nodes, starts }
+    }
+
+    /// Returns the first nodes of the program and of each thread.
+    pub fn starts(&self) -> &[NodeId] {
+        &self.starts
     }
 
     /// Returns the nodes in the order of their steps.
@@ -170,6 +179,10 @@ impl Ways {
             | Action::TeachScalar { .. }
             | Action::AdIn { .. }
             | Action::KeyIn { .. }
+            | Action::StartThread { .. }
+            | Action::StopThread { .. }
+            | Action::WaitThread { .. }
+            | Action::FileMessage { .. }
             | Action::Message { .. } => [on, None],
             Action::If {
                 condition,
@@ -209,7 +222,7 @@ impl Ways {
                 }
                 chosen(always, None, on)
             }
-            Action::Return | Action::Finish(_) => [None, None],
+            Action::Return | Action::ThreadEnd | Action::Finish(_) => [None, None],
         };
         Node {
             step,

@@ -12,6 +12,7 @@ use crate::program::{Argument, Arithmetic, Function, Operand};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::syntax::{self, Equation, Expression, OperandKind, Word};
+use tip_runtime::command::TIMERS;
 use tip_runtime::model::Range;
 
 impl Resolver<'_> {
@@ -25,7 +26,7 @@ impl Resolver<'_> {
     ) {
         let judged = match form.values {
             // The z of a finger is ignored.
-            Values::Three | Values::Position if self.robot.is_hand() => 2,
+            Values::Three | Values::ThreeOrPos | Values::Position if self.robot.is_hand() => 2,
             _ => values.len(),
         };
         for (operand, value) in operands.iter().zip(values).take(judged) {
@@ -144,6 +145,15 @@ fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
             let range = Range::new(1.0, types);
             (!range.contains(value.trunc())).then(|| from_to(range))
         }
+        Limit::Timer => {
+            let range = Range::new(0.0, f64::from(TIMERS - 1));
+            (!range.contains(value.trunc())).then(|| from_to(range))
+        }
+        Limit::Steps => {
+            let range = Range::new(1.0, 255.0);
+            (!range.contains(value.trunc())).then(|| from_to(range))
+        }
+        Limit::Angles => None,
         Limit::ObjectType => {
             let range = Range::new(1.0, 3.0);
             (!range.contains(value.trunc())).then(|| from_to(range))

@@ -28,7 +28,7 @@ impl Values<'_> {
     fn whole_struct(&self, arguments: &[Argument]) -> Option<TokenStream> {
         let variable = match arguments.first()?.operand {
             Operand::Scalar { scalar, .. } => scalar.variable,
-            Operand::Constant(_) => return None,
+            Operand::Constant(_) | Operand::Reading { .. } => return None,
         };
         let members = (0..self.program.variables[variable].size()).map(|member| Argument {
             operand: Operand::Scalar {
@@ -49,8 +49,8 @@ impl Values<'_> {
         }
         let parts = parts.iter().map(|part| match part {
             MessagePart::Text(text) => quote!(Part::Text(#text)),
-            MessagePart::Value { scalar, decimals } => {
-                let (value, decimals) = (self.read(*scalar), ident::small(*decimals));
+            MessagePart::Value { operand, decimals } => {
+                let (value, decimals) = (self.operand(*operand), ident::small(*decimals));
                 quote!(Part::Number(#value, #decimals))
             }
         });
@@ -68,7 +68,7 @@ fn text(part: &MessagePart) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use crate::emit::{Options, emit};
-    use crate::fixture::{program, scalar};
+    use crate::fixture::{program, read};
     use crate::program::{Action, MessagePart};
 
     // clauses: 7.38
@@ -76,7 +76,7 @@ mod tests {
     fn a_message_without_values_is_shown_as_it_is() {
         let text = || MessagePart::Text("Hello ".to_owned());
         let value = MessagePart::Value {
-            scalar: scalar(0),
+            operand: read(0),
             decimals: 1,
         };
         for (parts, shown) in [

@@ -6,7 +6,7 @@ use super::ident::{field, identifier};
 use crate::analysis::assignment::Assignment;
 use crate::program::{
     Arithmetic, Axis, Condition, Operand, Program, Relation, Scalar, ScalarExpression, StepId,
-    StructExpression, VariableId, VariableKind,
+    StructExpression, StructOperand, VariableId, VariableKind,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -71,6 +71,17 @@ impl Values<'_> {
                 let value = self.read(scalar);
                 quote!(-#value)
             }
+            // Special variables are not emitted yet.
+            Operand::Reading { .. } => ident::number(0.0),
+        }
+    }
+
+    /// Returns the members of a struct that is a variable or special variable.
+    fn read_whole(&self, whole: StructOperand) -> TokenStream {
+        match whole {
+            StructOperand::Variable(variable) => self.read_struct(variable),
+            // Special variables are not emitted yet.
+            StructOperand::Reading(_) => quote!([0.0; 3]),
         }
     }
 
@@ -124,8 +135,8 @@ impl Values<'_> {
                 let (y, x) = (self.operand(y), self.operand(x));
                 quote!(ops::atan2(#y, #x))
             }
-            ScalarExpression::Norm(variable) => {
-                let members = self.read_struct(variable);
+            ScalarExpression::Norm(whole) => {
+                let members = self.read_whole(whole);
                 quote!(ops::norm(#members))
             }
         }
@@ -154,18 +165,18 @@ impl Values<'_> {
 
     fn struct_expression(&self, value: StructExpression) -> TokenStream {
         match value {
-            StructExpression::Copy(variable) => self.read_struct(variable),
+            StructExpression::Copy(whole) => self.read_whole(whole),
             StructExpression::Binary {
                 left,
                 operation,
                 right,
             } => {
                 let operation = arithmetic_each(operation);
-                let (left, right) = (self.read_struct(left), self.read_struct(right));
+                let (left, right) = (self.read_whole(left), self.read_whole(right));
                 quote!(#operation(#left, #right)?)
             }
-            StructExpression::UnitVect(variable) => {
-                let members = self.read_struct(variable);
+            StructExpression::UnitVect(whole) => {
+                let members = self.read_whole(whole);
                 quote!(ops::unit_vect(#members)?)
             }
             StructExpression::Rotate {
@@ -178,7 +189,7 @@ impl Values<'_> {
                     Axis::Y => quote!(ops::rot_y),
                     Axis::Z => quote!(ops::rot_z),
                 };
-                let (members, angle) = (self.read_struct(operand), self.operand(angle));
+                let (members, angle) = (self.read_whole(operand), self.operand(angle));
                 quote!(#turn(#members, #angle)?)
             }
         }

@@ -190,6 +190,12 @@ impl Emitter<'_> {
                     Ok(Flow::Wait)
                 })
             }
+            // Threads and files of messages are not emitted yet.
+            Action::StartThread { .. }
+            | Action::StopThread { .. }
+            | Action::WaitThread { .. }
+            | Action::ThreadEnd
+            | Action::FileMessage { .. } => self.go(next),
             Action::Message { parts } => {
                 let text = values.message(parts);
                 let go = self.go(next);

@@ -12,6 +12,8 @@ messages! {
     Condition "the condition", "条件式";
     NextAndVariable "NEXT and its variable", "NEXTとその変数";
     SubroutineAndName "SUBROUTINE and its name", "SUBROUTINEとその名前";
+    ThreadAndName "THREAD and its name", "THREADとその名前";
+    DefineAndValue "DEFINE, its name and its value", "DEFINEとその名前と値";
 }
 
 messages! {
@@ -142,6 +144,7 @@ messages! {
     Repeat "a REPEAT", "REPEAT文";
     For "a FOR", "FOR文";
     Subroutine "a SUBROUTINE", "サブルーチン";
+    Thread "a THREAD", "スレッド";
 }
 
 messages! {

@@ -58,7 +58,10 @@ pub struct Statement {
 impl Statement {
     /// Returns true if it is a step: everything but a declaration.
     pub const fn is_step(&self) -> bool {
-        !matches!(self.kind, StatementKind::Define { .. })
+        !matches!(
+            self.kind,
+            StatementKind::Define { .. } | StatementKind::Constant { .. }
+        )
     }
 
     /// Returns its first word if it has a location of its own, else the whole statement.

@@ -22,9 +22,9 @@ pub(super) struct SourceArguments {
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
-    /// The version of the language that line 1 must name
-    #[arg(long, value_name = "NUMBER", default_value_t = TIP_VERSION, value_parser = version_number)]
-    tip_version: f64,
+    /// The version of the language that line 1 must name; by default that of any edition, 3.1 or 3.2
+    #[arg(long, value_name = "NUMBER", value_parser = version_number)]
+    tip_version: Option<f64>,
 
     /// The encoding of the file; auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum)]
@@ -38,9 +38,6 @@ pub(super) struct SourceArguments {
     pub(super) given: Option<(PathBuf, RobotChoice)>,
 }
 
-/// The default of `--tip-version`.
-const TIP_VERSION: f64 = 3.1;
-
 impl SourceArguments {
     /// Returns the arguments of a client without a command line.
     pub(super) fn of_client(
@@ -50,7 +47,7 @@ impl SourceArguments {
     ) -> Self {
         SourceArguments {
             robot,
-            tip_version: TIP_VERSION,
+            tip_version: None,
             encoding,
             output_options: OutputOptions::of(LangName::of(lang)),
             given: None,

@@ -55,9 +55,9 @@ pub(super) struct Fmt {
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
-    /// The version of the language that line 1 must name
-    #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
-    tip_version: f64,
+    /// The version of the language that line 1 must name; by default that of any edition, 3.1 or 3.2
+    #[arg(long, value_name = "NUMBER", value_parser = version_number)]
+    tip_version: Option<f64>,
 
     /// The encoding of the files; auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
     #[arg(long, value_enum)]

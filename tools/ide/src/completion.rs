@@ -14,7 +14,7 @@ use tipc::language::commands::{
 use tipc::language::flags::{self, FLAGS};
 use tipc::language::functions::FUNCTIONS;
 use tipc::language::inputs::INPUTS;
-use tipc::language::reserved::{JOINT, Kind, LOOP, POSITION, RESERVED, VAR_KEY, motion_flags};
+use tipc::language::reserved::{JOINT, Kind, LOOP, POSITION, RESERVED, motion_flags};
 use tipc::language::{Bilingual, Keyword};
 use tipc::source::Span;
 use tipc::symbols::{Definition, DefinitionKind};
@@ -169,17 +169,23 @@ impl Document {
         let definitions = self.loaded.symbols.definitions().iter();
         let mut items = Vec::new();
         for definition in definitions {
-            let DefinitionKind::Variable(kind) = definition.kind else {
-                continue;
+            let (kind, item) = match definition.kind {
+                DefinitionKind::Variable(kind) => (kind, CompletionKind::Variable),
+                DefinitionKind::Constant => (VariableKind::Var, CompletionKind::Constant),
+                _ => continue,
             };
             if kinds.contains(&kind) {
+                let name = definition.name.as_str();
                 let description = match definition.span {
-                    None => reserved_line(VAR_KEY),
+                    None => reserved_line(name.trim_end_matches(|it: char| it.is_ascii_digit())),
                     Some(_) => Bilingual::EMPTY,
                 };
-                let name = definition.name.as_str();
-                let item = CompletionItem::new(name, CompletionKind::Variable, description);
-                items.push(item.detail(declaring(kind).word()));
+                let detail = match definition.kind {
+                    DefinitionKind::Constant => Keyword::Define,
+                    _ => declaring(kind),
+                };
+                let item = CompletionItem::new(name, item, description);
+                items.push(item.detail(detail.word()));
             }
         }
         items
@@ -219,8 +225,13 @@ impl Document {
             (at <= subroutines[last].end).then_some(last)
         };
         let here = around(at);
+        let names_thread = matches!(
+            keyword,
+            Keyword::StartThread | Keyword::StopThread | Keyword::WaitThread
+        );
         let fits = |it: &Definition| match it.kind {
-            DefinitionKind::Variable(_) => false,
+            DefinitionKind::Variable(_) | DefinitionKind::Constant => false,
+            DefinitionKind::Thread => names_thread,
             DefinitionKind::Label => {
                 let there = it.span.and_then(|place| around(place.start));
                 match keyword {
@@ -229,7 +240,7 @@ impl Document {
                     _ => false,
                 }
             }
-            DefinitionKind::Subroutine => keyword != Keyword::Goto,
+            DefinitionKind::Subroutine => keyword != Keyword::Goto && !names_thread,
         };
         let mut names: Vec<&str> = definitions
             .filter(|it| fits(it))
@@ -296,8 +307,10 @@ impl Document {
         } else if arguments.values != Values::None {
             let kinds: &[VariableKind] = match arguments.values {
                 Values::None | Values::One | Values::Three => &[VariableKind::Var],
-                Values::Position => &[VariableKind::Var, VariableKind::Pos],
-                Values::Angles | Values::PerJoint => &[VariableKind::Var, VariableKind::Joint],
+                Values::Position | Values::ThreeOrPos => &[VariableKind::Var, VariableKind::Pos],
+                Values::Angles | Values::PerJoint | Values::PerLeg | Values::Limits => {
+                    &[VariableKind::Var, VariableKind::Joint]
+                }
             };
             items.extend(self.variables(kinds));
         }
@@ -339,7 +352,7 @@ fn command_item(row: &Command, document: &Document) -> CompletionItem {
         _ => CompletionKind::Command,
     };
     let robot = document.robot();
-    let usage = row.usage(robot);
+    let usage = row.usage(robot, document.loaded.module.edition);
     let detail = usage.first().map_or("", String::as_str);
     CompletionItem::new(row.name, kind, row.description)
         .detail(detail)
@@ -391,7 +404,7 @@ pub fn snippet(command: &Command, robot: Robot) -> String {
     match command.meaning {
         Meaning::Keyword(keyword) => block(keyword),
         _ => {
-            let usage = command.usage(robot);
+            let usage = command.usage(robot, command.since);
             let first = usage.first().map_or(command.name, String::as_str);
             arguments(first)
         }
@@ -415,9 +428,14 @@ fn block(keyword: Keyword) -> String {
             format!("{keyword} ${{1:VAR}} = ${{2:1}} {to} ${{3:10}}{inside}{next}")
         }
         Keyword::Subroutine => format!("{keyword} ${{1:name}}:{inside}{}", Keyword::SubEnd),
+        Keyword::Thread => format!("{keyword} ${{1:name}}:{inside}{}", Keyword::ThreadEnd),
         Keyword::Call | Keyword::Goto | Keyword::Gosub => format!("{keyword} ${{1:label}}:"),
+        Keyword::StartThread | Keyword::StopThread | Keyword::WaitThread => {
+            format!("{keyword} ${{1:name}}:")
+        }
+        Keyword::Define => format!("{keyword} ${{1:name}} ${{2:constant}}"),
         Keyword::DefVar | Keyword::DefPos | Keyword::DefJoint => format!("{keyword} ${{1:name}}"),
-        Keyword::Message | Keyword::Rem => format!("{keyword} ${{1:text}}"),
+        Keyword::Message | Keyword::FileMessage | Keyword::Rem => format!("{keyword} ${{1:text}}"),
         Keyword::Then
         | Keyword::Else
         | Keyword::EndIf
@@ -426,6 +444,7 @@ fn block(keyword: Keyword) -> String {
         | Keyword::Step
         | Keyword::Next
         | Keyword::SubEnd
+        | Keyword::ThreadEnd
         | Keyword::Return
         | Keyword::End
         | Keyword::Exit => keyword.word().to_owned(),

@@ -116,7 +116,10 @@ impl Document {
         let definition = self.definition_of(named);
         let class = match definition.kind {
             DefinitionKind::Variable(_) => TokenClass::Variable,
-            DefinitionKind::Label | DefinitionKind::Subroutine => TokenClass::Label,
+            DefinitionKind::Label | DefinitionKind::Subroutine | DefinitionKind::Thread => {
+                TokenClass::Label
+            }
+            DefinitionKind::Constant => TokenClass::Constant,
         };
         let assigns = matches!(
             named.access,

@@ -73,7 +73,7 @@ impl Document {
         if line.number == 1 {
             push(&mut words, trimmed(text, code), WordKind::Version);
         } else {
-            for piece in Pieces::new(text, code, false) {
+            for piece in Pieces::new(text, code, false).in_edition(self.edition()) {
                 if end.is_some_and(|end| start(&piece) > end) {
                     break;
                 }
@@ -130,7 +130,7 @@ impl Document {
     fn statement(&self, word: Span, span: Span, words: &mut Vec<Word>) {
         let mut tokens = Vec::new();
         lex::lex(self.loaded.source.text(), span, &mut tokens);
-        let command = commands::find(self.slice(word));
+        let command = commands::find_in(self.slice(word), self.edition());
         for token in &tokens {
             let is_first = token.span.start == span.start;
             self.token(token, command, is_first, words);
@@ -192,7 +192,7 @@ impl Document {
         if let Some(keyword) = keywords::find(word, edition) {
             return WordKind::Keyword(keyword);
         }
-        if let Some(row) = commands::find(word).filter(|_| is_first) {
+        if let Some(row) = commands::find_in(word, edition).filter(|_| is_first) {
             return WordKind::Command(row);
         }
         if word.parse::<f64>().is_ok() && word.starts_with(|c: char| c == '.' || c.is_ascii_digit())
@@ -221,7 +221,7 @@ impl Document {
             .or_else(|| function().map(WordKind::Function))
             .or_else(|| constant(&upper, edition))
             .or_else(input)
-            .or_else(|| commands::find(word).map(WordKind::Command))
+            .or_else(|| commands::find_in(word, edition).map(WordKind::Command))
             .unwrap_or(WordKind::Unknown)
     }
 }

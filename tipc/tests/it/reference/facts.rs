@@ -63,7 +63,7 @@ fn forms(command: &Command) -> String {
         if !command.robots.contains(robot) {
             continue;
         }
-        let usage = command.usage(robot);
+        let usage = command.usage(robot, command.since);
         match groups.iter_mut().find(|(_, forms)| *forms == usage) {
             Some((letters, _)) => *letters += &format!(" {letter}"),
             None => groups.push((letter.to_owned(), usage)),

@@ -6,7 +6,7 @@ use tip_runtime::fault::Fault;
 use tip_runtime::ops::{self, Domain};
 use tipc::program::{
     Arithmetic, Axis, Condition, Flag, Operand, Relation, Scalar, ScalarExpression,
-    StructExpression, VariableId,
+    StructExpression, StructOperand, VariableId,
 };
 
 impl Interpreter {
@@ -22,6 +22,17 @@ impl Interpreter {
                 let value = self.read(scalar)?;
                 Ok(if negative { -value } else { value })
             }
+            // Special variables are not interpreted yet.
+            Operand::Reading { .. } => Err(Fault::Domain),
+        }
+    }
+
+    /// Returns the members of a struct that is a variable or special variable.
+    fn read_whole(&self, whole: StructOperand) -> Result<Vec<f64>, Fault> {
+        match whole {
+            StructOperand::Variable(variable) => self.read_struct(variable),
+            // Special variables are not interpreted yet.
+            StructOperand::Reading(_) => Err(Fault::Domain),
         }
     }
 
@@ -32,10 +43,10 @@ impl Interpreter {
             .collect()
     }
 
-    fn read_vector(&self, variable: VariableId) -> Result<[f64; 3], Fault> {
+    fn read_vector(&self, whole: StructOperand) -> Result<[f64; 3], Fault> {
         let mut vector = [0.0; 3];
-        for (member, place) in vector.iter_mut().enumerate() {
-            *place = self.read(Scalar { variable, member })?;
+        for (place, value) in vector.iter_mut().zip(self.read_whole(whole)?) {
+            *place = value;
         }
         Ok(vector)
     }
@@ -74,10 +85,10 @@ impl Interpreter {
                 let x = self.operand(x)?;
                 Ok(ops::atan2(y, x)?)
             }
-            ScalarExpression::Norm(variable) => {
+            ScalarExpression::Norm(whole) => {
                 // Members beyond the struct's own count as zeros, which change no sum of squares.
                 let mut members = [0.0; MAX];
-                for (place, value) in members.iter_mut().zip(self.read_struct(variable)?) {
+                for (place, value) in members.iter_mut().zip(self.read_whole(whole)?) {
                     *place = value;
                 }
                 Ok(ops::norm(members)?)
@@ -100,18 +111,18 @@ impl Interpreter {
 
     fn struct_expression(&self, value: StructExpression) -> Result<Vec<f64>, Fault> {
         match value {
-            StructExpression::Copy(variable) => self.read_struct(variable),
+            StructExpression::Copy(whole) => self.read_whole(whole),
             StructExpression::Binary {
                 left,
                 operation,
                 right,
             } => {
-                let left = self.read_struct(left)?;
-                let right = self.read_struct(right)?;
+                let left = self.read_whole(left)?;
+                let right = self.read_whole(right)?;
                 Ok(combine_each(operation, &left, &right)?)
             }
-            StructExpression::UnitVect(variable) => {
-                Ok(ops::unit_vect(self.read_vector(variable)?)?.to_vec())
+            StructExpression::UnitVect(whole) => {
+                Ok(ops::unit_vect(self.read_vector(whole)?)?.to_vec())
             }
             StructExpression::Rotate {
                 axis,

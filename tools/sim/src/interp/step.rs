@@ -177,6 +177,12 @@ impl Interpreter {
                 Some(key) => self.assign(*into, f64::from(key), on),
                 None => Then::Wait.with(),
             },
+            // Threads and files of messages are not interpreted yet.
+            Action::StartThread { .. }
+            | Action::StopThread { .. }
+            | Action::WaitThread { .. }
+            | Action::ThreadEnd
+            | Action::FileMessage { .. } => return Err(Fault::Domain),
             Action::Message { parts } => {
                 cx.message(&self.text(parts)?);
                 on.with()
@@ -246,8 +252,8 @@ impl Interpreter {
         let pieces = parts.iter().map(|part| {
             Ok(match part {
                 MessagePart::Text(text) => Piece::Text(text),
-                MessagePart::Value { scalar, decimals } => Piece::Value(FormattedNumber {
-                    value: self.read(*scalar)?,
+                MessagePart::Value { operand, decimals } => Piece::Value(FormattedNumber {
+                    value: self.operand(*operand)?,
                     decimals: *decimals,
                 }),
             })

@@ -56,7 +56,7 @@ fn lines(command: &Command, robot: Robot) -> Vec<String> {
         Form::Robot(form) if matches!(form.values, Values::Position | Values::Angles) => SCALARS,
         _ => CONSTANTS_AND_VARS,
     };
-    let usages = command.usage(robot);
+    let usages = command.usage(robot, command.since);
     let turns = (0..kinds.len()).flat_map(|turn| usages.iter().map(move |usage| (turn, usage)));
     turns
         .flat_map(|(turn, usage)| spelt(usage, kinds, turn))
