@@ -64,7 +64,7 @@
 //! # }
 //! ```
 
-use crate::command::{Command, Flag, MAX, Poll, Port, Target, Teach};
+use crate::command::{Command, Flag, MAX, Poll, Port, Reading, Target, Teach};
 use crate::fault::Fault;
 use crate::model::{Family, Model, Point};
 use crate::vibration::Vibration;
@@ -353,6 +353,27 @@ pub trait Context: Robot {
     /// Appends text to FOUT.LOG (F_MESSAGE).
     fn append(&mut self, text: &dyn Display) {
         let _ = text;
+    }
+    /// Returns the members of a special variable, a number as the first one: what a TEACH_ command would give in this
+    /// cycle, or the time of a timer.
+    ///
+    /// # Errors
+    /// `Domain` for a part that the robot lacks, or a value that is not finite.
+    fn reading(&self, reading: Reading) -> Result<[f64; MAX], Fault> {
+        match reading {
+            Reading::Timer(n) => {
+                let mut members = [0.0; MAX];
+                members[0] = self.timer(n);
+                Ok(members)
+            }
+            Reading::Measured(what, target) => {
+                let members = self.teach(what, target)?;
+                match members.iter().all(|member| member.is_finite()) {
+                    true => Ok(members),
+                    false => Err(Fault::Domain),
+                }
+            }
+        }
     }
     /// Returns the time of timer `n`, ms.
     fn timer(&self, n: u8) -> f64 {

@@ -3,7 +3,7 @@
 use super::expression::Values;
 use super::ident;
 use crate::program::{Argument, Mark, MessagePart, Operand, Scalar, VariableKind};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 impl Values<'_> {
@@ -42,10 +42,11 @@ impl Values<'_> {
         (is_struct && is_whole).then(|| self.read_struct(variable))
     }
 
-    pub(super) fn message(&self, parts: &[MessagePart]) -> TokenStream {
+    /// Returns the code that hands a text to `show`, a method of the context.
+    pub(super) fn message(&self, show: &Ident, parts: &[MessagePart]) -> TokenStream {
         let plain: Option<String> = parts.iter().map(text).collect();
         if let Some(plain) = plain {
-            return quote!(cx.message(&#plain););
+            return quote!(cx.#show(&#plain););
         }
         let parts = parts.iter().map(|part| match part {
             MessagePart::Text(text) => quote!(Part::Text(#text)),
@@ -54,7 +55,7 @@ impl Values<'_> {
                 quote!(Part::Number(#value, #decimals))
             }
         });
-        quote!(cx.message(&Message(&[#(#parts),*]));)
+        quote!(cx.#show(&Message(&[#(#parts),*]));)
     }
 }
 

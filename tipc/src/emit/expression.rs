@@ -5,11 +5,11 @@ use super::ident;
 use super::ident::{field, identifier};
 use crate::analysis::assignment::Assignment;
 use crate::program::{
-    Arithmetic, Axis, Condition, Operand, Program, Relation, Scalar, ScalarExpression, StepId,
-    StructExpression, StructOperand, VariableId, VariableKind,
+    Arithmetic, Axis, Condition, Operand, Program, Reading, Relation, Scalar, ScalarExpression,
+    StepId, StructExpression, StructOperand, Teach, VariableId, VariableKind,
 };
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 
 /// Reads and assignments of one step.
 pub(super) struct Values<'a> {
@@ -71,8 +71,15 @@ impl Values<'_> {
                 let value = self.read(scalar);
                 quote!(-#value)
             }
-            // Special variables are not emitted yet.
-            Operand::Reading { .. } => ident::number(0.0),
+            Operand::Reading {
+                reading,
+                member,
+                negative,
+            } => {
+                let (reading, member) = (ident::reading(reading), Literal::usize_unsuffixed(member));
+                let minus = negative.then(|| quote!(-));
+                quote!(#minus cx.reading(#reading)?[#member])
+            }
         }
     }
 
@@ -80,8 +87,20 @@ impl Values<'_> {
     fn read_whole(&self, whole: StructOperand) -> TokenStream {
         match whole {
             StructOperand::Variable(variable) => self.read_struct(variable),
-            // Special variables are not emitted yet.
-            StructOperand::Reading(_) => quote!([0.0; 3]),
+            StructOperand::Reading(reading) => {
+                let size = match reading {
+                    Reading::Measured(Teach::Angle | Teach::Torque, _) => {
+                        usize::from(self.program.signature.joints)
+                    }
+                    Reading::Measured(Teach::Position | Teach::Force, _) | Reading::Timer(_) => 3,
+                };
+                let members: Vec<Ident> = (1..=size).map(|member| format_ident!("m{member}")).collect();
+                let reading = ident::reading(reading);
+                quote!({
+                    let [#(#members,)* ..] = cx.reading(#reading)?;
+                    [#(#members),*]
+                })
+            }
         }
     }
 
