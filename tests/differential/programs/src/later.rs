@@ -16,7 +16,8 @@ impl Writer {
         self.line("DEFINE NONE 0");
         self.line("DEF_JOINT LOW HIGH");
         for thread in 0..self.threads {
-            let counters = COUNTERS.map(|counter| format!("{counter}{thread}"));
+            let counters = COUNTERS.iter().map(|counter| format!("{counter}{thread}"));
+            let counters: Vec<String> = counters.collect();
             self.line(&format!("DEF_VAR {}", counters.join(", ")));
         }
         if !self.is_calm() {

@@ -52,9 +52,6 @@ impl Writer {
                 .below(u64::from(self.robot.facts().lamps))
                 .to_string(),
             Limit::FloorType if self.is_hand() => of(self, &[1.0, 2.0]),
-            Limit::Timer => of(self, &[0.0, 1.0, 7.0]),
-            Limit::Steps => of(self, &[1.0, 2.0, 3.0, 255.0]),
-            Limit::Angles => of(self, &[-20.0, -5.0, 5.0, 30.0]),
             Limit::FloorType | Limit::ObjectType => of(self, &[1.0, 2.5, 3.0]),
             Limit::Timer => of(self, &[0.0, 1.0, 2.9, 7.0]),
             Limit::Steps => of(self, &[1.0, 1.0, 2.0, 3.0, 5.5, 255.0]),
