@@ -44,7 +44,7 @@ tipc::message_table! {
     TimerStands
         "it stays 0 until the timer is started",
         "タイマを動かすまで0のままです";
-    StartTimer { timer: u8 }
+    StartTimer { timer: u32 }
         "start it with `START_TIMER {timer}`",
         "`START_TIMER {timer}` で動かしてください";
 
