@@ -151,6 +151,28 @@ impl Symbols {
         &rest[..rest.partition_point(|it| it.span.end <= span.end)]
     }
 
+    /// Returns the operand of a statement that reads a scalar of this name; the whole statement if none names it.
+    pub fn read_in(
+        &self,
+        source: &Source,
+        statement: Span,
+        variable: VariableId,
+        scalar: &str,
+    ) -> Span {
+        let named = self.within(statement).iter();
+        let named = named.filter(|it| it.definition == DefinitionId::of_variable(variable));
+        // What is updated is read last.
+        let first = named.clone().filter(|it| it.access == Access::Read);
+        let last = named.filter(|it| it.access == Access::Update);
+        let operands: Vec<Span> = first.chain(last).map(|it| it.operand(source)).collect();
+        let names_it = |location: &&Span| {
+            let operand = source.slice(**location).to_ascii_uppercase();
+            operand.trim_start_matches('-') == scalar
+        };
+        let operand = operands.iter().find(names_it).or(operands.first());
+        operand.copied().unwrap_or(statement)
+    }
+
     /// Returns the end of a name, with its member.
     fn end(&self, named: &Use) -> usize {
         let point_and_member = match (named.member, self.definition(named.definition).kind) {

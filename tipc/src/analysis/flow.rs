@@ -4,6 +4,7 @@
 //! Conditions and loops over constants follow only the branch that they really take.
 
 use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
+use std::collections::BTreeSet;
 use std::ops::Deref;
 
 /// The index of a node in its flow. Nodes come in the order of their steps.
@@ -87,6 +88,17 @@ impl Flow {
         let threads = threads.filter_map(|thread| ways.to(thread.first));
         let starts = [0].into_iter().chain(threads).collect();
         Flow { nodes, starts }
+    }
+
+    /// Returns the flow in which no run goes on behind these nodes.
+    pub fn cut(&self, at: &BTreeSet<NodeId>) -> Flow {
+        let mut flow = self.clone();
+        for node in at {
+            flow.nodes[*node].next = Next::default();
+            flow.nodes[*node].call = None;
+            flow.nodes[*node].returns = false;
+        }
+        flow
     }
 
     /// Returns the first nodes of the program and of each thread.

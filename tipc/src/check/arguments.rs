@@ -6,7 +6,7 @@ use super::resolved::Resolved;
 use super::targets::word;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
-use crate::language::commands::{Arguments, Command, Form, Meaning};
+use crate::language::commands::{Arguments, Command, Form, Limit, Meaning};
 use crate::language::{Keyword, commands, keywords};
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
@@ -167,6 +167,9 @@ impl Resolver<'_> {
         let arguments = self.values(name, form, target, operands)?;
         if let resolved::Arguments::Each(values) = &arguments {
             self.warn_of_range(name, form, operands, values);
+            if form.limit == Limit::Angles {
+                self.warn_of_limits(name, target, operands, values);
+            }
         }
         Some(Resolved::Command {
             op,

@@ -177,8 +177,12 @@ impl Resolver<'_> {
     }
 
     fn constant(&mut self, operand: &Operand) -> Option<f64> {
-        match self.resolve_operand(operand, Code::Argument)? {
-            ResolvedOperand::Constant(value) => Some(value),
+        let meant = self.resolve_operand(operand, Code::Argument)?;
+        match meant {
+            ResolvedOperand::Constant(value) => {
+                self.uses.operand(operand, meant, Access::Read);
+                Some(value)
+            }
             _ => self.refuse(
                 Code::Argument,
                 operand.span,

@@ -382,6 +382,14 @@ impl Names {
         variable.or_else(constant)
     }
 
+    /// Returns the value of an operand that is a constant.
+    pub(crate) fn constant(&self, operand: &Operand) -> Option<f64> {
+        match self.operand(operand, Code::Argument, None) {
+            Ok(Some(ResolvedOperand::Constant(value))) => Some(value),
+            _ => None,
+        }
+    }
+
     /// Returns the index of the constant that DEFINE names so.
     pub(crate) fn find_constant(&self, name: &str) -> Option<usize> {
         self.constant_ids.get(name).copied()

@@ -222,7 +222,7 @@ fn shown(of: Text, text: &str, first: char, plain: &mut String) -> usize {
         ('\\' | '\u{A5}', Some(second @ ('\\' | '\u{A5}'))) => {
             match of {
                 Text::Shown => plain.extend([first, second]),
-                Text::Written => plain.push('\\'),
+                Text::Written => plain.push(second),
             }
             return length + second.len_utf8();
         }

@@ -32,6 +32,8 @@ pub(super) struct Uses<'a> {
 /// The names of a whole program, and what each is used for.
 pub(super) struct Named {
     pub(super) symbols: Symbols,
+    /// Number of labels.
+    pub(super) labels: usize,
     /// The variables that a broken statement names: nothing can be said of them.
     pub(super) excused: Vec<bool>,
     /// The variables that a MESSAGE was to show, and does not: that nothing reads them follows from it.
@@ -62,6 +64,7 @@ impl<'a> Uses<'a> {
     /// Returns all uses.
     pub(super) fn finish(self) -> Named {
         Named {
+            labels: self.labels.all.len(),
             symbols: Symbols::new(definitions(self.names, self.labels), self.all),
             excused: self.excused,
             to_be_shown: self.to_be_shown,
@@ -303,6 +306,25 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         });
     let meant: HashSet<String> = meant.collect();
     let lacks_name = found.iter().any(lacks_name);
+    let first = serves.len() + named.labels;
+    let mut used = vec![false; names.constants.len()];
+    for one in named.symbols.all_uses() {
+        let constant = one.definition.index().checked_sub(first);
+        let constant = constant.filter(|_| one.access != Access::Define);
+        if let Some(used) = constant.and_then(|constant| used.get_mut(constant)) {
+            *used = true;
+        }
+    }
+    for (constant, used) in names.constants.iter().zip(used) {
+        // What is wrong with its definition is reported.
+        let line = |location: Span| source.line_column(location.start).0;
+        let is_wrong = |it: &Diagnostic| line(it.span) == line(constant.span);
+        if !used && !meant.contains(constant.name.as_str()) && !found.iter().any(is_wrong) {
+            let reason = Naming::NothingUsesConstant;
+            let warning = Diagnostic::new(Code::UnusedConstant, constant.span, reason);
+            found.push(warning.about(constant.name.as_str()));
+        }
+    }
     for (id, variable) in names.variables.iter().enumerate() {
         let is_refused = variable.name.len() > LIMIT;
         let is_shared = variable.special.is_some();

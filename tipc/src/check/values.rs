@@ -77,12 +77,10 @@ impl Resolver<'_> {
 
     /// Reads two JOINTs: the lower and the upper limits of a leg.
     fn two_joints(&mut self, name: &Word, operands: &[Operand]) -> Option<resolved::Arguments> {
-        let read: Vec<_> = operands
-            .iter()
-            .take(2)
-            .map(|operand| self.joint(name, operand))
-            .collect();
-        let read: Vec<StructOperand> = read.into_iter().collect::<Option<_>>()?;
+        let mut read = Vec::new();
+        for operand in operands.iter().take(2) {
+            read.push(self.joint(name, operand)?);
+        }
         let [low, high] = read[..] else {
             let reason = Commanding::WantsTwoJoints {
                 command: name.node.clone(),

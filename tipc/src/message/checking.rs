@@ -332,9 +332,6 @@ messages! {
     ReadingAssigned { word: SmolStr }
         "`{word}` can only be read",
         "`{word}` は読み出し専用です";
-    CopyReading
-        "copy it into a variable first",
-        "先に変数へ代入してください";
     ReadingMembers { word: SmolStr }
         "the members of a position are X, Y, Z, those of joint values J1, J2 and so on; a number has none: look at `{word}`",
         "位置のメンバはX、Y、Z、関節の値のメンバはJ1、J2…です。数値にメンバはありません。`{word}` を確かめてください";
@@ -393,6 +390,9 @@ messages! {
         "`{name}` はJOINT型で、このロボットではメンバはJ1…J{last}です";
 
     // Use.
+    NoValueOnAnyWay { name: SmolStr }
+        "`{name}` has no value here, on whatever way the program comes",
+        "どの経路を通っても、ここで `{name}` に値がありません";
     NothingUses
         "nothing uses this name",
         "この名前はどこでも使われていません";
@@ -568,6 +568,12 @@ messages! {
     RunsInto
         "its SUBEND stops a program that comes this way",
         "ここを通って入ると、SUBENDで緊急停止します";
+    RunsIntoSubroutine
+        "only a call leads into a SUBROUTINE, and a way comes here without one",
+        "SUBROUTINEには呼び出しで入りますが、呼び出しなしでここに来る経路があります";
+    RunsIntoThread
+        "a thread begins only where START_THREAD starts it",
+        "スレッドはSTART_THREADで動かしたときだけ始まります";
     PutJumpAbove
         "put GOTO, RETURN or EXIT above it",
         "その上にGOTO、RETURN、EXITのどれかを置いてください";

@@ -132,6 +132,7 @@ messages! {
     NotNegative "0 or more", "0以上";
     Positive "more than 0", "0より大きい値";
     Percent "more than 0, up to 100", "0より大きく100以下";
+    Above { low: f64 } "an upper limit above {low}", "{low}より大きい上限";
     Nothing "nothing", "なし";
 }
 

@@ -84,7 +84,7 @@ mod tests {
 
     fn module(text: &str) -> Module {
         let (source, _) = Source::decode("steps.prg", text.as_bytes(), Encoding::Utf8);
-        parse(&source, 3.1).0
+        parse(&source, Some(3.1)).0
     }
 
     // clauses: 2.1

@@ -6,16 +6,16 @@ mod context;
 use crate::hover::usage;
 use crate::{Document, word};
 use context::Context;
-use tip_runtime::command::{Flag, Port, Target, Teach};
+use tip_runtime::command::{Flag, Port, Reading, TIMERS, Target, Teach};
 use tipc::Robot;
 use tipc::language::commands::{
-    Arguments, COMMANDS, Command, Form, Joints, Meaning, Targets, Values,
+    Arguments, COMMANDS, Command, Form, Joints, Meaning, Targets, Values, senses,
 };
 use tipc::language::flags::{self, FLAGS};
 use tipc::language::functions::FUNCTIONS;
 use tipc::language::inputs::INPUTS;
 use tipc::language::reserved::{JOINT, Kind, LOOP, POSITION, RESERVED, motion_flags};
-use tipc::language::{Bilingual, Keyword};
+use tipc::language::{Bilingual, Edition, Keyword};
 use tipc::source::Span;
 use tipc::symbols::{Definition, DefinitionKind};
 use tipc::syntax::VariableKind;
@@ -125,12 +125,11 @@ impl Document {
     fn items(&self, context: &Context, at: usize) -> Vec<CompletionItem> {
         match context {
             Context::Version => {
-                let version = self.loaded.module.edition.to_string();
-                vec![CompletionItem::new(
-                    version,
-                    CompletionKind::Constant,
-                    Bilingual::EMPTY,
-                )]
+                let editions = Edition::ALL.iter().map(Edition::to_string);
+                let kind = CompletionKind::Constant;
+                editions
+                    .map(|version| CompletionItem::new(version, kind, Bilingual::EMPTY))
+                    .collect()
             }
             Context::Start => self.starts(),
             Context::Member(name) => self.members(name),
@@ -142,7 +141,11 @@ impl Document {
                 items.extend(particle.map(keyword_item));
                 items
             }
-            Context::Counter | Context::Placeholder => self.variables(&[VariableKind::Var]),
+            Context::Counter => self.declared(&[VariableKind::Var]),
+            Context::Placeholder if self.loaded.module.edition >= Edition::V3_2 => {
+                self.variables(SCALARS)
+            }
+            Context::Placeholder => self.declared(&[VariableKind::Var]),
             Context::Right => {
                 let mut items = self.variables(SCALARS);
                 items.extend(functions());
@@ -160,12 +163,21 @@ impl Document {
         let rows = COMMANDS.iter();
         let rows = rows.filter(|row| row.since <= edition && row.robots.contains(robot));
         let mut items: Vec<CompletionItem> = rows.map(|row| command_item(row, self)).collect();
-        items.extend(self.variables(SCALARS));
+        items.extend(self.declared(SCALARS));
         items
     }
 
-    /// Returns the variables of some types.
+    /// Returns the variables of some types, special ones too.
     fn variables(&self, kinds: &[VariableKind]) -> Vec<CompletionItem> {
+        let mut items = self.declared(kinds);
+        if self.loaded.module.edition >= Edition::V3_2 {
+            items.extend(readings(self.robot(), kinds));
+        }
+        items
+    }
+
+    /// Returns the variables of some types that the program declares or names, and its constants.
+    fn declared(&self, kinds: &[VariableKind]) -> Vec<CompletionItem> {
         let definitions = self.loaded.symbols.definitions().iter();
         let mut items = Vec::new();
         for definition in definitions {
@@ -383,6 +395,44 @@ fn constants() -> impl Iterator<Item = CompletionItem> {
         )),
         _ => None,
     })
+}
+
+/// Returns the special variables of some types that a robot has and senses.
+fn readings(robot: Robot, kinds: &[VariableKind]) -> Vec<CompletionItem> {
+    let signature = robot.signature();
+    let mut all: Vec<(Reading, VariableKind)> = Vec::new();
+    for kind in Reading::KINDS {
+        match kind {
+            Reading::Timer(_) => {
+                let timers = (0..TIMERS).map(Reading::Timer);
+                all.extend(timers.map(|timer| (timer, VariableKind::Var)));
+            }
+            Reading::Measured(what, _) if !senses(robot, what) => {}
+            Reading::Measured(what, Target::Joint(..)) => {
+                for leg in 1..=signature.legs {
+                    let joints = 1..=signature.joints;
+                    let joints = joints.map(|joint| Target::Joint(leg, joint));
+                    let joints = joints.map(|joint| Reading::Measured(what, joint));
+                    all.extend(joints.map(|reading| (reading, VariableKind::Var)));
+                }
+            }
+            Reading::Measured(what, _) => {
+                let kind = match what {
+                    Teach::Position | Teach::Force => VariableKind::Pos,
+                    Teach::Angle | Teach::Torque => VariableKind::Joint,
+                };
+                let feet = (1..=signature.legs).map(Target::Foot);
+                all.extend(feet.map(|foot| (Reading::Measured(what, foot), kind)));
+            }
+        }
+    }
+    all.into_iter()
+        .filter(|(_, kind)| kinds.contains(kind))
+        .map(|(reading, _)| {
+            let description = reserved_line(reading.stem());
+            CompletionItem::new(reading.to_string(), CompletionKind::Variable, description)
+        })
+        .collect()
 }
 
 fn reserved_line(word: &str) -> Bilingual {

@@ -56,7 +56,10 @@ impl Document {
             WordKind::Function(row) => function(row, card),
             WordKind::Flag(row) => self.flag(row, self.slice(word.span), card),
             WordKind::Input(row) => self.input(row, self.slice(word.span), card),
-            WordKind::Target(row) | WordKind::MotionFlag(row) | WordKind::Member(row) => {
+            WordKind::Target(row)
+            | WordKind::Reading(row)
+            | WordKind::MotionFlag(row)
+            | WordKind::Member(row) => {
                 reserved(row, self.slice(word.span), card);
             }
             WordKind::Constant(value, row) => {

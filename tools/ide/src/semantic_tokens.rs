@@ -101,6 +101,7 @@ impl Document {
             WordKind::Input(_) | WordKind::Target(_) | WordKind::Constant(..) => {
                 plain(TokenClass::Constant)
             }
+            WordKind::Reading(_) => plain(TokenClass::Variable),
             WordKind::MotionFlag(_) => plain(TokenClass::Modifier),
             WordKind::Member(_) => plain(TokenClass::Member),
             WordKind::Number | WordKind::Version => plain(TokenClass::Number),

@@ -35,6 +35,8 @@ pub(crate) enum WordKind {
     /// `HS`, `R` or `A` among the arguments of a motion.
     MotionFlag(&'static reserved::Row),
     Constant(f64, &'static reserved::Row),
+    /// A special variable, as `@POS_F1`.
+    Reading(&'static reserved::Row),
     Member(&'static reserved::Row),
     /// A name of the program.
     Name(Use),
@@ -103,7 +105,7 @@ impl Document {
                 span,
                 text_end,
             } => match self.keyword(word) {
-                Some(keyword @ (Keyword::Message | Keyword::Rem)) => {
+                Some(keyword) if keyword.takes_text() => {
                     push(words, word, WordKind::Keyword(keyword));
                     let text = Span::new(word.end, text_end);
                     self.text(trimmed(self.loaded.source.text(), text), words);
@@ -199,6 +201,9 @@ impl Document {
         {
             return WordKind::Number;
         }
+        if let Some(row) = reading(&upper, edition) {
+            return WordKind::Reading(row);
+        }
         let form = command.map(|command| command.form);
         if let Some(Form::Robot(arguments)) = form
             && (arguments.hs || arguments.motion)
@@ -272,6 +277,16 @@ fn target_row(target: Target) -> Option<&'static reserved::Row> {
 fn function_row(operation: functions::Operation) -> Option<&'static functions::Row> {
     let mut rows = functions::FUNCTIONS.iter();
     rows.find(|row| row.operation == operation)
+}
+
+/// Returns the row of a special variable, with or without a member.
+fn reading(word: &str, edition: Edition) -> Option<&'static reserved::Row> {
+    let name = word.split('.').next()?;
+    let reading = reserved::reading(name, edition)?;
+    let is_it = |row: &&reserved::Row| {
+        matches!(row.kind, reserved::Kind::Reading(_)) && row.word == reading.stem()
+    };
+    RESERVED.iter().find(is_it)
 }
 
 fn constant(word: &str, edition: Edition) -> Option<WordKind> {
