@@ -124,7 +124,7 @@ impl Arguments {
                 },
             },
             "tip_version" => match word.and_then(|word| word.parse().ok()) {
-                Some(version) => self.load.tip_version = version,
+                Some(version) => self.load.tip_version = Some(version),
                 None => return wrong("a version number, such as 3.1"),
             },
             "encoding" => match word.as_deref().and_then(encoding) {
@@ -339,7 +339,7 @@ mod tests {
             load, emit_options, ..
         } = include_tip(tokens(input)).unwrap();
         assert_eq!(load.robot, Robot::Hand);
-        assert_eq!(load.tip_version, 2.0);
+        assert_eq!(load.tip_version, Some(2.0));
         assert_eq!(load.encoding, Encoding::ShiftJis);
         assert_eq!(emit_options.name.unwrap(), "Afc");
         assert_eq!(emit_options.visibility.to_string(), "pub (crate)");

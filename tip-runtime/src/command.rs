@@ -16,6 +16,7 @@
 mod flag;
 mod op;
 mod port;
+mod reading;
 mod target;
 #[cfg(test)]
 mod tests;
@@ -23,6 +24,7 @@ mod tests;
 pub use flag::Flag;
 pub use op::Op;
 pub use port::{KNOBS, Port};
+pub use reading::{READING, Reading, TIMERS};
 pub use target::Target;
 
 use core::fmt;

@@ -64,6 +64,11 @@ pub trait Console {
         let _ = text;
     }
 
+    /// Appends text to FOUT.LOG, exactly as it is (F_MESSAGE).
+    fn append(&mut self, text: &dyn Display) {
+        let _ = text;
+    }
+
     /// Reduces the output to a minimum, or restores it (SILENT_ON, SILENT_OFF).
     fn silent(&mut self, on: bool) {
         let _ = on;
@@ -105,6 +110,9 @@ macro_rules! forward {
         }
         fn message(&mut self, text: &dyn Display) {
             (**self).message(text);
+        }
+        fn append(&mut self, text: &dyn Display) {
+            (**self).append(text);
         }
         fn silent(&mut self, on: bool) {
             (**self).silent(on);

@@ -66,6 +66,7 @@ mod setpoints;
 mod sleep;
 mod stand;
 mod stop;
+mod switches;
 mod targets;
 mod task;
 mod teach;
@@ -85,7 +86,7 @@ use leg::LegState;
 use operands::Base;
 use params::Params;
 use stop::Hold;
-use task::Task;
+use task::Tasks;
 use trajectory::Track;
 
 /// The controller of a robot with `L` legs of `J` joints: everything that a [`ControllerView`] can do.
@@ -111,7 +112,7 @@ pub struct Core<'m, S: ?Sized> {
     /// True once joint angles have been measured.
     sensed: bool,
     hold: Hold,
-    task: Task,
+    tasks: Tasks,
     /// Fault of the last advance, for the next sense to report.
     pending: Option<Fault>,
     legs: S,
@@ -179,7 +180,7 @@ impl<'m> Core<'m, ()> {
             slider_at: slider,
             sensed: false,
             hold: Hold::Off,
-            task: Task::Idle,
+            tasks: Tasks::NONE,
             pending: None,
             legs: (),
         }
@@ -194,7 +195,7 @@ impl<'m> Core<'m, ()> {
             slider_at: self.slider_at,
             sensed: self.sensed,
             hold: self.hold,
-            task: self.task,
+            tasks: self.tasks,
             pending: self.pending,
             legs,
         }
@@ -224,7 +225,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
 
     /// Returns a joint's model; leg and joint count from 0.
     pub(crate) fn joint(&self, leg: usize, joint: usize) -> Option<&'m Joint> {
-        self.legs.get(leg)?.model.joints.get(joint)
+        self.legs.get(leg)?.own.joints.get(joint)
     }
 
     /// Writes what every joint is commanded, leg by leg.
@@ -280,7 +281,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
             Op::NoCompliance => self.stiffen(command.target)?,
             Op::AllStop => self.hold(),
             Op::AllStopRelease => self.release(),
-            Op::InitialPosture => return Ok(self.initial_posture()),
+            Op::InitialPosture => return self.initial_posture(),
             Op::StandUp if family == Family::Titan => return self.stand(command, -1.0),
             Op::SitDown if family == Family::Titan => return self.stand(command, 1.0),
             Op::DetectFloor if family == Family::Titan => {
@@ -292,6 +293,12 @@ impl<'m, const J: usize> ControllerView<'m, J> {
             Op::DetectObject if family == Family::Hand => {
                 return self.detect_touch(command, Self::object_search);
             }
+            Op::Direct => self.switch_direct(command.target, true)?,
+            Op::Trajectory => self.switch_direct(command.target, false)?,
+            Op::Lock => self.switch_lock(command.target, true)?,
+            Op::Unlock => self.switch_lock(command.target, false)?,
+            Op::SetLimit => self.set_limits(command)?,
+            Op::ResetLimit => self.reset_limits(command.target)?,
             Op::Sleep => return self.sleep(command),
             Op::WaitInpos => return Ok(self.wait_inpos(command.target)),
             Op::WaitNear => return self.wait_near(command.target),

@@ -14,6 +14,45 @@ pub struct Emergency {
     pub step: u32,
     /// The cycle, from 0.
     pub cycle: u64,
+    /// The thread whose step caused it; `None` for the main program's steps and the robot's own faults.
+    pub thread: Option<ThreadName>,
+}
+
+/// The name of a thread, as a value.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct ThreadName {
+    bytes: [u8; Self::MOST],
+    len: u8,
+}
+
+impl ThreadName {
+    /// The longest name of a label, bytes.
+    const MOST: usize = 32;
+
+    /// Returns a name, cut to the length that labels have.
+    pub(crate) fn new(name: &str) -> Self {
+        let mut kept = ThreadName {
+            bytes: [0; Self::MOST],
+            len: 0,
+        };
+        for (place, byte) in kept.bytes.iter_mut().zip(name.bytes()) {
+            *place = byte;
+            kept.len += 1;
+        }
+        kept
+    }
+
+    /// Returns the name.
+    pub fn as_str(&self) -> &str {
+        let bytes = self.bytes.get(..usize::from(self.len)).unwrap_or(&[]);
+        core::str::from_utf8(bytes).unwrap_or("")
+    }
+}
+
+impl fmt::Debug for ThreadName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.as_str().fmt(f)
+    }
 }
 
 impl fmt::Display for Emergency {
@@ -23,8 +62,8 @@ impl fmt::Display for Emergency {
 }
 
 /// An emergency stop with its place in the program. `Display` writes the text of EMG.log: the
-/// classical one-liner, then `program`, `title`, `step`, `line`, `cycle` and, if one caused it,
-/// `variable`, one per line with a tab after the word. Texts of the program are shown as
+/// classical one-liner, then `program`, `title`, `thread` if a thread's step caused it, `step`, `line`,
+/// `cycle` and, if one caused it, `variable`, one per line with a tab after the word. Texts of the program are shown as
 /// [`Printable`].
 #[derive(Clone, Copy)]
 pub struct Report<'a> {
@@ -51,10 +90,18 @@ impl Report<'_> {
 
 impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Emergency { step, cycle, .. } = self.emergency;
+        let Emergency {
+            step,
+            cycle,
+            thread,
+            ..
+        } = self.emergency;
         writeln!(f, "{}", Printable::line(self.emergency))?;
         writeln!(f, "program\t{}", Printable::line(self.program.name()))?;
         writeln!(f, "title\t{}", Printable::line(self.program.title()))?;
+        if let Some(thread) = thread {
+            writeln!(f, "thread\t{}", thread.as_str())?;
+        }
         writeln!(f, "step\t{step}")?;
         writeln!(f, "line\t{}", self.line())?;
         writeln!(f, "cycle\t{cycle}")?;

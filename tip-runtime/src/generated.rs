@@ -6,7 +6,7 @@
 
 use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
-use crate::program::{Context, Flow};
+use crate::program::{CallStack, Context, Flow};
 
 /// The function of a state; the row is its own.
 pub type Run<P> = fn(&mut P, &mut dyn Context, Row<P>) -> Result<Flow, Fault>;
@@ -100,4 +100,87 @@ pub fn step<P: State>(
         None => Step::WRONG,
     };
     (row.run)(program, cx, row)
+}
+
+/// The place of the main program or of a thread.
+#[derive(Clone, Copy, Debug)]
+pub struct Position {
+    /// The step that runs next.
+    pub at: u32,
+    /// It is reached from an IF or ELSEIF that was false.
+    pub not_taken: bool,
+    /// The open calls.
+    pub calls: CallStack,
+}
+
+impl Position {
+    /// Creates a place without open calls.
+    pub const fn at(step: u32) -> Self {
+        Position {
+            at: step,
+            not_taken: false,
+            calls: CallStack::new(),
+        }
+    }
+}
+
+/// The places of a program with threads: one of `N`, the main program's first, is the program's own while it is
+/// selected.
+#[derive(Clone, Copy, Debug)]
+pub struct Threads<const N: usize> {
+    selected: u8,
+    places: [Position; N],
+}
+
+impl<const N: usize> Threads<N> {
+    /// Creates the places of a new program; the main program is selected.
+    pub const fn new() -> Self {
+        Threads {
+            selected: 0,
+            places: [Position::at(0); N],
+        }
+    }
+
+    /// Selects the main program (0) or a thread: puts the present place away and returns the other one.
+    pub fn select(&mut self, thread: u8, present: Position) -> Position {
+        if let Some(place) = self.places.get_mut(usize::from(self.selected)) {
+            *place = present;
+        }
+        self.selected = thread;
+        let place = self.places.get(usize::from(thread));
+        place.copied().unwrap_or(present)
+    }
+
+    /// Returns the step of a thread, `present` being the selected one's.
+    pub fn at(&self, thread: u8, present: u32) -> u32 {
+        let place = self.places.get(usize::from(thread));
+        match place {
+            Some(place) if thread != self.selected => place.at,
+            _ => present,
+        }
+    }
+
+    /// Puts a thread that is not selected at its first step.
+    pub fn begin(&mut self, thread: u8, step: u32) {
+        if let Some(place) = self.places.get_mut(usize::from(thread)) {
+            *place = Position::at(step);
+        }
+    }
+
+    /// Ends the selected thread.
+    ///
+    /// # Errors
+    /// The main program cannot end so: `InvalidReturn`.
+    pub fn end(&self) -> Result<Flow, Fault> {
+        match self.selected {
+            0 => Err(Fault::InvalidReturn),
+            _ => Ok(Flow::ThreadEnd),
+        }
+    }
+}
+
+impl<const N: usize> Default for Threads<N> {
+    fn default() -> Self {
+        Self::new()
+    }
 }

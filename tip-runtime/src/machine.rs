@@ -53,8 +53,10 @@ mod keyboard;
 mod mismatch;
 mod simulated;
 mod state;
+mod threads;
+mod variables;
 
-pub use crate::emergency::{Emergency, Report};
+pub use crate::emergency::{Emergency, Report, ThreadName};
 pub use mismatch::Mismatch;
 pub use simulated::Simulated;
 pub use state::Status;
@@ -240,6 +242,16 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
     /// Returns the controller.
     pub fn controller(&self) -> &Controller<'m, L, J> {
         &self.controller
+    }
+
+    /// Returns true if a thread (from 1, in the order of the text) runs.
+    pub fn thread_runs(&self, thread: u8) -> bool {
+        self.state.threads.runs(thread)
+    }
+
+    /// Returns the time of timer `n`, ms.
+    pub fn timer(&self, n: u8) -> f64 {
+        self.state.io.timers.time(n)
     }
 
     /// Returns true if a flag of conditions (T.I.P. 3.1 §6-2) is up.

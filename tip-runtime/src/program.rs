@@ -64,7 +64,7 @@
 //! # }
 //! ```
 
-use crate::command::{Command, Flag, MAX, Poll, Port, Target, Teach};
+use crate::command::{Command, Flag, MAX, Poll, Port, Reading, Target, Teach};
 use crate::fault::Fault;
 use crate::model::{Family, Model, Point};
 use crate::vibration::Vibration;
@@ -73,6 +73,9 @@ use core::fmt::Display;
 mod variables;
 
 pub use variables::VariableError;
+
+/// The most THREADs of a program (T.I.P. 3.2).
+pub const THREADS: usize = 7;
 
 /// The command that ended the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,6 +93,8 @@ pub enum Flow {
     Next,
     /// The step waits: the next cycle runs it again.
     Wait,
+    /// The thread that ran the step is over.
+    ThreadEnd,
     /// The program is over.
     Finished(End),
 }
@@ -143,6 +148,29 @@ pub trait Program {
     fn line(&self, step: u32) -> u32;
     /// Resets to the state of a new program.
     fn reset(&mut self);
+
+    /// Returns the name of thread `n` and the step that it runs next. Threads (T.I.P. 3.2) count from 1 in the order of
+    /// the text; `None` past the last.
+    fn thread(&self, n: u8) -> Option<(&str, u32)> {
+        let _ = n;
+        None
+    }
+
+    /// Lets [`at`](Self::at) and [`step`](Self::step) be those of a thread, or of the main program (0).
+    fn select(&mut self, thread: u8) {
+        let _ = thread;
+    }
+
+    /// Puts a thread at its first step, without open calls.
+    fn begin(&mut self, thread: u8) {
+        let _ = thread;
+    }
+
+    /// Returns how many scalars behind `VAR_KEY` are those of special variables, which native code of SPECIAL shares
+    /// ([`SpecialVariable`]).
+    fn specials(&self) -> usize {
+        0
+    }
 
     /// Returns the value of a variable, or of a struct's member such as `P.X`; `None` while
     /// unassigned.
@@ -202,6 +230,30 @@ impl<P: Program + ?Sized> Program for &mut P {
     fn reset(&mut self) {
         (**self).reset();
     }
+    fn thread(&self, n: u8) -> Option<(&str, u32)> {
+        (**self).thread(n)
+    }
+    fn select(&mut self, thread: u8) {
+        (**self).select(thread);
+    }
+    fn begin(&mut self, thread: u8) {
+        (**self).begin(thread);
+    }
+    fn specials(&self) -> usize {
+        (**self).specials()
+    }
+}
+
+/// A variable that a program and native code of SPECIAL share: `VAR_SPECIAL_n`, a member of
+/// `POS_SPECIAL_n` or `JNT_SPECIAL_n` (T.I.P. 3.2). `n` is 0…9; members count from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpecialVariable {
+    /// `VAR_SPECIAL_n`.
+    Var(u8),
+    /// X, Y or Z of `POS_SPECIAL_n`.
+    Position(u8, u8),
+    /// A joint of `JNT_SPECIAL_n`.
+    Joint(u8, u8),
 }
 
 /// The robot as native code of a SPECIAL command, and every step, sees it.
@@ -260,6 +312,22 @@ pub trait Robot {
     fn show_graph(&mut self, graph: u8, on: bool) -> Result<(), Fault>;
     /// Returns the sampling time in ms.
     fn period(&self) -> f64;
+    /// Returns the value of a variable that the program and native code share; 0 at the start, and for one that does
+    /// not exist.
+    fn special_variable(&self, variable: SpecialVariable) -> f64 {
+        let _ = variable;
+        0.0
+    }
+    /// Assigns a variable that the program and native code share. Steps after this call read it: those of the next
+    /// cycle if it comes from [`Special::cycle`](crate::special::Special::cycle).
+    ///
+    /// # Errors
+    /// `Domain` for a value that is not finite or a variable that does not exist, `InvalidMode` before the first
+    /// SPECIAL of the program. Nothing changes then.
+    fn set_special_variable(&mut self, variable: SpecialVariable, value: f64) -> Result<(), Fault> {
+        let _ = (variable, value);
+        Err(Fault::Domain)
+    }
 }
 
 /// The robot and the console as a step sees them.
@@ -282,6 +350,56 @@ pub trait Context: Robot {
     fn key(&mut self) -> Option<u8>;
     /// Shows one line of text; an empty one clears it.
     fn message(&mut self, text: &dyn Display);
+    /// Appends text to FOUT.LOG (F_MESSAGE).
+    fn append(&mut self, text: &dyn Display) {
+        let _ = text;
+    }
+    /// Returns the members of a special variable, a number as the first one: what a TEACH_ command would give in this
+    /// cycle, or the time of a timer.
+    ///
+    /// # Errors
+    /// `Domain` for a part that the robot lacks, or a value that is not finite.
+    fn reading(&self, reading: Reading) -> Result<[f64; MAX], Fault> {
+        match reading {
+            Reading::Timer(n) => {
+                let mut members = [0.0; MAX];
+                members[0] = self.timer(n);
+                Ok(members)
+            }
+            Reading::Measured(what, target) => {
+                let members = self.teach(what, target)?;
+                match members.iter().all(|member| member.is_finite()) {
+                    true => Ok(members),
+                    false => Err(Fault::Domain),
+                }
+            }
+        }
+    }
+    /// Returns the time of timer `n`, ms.
+    fn timer(&self, n: u8) -> f64 {
+        let _ = n;
+        0.0
+    }
+    /// Lets a thread (from 1) begin in the next cycle.
+    ///
+    /// # Errors
+    /// `InvalidMode` for a thread that runs.
+    fn start_thread(&mut self, thread: u8) -> Result<(), Fault> {
+        let _ = thread;
+        Err(Fault::InvalidMode)
+    }
+    /// Ends a thread with this cycle.
+    fn stop_thread(&mut self, thread: u8) {
+        let _ = thread;
+    }
+    /// Returns `Done` if a thread does not run.
+    ///
+    /// # Errors
+    /// `InvalidMode` for the thread that asks.
+    fn wait_thread(&mut self, thread: u8) -> Result<Poll, Fault> {
+        let _ = thread;
+        Err(Fault::InvalidMode)
+    }
 }
 
 #[doc(hidden)]

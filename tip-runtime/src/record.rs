@@ -48,13 +48,19 @@ use crate::printable::Printable;
 use crate::program::{End, Program};
 use core::fmt::{self, Display};
 
-/// One control cycle whose step ran to its end without a fault.
+/// One step that ran to its end without a fault, and its control cycle.
 #[derive(Clone, Copy)]
 #[non_exhaustive]
 pub struct Cycle<'a> {
+    /// Number of records of the cycle before this one.
+    pub sub: u32,
+    /// True in the last record of the cycle.
+    pub last: bool,
+    /// The thread that ran the step; `None` for the main program.
+    pub thread: Option<&'a str>,
     /// The step that ran.
     pub step: u32,
-    /// The step of the next cycle; `None` after END and EXIT.
+    /// The step that the program or thread runs next; `None` after END and EXIT, and at the end of a thread.
     pub next: Option<u32>,
     /// The program after the step, for its variables.
     pub program: &'a dyn Program,
@@ -62,9 +68,10 @@ pub struct Cycle<'a> {
     pub sample: Sample<'a>,
 }
 
-/// A recorder of a run, cycle by cycle. In each cycle [`begin`](Self::begin) comes before the step
-/// and [`cycle`](Self::cycle) after it, with the other calls in between; the failing cycle of an
-/// emergency has no [`cycle`](Self::cycle).
+/// A recorder of a run, step by step. For each step [`begin`](Self::begin) comes before it and
+/// [`cycle`](Self::cycle) after it, with the other calls in between; a failing step has no
+/// [`cycle`](Self::cycle). The last step of a control cycle, of most programs the only one, is recorded
+/// when the robot has moved on.
 pub trait Sink {
     /// Records that a step is about to run.
     fn begin(&mut self, program: &dyn Program) {
@@ -81,12 +88,17 @@ pub trait Sink {
         let _ = text;
     }
 
+    /// Records the text that F_MESSAGE appended.
+    fn out(&mut self, text: &dyn Display) {
+        let _ = text;
+    }
+
     /// Records the switching of a lamp.
     fn lamp(&mut self, device: u8, on: bool) {
         let _ = (device, on);
     }
 
-    /// Records the end of a cycle.
+    /// Records the end of a step.
     fn cycle(&mut self, cycle: &Cycle<'_>) {
         let _ = cycle;
     }

@@ -17,6 +17,7 @@ mod resolve;
 mod resolved;
 mod structure;
 mod targets;
+mod texts;
 mod title;
 mod uses;
 mod values;
@@ -27,6 +28,7 @@ use crate::robot::Robot;
 use crate::source::Source;
 use crate::symbols::Symbols;
 use crate::syntax::Module;
+pub(crate) use labels::DeclaredLabel;
 use labels::Labels;
 use names::Names;
 use resolve::Known;
@@ -52,7 +54,7 @@ pub(crate) fn check<'m>(
     robot: Robot,
     mut found: Diagnostics,
 ) -> Checked<'m> {
-    let names = Names::collect(module, robot, &mut found);
+    let names = Names::collect(source, module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);
     let blocks = structure::blocks(source, module, &mut found);
     let jumps = jumps::resolve(module, &labels, &blocks, &mut found);
@@ -72,7 +74,9 @@ pub(crate) fn check<'m>(
         .all(|diagnostic| diagnostic.code != Code::Structure)
     {
         uses::report(source, &names, &named, &mut found);
-        jumps::warn_of_entries(module, &mut found);
+        if !module.edition.is_strict() {
+            jumps::warn_of_entries(module, &mut found);
+        }
     }
     cascading::merge(source, module, &mut found);
     let resolved = statements.map(|statements| ResolvedModule {

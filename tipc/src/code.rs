@@ -249,14 +249,39 @@ codes! {
     /// A statement after the END of the text.
     AfterEnd "W131" None, "this statement stands after END and does not run",
         "この文はENDより後にあり、実行されません";
+    /// A constant that nothing uses.
+    UnusedConstant "W132" None, "constant \"{}\" is defined but never used",
+        "定数 \"{}\" は定義されていますが、使われていません";
+    /// A THREAD that nothing starts.
+    NeverStarted "W133" None, "nothing starts THREAD \"{}\"",
+        "THREAD \"{}\" を動かす文がありません";
+    /// A thread that waits for itself.
+    WaitsForItself "W134" None, "this thread waits for itself, which stops the program",
+        "このスレッドは自分自身を待つため、実行すると緊急停止します";
+    /// A program whose F_MESSAGEs never end a line.
+    NoLineEnd "W135" None, "all F_MESSAGEs of this program write into one line",
+        "このプログラムのF_MESSAGEはすべて1行につながります";
+    /// A timer that is read and never started.
+    StoppedTimer "W136" None, "\"{}\" is always 0: nothing starts this timer",
+        "\"{}\" はいつも0です。このタイマを動かす文がありません";
 }
 
 impl Code {
-    /// Returns the severity of a diagnostic with this code, by the rules of an edition. So far they are alike.
+    /// Returns the code that a mistake has in an edition: a strict one refuses some that 3.1 warns of.
+    pub const fn in_edition(self, edition: Edition) -> Code {
+        match self {
+            Code::OutOfRange if edition.is_strict() => Code::Domain,
+            Code::Unassigned if edition.is_strict() => Code::NeverAssigned,
+            Code::EntersFor | Code::RunsInto if edition.is_strict() => Code::Structure,
+            code => code,
+        }
+    }
+
+    /// Returns the severity of a diagnostic with this code, by the rules of an edition.
     pub const fn level(self, edition: Edition) -> Level {
-        match (self.kind(), edition) {
-            (Some(_), _) => Level::Error,
-            (None, _) => Level::Warning,
+        match self.in_edition(edition).kind() {
+            Some(_) => Level::Error,
+            None => Level::Warning,
         }
     }
 

@@ -2,8 +2,8 @@
 
 use crate::language::reserved::VAR_KEY;
 use crate::program::{
-    Action, Argument, Condition, Label, Mark, Operand, Program, Relation, Scalar, Step, StepId,
-    Variable, VariableKind,
+    Action, Argument, Condition, Label, LabelKind, Mark, Operand, Program, Relation, Scalar, Step,
+    StepId, Variable, VariableKind,
 };
 use tip_runtime::model::titan8;
 
@@ -19,6 +19,7 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
             kind: *kind,
             first,
             joints: usize::from(signature.joints),
+            special: None,
         };
         first += variable.size();
         declared.push(variable);
@@ -37,6 +38,7 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
         signature,
         variables: declared,
         labels: Vec::new(),
+        threads: Vec::new(),
         steps: steps.collect(),
     }
 }
@@ -48,7 +50,7 @@ pub(crate) fn labelled(mut program: Program, labels: &[(&str, StepId)]) -> Progr
         .map(|(name, step)| Label {
             name: (*name).to_owned(),
             step: *step,
-            subroutine: false,
+            kind: LabelKind::Plain,
         })
         .collect();
     program

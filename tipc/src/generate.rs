@@ -118,7 +118,7 @@ impl Config {
 
     /// Sets the version number that programs must have on their first line; 3.1 if not called.
     pub fn tip_version(&mut self, version: f64) -> &mut Self {
-        self.load.tip_version = version;
+        self.load.tip_version = Some(version);
         self
     }
 

@@ -2,27 +2,29 @@
 //!
 //! Lints belong in the crate `tip-lint`.
 
+use crate::analysis::assignment::Ways;
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
 pub use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, by_location};
 use crate::language::Edition;
 use crate::lower::lower;
-use crate::message::{ForeignWord, Message, Parsing};
+use crate::message::phrase::Assign;
+use crate::message::{ForeignWord, Message, Naming, Parsing, Structuring};
 use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::source::{Encoding, Source, looks_like};
 use crate::symbols::Symbols;
-use crate::syntax::Module;
+use crate::syntax::{Module, StatementKind, VariableKind};
 
 /// Options for reading and checking a program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// The robot.
     pub robot: Robot,
-    /// The version that line 1 must name.
-    pub tip_version: f64,
+    /// The version that line 1 must name; without one, any edition.
+    pub tip_version: Option<f64>,
     /// The encoding of the file.
     pub encoding: Encoding,
 }
@@ -31,7 +33,7 @@ impl Default for Options {
     fn default() -> Self {
         Options {
             robot: Robot::default(),
-            tip_version: Edition::default().number(),
+            tip_version: None,
             encoding: Encoding::Auto,
         }
     }
@@ -107,7 +109,16 @@ pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Diagnost
         let resolved = sound(&mut checked, module.edition);
         let program = resolved.map(|resolved| lower(&source, &module, resolved, options.robot));
         diagnostics = checked.found;
-        (checked.symbols, program)
+        let symbols = checked.symbols;
+        if module.edition.is_strict()
+            && let Some(program) = &program
+        {
+            refuse_ways(&source, &module, &symbols, program, &mut diagnostics);
+        }
+        (
+            symbols,
+            program.filter(|_| !diagnostics.have_error(module.edition)),
+        )
     } else {
         (Symbols::default(), None)
     };
@@ -148,6 +159,47 @@ impl Parsed {
     }
 }
 
+/// Reports what no way through a program allows: a read without a value, and running into a SUBROUTINE or THREAD.
+fn refuse_ways(
+    source: &Source,
+    module: &Module,
+    symbols: &Symbols,
+    program: &Program,
+    found: &mut Diagnostics,
+) {
+    let ways = Ways::of(program);
+    let statement = |step| Some(&module.statements[module.statement_of(step)?]);
+    for lack in &ways.no_value {
+        let variable = &program.variables()[program.variable_of(lack.scalar)];
+        let Some(statement) = statement(lack.step) else {
+            continue;
+        };
+        let mut names = variable.scalar_names();
+        let name = names.nth(lack.scalar - variable.first).unwrap_or_default();
+        let id = program.variable_of(lack.scalar);
+        let location = symbols.read_in(source, statement.span, id, &name);
+        let assign = match variable.kind {
+            VariableKind::Var => Assign::Var { name: name.clone() },
+            VariableKind::Pos | VariableKind::Joint => Assign::EveryMember {
+                member: name.clone(),
+            },
+        };
+        let reason = Naming::NoValueOnAnyWay { name: name.into() };
+        let fault = Diagnostic::new(Code::NeverAssigned, location, reason);
+        found.push(fault.help(Naming::AssignBefore { assign }));
+    }
+    for step in ways.entered {
+        if let Some(statement) = statement(step) {
+            let reason = match statement.kind {
+                StatementKind::Thread { .. } => Structuring::RunsIntoThread,
+                _ => Structuring::RunsIntoSubroutine,
+            };
+            let fault = Diagnostic::new(Code::Structure, statement.keyword(), reason);
+            found.push(fault.help(Structuring::PutJumpAbove));
+        }
+    }
+}
+
 /// Decodes and parses a file.
 pub fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
@@ -178,7 +230,9 @@ pub fn check_module(source: &Source, module: &Module, robot: Robot) -> Vec<Diagn
 /// Takes what a module is resolved to, unless there is an error in it.
 fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
     judge(&mut checked.found, edition);
-    match checked.found.have_error(edition) {
+    // A constant that fails wherever it runs leaves the program its ways.
+    let of_domain = checked.found.iter().filter(|one| one.code == Code::Domain);
+    match checked.found.errors(edition) > of_domain.count() {
         true => None,
         false => checked.resolved.take(),
     }
@@ -226,5 +280,6 @@ fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
 pub fn judge(diagnostics: &mut [Diagnostic], edition: Edition) {
     for diagnostic in diagnostics {
         diagnostic.edition = edition;
+        diagnostic.code = diagnostic.code.in_edition(edition);
     }
 }

@@ -1,11 +1,12 @@
 //! The only maker of [`Program`]: decides what a statement does.
 
 use crate::check::{
-    Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
+    Arguments, Assignment, Counting, DeclaredLabel, Receiver, Resolved, ResolvedModule, StatementId,
 };
+use crate::language::reserved::POSITION;
 use crate::program::{
-    Action, Argument, End, Label, Mark, Op, Operand, Program, Scalar, Step, StepId, Target,
-    Variable, VariableId,
+    Action, Argument, End, Label, LabelKind, Mark, Op, Operand, Program, Reading, Step, StepId,
+    StructOperand, Target, Teach, Thread, Variable,
 };
 use crate::robot::Robot;
 use crate::source::Source;
@@ -23,9 +24,13 @@ pub(crate) fn lower(
         labels,
         statements,
     } = resolved;
+    let is_thread = |label: &&DeclaredLabel<'_>| label.kind == LabelKind::Thread;
+    let threads: Vec<_> = labels.iter().filter(is_thread).copied().collect();
     let lowering = Lowering {
         module,
         variables: &variables,
+        threads: threads.iter().map(|label| label.statement).collect(),
+        joints: usize::from(robot.signature().joints),
     };
     let mut steps = Vec::with_capacity(statements.len());
     for (statement, resolved) in module.statements.iter().zip(statements) {
@@ -41,9 +46,20 @@ pub(crate) fn lower(
     let labels = labels.iter().map(|label| Label {
         name: label.name.node.to_string(),
         step: lowering.step(label.statement),
-        subroutine: label.subroutine,
+        kind: label.kind,
     });
     let labels = labels.collect();
+    let threads = threads.iter().filter_map(|label| {
+        let first = lowering.step(label.statement);
+        let ends = |step: &Step| step.action == Action::ThreadEnd;
+        let length = steps[first as usize..].iter().position(ends)?;
+        Some(Thread {
+            name: label.name.node.to_string(),
+            first,
+            last: first + length as StepId,
+        })
+    });
+    let threads = threads.collect();
     Program {
         source_name: base_name(source.name()).to_owned(),
         source_hash: source.hash(),
@@ -52,6 +68,7 @@ pub(crate) fn lower(
         signature: robot.signature(),
         variables,
         labels,
+        threads,
         steps,
     }
 }
@@ -63,6 +80,10 @@ fn base_name(path: &str) -> &str {
 struct Lowering<'a> {
     module: &'a Module,
     variables: &'a [Variable],
+    /// The statements of THREAD.
+    threads: Vec<StatementId>,
+    /// Number of joints of a leg.
+    joints: usize,
 }
 
 impl Lowering<'_> {
@@ -74,7 +95,18 @@ impl Lowering<'_> {
             | Resolved::EndIf
             | Resolved::Repeat
             | Resolved::Subroutine
+            | Resolved::Thread
             | Resolved::Rem => Action::Nothing,
+            Resolved::ThreadEnd => Action::ThreadEnd,
+            Resolved::StartThread(thread) => Action::StartThread {
+                thread: self.thread(thread),
+            },
+            Resolved::StopThread(thread) => Action::StopThread {
+                thread: self.thread(thread),
+            },
+            Resolved::WaitThread(thread) => Action::WaitThread {
+                thread: self.thread(thread),
+            },
             Resolved::Equation(assignment) => equation(assignment),
             Resolved::If(condition, next) => Action::If {
                 condition,
@@ -122,6 +154,7 @@ impl Lowering<'_> {
             Resolved::End => Action::Finish(End::End),
             Resolved::Exit => Action::Finish(End::Exit),
             Resolved::Message(parts) => Action::Message { parts },
+            Resolved::FileMessage(parts) => Action::FileMessage { parts },
             Resolved::MessageClear => Action::Message { parts: Vec::new() },
             Resolved::Command {
                 op,
@@ -149,21 +182,37 @@ impl Lowering<'_> {
     fn arguments(&self, arguments: Arguments) -> Vec<Argument> {
         match arguments {
             Arguments::Each(arguments) => arguments,
-            Arguments::Whole { variable, mark } => self.members(variable, mark),
+            Arguments::Whole { operand, mark } => self.members(operand, mark).collect(),
+            Arguments::Two(both) => both
+                .into_iter()
+                .flat_map(|operand| self.members(operand, Mark::None))
+                .collect(),
         }
     }
 
     /// Returns the members of a struct as arguments.
-    fn members(&self, variable: VariableId, mark: Mark) -> Vec<Argument> {
-        let members = 0..self.variables[variable].size();
-        let argument = |member| Argument {
-            operand: Operand::Scalar {
-                scalar: Scalar { variable, member },
-                negative: false,
-            },
-            mark,
+    fn members(&self, operand: StructOperand, mark: Mark) -> impl Iterator<Item = Argument> {
+        let size = match operand {
+            StructOperand::Variable(variable) => self.variables[variable].size(),
+            StructOperand::Reading(reading) => self.size(reading),
         };
-        members.map(argument).collect()
+        (0..size).map(move |member| Argument {
+            operand: operand.member(member),
+            mark,
+        })
+    }
+
+    /// Returns the number of members of a special variable.
+    fn size(&self, reading: Reading) -> usize {
+        match reading {
+            Reading::Measured(Teach::Position | Teach::Force, _) => POSITION.len(),
+            Reading::Measured(Teach::Angle | Teach::Torque, _) | Reading::Timer(_) => self.joints,
+        }
+    }
+
+    /// Returns the index of the thread that a statement opens.
+    fn thread(&self, statement: StatementId) -> usize {
+        self.threads.partition_point(|first| *first < statement)
     }
 
     fn step(&self, statement: StatementId) -> StepId {

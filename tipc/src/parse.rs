@@ -30,14 +30,15 @@ use crate::syntax::{Module, Statement, StatementKind, StepId};
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
 pub const LINE_LIMIT: usize = 1023;
 
-/// Parses a source for version `tip_version` of the language.
+/// Parses a source, whose line 1 must name version `tip_version` of the language; without one, any edition.
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
-pub fn parse(source: &Source, tip_version: f64) -> (Module, Diagnostics) {
-    if let Err(wrong) = header::version(source, tip_version) {
-        return (Module::default(), vec![*wrong].into());
-    }
-    let mut parser = Parser::new(source, tip_version);
+pub fn parse(source: &Source, tip_version: Option<f64>) -> (Module, Diagnostics) {
+    let edition = match header::version(source, tip_version) {
+        Ok(edition) => edition,
+        Err(wrong) => return (Module::default(), vec![*wrong].into()),
+    };
+    let mut parser = Parser::new(source, edition);
     parser.lines(&mut |_| ());
     (parser.module, parser.diagnostics)
 }
@@ -45,13 +46,14 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Diagnostics) {
 /// Parses a source, and lets `take` remove the statements of each line once it is read.
 pub fn parse_taking(
     source: &Source,
-    tip_version: f64,
+    tip_version: Option<f64>,
     take: &mut dyn FnMut(&mut Vec<Statement>),
 ) -> (Module, Diagnostics) {
-    if let Err(wrong) = header::version(source, tip_version) {
-        return (Module::default(), vec![*wrong].into());
-    }
-    let mut parser = Parser::new(source, tip_version);
+    let edition = match header::version(source, tip_version) {
+        Ok(edition) => edition,
+        Err(wrong) => return (Module::default(), vec![*wrong].into()),
+    };
+    let mut parser = Parser::new(source, edition);
     parser.lines(take);
     (parser.module, parser.diagnostics)
 }
@@ -59,7 +61,7 @@ pub fn parse_taking(
 /// Finds the first statement after END, with the label before it. Other text may stand there: it is a note.
 pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
     let end = module.statements.last()?;
-    let mut parser = Parser::new(source, module.edition.number());
+    let mut parser = Parser::new(source, module.edition);
     let mut label = None;
     for line in source.lines_from(end.line) {
         let start = line.span.start.max(end.span.end);
@@ -116,7 +118,7 @@ struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     /// Creates a parser before the first line.
-    fn new(source: &'a Source, tip_version: f64) -> Self {
+    fn new(source: &'a Source, edition: Edition) -> Self {
         Parser {
             source,
             text: source.text(),
@@ -128,7 +130,7 @@ impl<'a> Parser<'a> {
             hyphened: Vec::new(),
             numbered: None,
             module: Module {
-                edition: Edition::of(tip_version),
+                edition,
                 title: header::title(source),
                 statements: Vec::new(),
                 after_end: None,
@@ -193,12 +195,17 @@ impl Parser<'_> {
             it.code.kind().is_some() && span.start <= it.span.start && it.span.start <= span.end
         };
         let is_known = match &statement.kind {
-            StatementKind::Command { name, .. } => commands::find(&name.node).is_some(),
+            StatementKind::Command { name, .. } => self.is_command(&name.node),
             StatementKind::End => self.module.after_end.is_none(),
             StatementKind::Rem | StatementKind::Broken(_) => false,
             _ => true,
         };
         is_known && !self.diagnostics.iter().any(is_wrong)
+    }
+
+    /// Returns true if a word is a command of the edition.
+    fn is_command(&self, word: &str) -> bool {
+        commands::find_in(word, self.module.edition).is_some()
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {

@@ -1,8 +1,8 @@
 //! A program, fully resolved: what every back end starts from. Only the lowering makes one.
 
 pub use crate::language::functions::Axis;
-pub use crate::syntax::{Arithmetic, Relation, StepId, VariableKind};
-pub use tip_runtime::command::{Flag, Op, Port, Target, Teach};
+pub use crate::syntax::{Arithmetic, LabelKind, Relation, StepId, VariableKind};
+pub use tip_runtime::command::{Flag, Op, Port, Reading, Target, Teach};
 pub use tip_runtime::function::Function;
 pub use tip_runtime::program::{End, Signature};
 
@@ -14,7 +14,9 @@ mod action;
 mod operand;
 
 pub use action::{Action, Argument, Mark, MessagePart};
-pub use operand::{Condition, Operand, Scalar, ScalarExpression, StructExpression, VariableId};
+pub use operand::{
+    Condition, Operand, Scalar, ScalarExpression, StructExpression, StructOperand, VariableId,
+};
 
 /// A motion program.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +28,7 @@ pub struct Program {
     pub(crate) signature: Signature,
     pub(crate) variables: Vec<Variable>,
     pub(crate) labels: Vec<Label>,
+    pub(crate) threads: Vec<Thread>,
     pub(crate) steps: Vec<Step>,
 }
 
@@ -55,7 +58,8 @@ impl Program {
         self.signature
     }
 
-    /// Returns the variables, `VAR_KEY` first, then in order of declaration.
+    /// Returns the variables: `VAR_KEY`, those of the variables shared with native code that the program names, and the
+    /// others in order of declaration.
     pub fn variables(&self) -> &[Variable] {
         &self.variables
     }
@@ -63,6 +67,11 @@ impl Program {
     /// Returns the labels in order of their steps.
     pub fn labels(&self) -> &[Label] {
         &self.labels
+    }
+
+    /// Returns the threads in the order of the text.
+    pub fn threads(&self) -> &[Thread] {
+        &self.threads
     }
 
     /// Returns the steps. The last one is the END that closes the source.
@@ -103,6 +112,8 @@ pub struct Variable {
     pub first: usize,
     /// Number of members of a JOINT on this robot.
     pub joints: usize,
+    /// Number of a variable shared with native code (`VAR_SPECIAL_n`): it is 0 at the start, and never unassigned.
+    pub special: Option<u8>,
 }
 
 impl Variable {
@@ -125,15 +136,26 @@ impl Variable {
     }
 }
 
-/// A label or SUBROUTINE.
+/// A label, SUBROUTINE or THREAD.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
     /// Its name without colon.
     pub name: String,
     /// The step it stands for.
     pub step: StepId,
-    /// Declared by SUBROUTINE.
-    pub subroutine: bool,
+    /// Kind of its declaration.
+    pub kind: LabelKind,
+}
+
+/// A thread: the steps from THREAD to THREADEND.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Thread {
+    /// Its name without colon.
+    pub name: String,
+    /// The step of THREAD.
+    pub first: StepId,
+    /// The step of THREADEND.
+    pub last: StepId,
 }
 
 /// One step.

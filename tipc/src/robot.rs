@@ -81,6 +81,24 @@ impl Robot {
         }
     }
 
+    /// Returns the working limits of a joint, deg; of a described robot they are known only when it runs.
+    pub(crate) fn limits(self, joint: Target) -> Option<Range> {
+        fn of<const L: usize, const J: usize>(model: &Model<L, J>, joint: Target) -> Option<Range> {
+            let Target::Joint(leg, joint) = joint else {
+                return None;
+            };
+            let leg = model.legs.get(usize::from(leg).checked_sub(1)?)?;
+            let joint = leg.joints.get(usize::from(joint).checked_sub(1)?)?;
+            Some(joint.limits)
+        }
+        match self {
+            Robot::Titan8 => of(&titan8::MODEL, joint),
+            Robot::Hand => of(&hand::MODEL, joint),
+            Robot::Generic => of(&generic::MODEL, joint),
+            Robot::Described(_) => None,
+        }
+    }
+
     /// Returns true if it has the commands and inputs of the Hiroshima Hand.
     pub(crate) fn is_hand(self) -> bool {
         self.signature().family == Family::Hand

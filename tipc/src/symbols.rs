@@ -16,7 +16,7 @@ pub struct Symbols {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DefinitionId(u32);
 
-/// A variable, label or SUBROUTINE.
+/// A variable, label, SUBROUTINE, THREAD or constant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Definition {
     /// Its name, upper case.
@@ -36,6 +36,10 @@ pub enum DefinitionKind {
     Label,
     /// A label that SUBROUTINE declares.
     Subroutine,
+    /// A label that THREAD declares.
+    Thread,
+    /// A constant that DEFINE names.
+    Constant,
 }
 
 /// A location that names a definition.
@@ -70,6 +74,10 @@ pub enum Access {
     Jump,
     /// GOSUB or CALL leads there and comes back.
     Call,
+    /// START_THREAD starts it.
+    Start,
+    /// STOP_THREAD or WAIT_THREAD names it.
+    Control,
     /// Nobody knows: something is wrong with the statement.
     Unclear,
 }
@@ -89,6 +97,11 @@ impl DefinitionId {
     pub(crate) const fn of_label(label: usize, variables: usize) -> Self {
         DefinitionId((variables + label) as u32)
     }
+
+    /// Creates the definition of a constant, by its index among all constants. They come after variables and labels.
+    pub(crate) const fn of_constant(constant: usize, before: usize) -> Self {
+        DefinitionId((before + constant) as u32)
+    }
 }
 
 impl Symbols {
@@ -98,7 +111,7 @@ impl Symbols {
     }
 
     /// Returns the variables, `VAR_KEY` first, as [`Program::variables`](crate::program::Program::variables) has them;
-    /// then the labels, as [`Program::labels`](crate::program::Program::labels) has them. Of several of one name only
+    /// then the labels, as [`Program::labels`](crate::program::Program::labels) has them, then the constants. Of several of one name only
     /// the first is here; but each LOOP is a label of its own.
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions
@@ -136,6 +149,28 @@ impl Symbols {
         let start = self.uses.partition_point(|it| it.span.start < span.start);
         let rest = &self.uses[start..];
         &rest[..rest.partition_point(|it| it.span.end <= span.end)]
+    }
+
+    /// Returns the operand of a statement that reads a scalar of this name; the whole statement if none names it.
+    pub fn read_in(
+        &self,
+        source: &Source,
+        statement: Span,
+        variable: VariableId,
+        scalar: &str,
+    ) -> Span {
+        let named = self.within(statement).iter();
+        let named = named.filter(|it| it.definition == DefinitionId::of_variable(variable));
+        // What is updated is read last.
+        let first = named.clone().filter(|it| it.access == Access::Read);
+        let last = named.filter(|it| it.access == Access::Update);
+        let operands: Vec<Span> = first.chain(last).map(|it| it.operand(source)).collect();
+        let names_it = |location: &&Span| {
+            let operand = source.slice(**location).to_ascii_uppercase();
+            operand.trim_start_matches('-') == scalar
+        };
+        let operand = operands.iter().find(names_it).or(operands.first());
+        operand.copied().unwrap_or(statement)
     }
 
     /// Returns the end of a name, with its member.

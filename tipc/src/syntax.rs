@@ -6,7 +6,7 @@ mod module;
 mod statement;
 
 pub use module::{Module, Statement};
-pub use statement::{Jump, JumpKind, Shape, StatementKind, Then};
+pub use statement::{Jump, JumpKind, LabelKind, Shape, StatementKind, Then};
 
 use crate::source::Span;
 use smol_str::{SmolStr, StrExt};

@@ -1,4 +1,4 @@
-//! The commands of the robot (T.I.P. 3.1 §7).
+//! The commands of the robot (T.I.P. 3.1 §7, and §1-2 for those of edition 3.2).
 
 use super::UnknownWord;
 use core::fmt;
@@ -102,6 +102,40 @@ ops! {
     SitDown "SIT_DOWN" true,
     DetectFloor "DETECT_FLOOR" true,
     DetectObject "DETECT_OBJECT" true,
+    StartTimer "START_TIMER" false,
+    StopTimer "STOP_TIMER" false,
+    RestartTimer "RESTART_TIMER" false,
+    ResetTimer "RESET_TIMER" false,
+    SpeedUp "TIP_SPEED_UP" true,
+    Direct "DIRECT" true,
+    Trajectory "TRAJECTORY" true,
+    Lock "LOCK" true,
+    Unlock "UNLOCK" true,
+    SetLimit "SET_LIMIT" true,
+    ResetLimit "RESET_LIMIT" true,
+}
+
+impl Op {
+    /// Returns true if the turn of a program that runs several steps in a cycle ends with the command: it waits, or its
+    /// effect shows outside of the robot.
+    pub const fn ends_turn(self) -> bool {
+        matches!(
+            self,
+            Op::Sleep
+                | Op::WaitInpos
+                | Op::WaitNear
+                | Op::InitialPosture
+                | Op::StandUp
+                | Op::SitDown
+                | Op::DetectFloor
+                | Op::DetectObject
+                | Op::Special
+                | Op::OutputVariables
+                | Op::LogStart
+                | Op::LogStop
+                | Op::LogOneShot
+        )
+    }
 }
 
 impl fmt::Display for Op {

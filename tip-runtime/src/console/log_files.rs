@@ -1,4 +1,4 @@
-//! The log files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG and WARNING.LOG, each written
+//! The log files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG, FOUT.LOG and WARNING.LOG, each written
 //! completely or not at all.
 
 mod log_folder;
@@ -21,19 +21,24 @@ const TITAN_LOG: &str = "TITAN.LOG";
 const EMERGENCY_LOG: &str = "EMG.log";
 /// The texts of OUTPUT_VARIABLES, in order.
 const VARIABLES_LOG: &str = "VARIABLES.LOG";
+/// The texts of F_MESSAGE.
+const FILE_OUTPUT: &str = "FOUT.LOG";
 /// The compiler's warnings.
 const WARNING_LOG: &str = "WARNING.LOG";
 
 /// Maximum size of VARIABLES.LOG, bytes.
 const MOST: usize = 16 << 20;
+/// Maximum size of FOUT.LOG, bytes.
+const MOST_OUTPUT: usize = 1 << 20;
 /// The last line of a VARIABLES.LOG that reached its maximum size.
 const FULL: &str = "# full, later ones are left out";
 
 /// Writes the log files of a run into one folder; forwards keys and messages to the inner console.
 ///
 /// A file appears only when there is something to write, and never half written. Each begins with a
-/// line that names its program; a file that does not name this program is never replaced. TITAN.LOG
-/// and VARIABLES.LOG are written at the end of the program; VARIABLES.LOG grows to at most 16 MiB.
+/// line that names its program; a file that does not name this program is never replaced. TITAN.LOG,
+/// VARIABLES.LOG and FOUT.LOG are written at the end of the program, FOUT.LOG at every
+/// OUTPUT_VARIABLES too. VARIABLES.LOG grows to at most 16 MiB, FOUT.LOG to 1 MiB.
 /// Files of an earlier run of the same program stay until this run replaces them or ends without
 /// needing them; where a new file cannot be written, the earlier one stays.
 #[derive(Debug)]
@@ -44,6 +49,9 @@ pub struct LogFiles<C> {
     variables: String,
     /// VARIABLES.LOG has reached its maximum size.
     is_full: bool,
+    output: String,
+    /// Number of texts that FOUT.LOG had no room for.
+    dropped: u64,
     /// Files that may be left from an earlier run.
     earlier: Vec<&'static str>,
     failed: Option<LogError>,
@@ -51,7 +59,13 @@ pub struct LogFiles<C> {
 
 impl<C> LogFiles<C> {
     /// The names of the files.
-    pub const NAMES: [&'static str; 4] = [WARNING_LOG, TITAN_LOG, VARIABLES_LOG, EMERGENCY_LOG];
+    pub const NAMES: [&'static str; 5] = [
+        WARNING_LOG,
+        TITAN_LOG,
+        VARIABLES_LOG,
+        FILE_OUTPUT,
+        EMERGENCY_LOG,
+    ];
 
     /// Takes `folder` for the files of `program`, and creates it if it is missing.
     ///
@@ -67,6 +81,8 @@ impl<C> LogFiles<C> {
             log: TitanLog::default(),
             variables: String::new(),
             is_full: false,
+            output: String::new(),
+            dropped: 0,
             earlier: Vec::from(Self::NAMES),
             failed: None,
         })
@@ -106,15 +122,29 @@ impl<C> LogFiles<C> {
             self.write(VARIABLES_LOG, &text);
             self.variables = text;
         }
+        self.write_output();
         for name in core::mem::take(&mut self.earlier) {
             let removed = self.folder.remove(name);
             self.note(removed);
         }
     }
 
+    /// Returns the number of texts that F_MESSAGE did not append, since FOUT.LOG was full.
+    pub fn dropped(&self) -> u64 {
+        self.dropped
+    }
+
     /// Returns the first file that could not be written, with the reason.
     pub fn take_error(&mut self) -> Option<LogError> {
         self.failed.take()
+    }
+
+    fn write_output(&mut self) {
+        if !self.output.is_empty() {
+            let text = core::mem::take(&mut self.output);
+            self.write(FILE_OUTPUT, &text);
+            self.output = text;
+        }
     }
 
     fn write(&mut self, name: &'static str, text: &str) {
@@ -140,6 +170,17 @@ impl<C: Console> Console for LogFiles<C> {
         self.inner.message(text);
     }
 
+    fn append(&mut self, text: &dyn Display) {
+        let before = self.output.len();
+        // Writing to a String cannot fail.
+        let _ = write!(self.output, "{text}");
+        if self.folder.heading_len(FILE_OUTPUT) + self.output.len() > MOST_OUTPUT {
+            self.output.truncate(before);
+            self.dropped += 1;
+        }
+        self.inner.append(text);
+    }
+
     fn silent(&mut self, on: bool) {
         self.inner.silent(on);
     }
@@ -162,6 +203,7 @@ impl<C: Console> Console for LogFiles<C> {
                 false => write!(self.variables, "{dump}"),
             };
         }
+        self.write_output();
         self.inner.variables(dump);
     }
 

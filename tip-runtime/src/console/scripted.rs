@@ -71,6 +71,10 @@ impl<C: Console> Console for Scripted<C> {
         self.inner.message(text);
     }
 
+    fn append(&mut self, text: &dyn Display) {
+        self.inner.append(text);
+    }
+
     fn silent(&mut self, on: bool) {
         self.inner.silent(on);
     }
@@ -101,6 +105,8 @@ impl<C: Console> Console for Scripted<C> {
 pub struct Transcript {
     /// The messages; an empty one cleared the line.
     pub messages: Vec<String>,
+    /// The text of FOUT.LOG.
+    pub appended: String,
     /// Each change of SILENT.
     pub silent: Vec<bool>,
     /// The rows of TITAN.LOG.
@@ -116,6 +122,10 @@ pub struct Transcript {
 impl Console for Transcript {
     fn message(&mut self, text: &dyn Display) {
         self.messages.push(text.to_string());
+    }
+
+    fn append(&mut self, text: &dyn Display) {
+        self.appended.push_str(&text.to_string());
     }
 
     fn silent(&mut self, on: bool) {

@@ -93,13 +93,55 @@ impl<const J: usize> LegDrive<J> {
     }
 
     /// Takes over measured angles: joints that were commanded a torque are where it led them, or
-    /// are to come back to the working limit that they overshot.
-    pub(super) fn follow(&mut self, measured: &[f64; J], leg: &Leg<J>) {
-        let states = self.torques.iter().zip(leg.within_limits(measured));
-        for (angle, (torque, measured)) in self.angles.iter_mut().zip(states) {
+    /// are to come back to the working limit that they overshot, as `stays` says.
+    pub(super) fn follow(&mut self, stays: &[f64; J]) {
+        let states = self.torques.iter().zip(stays);
+        for (angle, (torque, stays)) in self.angles.iter_mut().zip(states) {
             if torque.is_some() {
-                *angle = measured;
+                *angle = *stays;
             }
+        }
+    }
+
+    /// Lets the set point of the point that decides, and those of the joints before it that it took
+    /// over from the foot, be at their targets at once.
+    pub(super) fn jump_to_point(&mut self, from_foot: bool) {
+        match &mut self.drive {
+            Drive::Joints(_) => {}
+            Drive::Foot(track) => *track = track.jumping(true),
+            Drive::Third(track, joints) => {
+                *track = track.jumping(true);
+                for joint in joints.iter_mut().skip(THIRD) {
+                    *joint = joint.jumping(joint.jumps() || from_foot);
+                }
+            }
+        }
+    }
+
+    /// Puts each joint under its own control. If the command of the `count` joints from `first` is
+    /// `direct`, all that it sets are at their targets at once.
+    pub(super) fn take_joints(
+        &mut self,
+        mut tracks: [Track<1>; J],
+        (first, count): (usize, usize),
+        direct: bool,
+    ) {
+        if direct {
+            let served = self.served();
+            for (m, track) in tracks.iter_mut().enumerate() {
+                let is_set = m < served || (m >= first && m - first < count);
+                *track = track.jumping(track.jumps() || is_set);
+            }
+        }
+        self.drive = Drive::Joints(tracks);
+    }
+
+    /// Returns the number of joints, from the first, that serve a point.
+    pub(super) fn served(&self) -> usize {
+        match self.drive {
+            Drive::Joints(_) => 0,
+            Drive::Foot(_) => J,
+            Drive::Third(..) => THIRD,
         }
     }
 

@@ -1,6 +1,7 @@
 //! DETECT_FLOOR of TITAN VIII (T.I.P. 3.1 §7-11-3): feet move until their soles touch the floor,
 //! or leave it.
 
+use super::switches::unlocked;
 use super::task::{FloorSearch, Task};
 use super::trajectory::Goal;
 use super::{ControllerView, targets};
@@ -24,7 +25,7 @@ impl FloorSearch {
 
 impl<const J: usize> ControllerView<'_, J> {
     pub(super) fn detect_floor_by_soles(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
-        let search = match self.task {
+        let search = match self.tasks.current() {
             Task::DetectFloor(search) => search,
             _ => self.new_search(command)?,
         };
@@ -32,6 +33,7 @@ impl<const J: usize> ControllerView<'_, J> {
             if self.leg(n)?.search.is_none() {
                 continue;
             }
+            unlocked(self.leg(n)?.switches.has_locked())?;
             if self.touches(n)? != (search == FloorSearch::Up) {
                 // The floor has stopped the foot already: its set point follows immediately.
                 self.send_foot(n, self.measured_point(n, LegPoint::Tip)?, true)?;
@@ -44,10 +46,10 @@ impl<const J: usize> ControllerView<'_, J> {
             }
         }
         if self.legs.iter().any(|leg| leg.search.is_some()) {
-            self.task = Task::DetectFloor(search);
+            self.tasks.set(Task::DetectFloor(search));
             Ok(Poll::Pending)
         } else {
-            self.task = Task::Idle;
+            self.tasks.set(Task::Idle);
             Ok(Poll::Done)
         }
     }
@@ -57,12 +59,19 @@ impl<const J: usize> ControllerView<'_, J> {
             return Err(Fault::Domain);
         };
         let search = FloorSearch::new(operand.number())?;
-        self.mark_searching(command.target)?;
+        self.begin_search(command.target)?;
         Ok(search)
     }
 
     /// Legs that a target names begin to search, no others.
-    pub(super) fn mark_searching(&mut self, target: Target) -> Result<(), Fault> {
+    ///
+    /// # Errors
+    /// `InvalidMode` for a leg with a locked joint, or while another thread stands in a command of
+    /// this kind; `Domain` for a target that is no leg.
+    pub(super) fn begin_search(&mut self, target: Target) -> Result<(), Fault> {
+        let legs = targets::feet(&mut self.legs, target)?;
+        unlocked(legs.iter().any(|leg| leg.switches.has_locked()))?;
+        self.tasks.begin()?;
         for leg in &mut self.legs {
             leg.search = None;
         }

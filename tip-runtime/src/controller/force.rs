@@ -3,6 +3,7 @@
 
 use super::drive::Drive;
 use super::operands::{Base, resolve, resolve_from};
+use super::switches::{joint_of, unlocked};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
@@ -16,6 +17,7 @@ impl<const J: usize> ControllerView<'_, J> {
         let (n, first, count) = self.joints_of(command)?;
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
+        unlocked(leg.locks_angle(joint_of(command.target)))?;
         let mut tracks = leg.joints(inverse);
         let states = leg.angles.iter().zip(&leg.torques);
         let chosen = tracks.iter_mut().zip(states).skip(first).take(count);
@@ -42,6 +44,7 @@ impl<const J: usize> ControllerView<'_, J> {
             _ => self.sensed_force(n, point)?.unwrap_or([0.0; 3]),
         };
         let force = self.robot.inverse.flat(resolve(values, current)?);
+        unlocked(self.leg(n)?.locks_point(point))?;
         self.push_point(n, point, force)
     }
 
@@ -59,12 +62,26 @@ impl<const J: usize> ControllerView<'_, J> {
     /// Runs COMPLIANCE_ANGLE and REL_COMPLIANCE_ANGLE. With ALL, no leg is softened unless each can
     /// be.
     pub(super) fn soften_joints(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
+        let all = command.target == Target::All;
         for n in self.legs_of(command.target)? {
             self.softened(&of_leg(command, n), base)?;
+            let is_locked = self.leg(n)?.locks_angle(joint_of(command.target));
+            unlocked(is_locked && !all)?;
         }
         for n in self.legs_of(command.target)? {
-            let tracks = self.softened(&of_leg(command, n), base)?;
-            targets::leg_mut(&mut self.legs, n)?.drive.drive = Drive::Joints(tracks);
+            let command = of_leg(command, n);
+            let (_, first, count) = self.joints_of(&command)?;
+            let tracks = self.softened(&command, base)?;
+            let leg = targets::leg_mut(&mut self.legs, n)?;
+            let direct = leg.is_direct(command.target);
+            if leg.locks_served() {
+                continue;
+            }
+            if leg.switches.has_locked() {
+                leg.soften_unlocked(&tracks, direct);
+            } else {
+                leg.drive.take_joints(tracks, (first, count), direct);
+            }
         }
         Ok(())
     }
@@ -90,12 +107,19 @@ impl<const J: usize> ControllerView<'_, J> {
     /// Runs COMPLIANCE_POSITION and REL_COMPLIANCE_POSITION. With ALL, no leg is softened unless
     /// each can be.
     pub(super) fn soften_point(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
+        let all = command.target == Target::All;
         for n in self.legs_of(command.target)? {
-            self.softened_point(&of_leg(command, n), base)?;
+            let (point, _) = self.softened_point(&of_leg(command, n), base)?;
+            unlocked(!all && self.leg(n)?.locks_point(point))?;
         }
         for n in self.legs_of(command.target)? {
-            let (point, track) = self.softened_point(&of_leg(command, n), base)?;
-            self.take_point(n, point, track)?;
+            let command = of_leg(command, n);
+            let (point, track) = self.softened_point(&command, base)?;
+            let leg = self.leg(n)?;
+            if !leg.locks_point(point) {
+                let direct = leg.is_direct(command.target);
+                self.take_commanded_point(n, point, track, direct)?;
+            }
         }
         Ok(())
     }
@@ -114,7 +138,7 @@ impl<const J: usize> ControllerView<'_, J> {
         let inverse = self.robot.inverse;
         let target = inverse.flat(resolve_from(values, from, base)?);
         let leg = self.leg(n)?;
-        let track = leg.drive.strained_point(point, leg.model, inverse);
+        let track = leg.drive.strained_point(point, &leg.model, inverse);
         let hs = command.hs;
         Ok((point, track.towards(Goal::Spring { target, hs })))
     }
@@ -140,6 +164,7 @@ impl<const J: usize> ControllerView<'_, J> {
         };
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
+        unlocked(leg.locks_stiffening(joint_of(target)))?;
         let mut tracks = match &leg.drive.drive {
             Drive::Foot(track) if !track.goal().is_soft() => return Ok(()),
             _ => leg.joints(inverse),

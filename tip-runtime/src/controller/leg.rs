@@ -2,6 +2,7 @@
 
 use super::drive::{CycleParams, LegDrive, MovingLeg};
 use super::params::LegParams;
+use super::switches::LegSwitches;
 use super::trajectory::Track;
 use super::vibrate::{JointVibration, VibrationContext};
 use crate::fault::Fault;
@@ -12,7 +13,11 @@ use crate::model::{Inverse, Leg, ModelFacts, Point};
 /// One leg: what it is, what it is to do, and what it measured.
 #[derive(Clone, Copy, Debug)]
 pub struct LegState<'m, const J: usize> {
-    pub(super) model: &'m Leg<J>,
+    /// The leg as the robot has it.
+    pub(super) own: &'m Leg<J>,
+    /// The leg with the working limits in force.
+    pub(super) model: Leg<J>,
+    pub(super) switches: LegSwitches<J>,
     pub(super) params: LegParams<J>,
     pub(super) drive: LegDrive<J>,
     pub(super) vibrations: [JointVibration; J],
@@ -34,7 +39,9 @@ impl<'m, const J: usize> LegState<'m, J> {
     #[inline(never)]
     pub(super) fn new(model: &'m Leg<J>, robot: &ModelFacts<'_>) -> Self {
         LegState {
-            model,
+            own: model,
+            model: *model,
+            switches: LegSwitches::STANDARD,
             params: LegParams::standard(robot),
             drive: LegDrive::free(model.initial),
             vibrations: [JointVibration::STILL; J],
@@ -51,9 +58,16 @@ impl<'m, const J: usize> LegState<'m, J> {
     /// # Errors
     /// The errors of its drive.
     pub(super) fn advance(&mut self, number: u8, cycle: &CycleParams) -> Result<(), Fault> {
+        let room;
+        let model = if self.switches.has_outside() {
+            room = self.room();
+            &room
+        } else {
+            &self.model
+        };
         let leg = MovingLeg {
             number,
-            model: self.model,
+            model,
             params: &self.params,
             measured: &self.angles,
         };
@@ -62,7 +76,7 @@ impl<'m, const J: usize> LegState<'m, J> {
 
     /// Returns the leg where it is measured.
     pub(super) fn chain(&self) -> Chain<J> {
-        Chain::new(self.model, &self.angles)
+        Chain::new(&self.model, &self.angles)
     }
 
     /// Returns the measured place of one of its points, mm.
@@ -81,15 +95,24 @@ impl<'m, const J: usize> LegState<'m, J> {
     }
 
     /// Returns the angles at which its joints stay where they are: those measured, but within the
-    /// working limits.
+    /// working limits. A joint that new limits left outside may stay there.
     pub(super) fn stays(&self) -> [f64; J] {
-        self.model.within_limits(&self.angles)
+        let mut stays = self.model.within_limits(&self.angles);
+        if self.switches.has_outside() {
+            let joints = self.switches.outside.iter().zip(&self.angles);
+            for (stay, (outside, angle)) in stays.iter_mut().zip(joints) {
+                if *outside {
+                    *stay = *angle;
+                }
+            }
+        }
+        stays
     }
 
     /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
     /// served a point are to stay where they are measured.
     pub(super) fn joints(&self, inverse: Inverse) -> [Track<1>; J] {
-        self.drive.joints(self.model, &self.stays(), inverse)
+        self.drive.joints(&self.model, &self.stays(), inverse)
     }
 
     /// Returns the commands of its joints, vibrations included.

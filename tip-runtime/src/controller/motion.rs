@@ -2,6 +2,7 @@
 
 use super::drive::{Drive, Redundancy, THIRD, name, nearest_place, reach};
 use super::operands::{Base, is_zero, resolve, resolve_from, sum};
+use super::switches::{joint_of, unlocked};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
@@ -22,14 +23,19 @@ impl<const J: usize> ControllerView<'_, J> {
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let inverse = self.robot.inverse;
         let leg = self.leg(n)?;
-        let moving = leg.drive.point(point, leg.model, inverse);
+        let moving = leg.drive.point(point, &leg.model, inverse);
         let limits = leg.params.foot.limits();
         let stop = base == Base::Target && is_zero(values);
+        let direct = leg.is_direct(command.target);
         // Coming to rest here keeps the braking that the present motion allows.
         let hs = command.hs || (stop && moving.goal().is_hs());
         let mut target = if stop {
-            let rest = moving.rest_point(limits);
-            nearest_place(inverse, leg.model, point, &leg.drive.angles, rest)
+            let rest = if direct {
+                moving.position()
+            } else {
+                moving.rest_point(limits)
+            };
+            nearest_place(inverse, &leg.model, point, &leg.drive.angles, rest)
         } else {
             let from = match base {
                 Base::Operand => leg.place(point, inverse)?,
@@ -37,28 +43,49 @@ impl<const J: usize> ControllerView<'_, J> {
             };
             inverse.flat(resolve_from(values, from, base)?)
         };
+        unlocked(leg.locks_point(point))?;
         let track = moving.towards(Goal::Point { target, hs });
         let how = (inverse, limits);
-        let redundancy = match leg.drive.brakes_first(point, &track, leg.model, how) {
+        let redundancy = match leg.drive.brakes_first(point, &track, &leg.model, how) {
+            Some(_) if direct => Redundancy::None,
             Some(rates) => {
                 if stop {
-                    let angles = leg.drive.rest_angles(&rates, leg.model, &leg.params);
-                    let rest = Chain::new(leg.model, &angles).point(point);
+                    let angles = leg.drive.rest_angles(&rates, &leg.model, &leg.params);
+                    let rest = Chain::new(&leg.model, &angles).point(point);
                     target = rest.map_or(target, |rest| inverse.flat(rest));
                 }
                 Redundancy::Brakes(rates)
             }
-            None if stop => Redundancy::None,
+            None if stop || direct => Redundancy::None,
             None => {
                 let line = (track.position(), target);
-                Redundancy::to_place(inverse, leg.model, point, &leg.drive.angles, line)
+                Redundancy::to_place(inverse, &leg.model, point, &leg.drive.angles, line)
             }
         };
         if !stop {
             self.require_reach(n, point, target)?;
         }
-        self.take_point(n, point, moving.towards(Goal::Point { target, hs }))?;
+        let track = moving.towards(Goal::Point { target, hs });
+        self.take_commanded_point(n, point, track, direct)?;
         targets::leg_mut(&mut self.legs, n)?.drive.redundancy = redundancy;
+        Ok(())
+    }
+
+    /// Puts a point of leg `n` under control for a command, whose set points are at their targets at
+    /// once if it is `direct`.
+    pub(super) fn take_commanded_point(
+        &mut self,
+        n: u8,
+        point: LegPoint,
+        track: Track<3>,
+        direct: bool,
+    ) -> Result<(), Fault> {
+        let from_foot = matches!(self.leg(n)?.drive.drive, Drive::Foot(_));
+        self.take_point(n, point, track)?;
+        if direct {
+            let leg = targets::leg_mut(&mut self.legs, n)?;
+            leg.drive.jump_to_point(from_foot);
+        }
         Ok(())
     }
 
@@ -94,21 +121,25 @@ impl<const J: usize> ControllerView<'_, J> {
         let inverse = self.robot.inverse;
         let emg = self.params.emg;
         let leg = targets::leg_mut(&mut self.legs, n)?;
+        unlocked(leg.locks_angle(joint_of(command.target)))?;
         let stop = base == Base::Target && is_zero(command.values);
+        let direct = leg.is_direct(command.target);
         let mut tracks = leg.joints(inverse);
-        let states = leg.model.joints.iter().zip(&leg.angles);
+        let stays = leg.stays();
+        let states = leg.model.joints.iter().zip(leg.angles.iter().zip(&stays));
         let states = states.zip(&leg.params.joints);
         let chosen = tracks.iter_mut().zip(states).enumerate().skip(first);
         let chosen = chosen.take(count).zip(command.values);
-        for ((m, (track, ((joint, measured), params))), value) in chosen {
+        for ((m, (track, ((joint, (measured, stays)), params))), value) in chosen {
             let current = match (leg.drive.point_of_joint(m), track.goal().target()) {
                 (None, Some([target])) => target,
                 _ => *measured,
             };
             if track.goal().is_soft() {
-                *track = Track::resting([joint.limits.nearest(*measured)]);
+                *track = Track::resting([*stays]);
             }
             let [target] = match base {
+                _ if stop && direct => track.position(),
                 _ if stop => track.rest_point(params.limits()),
                 Base::Operand => resolve(&[*value], [*measured])?,
                 Base::Target => sum(&[*value], [current])?,
@@ -123,7 +154,7 @@ impl<const J: usize> ControllerView<'_, J> {
                 hs,
             });
         }
-        leg.drive.drive = Drive::Joints(tracks);
+        leg.drive.take_joints(tracks, (first, count), direct);
         Ok(())
     }
 
@@ -135,12 +166,13 @@ impl<const J: usize> ControllerView<'_, J> {
         let inverse = self.robot.inverse;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let leg = self.leg(n)?;
-        let foot = leg.drive.point(LegPoint::Tip, leg.model, inverse);
+        let foot = leg.drive.point(LegPoint::Tip, &leg.model, inverse);
         let current = match foot.goal() {
             Goal::Speed(velocity) => velocity,
             _ => leg.chain().foot_velocity(&leg.rates),
         };
         let velocity = inverse.flat(resolve(values, current)?);
+        unlocked(leg.locks_point(LegPoint::Tip))?;
         self.take_point(n, LegPoint::Tip, foot.towards(Goal::Speed(velocity)))
     }
 
@@ -149,6 +181,7 @@ impl<const J: usize> ControllerView<'_, J> {
         let (n, first, count) = self.joints_of(command)?;
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
+        unlocked(leg.locks_angle(joint_of(command.target)))?;
         let mut tracks = leg.joints(inverse);
         let states = leg.stays().into_iter().zip(&leg.rates);
         let chosen = tracks.iter_mut().zip(states).skip(first).take(count);
@@ -177,7 +210,7 @@ impl<const J: usize> ControllerView<'_, J> {
         let leg = targets::leg_mut(&mut self.legs, n)?;
         let stays = leg.stays();
         leg.drive
-            .take_point(point, track, leg.model, &stays, inverse);
+            .take_point(point, track, &leg.model, &stays, inverse);
         Ok(())
     }
 
@@ -191,7 +224,7 @@ impl<const J: usize> ControllerView<'_, J> {
     pub(super) fn foot_track(&self, n: u8) -> Result<Track<3>, Fault> {
         let leg = self.leg(n)?;
         let inverse = self.robot.inverse;
-        Ok(leg.drive.point(LegPoint::Tip, leg.model, inverse))
+        Ok(leg.drive.point(LegPoint::Tip, &leg.model, inverse))
     }
 
     /// Returns the place where a foot comes to rest when it brakes now.
@@ -217,8 +250,8 @@ impl<const J: usize> ControllerView<'_, J> {
         }
         let leg = self.leg(n)?;
         let inverse = self.robot.inverse;
-        let reached = reach(inverse, leg.model, (point, n), &leg.drive.angles, target).is_ok();
-        let elsewhere = || kinematics::search(leg.model, point, target, inverse.axes()).is_some();
+        let reached = reach(inverse, &leg.model, (point, n), &leg.drive.angles, target).is_ok();
+        let elsewhere = || kinematics::search(&leg.model, point, target, inverse.axes()).is_some();
         if reached || (!inverse.is_closed() && elsewhere()) {
             Ok(())
         } else {

@@ -1,6 +1,7 @@
 //! Queries and changes that only native code makes.
 
 use super::drive::reach;
+use super::switches::unlocked;
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{MAX, Target};
@@ -15,7 +16,7 @@ impl<const J: usize> ControllerView<'_, J> {
     ///
     /// # Errors
     /// `Domain` for another target, a place that is not finite, a stiffness that is not finite or
-    /// negative, or a robot without torques.
+    /// negative, or a robot without torques; `InvalidMode` if a joint is locked that it would change.
     pub fn pull(&mut self, target: Target, to: Point, stiffness: [f64; 3]) -> Result<(), Fault> {
         let (n, point) = self.point_of(target)?;
         let sound = to.iter().all(|place| place.is_finite())
@@ -23,6 +24,7 @@ impl<const J: usize> ControllerView<'_, J> {
         if !sound || self.robot.forces.is_none() {
             return Err(Fault::Domain);
         }
+        unlocked(self.leg(n)?.locks_point(point))?;
         let target = self.robot.inverse.flat(to);
         let spring = Goal::Spring { target, hs: false };
         self.take_point(n, point, Track::resting(target).towards(spring))?;
@@ -56,7 +58,7 @@ impl<const J: usize> ControllerView<'_, J> {
     /// # Errors
     /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.
     pub fn inverse(&self, n: u8, from: &[f64; MAX], position: Point) -> Result<[f64; MAX], Fault> {
-        let leg = self.leg(n)?.model;
+        let leg = &self.leg(n)?.model;
         let mut near = leg.initial;
         for (near, from) in near.iter_mut().zip(from) {
             *near = *from;

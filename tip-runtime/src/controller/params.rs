@@ -266,6 +266,7 @@ impl<const J: usize> ControllerView<'_, J> {
         let standard = LegParams::standard(&self.robot);
         for leg in &mut self.legs {
             leg.params = standard;
+            leg.reset_switches();
         }
     }
 

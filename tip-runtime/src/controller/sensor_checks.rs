@@ -12,7 +12,11 @@ impl<const J: usize> ControllerView<'_, J> {
     pub(crate) fn sense_view(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
         let read = self.measure(sensors).and(self.check_sensors());
         for leg in &mut self.legs {
-            leg.drive.follow(&leg.angles, leg.model);
+            if leg.switches.has_outside() {
+                leg.note_inside();
+            }
+            let stays = leg.stays();
+            leg.drive.follow(&stays);
         }
         read.and_then(|()| self.check_limits())?;
         self.pending.take().map_or(Ok(()), Err)
@@ -66,11 +70,13 @@ impl<const J: usize> ControllerView<'_, J> {
 
     fn check_limits(&self) -> Result<(), Fault> {
         for (n, leg) in (1..).zip(&self.legs) {
-            for (m, (joint, angle)) in (1..).zip(leg.model.joints.iter().zip(&leg.angles)) {
-                let limits = if self.params.emg {
-                    joint.limits
-                } else {
-                    joint.outer
+            let joints = leg.model.joints.iter().zip(&leg.own.joints);
+            let joints = joints.zip(leg.switches.outside.iter().zip(&leg.angles));
+            for (m, ((joint, own), (outside, angle))) in (1..).zip(joints) {
+                let limits = match (self.params.emg, outside) {
+                    (true, false) => joint.limits,
+                    (true, true) => own.limits,
+                    (false, _) => own.outer,
                 };
                 if !limits.widened(ROUNDING).contains(*angle) {
                     return Err(Fault::JointLimit(n, m));

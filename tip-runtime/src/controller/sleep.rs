@@ -2,15 +2,15 @@
 
 use super::ControllerView;
 use super::arrival::done_if;
-use super::task::Task;
 use crate::command::{Command, Poll};
 use crate::fault::Fault;
 
 impl<const J: usize> ControllerView<'_, J> {
     /// Runs SLEEP: at least one cycle, and no time of a cycle too little.
     pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
-        let left = match (self.task, command.values) {
-            (Task::Sleep(left), _) => left,
+        let sleep = self.tasks.sleep().ok_or(Fault::Domain)?;
+        let left = match (*sleep, command.values) {
+            (left, _) if left > 0.0 => left,
             (_, [time]) if time.number() >= 0.0 => {
                 // The subtrahend forgives the rounding of a division that should be exact.
                 libm::ceil(time.number() / self.params.period - 1e-9).max(1.0)
@@ -18,11 +18,7 @@ impl<const J: usize> ControllerView<'_, J> {
             _ => return Err(Fault::Domain),
         };
         let done = left <= 1.0;
-        self.task = if done {
-            Task::Idle
-        } else {
-            Task::Sleep(left - 1.0)
-        };
+        *sleep = if done { 0.0 } else { left - 1.0 };
         Ok(done_if(done))
     }
 }

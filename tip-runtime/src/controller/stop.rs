@@ -2,8 +2,9 @@
 
 use super::ControllerView;
 use super::drive::LegDrive;
-use super::task::Task;
+use super::task::{Stand, Task, Tasks};
 use super::trajectory::Track;
+use crate::fault::Fault;
 
 /// The hold of all motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,10 +56,52 @@ impl<const J: usize> ControllerView<'_, J> {
     /// Ends the program (END and EXIT): every motion brakes under the limits in force; then
     /// parameters are standard and nothing is controlled.
     pub fn finish(&mut self) {
-        self.task = Task::Idle;
+        self.tasks = Tasks::NONE;
         self.still();
         self.hold = Hold::Finishing;
         self.end_if_finished();
+    }
+
+    /// Gives up the command in which a thread stands: targets stay, and the speed and the hold that
+    /// the command set end.
+    pub(crate) fn give_up(&mut self) {
+        if let Some(sleep) = self.tasks.sleep() {
+            *sleep = 0.0;
+        }
+        match self.tasks.current() {
+            Task::Idle => {}
+            Task::Posture(holds) => {
+                if holds {
+                    self.release();
+                }
+            }
+            Task::Stand(Stand::Settling) => {}
+            Task::Stand(Stand::Moving) => self.set_all_v_max(1.0),
+            Task::DetectFloor(_) | Task::DetectTouch => {
+                for leg in &mut self.legs {
+                    leg.search = None;
+                }
+            }
+        }
+        self.tasks.give_up();
+    }
+
+    /// Lets the main program (0) or a thread run the steps that follow.
+    pub(crate) fn select(&mut self, thread: u8) {
+        self.tasks.select(thread);
+    }
+
+    /// Checks that SPECIAL may begin or go on.
+    ///
+    /// # Errors
+    /// `InvalidMode` while another thread stands in SPECIAL or a command that SPECIAL excludes.
+    pub(crate) fn begin_special(&self) -> Result<(), Fault> {
+        self.tasks.begin()
+    }
+
+    /// Notes that the thread that runs a step stands in SPECIAL, or has done it.
+    pub(crate) fn set_special(&mut self, waits: bool) {
+        self.tasks.set_special(waits);
     }
 
     /// Stops in an emergency: every joint, and the slider, is to stay where it is measured; nothing
@@ -83,7 +126,7 @@ impl<const J: usize> ControllerView<'_, J> {
         }
         self.slider = Track::resting(slider);
         self.still();
-        self.task = Task::Idle;
+        self.tasks = Tasks::NONE;
         self.hold = Hold::Off;
         self.pending = None;
     }

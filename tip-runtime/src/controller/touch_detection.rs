@@ -12,6 +12,7 @@
 use super::ControllerView;
 use super::drive::{Drive, THIRD};
 use super::leg::LegState;
+use super::switches::unlocked;
 use super::task::Task;
 use super::trajectory::{Goal, Track};
 use crate::command::{Command, Op, Poll, Target};
@@ -49,12 +50,14 @@ impl<const J: usize> ControllerView<'_, J> {
         start: fn(&mut Self, &Command<'_>, &Forces) -> Result<(), Fault>,
     ) -> Result<Poll, Fault> {
         let forces = self.robot.forces.ok_or(Fault::Domain)?;
-        if self.task != Task::DetectTouch {
+        if self.tasks.current() != Task::DetectTouch {
             start(self, command, forces)?;
-            self.task = Task::DetectTouch;
+            self.tasks.set(Task::DetectTouch);
             self.press_floor(command, forces);
             return Ok(Poll::Pending);
         }
+        let searching = self.legs.iter().filter(|leg| leg.search.is_some());
+        unlocked(searching.into_iter().any(|leg| leg.switches.has_locked()))?;
         self.press_floor(command, forces);
         let pressing = if is_downward(command) {
             PUSHING_JOINTS
@@ -75,7 +78,7 @@ impl<const J: usize> ControllerView<'_, J> {
         }
         let mut searching = self.legs.iter().filter_map(|leg| leg.search);
         if searching.all(|still| still >= STILL_CYCLES) {
-            self.task = Task::Idle;
+            self.tasks.set(Task::Idle);
             self.hold_where_stopped();
             return Ok(Poll::Done);
         }
@@ -103,7 +106,7 @@ impl<const J: usize> ControllerView<'_, J> {
             2 => 0,
             _ => return Err(Fault::Domain),
         };
-        self.mark_searching(command.target)?;
+        self.begin_search(command.target)?;
         for leg in self.legs.iter_mut().filter(|leg| leg.search.is_some()) {
             let mut tracks = leg.stays().map(held);
             for track in tracks.iter_mut().take(closing) {
@@ -139,6 +142,7 @@ impl<const J: usize> ControllerView<'_, J> {
             2 => LegPoint::Joint(THIRD),
             _ => return Err(Fault::Domain),
         };
+        self.begin_search(Target::All)?;
         for n in 1..=self.count() {
             let base = self.leg(n)?.model.base;
             let sharing = self
@@ -153,7 +157,7 @@ impl<const J: usize> ControllerView<'_, J> {
                 self.push_point(n, point, [force, 0.0, 0.0])?;
             }
         }
-        self.mark_searching(Target::All)
+        Ok(())
     }
 
     /// Draws a fingertip by a spring to the middle of the palm, at the height that it has.

@@ -82,6 +82,8 @@ pub(crate) struct Track<const N: usize> {
     velocity: [f64; N],
     goal: Goal<N>,
     course: Option<Course<N>>,
+    /// DIRECT: the set point is at its target from the next motion on, without limits.
+    jumps: bool,
 }
 
 impl<const N: usize> Track<N> {
@@ -92,6 +94,7 @@ impl<const N: usize> Track<N> {
             velocity,
             goal: Goal::Rest,
             course: None,
+            jumps: false,
         }
     }
 
@@ -105,8 +108,19 @@ impl<const N: usize> Track<N> {
         Track {
             goal,
             course: None,
+            jumps: false,
             ..self
         }
+    }
+
+    /// Returns this motion, which is at its target at once if `jumps`.
+    pub(crate) const fn jumping(self, jumps: bool) -> Self {
+        Track { jumps, ..self }
+    }
+
+    /// Returns true if the set point is at its target at once.
+    pub(crate) const fn jumps(&self) -> bool {
+        self.jumps
     }
 
     /// Returns this goal, started from rest at `position`.
@@ -164,6 +178,13 @@ impl<const N: usize> Track<N> {
 
     /// Moves on by `dt` seconds; a held set point brakes and stays, whatever its goal.
     pub(crate) fn advance(&mut self, limits: Limits, dt: f64, held: bool) {
+        if self.jumps {
+            self.jumps = false;
+            if let (Some(target), false) = (self.goal.target(), held) {
+                *self = Track::resting(target).towards(self.goal);
+                return;
+            }
+        }
         let limits = self.in_force(limits);
         match self.goal {
             _ if held => self.ramp([0.0; N], limits, dt),

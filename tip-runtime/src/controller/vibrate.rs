@@ -1,6 +1,7 @@
 //! Vibration, added to the commands that joints are sent (active friction control, T.I.P. 3.1 §8-2-2).
 
 use super::drive::bounded;
+use super::switches::unlocked;
 use super::{ControllerView, targets};
 use crate::command::Target;
 use crate::fault::Fault;
@@ -102,7 +103,8 @@ impl<const J: usize> ControllerView<'_, J> {
     ///
     /// # Errors
     /// `Domain` for a target that is not a joint, a robot that does not vibrate, an amplitude that is
-    /// not finite, or a frequency that is not finite or negative.
+    /// not finite, or a frequency that is not finite or negative; `InvalidMode` for a locked joint that
+    /// is to vibrate.
     pub fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault> {
         let Target::Joint(n, m) = joint else {
             return Err(Fault::Domain);
@@ -119,6 +121,7 @@ impl<const J: usize> ControllerView<'_, J> {
             return Err(Fault::Domain);
         }
         let leg = targets::leg_mut(&mut self.legs, n)?;
+        unlocked(vibration.is_some() && leg.switches.is_locked(targets::index(m)))?;
         let joint_vibration = targets::leg_mut(&mut leg.vibrations, m)?;
         *joint_vibration = match vibration {
             Some(_) => JointVibration {

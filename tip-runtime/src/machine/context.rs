@@ -1,14 +1,16 @@
 //! The parts of a machine that the step of one cycle can reach.
 
 use super::devices::{Devices, whole_byte};
+use super::threads::Threads;
 use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
 use crate::console::Console;
 use crate::fault::Fault;
 use crate::model::Point;
-use crate::program::{Context, Robot};
+use crate::program::{Context, Robot, SpecialVariable};
 use crate::record::Sink;
 use crate::special::{Call, Special};
 use crate::vibration::Vibration;
+use core::cell::Cell;
 use core::fmt::Display;
 
 pub(super) struct StepContext<'a, 'm, const J: usize> {
@@ -18,17 +20,26 @@ pub(super) struct StepContext<'a, 'm, const J: usize> {
     pub(super) sink: Option<&'a mut dyn Sink>,
     /// The step does not continue one that waited.
     pub(super) first: bool,
+    /// The thread that runs the step; 0 for the main program.
+    pub(super) thread: u8,
+    pub(super) threads: &'a mut Threads,
+    /// The step ends its turn. Reading an input does, too.
+    pub(super) ends_turn: Cell<bool>,
 }
 
 impl<const J: usize> StepContext<'_, '_, J> {
     fn call_special(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        self.devices.controller.begin_special()?;
+        self.devices.io.variables.share();
         let value = |place: usize| command.values.get(place).map(|value| value.number());
         let call = Call {
             number: whole_byte(value(0))?,
             arguments: [value(1), value(2)],
             first: self.first,
         };
-        self.special.poll(call, &mut self.devices)
+        let poll = self.special.poll(call, &mut self.devices)?;
+        self.devices.controller.set_special(poll == Poll::Pending);
+        Ok(poll)
     }
 
     fn note(&mut self, command: &Command<'_>) {
@@ -56,6 +67,9 @@ impl<const J: usize> Robot for StepContext<'_, '_, J> {
             _ => self.devices.command(command)?,
         };
         self.note(command);
+        if command.op.ends_turn() {
+            self.ends_turn.set(true);
+        }
         Ok(poll)
     }
 
@@ -64,6 +78,7 @@ impl<const J: usize> Robot for StepContext<'_, '_, J> {
     }
 
     fn analog(&self, port: Port) -> Result<f64, Fault> {
+        self.ends_turn.set(true);
         self.devices.analog(port)
     }
 
@@ -98,17 +113,52 @@ impl<const J: usize> Robot for StepContext<'_, '_, J> {
     fn period(&self) -> f64 {
         self.devices.period()
     }
+
+    fn special_variable(&self, variable: SpecialVariable) -> f64 {
+        self.devices.special_variable(variable)
+    }
+
+    fn set_special_variable(&mut self, variable: SpecialVariable, value: f64) -> Result<(), Fault> {
+        self.devices.set_special_variable(variable, value)
+    }
 }
 
 impl<const J: usize> Context for StepContext<'_, '_, J> {
     fn key(&mut self) -> Option<u8> {
+        self.ends_turn.set(true);
         self.devices.io.keyboard.take()
     }
 
     fn message(&mut self, text: &dyn Display) {
+        self.ends_turn.set(true);
         self.console.message(text);
         if let Some(sink) = &mut self.sink {
             sink.say(text);
         }
+    }
+
+    fn append(&mut self, text: &dyn Display) {
+        self.ends_turn.set(true);
+        self.console.append(text);
+        if let Some(sink) = &mut self.sink {
+            sink.out(text);
+        }
+    }
+
+    fn timer(&self, n: u8) -> f64 {
+        self.devices.io.timers.time(n)
+    }
+
+    fn start_thread(&mut self, thread: u8) -> Result<(), Fault> {
+        self.threads.start(thread)
+    }
+
+    fn stop_thread(&mut self, thread: u8) {
+        self.threads.stop(thread);
+    }
+
+    fn wait_thread(&mut self, thread: u8) -> Result<Poll, Fault> {
+        self.ends_turn.set(true);
+        self.threads.wait(thread, self.thread)
     }
 }

@@ -4,16 +4,18 @@ use super::context::StepContext;
 use super::devices::Devices;
 use super::dyn_hardware::DynHardware;
 use super::state::{State, Status};
+use super::threads::bit;
 use crate::command::Port;
 use crate::console::Console;
 use crate::controller::ControllerView;
-use crate::emergency::{Emergency, Report};
+use crate::emergency::{Emergency, Report, ThreadName};
 use crate::fault::Fault;
 use crate::hardware::HardwareFault;
 use crate::model::Family;
-use crate::program::{Flow, Program};
+use crate::program::{End, Flow, Program};
 use crate::record::{self, Dump, Sample, Sink};
 use crate::special::Special;
+use core::cell::Cell;
 
 /// The most bytes taken from the console in one cycle, so that an endless source cannot stall it.
 const KEYS_PER_CYCLE: usize = 256;
@@ -26,6 +28,27 @@ pub(super) struct ControlCycle<'a, 'm, const J: usize> {
     pub(super) special: &'a mut dyn Special,
     pub(super) controller: &'a mut ControllerView<'m, J>,
     pub(super) state: &'a mut State,
+}
+
+/// The steps of one cycle, as far as they have come.
+struct Steps {
+    /// Number of steps that are left of the turn.
+    left: u8,
+    /// Number of steps in a turn.
+    speed: u8,
+    /// Number of scalars that the program shares with native code.
+    specials: usize,
+    /// Number of records of the cycle so far.
+    sub: u32,
+    /// The last step, whose record waits for what follows it: another step, or the robot.
+    last: Option<Ran>,
+}
+
+/// A step that ran to its end.
+struct Ran {
+    thread: u8,
+    step: u32,
+    next: Option<u32>,
 }
 
 impl<const J: usize> ControlCycle<'_, '_, J> {
@@ -61,46 +84,120 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         }
     }
 
-    /// Phases 2 and 3: one step, unless there is none to run, then the robot.
+    /// Phases 2 and 3: the steps, unless there is none to run, then the robot.
     fn act(&mut self, mut sink: Option<&mut dyn Sink>) -> Result<(), Fault> {
         if !self.state.status.is_running() || self.state.paused {
             self.drive();
             return Ok(());
         }
-        let step = self.program.at();
-        let flow = self.step(sink.as_mut().map(|sink| &mut **sink as &mut dyn Sink))?;
-        self.serve_console(step);
-        if !matches!(flow, Flow::Finished(_)) {
-            let mut devices = Devices {
-                controller: self.controller,
-                sensors: self.robot.sensors(),
-                io: &mut self.state.io,
-            };
-            self.state.pending = self.special.cycle(&mut devices).err();
-        }
-        self.drive();
-        self.log();
-        let next = match flow {
-            Flow::Next | Flow::Wait => Some(self.program.at()),
-            Flow::Finished(_) => None,
+        let mut steps = Steps {
+            left: 0,
+            speed: self.state.io.speed,
+            specials: self.program.specials(),
+            sub: 0,
+            last: None,
         };
-        if let Some(sink) = sink {
-            self.record(sink, step, next);
+        let end = self.turns(&mut steps, &mut sink)?;
+        if end.is_none() {
+            self.run_native(steps.specials);
+        }
+        let period = self.drive();
+        self.log();
+        if let (Some(sink), Some(step)) = (sink, steps.last) {
+            self.record(sink, step, steps.sub, true);
         }
         self.state.cycles += 1;
-        if let Flow::Finished(end) = flow {
+        self.state.io.timers.grow(period);
+        if self.state.threads.change() {
+            self.change_threads();
+        }
+        if let Some(end) = end {
             self.state.status = Status::Finished(end);
             self.console.ended();
         }
         Ok(())
     }
 
-    /// Runs phase 2, the step.
-    fn step(&mut self, mut sink: Option<&mut dyn Sink>) -> Result<Flow, Fault> {
+    /// Runs phase 2: the turn of the main program, then of each thread that ran when the cycle began.
+    fn turns(
+        &mut self,
+        steps: &mut Steps,
+        sink: &mut Option<&mut dyn Sink>,
+    ) -> Result<Option<End>, Fault> {
+        let threads = self.state.threads.running();
+        let mut end = self.turn(steps, sink)?;
+        for thread in threads {
+            if end.is_some() {
+                break;
+            }
+            self.select(thread);
+            end = self.turn(steps, sink)?;
+        }
+        if self.state.turn != 0 {
+            self.select(0);
+        }
+        Ok(end)
+    }
+
+    /// Lets the main program (0) or a thread run the steps that follow.
+    fn select(&mut self, thread: u8) {
+        self.state.turn = thread;
+        self.program.select(thread);
+        self.controller.select(thread);
+    }
+
+    /// Runs the steps of one turn.
+    fn turn(
+        &mut self,
+        steps: &mut Steps,
+        sink: &mut Option<&mut dyn Sink>,
+    ) -> Result<Option<End>, Fault> {
+        let thread = self.state.turn;
+        steps.left = steps.speed;
+        loop {
+            if let (Some(sink), Some(step)) = (&mut *sink, steps.last.take()) {
+                self.record(&mut **sink, step, steps.sub, false);
+                steps.sub = steps.sub.saturating_add(1);
+            }
+            let step = self.program.at();
+            let sink = sink.as_mut().map(|sink| &mut **sink as &mut dyn Sink);
+            let (flow, ends_turn) = self.step(steps.specials, sink)?;
+            self.serve_console(step);
+            let next = match flow {
+                Flow::Next | Flow::Wait => Some(self.program.at()),
+                Flow::ThreadEnd | Flow::Finished(_) => None,
+            };
+            steps.last = Some(Ran { thread, step, next });
+            match flow {
+                Flow::Next => {}
+                Flow::Wait => return Ok(None),
+                Flow::ThreadEnd => {
+                    self.state.threads.end(thread);
+                    return Ok(None);
+                }
+                Flow::Finished(end) => return Ok(Some(end)),
+            }
+            steps.left = steps.left.saturating_sub(1);
+            if ends_turn || steps.left == 0 {
+                return Ok(None);
+            }
+        }
+    }
+
+    /// Runs one step; returns true with its flow if the turn ends with it.
+    fn step(
+        &mut self,
+        specials: usize,
+        mut sink: Option<&mut dyn Sink>,
+    ) -> Result<(Flow, bool), Fault> {
         if let Some(sink) = &mut sink {
             sink.begin(self.program);
         }
-        let flow = self.program.step(&mut StepContext {
+        if specials > 0 {
+            self.state.io.variables.read(self.program, specials);
+        }
+        let thread = self.state.turn;
+        let mut context = StepContext {
             devices: Devices {
                 controller: self.controller,
                 sensors: self.robot.sensors(),
@@ -109,13 +206,55 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
             special: self.special,
             console: self.console,
             sink: sink.map(|sink| sink as &mut dyn Sink),
-            first: !self.state.waiting,
-        })?;
-        self.state.waiting = flow == Flow::Wait;
+            first: self.state.waiting & bit(thread) == 0,
+            thread,
+            threads: &mut self.state.threads,
+            ends_turn: Cell::new(false),
+        };
+        let flow = self.program.step(&mut context)?;
+        let ends_turn = context.ends_turn.get();
+        if flow == Flow::Wait {
+            self.state.waiting |= bit(thread);
+        } else {
+            self.state.waiting &= !bit(thread);
+        }
+        if specials > 0 {
+            self.state.io.variables.write(self.program, specials);
+        }
         if let Flow::Finished(_) = flow {
             self.controller.finish();
         }
-        Ok(flow)
+        Ok((flow, ends_turn))
+    }
+
+    /// Lets native code of SPECIAL go on, in the motion phase.
+    fn run_native(&mut self, specials: usize) {
+        if specials > 0 {
+            self.state.io.variables.read(self.program, specials);
+        }
+        let mut devices = Devices {
+            controller: self.controller,
+            sensors: self.robot.sensors(),
+            io: &mut self.state.io,
+        };
+        self.state.pending = self.special.cycle(&mut devices).err();
+        if specials > 0 {
+            self.state.io.variables.write(self.program, specials);
+        }
+    }
+
+    /// Ends the threads that were stopped in this cycle, and puts those that begin in the next one at their first step.
+    fn change_threads(&mut self) {
+        let (stopped, started) = self.state.threads.turn_over();
+        for thread in stopped {
+            self.controller.select(thread);
+            self.controller.give_up();
+            self.state.waiting &= !bit(thread);
+        }
+        self.controller.select(0);
+        for thread in started {
+            self.program.begin(thread);
+        }
     }
 
     /// Serves the console requests that the step made and could not serve itself.
@@ -140,8 +279,8 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         }
     }
 
-    /// Runs phase 3: trajectories, servo and plant advance by one sampling time.
-    fn drive(&mut self) {
+    /// Runs phase 3: trajectories, servo and plant advance by one sampling time, which it returns, ms.
+    fn drive(&mut self) -> f64 {
         let period = self.controller.period();
         self.controller.advance();
         let outputs = self.robot.outputs();
@@ -156,6 +295,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
             self.state.pending.get_or_insert(hardware_fault(fault));
         }
         self.state.time += period;
+        period
     }
 
     /// Hands a row of TITAN.LOG to the console if this cycle is to be sampled.
@@ -166,13 +306,23 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         }
     }
 
-    fn record(&self, sink: &mut dyn Sink, step: u32, next: Option<u32>) {
+    fn record(&self, sink: &mut dyn Sink, Ran { thread, step, next }: Ran, sub: u32, last: bool) {
         sink.cycle(&record::Cycle {
+            sub,
+            last,
+            thread: self.thread_name(thread),
             step,
             next,
             program: self.program,
             sample: sample(&*self.robot, self.controller, self.state),
         });
+    }
+
+    fn thread_name(&self, thread: u8) -> Option<&str> {
+        match thread {
+            0 => None,
+            thread => self.program.thread(thread).map(|(name, _)| name),
+        }
     }
 
     /// Stops in an emergency: the robot freezes where it is.
@@ -181,7 +331,11 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
             fault,
             step: self.program.at(),
             cycle: self.state.cycles,
+            thread: self.thread_name(self.state.turn).map(ThreadName::new),
         };
+        if self.state.turn != 0 {
+            self.select(0);
+        }
         let was_running = self.state.status.is_running();
         self.state.emergency = Some(emergency);
         self.state.status = Status::Emergency;

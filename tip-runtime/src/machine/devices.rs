@@ -7,7 +7,7 @@ use crate::controller::ControllerView;
 use crate::fault::Fault;
 use crate::hardware::SensorsView;
 use crate::model::Point;
-use crate::program::Robot;
+use crate::program::{Robot, SpecialVariable};
 use crate::vibration::Vibration;
 
 /// A robot with any number of legs of `J` joints, in one cycle.
@@ -20,7 +20,40 @@ pub(super) struct Devices<'a, 'm, const J: usize> {
 impl<const J: usize> Devices<'_, '_, J> {
     fn dump_variables(&mut self) {
         self.io.dump_requested = true;
-        self.io.held_for_dump = self.controller.take_hold();
+        self.io.held_for_dump |= self.controller.take_hold();
+    }
+
+    /// Runs a command that starts or ends a hold of its own. OUTPUT_VARIABLES of another step of the cycle holds the
+    /// robot to the cycle's end all the same, and no longer.
+    fn hold_or_release(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        let for_dump = core::mem::take(&mut self.io.held_for_dump);
+        if for_dump {
+            self.controller.release();
+        }
+        let poll = self.controller.command(command)?;
+        if for_dump {
+            self.io.held_for_dump = self.controller.take_hold();
+        }
+        Ok(poll)
+    }
+
+    fn set_timer(&mut self, command: &Command<'_>) -> Result<(), Fault> {
+        let timer = whole_byte(command.values.first().map(|value| value.number()))?;
+        let (resets, runs) = match command.op {
+            Op::StartTimer => (true, Some(true)),
+            Op::StopTimer => (false, Some(false)),
+            Op::RestartTimer => (false, Some(true)),
+            _ => (true, None),
+        };
+        self.io.timers.set(timer, resets, runs)
+    }
+
+    fn set_speed(&mut self, command: &Command<'_>) -> Result<(), Fault> {
+        match whole_byte(command.values.first().map(|value| value.number()))? {
+            0 => return Err(Fault::Domain),
+            speed => self.io.speed = speed,
+        }
+        Ok(())
     }
 
     fn switch_lamp(&mut self, command: &Command<'_>, on: bool) -> Result<(), Fault> {
@@ -86,6 +119,13 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
             Op::LogStop => self.io.sampling.stop(),
             Op::LogOneShot => self.io.sampling.one_shot(),
             Op::OutputVariables => self.dump_variables(),
+            Op::AllStop | Op::AllStopRelease | Op::InitialPosture => {
+                return self.hold_or_release(command);
+            }
+            Op::StartTimer | Op::StopTimer | Op::RestartTimer | Op::ResetTimer => {
+                self.set_timer(command)?;
+            }
+            Op::SpeedUp => self.set_speed(command)?,
             Op::Special => return Err(Fault::Domain),
             _ => return self.controller.command(command),
         }
@@ -144,5 +184,13 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
 
     fn period(&self) -> f64 {
         self.controller.period()
+    }
+
+    fn special_variable(&self, variable: SpecialVariable) -> f64 {
+        self.io.variables.get(variable, J)
+    }
+
+    fn set_special_variable(&mut self, variable: SpecialVariable, value: f64) -> Result<(), Fault> {
+        self.io.variables.set(variable, J, value)
     }
 }

@@ -2,6 +2,8 @@
 
 use super::graphs::Graphs;
 use super::keyboard::Keyboard;
+use super::threads::Timers;
+use super::variables::SpecialVariables;
 use crate::command::{Flag, Port};
 use crate::controller::ControllerView;
 use crate::hardware::Inputs;
@@ -23,6 +25,10 @@ pub(super) struct IoState {
     /// True if a pause holds the robot.
     pub(super) held_for_pause: bool,
     pub(super) graphs: Graphs,
+    pub(super) timers: Timers,
+    /// Number of steps in a turn, from the next cycle on (TIP_SPEED_UP).
+    pub(super) speed: u8,
+    pub(super) variables: SpecialVariables,
 }
 
 /// Volts from which the antenna counts as touching.
@@ -63,6 +69,9 @@ impl IoState {
             held_for_dump: false,
             held_for_pause: false,
             graphs: Graphs::OFF,
+            timers: Timers::HALTED,
+            speed: 1,
+            variables: SpecialVariables::ZERO,
         }
     }
 }

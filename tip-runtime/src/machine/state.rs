@@ -1,6 +1,7 @@
 //! The state of a machine in its run.
 
 use super::io_state::IoState;
+use super::threads::Threads;
 use crate::controller::ControllerView;
 use crate::emergency::Emergency;
 use crate::fault::Fault;
@@ -35,8 +36,11 @@ pub(super) struct State {
     pub(super) emergency: Option<Emergency>,
     /// A fault after the last step, which the next cycle reports.
     pub(super) pending: Option<Fault>,
-    /// The last step waits, so that the next cycle continues it.
-    pub(super) waiting: bool,
+    /// Bit n: the last step of thread n waits, so that the next cycle continues it; bit 0 is the main program.
+    pub(super) waiting: u8,
+    pub(super) threads: Threads,
+    /// The thread that has its turn; 0 for the main program, and between turns.
+    pub(super) turn: u8,
     pub(super) paused: bool,
     pub(super) stop_requested: bool,
     pub(super) cycles: u64,
@@ -53,7 +57,9 @@ impl State {
             status: Status::Running,
             emergency: None,
             pending: None,
-            waiting: false,
+            waiting: 0,
+            threads: Threads::default(),
+            turn: 0,
             paused: false,
             stop_requested: false,
             cycles: 0,

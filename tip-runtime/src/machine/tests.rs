@@ -4,6 +4,7 @@ mod console;
 mod emergencies;
 mod keys;
 mod native;
+mod threads;
 
 use super::*;
 use crate::command::{Command, Op, Poll, Target, Value};

@@ -22,6 +22,7 @@ pub struct JsonLines<W> {
     /// Bits of every scalar before the step.
     scalars: Vec<Option<u64>>,
     say: Option<String>,
+    appended: Option<String>,
     lamp: Option<(u8, bool)>,
     command: String,
 }
@@ -37,6 +38,7 @@ impl<W: Write> JsonLines<W> {
             is_open: false,
             scalars: Vec::new(),
             say: None,
+            appended: None,
             lamp: None,
             command: String::new(),
         }
@@ -102,21 +104,35 @@ impl<W: Write> JsonLines<W> {
             Ending::Program(End::Exit) => out.write_str(r#"{"end":"EXIT""#)?,
             Ending::Interrupted => out.write_str(r#"{"end":"INTERRUPTED""#)?,
             Ending::Limit => out.write_str(r#"{"end":"LIMIT""#)?,
-            Ending::Emergency(Emergency { fault, step, .. }) => {
+            Ending::Emergency(Emergency {
+                fault,
+                step,
+                thread,
+                ..
+            }) => {
                 out.write_str(r#"{"end":"EMERGENCY","error":"#)?;
                 string(out, &fault)?;
-                write!(out, r#","kind":"{}","step":{step}"#, fault.kind())?;
+                write!(out, r#","kind":"{}""#, fault.kind())?;
+                if let Some(thread) = thread {
+                    out.write_str(r#","thread":"#)?;
+                    string(out, &thread.as_str())?;
+                }
+                write!(out, r#","step":{step}"#)?;
             }
         }
         writeln!(out, r#","cycles":{cycles}}}"#)
     }
 
     fn cycle_record(&mut self, cycle: &Cycle<'_>) -> fmt::Result {
-        write!(
-            self.out,
-            r#"{{"cycle":{},"step":{}"#,
-            cycle.sample.cycle, cycle.step
-        )?;
+        write!(self.out, r#"{{"cycle":{}"#, cycle.sample.cycle)?;
+        if cycle.sub > 0 {
+            write!(self.out, r#","sub":{}"#, cycle.sub)?;
+        }
+        if let Some(thread) = cycle.thread {
+            self.out.write_str(r#","thread":"#)?;
+            string(&mut self.out, &thread)?;
+        }
+        write!(self.out, r#","step":{}"#, cycle.step)?;
         if let Some(next) = cycle.next {
             write!(self.out, r#","next":{next}"#)?;
         }
@@ -126,13 +142,17 @@ impl<W: Write> JsonLines<W> {
             out.write_str(r#","say":"#)?;
             string(out, text)?;
         }
+        if let Some(text) = &self.appended {
+            out.write_str(r#","out":"#)?;
+            string(out, text)?;
+        }
         if let Some((device, on)) = self.lamp {
             write!(out, r#","lamp":{{"{device}":{on}}}"#)?;
         }
         if !self.command.is_empty() {
             write!(out, r#","cmd":[{}]"#, self.command)?;
         }
-        if self.with_state {
+        if self.with_state && cycle.last {
             let hash = state_hash(cycle.sample.commands, cycle.sample.angles);
             write!(out, r#","state":"{hash:016x}""#)?;
         }
@@ -164,6 +184,7 @@ impl<W: Write> JsonLines<W> {
 impl<W: Write> Sink for JsonLines<W> {
     fn begin(&mut self, program: &dyn Program) {
         self.say = None;
+        self.appended = None;
         self.lamp = None;
         self.command.clear();
         self.scalars.clear();
@@ -184,6 +205,13 @@ impl<W: Write> Sink for JsonLines<W> {
         self.result = self.result.and(written);
     }
 
+    fn out(&mut self, text: &dyn Display) {
+        let mut appended = String::new();
+        let written = write!(appended, "{text}");
+        self.appended = Some(appended);
+        self.result = self.result.and(written);
+    }
+
     fn lamp(&mut self, device: u8, on: bool) {
         self.lamp = Some((device, on));
     }
@@ -194,7 +222,7 @@ impl<W: Write> Sink for JsonLines<W> {
             self.result = self.cycle_record(cycle);
             self.is_open = true;
         }
-        if !self.with_motion {
+        if !self.with_motion || !cycle.last {
             self.close();
         }
     }

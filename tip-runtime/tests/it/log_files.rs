@@ -147,6 +147,7 @@ fn logs_show_what_a_program_says_as_escapes() {
         fault: Fault::Unassigned(0),
         step: 0,
         cycle: 7,
+        thread: None,
     };
     let program = &program;
     console.emergency(&Report { emergency, program });
@@ -177,4 +178,44 @@ fn the_log_of_variables_is_bounded() {
     let text = fs::read_to_string(folder.join("VARIABLES.LOG")).expect("it was written");
     assert_eq!(text.matches("# cycle").count(), 16);
     assert!(text.ends_with("\tunassigned\n# full, later ones are left out\n"));
+}
+
+// clauses: 17.2 17.3
+#[test]
+fn the_texts_of_a_program_are_kept_as_they_are_and_written_whole() {
+    let folder = folder("output");
+    let program = Talker("p".to_owned());
+    let mut console = LogFiles::claim(&folder, "p.prg", ()).expect("the folder is new");
+    let read = || fs::read_to_string(folder.join("FOUT.LOG"));
+    console.append(&"");
+    console.variables(&dump(&program));
+    assert!(read().is_err(), "nothing was appended");
+    console.append(&"a\tb");
+    console.append(&"\nc");
+    assert!(read().is_err());
+    console.variables(&dump(&program));
+    assert_eq!(read().expect("written"), "# FOUT.LOG of p.prg\na\tb\nc");
+    console.append(&"\u{1b}\n");
+    console.ended();
+    assert_eq!(
+        read().expect("written"),
+        "# FOUT.LOG of p.prg\na\tb\nc\u{1b}\n"
+    );
+}
+
+// clauses: 17.3
+#[test]
+fn a_text_that_does_not_fit_is_dropped_whole() {
+    let folder = folder("output-full");
+    let mut console = LogFiles::claim(&folder, "p.prg", ()).expect("the folder is new");
+    let heading = "# FOUT.LOG of p.prg\n";
+    console.append(&"x".repeat((1 << 20) - heading.len() - 2));
+    console.append(&"abc");
+    console.append(&"de");
+    console.append(&"f");
+    console.ended();
+    assert_eq!(console.dropped(), 2);
+    let text = fs::read_to_string(folder.join("FOUT.LOG")).expect("written");
+    assert_eq!(text.len(), 1 << 20);
+    assert!(text.ends_with("xde"));
 }

@@ -25,4 +25,5 @@ mod robots;
 #[cfg(feature = "std")]
 mod servo_loop;
 mod stops;
+mod switches;
 mod tasks;

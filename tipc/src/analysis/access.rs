@@ -2,7 +2,7 @@
 
 use crate::program::{
     Action, Condition, MessagePart, Operand, Program, Scalar, ScalarExpression, StructExpression,
-    VariableId,
+    StructOperand, VariableId,
 };
 use std::ops::Range;
 
@@ -39,6 +39,11 @@ pub fn assigns(program: &Program, action: &Action) -> Range<usize> {
         | Action::Return
         | Action::Finish(_)
         | Action::Command { .. }
+        | Action::StartThread { .. }
+        | Action::StopThread { .. }
+        | Action::WaitThread { .. }
+        | Action::ThreadEnd
+        | Action::FileMessage { .. }
         | Action::Message { .. } => 0..0,
     }
 }
@@ -93,10 +98,10 @@ impl<F: FnMut(usize)> Reads<'_, F> {
             Action::Command { arguments, .. } => {
                 self.operands(arguments.iter().map(|argument| argument.operand));
             }
-            Action::Message { parts } => {
+            Action::Message { parts } | Action::FileMessage { parts } => {
                 for part in parts {
-                    if let MessagePart::Value { scalar, .. } = part {
-                        self.scalar(*scalar);
+                    if let MessagePart::Value { operand, .. } = part {
+                        self.operands([*operand]);
                     }
                 }
             }
@@ -109,6 +114,10 @@ impl<F: FnMut(usize)> Reads<'_, F> {
             | Action::TeachStruct { .. }
             | Action::TeachScalar { .. }
             | Action::AdIn { .. }
+            | Action::StartThread { .. }
+            | Action::StopThread { .. }
+            | Action::WaitThread { .. }
+            | Action::ThreadEnd
             | Action::KeyIn { .. } => {}
         }
     }
@@ -119,6 +128,12 @@ impl<F: FnMut(usize)> Reads<'_, F> {
 
     fn variable(&mut self, variable: VariableId) {
         members(self.program, variable).for_each(&mut self.found);
+    }
+
+    fn structure(&mut self, whole: StructOperand) {
+        if let StructOperand::Variable(variable) = whole {
+            self.variable(variable);
+        }
     }
 
     fn operands(&mut self, operands: impl IntoIterator<Item = Operand>) {
@@ -142,21 +157,21 @@ impl<F: FnMut(usize)> Reads<'_, F> {
             }
             ScalarExpression::Binary { left, right, .. } => self.operands([left, right]),
             ScalarExpression::Atan2 { y, x } => self.operands([y, x]),
-            ScalarExpression::Norm(variable) => self.variable(variable),
+            ScalarExpression::Norm(whole) => self.structure(whole),
         }
     }
 
     fn struct_expression(&mut self, value: StructExpression) {
         match value {
-            StructExpression::Copy(variable) | StructExpression::UnitVect(variable) => {
-                self.variable(variable);
+            StructExpression::Copy(whole) | StructExpression::UnitVect(whole) => {
+                self.structure(whole);
             }
             StructExpression::Binary { left, right, .. } => {
-                self.variable(left);
-                self.variable(right);
+                self.structure(left);
+                self.structure(right);
             }
             StructExpression::Rotate { operand, angle, .. } => {
-                self.variable(operand);
+                self.structure(operand);
                 self.operands([angle]);
             }
         }

@@ -7,20 +7,23 @@
 //! assigns before it reads it needs no data flow; up to 63 others are a machine word for each block.
 //! The time is O(steps + blocks · such scalars / 63) times the nesting of loops, up to a bound on the
 //! product; the memory O(steps + scalars).
+//!
+//! Threads run from their THREAD. What another thread assigns proves nothing; how an edition judges it is in `ways`.
 
 mod batch;
 mod blocks;
 mod gap;
+mod ways;
 
 #[cfg(test)]
 mod tests;
 
 pub use gap::{Gap, gaps};
+pub use ways::{NoValue, Ways};
 
 use super::flow::{Flow, NodeId};
 use crate::program::{Program, StepId};
-use batch::{Batch, Found};
-use batch::{Sorted, Touches};
+use batch::{Batch, Found, Sorted, Start, Touches};
 use blocks::Blocks;
 
 /// For how many batches of scalars every program is followed.
@@ -65,28 +68,17 @@ impl Assignment {
 
     /// Analyses a program whose flow is known.
     pub fn along(program: &Program, flow: &Flow) -> Self {
-        let blocks = Blocks::of(flow);
-        let (batches, certain) = Touches::of(program, flow).sorted(program.scalar_count(), &blocks);
+        let judged = judged(program, flow, flow.starts(), &predeclared(program));
         let step = |node: NodeId| flow.nodes()[node].step;
-        let mut reads = Vec::new();
-        let mut is_reached = Vec::new();
-        let few = LEAST.max(WORK / blocks.all().len().max(1));
-        for Sorted { scalars, touches } in batches.iter().take(few) {
-            let (found, reached) = Batch::new(&blocks, touches).found();
-            for read in found {
-                judge(read, step(read.node), scalars, &mut reads);
-            }
-            is_reached = reached;
-        }
-        for (node, scalar) in certain {
-            if is_reached[blocks.of_node(node)] {
-                reads.push(Read {
-                    step: step(node),
-                    scalar,
-                    assigned: Assigned::Always,
-                });
-            }
-        }
+        let reads = judged.reads.into_iter().map(|read| Read {
+            step: step(read.node),
+            scalar: read.scalar,
+            assigned: read.assigned,
+        });
+        Assignment::new(reads.collect())
+    }
+
+    fn new(mut reads: Vec<Read>) -> Self {
         // Batches and certain reads are each nearly in order, which the stable sort makes use of.
         reads.sort();
         reads.dedup();
@@ -107,8 +99,78 @@ impl Assignment {
     }
 }
 
+/// Returns which scalars have a value at the start: those that are shared with native code.
+fn predeclared(program: &Program) -> Vec<bool> {
+    let mut given = vec![false; program.scalar_count()];
+    for variable in program.variables().iter().filter(|it| it.special.is_some()) {
+        given[variable.first..variable.first + variable.size()].fill(true);
+    }
+    given
+}
+
+/// A node that reads a scalar, and that a run can come to.
+struct NodeRead {
+    node: NodeId,
+    scalar: usize,
+    assigned: Assigned,
+}
+
+/// Reads along a flow.
+struct Judged {
+    reads: Vec<NodeRead>,
+    /// For each node, true if a run can come to it.
+    reached: Vec<bool>,
+    /// For each node, true if a call of it can come back.
+    comes_back: Vec<bool>,
+}
+
+/// Judges the reads along a flow, for runs from these nodes that begin with these scalars assigned.
+fn judged(program: &Program, flow: &Flow, starts: &[NodeId], given: &[bool]) -> Judged {
+    let blocks = Blocks::of(flow);
+    let (batches, certain) = Touches::of(program, flow).sorted(program.scalar_count(), &blocks);
+    let mut judged = Judged {
+        reads: Vec::new(),
+        reached: Vec::new(),
+        comes_back: Vec::new(),
+    };
+    let mut is_reached = Vec::new();
+    let few = LEAST.max(WORK / blocks.all().len().max(1));
+    for (index, Sorted { scalars, touches }) in batches.iter().take(few).enumerate() {
+        let bits = scalars
+            .iter()
+            .zip(0..)
+            .filter(|(scalar, _)| given[**scalar]);
+        let start = Start {
+            nodes: starts,
+            given: bits.fold(0, |bits, (_, place)| bits | 1 << place),
+        };
+        let batch = Batch::new(&blocks, touches, start);
+        let (found, reached) = batch.found();
+        for read in found {
+            judge(read, scalars, &mut judged.reads);
+        }
+        is_reached = reached;
+        if index == 0 {
+            let comes_back = batch.comes_back();
+            judged.comes_back = (0..flow.nodes().len()).map(comes_back).collect();
+        }
+    }
+    for (node, scalar) in certain {
+        if is_reached[blocks.of_node(node)] {
+            judged.reads.push(NodeRead {
+                node,
+                scalar,
+                assigned: Assigned::Always,
+            });
+        }
+    }
+    let nodes = 0..flow.nodes().len();
+    judged.reached = nodes.map(|node| is_reached[blocks.of_node(node)]).collect();
+    judged
+}
+
 /// Records the reads of one node, of those scalars that a run can come there with.
-fn judge(found: Found, step: StepId, scalars: &[usize], reads: &mut Vec<Read>) {
+fn judge(found: Found, scalars: &[usize], reads: &mut Vec<NodeRead>) {
     let mut left = found.unassigned | found.assigned;
     while left != 0 {
         let bit = left & left.wrapping_neg();
@@ -118,8 +180,8 @@ fn judge(found: Found, step: StepId, scalars: &[usize], reads: &mut Vec<Read>) {
             (true, true) => Assigned::Sometimes,
             (false, _) => Assigned::Never,
         };
-        reads.push(Read {
-            step,
+        reads.push(NodeRead {
+            node: found.node,
             scalar: scalars[bit.trailing_zeros() as usize],
             assigned,
         });

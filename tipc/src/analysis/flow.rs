@@ -4,6 +4,7 @@
 //! Conditions and loops over constants follow only the branch that they really take.
 
 use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
+use std::collections::BTreeSet;
 use std::ops::Deref;
 
 /// The index of a node in its flow. Nodes come in the order of their steps.
@@ -59,10 +60,11 @@ pub struct Call {
     pub back: NodeId,
 }
 
-/// The flow of a program. Its run begins at node 0.
+/// The flow of a program. Its run begins at node 0, and each thread at the node of its THREAD.
 #[derive(Clone, Debug)]
 pub struct Flow {
     nodes: Vec<Node>,
+    starts: Vec<NodeId>,
 }
 
 impl Flow {
@@ -82,7 +84,26 @@ impl Flow {
             }
             nodes.push(ways.node(step, action));
         }
-        Flow { nodes }
+        let threads = program.threads().iter();
+        let threads = threads.filter_map(|thread| ways.to(thread.first));
+        let starts = [0].into_iter().chain(threads).collect();
+        Flow { nodes, starts }
+    }
+
+    /// Returns the flow in which no run goes on behind these nodes.
+    pub fn cut(&self, at: &BTreeSet<NodeId>) -> Flow {
+        let mut flow = self.clone();
+        for node in at {
+            flow.nodes[*node].next = Next::default();
+            flow.nodes[*node].call = None;
+            flow.nodes[*node].returns = false;
+        }
+        flow
+    }
+
+    /// Returns the first nodes of the program and of each thread.
+    pub fn starts(&self) -> &[NodeId] {
+        &self.starts
     }
 
     /// Returns the nodes in the order of their steps.
@@ -170,6 +191,10 @@ impl Ways {
             | Action::TeachScalar { .. }
             | Action::AdIn { .. }
             | Action::KeyIn { .. }
+            | Action::StartThread { .. }
+            | Action::StopThread { .. }
+            | Action::WaitThread { .. }
+            | Action::FileMessage { .. }
             | Action::Message { .. } => [on, None],
             Action::If {
                 condition,
@@ -209,7 +234,7 @@ impl Ways {
                 }
                 chosen(always, None, on)
             }
-            Action::Return | Action::Finish(_) => [None, None],
+            Action::Return | Action::ThreadEnd | Action::Finish(_) => [None, None],
         };
         Node {
             step,

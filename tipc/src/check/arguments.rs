@@ -6,17 +6,15 @@ use super::resolved::Resolved;
 use super::targets::word;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
-use crate::language::commands::{Arguments, Command, Form, Meaning};
-use crate::language::{Keyword, commands};
+use crate::language::commands::{Arguments, Command, Form, Limit, Meaning};
+use crate::language::{Keyword, commands, keywords};
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
 use crate::message::{Commanding, ForeignWord, Message, Parsing};
 use crate::parse::label_of;
-use crate::program::{MessagePart, Scalar};
 use crate::robot::Robot;
 use crate::source::Span;
-use crate::symbols::Access;
-use crate::syntax::{Operand, VariableKind, Word};
+use crate::syntax::{Operand, Word};
 use tip_runtime::command::{FAST, Op, Target};
 
 impl Resolver<'_> {
@@ -44,7 +42,7 @@ impl Resolver<'_> {
             fault.help.is_none() && fault.code.level(edition) == Level::Error
         };
         for fault in self.found[told..].iter_mut().filter(silent) {
-            let forms = Alternatives(command.usage(self.robot));
+            let forms = Alternatives(command.usage(self.robot, edition));
             fault.help = Some(Commanding::Write { forms }.into());
         }
     }
@@ -55,7 +53,7 @@ impl Resolver<'_> {
         name: &Word,
         arguments: &[Operand],
     ) -> Option<Resolved> {
-        match (command.form, command.meaning) {
+        match (command.form_in(self.names.edition), command.meaning) {
             (Form::Robot(form), Meaning::Robot(op)) => self.robot(name, op, form, arguments),
             (Form::Robot(_), _) => {
                 self.no_more(name, arguments)?;
@@ -72,9 +70,8 @@ impl Resolver<'_> {
     }
 
     fn known(&mut self, name: &Word) -> Option<&'static Command> {
-        let command = commands::find(&name.node).filter(|command| {
-            command.since <= self.names.edition && !matches!(command.meaning, Meaning::Keyword(_))
-        });
+        let command = commands::find_in(&name.node, self.names.edition);
+        let command = command.filter(|command| !matches!(command.meaning, Meaning::Keyword(_)));
         let Some(command) = command else {
             return self.unknown_command(name);
         };
@@ -146,9 +143,7 @@ impl Resolver<'_> {
         };
         let last = before.rsplit(';').next().unwrap_or_default();
         let first = last.split_whitespace().next().unwrap_or_default();
-        [Keyword::Message, Keyword::Rem]
-            .iter()
-            .any(|text| first.eq_ignore_ascii_case(text.word()))
+        keywords::find(first, self.names.edition).is_some_and(Keyword::takes_text)
     }
 
     fn robot(
@@ -172,6 +167,9 @@ impl Resolver<'_> {
         let arguments = self.values(name, form, target, operands)?;
         if let resolved::Arguments::Each(values) = &arguments {
             self.warn_of_range(name, form, operands, values);
+            if form.limit == Limit::Angles {
+                self.warn_of_limits(name, target, operands, values);
+            }
         }
         Some(Resolved::Command {
             op,
@@ -184,89 +182,4 @@ impl Resolver<'_> {
     pub(super) fn missing<T>(&mut self, location: Span, what: Lacking) -> Option<T> {
         self.refuse(Code::Argument, location, Commanding::Missing { what })
     }
-}
-
-impl Resolver<'_> {
-    /// Splits a text of the source at `location` into what is shown as it is and the values between.
-    pub(super) fn message(&mut self, text: &str, location: Span) -> Vec<MessagePart> {
-        let mut parts = Vec::new();
-        let mut plain = String::new();
-        let mut rest = text;
-        while let Some(first) = rest.chars().next() {
-            if let Some((variable, decimals, length)) = self.placeholder(rest) {
-                let start = location.end - rest.len() + 1;
-                let name = Span::new(start, start + self.names.variables[variable].name.len());
-                self.uses.variable(name, variable, Access::Read);
-                if !plain.is_empty() {
-                    parts.push(MessagePart::Text(std::mem::take(&mut plain)));
-                }
-                parts.push(MessagePart::Value {
-                    scalar: Scalar {
-                        variable,
-                        member: 0,
-                    },
-                    decimals,
-                });
-                rest = &rest[length..];
-            } else {
-                if let Some(variable) = self.value_of_others(rest) {
-                    self.uses.was_to_be_shown(variable);
-                }
-                let length = shown(rest, first, &mut plain);
-                rest = &rest[length..];
-            }
-        }
-        if !plain.is_empty() {
-            parts.push(MessagePart::Text(plain));
-        }
-        parts
-    }
-
-    /// `%N`, `$N`, `{N}`, `％N％` at the start: the variable that is not shown, although it was meant to be.
-    fn value_of_others(&self, text: &str) -> Option<usize> {
-        let name = text.strip_prefix(['%', '$', '{', '％'])?;
-        let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        let name = &name[..name.len() - name.trim_start_matches(is_name).len()];
-        self.names.find(&name.to_ascii_uppercase())
-    }
-
-    /// `%NAME%` or `%NAME.n%` at the start: the VAR, its decimals, the placeholder's length.
-    fn placeholder(&self, text: &str) -> Option<(usize, u8, usize)> {
-        let inner = text.strip_prefix('%')?;
-        let inner = &inner[..inner.find('%')?];
-        let (name, decimals) = match inner.split_once('.') {
-            Some((name, digits)) => match digits.as_bytes() {
-                [digit @ b'0'..=b'7'] => (name, digit - b'0'),
-                _ => return None,
-            },
-            None => (inner, 0),
-        };
-        let variable = self.names.find(&name.to_ascii_uppercase())?;
-        let is_var = self.names.variables[variable].kind == VariableKind::Var;
-        is_var.then_some((variable, decimals, inner.len() + 2))
-    }
-}
-
-/// Adds what the start of a text, whose first character is `first`, shows; returns its length in the source.
-///
-/// A doubled backslash stays as it is, so that the second one escapes nothing.
-fn shown(text: &str, first: char, plain: &mut String) -> usize {
-    let length = first.len_utf8();
-    match (first, text[length..].chars().next()) {
-        ('\\' | '\u{A5}', Some('a')) => plain.push('\u{7}'),
-        ('\\' | '\u{A5}', Some('t')) => plain.push('\t'),
-        ('\\' | '\u{A5}', Some(second @ ('\\' | '\u{A5}'))) => {
-            plain.extend([first, second]);
-            return length + second.len_utf8();
-        }
-        ('\u{3000}', _) => {
-            plain.push_str("  ");
-            return length;
-        }
-        _ => {
-            plain.push(first);
-            return length;
-        }
-    }
-    length + 1
 }

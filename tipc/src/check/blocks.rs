@@ -11,9 +11,18 @@ pub(crate) enum BlockKind {
     Repeat,
     For,
     Subroutine,
+    Thread,
 }
 
 impl BlockKind {
+    /// Number of kinds.
+    pub(super) const COUNT: usize = BlockKind::Thread as usize + 1;
+
+    /// Returns true for a SUBROUTINE or THREAD: it stands in no block, and holds none of its kind.
+    pub(super) const fn is_routine(self) -> bool {
+        matches!(self, BlockKind::Subroutine | BlockKind::Thread)
+    }
+
     pub(super) const fn opener(self) -> Keyword {
         match self {
             BlockKind::If => Keyword::If,
@@ -21,6 +30,7 @@ impl BlockKind {
             BlockKind::Repeat => Keyword::Repeat,
             BlockKind::For => Keyword::For,
             BlockKind::Subroutine => Keyword::Subroutine,
+            BlockKind::Thread => Keyword::Thread,
         }
     }
 
@@ -31,6 +41,7 @@ impl BlockKind {
             BlockKind::Repeat => Keyword::Until,
             BlockKind::For => Keyword::Next,
             BlockKind::Subroutine => Keyword::SubEnd,
+            BlockKind::Thread => Keyword::ThreadEnd,
         }
     }
 }
@@ -41,7 +52,7 @@ pub(crate) struct Block {
     pub(crate) kind: BlockKind,
     pub(crate) opener: usize,
     pub(crate) parent: Option<usize>,
-    /// The innermost SUBROUTINE around it, or it itself.
+    /// The innermost SUBROUTINE or THREAD around it, or it itself.
     pub(crate) routine: Option<usize>,
     /// The statement that closes it.
     pub(super) end: usize,
@@ -50,9 +61,10 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// Returns true if a statement lies inside. A SUBROUTINE's own step does: only calls reach it from outside.
+    /// Returns true if a statement lies inside. The own step of a SUBROUTINE or THREAD does: no GOTO reaches it from
+    /// outside.
     pub(crate) fn contains(&self, statement: usize) -> bool {
-        let first = self.opener + usize::from(self.kind != BlockKind::Subroutine);
+        let first = self.opener + usize::from(!self.kind.is_routine());
         (first..self.end).contains(&statement)
     }
 }

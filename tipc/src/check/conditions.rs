@@ -41,7 +41,7 @@ impl Resolver<'_> {
     }
 
     fn is_flag(&self, name: &str) -> bool {
-        self.names.find(name).is_none() && flags::find(name, self.names.edition).is_some()
+        !self.names.has(name) && flags::find(name, self.names.edition).is_some()
     }
 
     /// Suggests reading the key for a flag that is compared with one.

@@ -56,7 +56,7 @@ impl Resolver<'_> {
         if let Some(command) = glued(word) {
             return Suggestion::BlankAfter { command }.into();
         }
-        match nearest(word, COMMANDS.iter().map(|command| command.name)) {
+        match nearest(word, commands::names(self.names.edition)) {
             Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
             None => match begun(word).or_else(|| cut_short(word)) {
                 Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
@@ -75,7 +75,7 @@ impl Resolver<'_> {
         counts.find_map(|count| {
             let parts = [first.node.as_str()].into_iter();
             let whole: Vec<&str> = parts.chain(words[..count].iter().copied()).collect();
-            let command = commands::find(&upper_case(&whole.join("_")))?;
+            let command = commands::find_in(&upper_case(&whole.join("_")), self.names.edition)?;
             Some(command.name)
         })
     }

@@ -7,8 +7,8 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
 use crate::message::phrase::{Operands, Type};
-use crate::message::{Calculating, Message, Parsing, Suggestion};
-use crate::program::{Axis, ScalarExpression, StructExpression, VariableId};
+use crate::message::{Calculating, Message, Naming, Parsing, Suggestion};
+use crate::program::{Axis, ScalarExpression, StructExpression, StructOperand};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Equation, Expression, Operand, OperandKind, VariableKind, Word};
@@ -48,6 +48,13 @@ impl Resolver<'_> {
         match (target, value) {
             (ResolvedOperand::Constant(_), _) => {
                 let fault = Diagnostic::new(Code::Equation, location, Parsing::ConstantAssigned);
+                self.report(fault.help(Calculating::LeftSideIs));
+                None
+            }
+            (ResolvedOperand::Reading { reading, .. }, _) => {
+                let word = reading.to_string().into();
+                let reason = Naming::ReadingAssigned { word };
+                let fault = Diagnostic::new(Code::Equation, location, reason);
                 self.report(fault.help(Calculating::LeftSideIs));
                 None
             }
@@ -91,10 +98,7 @@ impl Resolver<'_> {
     fn type_in(&self, equation: &Equation) -> Option<VariableKind> {
         let known = |operand: &Operand| match &operand.kind {
             OperandKind::Number(_) | OperandKind::Member(_) => Some(VariableKind::Var),
-            OperandKind::Name(name) => {
-                let variable = self.names.find(name)?;
-                Some(self.names.variables[variable].kind)
-            }
+            OperandKind::Name(name) => self.names.kind_of(name),
         };
         match &equation.value {
             Expression::Operand(operand) => known(operand),
@@ -120,35 +124,34 @@ impl Resolver<'_> {
         guess: Option<VariableKind>,
     ) -> Option<Value> {
         match expression {
-            Expression::Operand(operand) => match self.value(operand, guess)? {
-                ResolvedOperand::Struct { variable, kind, .. } => {
-                    Some(Value::Struct(kind, StructExpression::Copy(variable)))
+            Expression::Operand(operand) => {
+                let meant = self.value(operand, guess)?;
+                match meant.structure() {
+                    Some((whole, kind, _)) => {
+                        Some(Value::Struct(kind, StructExpression::Copy(whole)))
+                    }
+                    None => Some(Value::Scalar(ScalarExpression::Operand(meant.number()?))),
                 }
-                meant => Some(Value::Scalar(ScalarExpression::Operand(meant.number()?))),
-            },
+            }
             Expression::Binary {
                 left,
                 operation,
                 right,
             } => {
                 let (first, second) = (self.value(left, guess), self.value(right, guess));
-                match (first?, second?) {
-                    (
-                        ResolvedOperand::Struct { variable, kind, .. },
-                        ResolvedOperand::Struct {
-                            variable: other,
-                            kind: of,
-                            ..
-                        },
-                    ) if kind == of => Some(Value::Struct(
-                        kind,
-                        StructExpression::Binary {
-                            left: variable,
-                            operation: *operation,
-                            right: other,
-                        },
-                    )),
-                    (first, second) => match (first.number(), second.number()) {
+                let (first, second) = (first?, second?);
+                match (first.structure(), second.structure()) {
+                    (Some((left, kind, _)), Some((right, of, _))) if kind == of => {
+                        Some(Value::Struct(
+                            kind,
+                            StructExpression::Binary {
+                                left,
+                                operation: *operation,
+                                right,
+                            },
+                        ))
+                    }
+                    _ => match (first.number(), second.number()) {
                         (Some(left), Some(right)) => {
                             Some(Value::Scalar(ScalarExpression::Binary {
                                 left,
@@ -248,7 +251,7 @@ impl Resolver<'_> {
 
     fn is_declared(&self, operand: &Operand) -> bool {
         match &operand.kind {
-            OperandKind::Name(name) => self.names.find(name).is_some(),
+            OperandKind::Name(name) => self.names.kind_of(name).is_some(),
             OperandKind::Number(_) | OperandKind::Member(_) => true,
         }
     }
@@ -258,11 +261,9 @@ impl Resolver<'_> {
         &mut self,
         operand: &Operand,
         kind: Option<VariableKind>,
-    ) -> Option<(VariableId, VariableKind)> {
-        match self.value(operand, kind)? {
-            ResolvedOperand::Struct {
-                variable, kind: of, ..
-            } if kind.is_none_or(|kind| kind == of) => Some((variable, of)),
+    ) -> Option<(StructOperand, VariableKind)> {
+        match self.value(operand, kind)?.structure() {
+            Some((whole, of, _)) if kind.is_none_or(|kind| kind == of) => Some((whole, of)),
             _ => {
                 let wanted = kind.map_or(Type::PosOrJoint, |kind| type_of(Some(kind)));
                 let reason = Calculating::BelongsHere { wanted };
@@ -277,7 +278,7 @@ impl Resolver<'_> {
     fn value(&mut self, operand: &Operand, guess: Option<VariableKind>) -> Option<ResolvedOperand> {
         let meant = self.resolve_operand_as(operand, Code::Equation, guess)?;
         self.uses.operand(operand, meant, Access::Read);
-        if let ResolvedOperand::Struct { negative: true, .. } = meant {
+        if let Some((_, _, true)) = meant.structure() {
             let fault = Diagnostic::new(Code::Equation, operand.span, Calculating::StructSign);
             self.report(fault.help(Calculating::ChangeMembers));
             return None;
@@ -308,10 +309,7 @@ impl Value {
 }
 
 fn kind_of(meant: ResolvedOperand) -> Option<VariableKind> {
-    match meant {
-        ResolvedOperand::Struct { kind, .. } => Some(kind),
-        ResolvedOperand::Constant(_) | ResolvedOperand::Scalar { .. } => None,
-    }
+    meant.structure().map(|(_, kind, _)| kind)
 }
 
 /// Returns the type of an operand; `None` is a number.

@@ -15,7 +15,7 @@ use crate::program::{self, Scalar};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Operand, VariableKind, Word};
-use tip_runtime::command::{Port, Target, Teach};
+use tip_runtime::command::{Port, READING, Target, Teach};
 
 impl Resolver<'_> {
     pub(super) fn teach(
@@ -85,7 +85,9 @@ impl Resolver<'_> {
             return self.missing(name.span, Lacking::Input);
         };
         let (port, used) = match word(first) {
-            Some(id) if self.names.find(id).is_none() => (self.port(first, id)?, 1),
+            Some(id) if !self.names.has(id) && !id.starts_with(READING) => {
+                (self.port(first, id)?, 1)
+            }
             _ => (self.channel(name, arguments)?, 2),
         };
         let Some(into) = arguments.get(used) else {
@@ -175,8 +177,12 @@ impl Resolver<'_> {
     }
 
     fn constant(&mut self, operand: &Operand) -> Option<f64> {
-        match self.resolve_operand(operand, Code::Argument)? {
-            ResolvedOperand::Constant(value) => Some(value),
+        let meant = self.resolve_operand(operand, Code::Argument)?;
+        match meant {
+            ResolvedOperand::Constant(value) => {
+                self.uses.operand(operand, meant, Access::Read);
+                Some(value)
+            }
             _ => self.refuse(
                 Code::Argument,
                 operand.span,

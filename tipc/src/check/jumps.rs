@@ -33,7 +33,9 @@ pub(crate) fn resolve(
             let (kind, jump) = statement.kind.jump()?;
             let location = jump.label.as_ref().map_or(jump.keyword, |label| label.span);
             let to = jumps.target(index, kind, jump, location)?;
-            jumps.check(index, to, kind, jump.keyword);
+            if kind != JumpKind::Thread {
+                jumps.check(index, to, kind, jump.keyword);
+            }
             Some(to)
         })
         .collect()
@@ -77,6 +79,9 @@ impl Jumps<'_> {
             self.found.push(fault.about(name).help(help));
             return None;
         };
+        if self.refuses_kind(kind, to, name, location) {
+            return None;
+        }
         if kind == JumpKind::Call && !self.is_subroutine(to) {
             let reason = Structuring::PlainLabel { name: name.into() };
             let fault = Diagnostic::new(Code::Argument, location, reason)
@@ -123,6 +128,27 @@ impl Jumps<'_> {
         label.map(|label| self.labels.all[label].statement)
     }
 
+    /// Reports a THREAD that is called, and a label that is no THREAD in the place of one.
+    fn refuses_kind(&mut self, kind: JumpKind, to: usize, name: &str, location: Span) -> bool {
+        let is_thread = matches!(
+            self.module.statements[to].kind,
+            StatementKind::Thread { .. }
+        );
+        let name = name.into();
+        let (reason, help) = match (kind, is_thread) {
+            (JumpKind::Thread, false) => (Structuring::NoThread { name }, Structuring::OnlyThreads),
+            (JumpKind::Call | JumpKind::Gosub, true) => {
+                (Structuring::CalledThread { name }, Structuring::StartIt)
+            }
+            _ => return false,
+        };
+        let fault = Diagnostic::new(Code::Argument, location, reason)
+            .label(self.module.statements[to].span, Naming::DeclaredHere)
+            .help(help);
+        self.found.push(fault);
+        true
+    }
+
     fn is_subroutine(&self, statement: usize) -> bool {
         matches!(
             self.module.statements[statement].kind,
@@ -130,7 +156,7 @@ impl Jumps<'_> {
         )
     }
 
-    /// Checks that a jump enters no block and a GOTO leaves no SUBROUTINE; a jump may leave blocks.
+    /// Checks that a jump enters no block and a GOTO leaves no SUBROUTINE or THREAD; a jump may leave blocks.
     fn check(&mut self, from: usize, to: usize, kind: JumpKind, location: Span) {
         let mut inner = self.blocks.around[to];
         if let Some(routine) = inner
@@ -141,7 +167,8 @@ impl Jumps<'_> {
             inner = self.blocks.blocks[routine].parent;
         }
         let [entered_for, refused] = self.tree.entered(inner, from);
-        if let Some(block) = refused {
+        let is_strict = self.module.edition.is_strict();
+        if let Some(block) = refused.or(entered_for.filter(|_| is_strict)) {
             return self.refuse_entry(block, to, location);
         }
         if kind == JumpKind::Goto
@@ -173,6 +200,7 @@ impl Jumps<'_> {
             BlockKind::Repeat => (Entered::Repeat, before),
             BlockKind::For => (Entered::For, before),
             BlockKind::Subroutine => (Entered::Subroutine, Structuring::CallIt),
+            BlockKind::Thread => (Entered::Thread, Structuring::StartIt),
         };
         let reason = Structuring::Enters { block: block_name };
         let mut fault = Diagnostic::new(Code::Structure, location, reason)
@@ -185,10 +213,23 @@ impl Jumps<'_> {
 
     fn refuse_leaving(&mut self, block: usize, to: usize, location: Span) {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
-        let fault = Diagnostic::new(Code::Structure, location, Structuring::LeavesSubroutine)
-            .label(opener.keyword(), Structuring::SubroutineStarts)
+        let is_thread = matches!(opener.kind, StatementKind::Thread { .. });
+        let (reason, starts, help) = match is_thread {
+            true => (
+                Structuring::LeavesThread,
+                Structuring::ThreadStarts,
+                Structuring::ThreadEndsAt,
+            ),
+            false => (
+                Structuring::LeavesSubroutine,
+                Structuring::SubroutineStarts,
+                Structuring::LeaveWith,
+            ),
+        };
+        let fault = Diagnostic::new(Code::Structure, location, reason)
+            .label(opener.keyword(), starts)
             .label(self.module.statements[to].span, Structuring::Label)
-            .help(Structuring::LeaveWith);
+            .help(help);
         self.found.push(fault);
     }
 

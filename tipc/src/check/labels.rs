@@ -5,8 +5,11 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::reserved::{LOOP, is_reserved};
 use crate::language::{Edition, names};
 use crate::message::{Message, Naming, Suggestion};
-use crate::syntax::{Jump, Module, Word};
+use crate::syntax::{Jump, LabelKind, Module, Word};
 use std::collections::HashMap;
+
+/// The most threads of a program.
+const THREADS: usize = 7;
 
 /// Every label.
 #[derive(Clone, Debug, Default)]
@@ -15,31 +18,33 @@ pub(crate) struct Labels<'m> {
     pub(crate) all: Vec<DeclaredLabel<'m>>,
     by_name: HashMap<&'m str, usize>,
     loops: Vec<usize>,
+    /// Number of THREADs so far.
+    threads: usize,
     /// Whose words no label may bear.
     edition: Edition,
 }
 
-/// A label or SUBROUTINE.
+/// A label, SUBROUTINE or THREAD.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DeclaredLabel<'m> {
     /// Its name.
     pub(crate) name: &'m Word,
     /// The index of its statement.
     pub(crate) statement: usize,
-    /// Declared by SUBROUTINE.
-    pub(crate) subroutine: bool,
+    /// Kind of its declaration.
+    pub(crate) kind: LabelKind,
 }
 
 impl<'m> Labels<'m> {
-    /// Reads every label and SUBROUTINE.
+    /// Reads every label, SUBROUTINE and THREAD.
     pub(crate) fn collect(module: &'m Module, found: &mut Diagnostics) -> Self {
         let mut labels = Labels {
             edition: module.edition,
             ..Labels::default()
         };
         for (index, statement) in module.statements.iter().enumerate() {
-            if let Some((name, subroutine)) = statement.kind.label() {
-                labels.declare(index, name, subroutine, found);
+            if let Some((name, kind)) = statement.kind.label() {
+                labels.declare(index, name, kind, found);
             }
         }
         labels
@@ -49,19 +54,24 @@ impl<'m> Labels<'m> {
         &mut self,
         statement: usize,
         name: &'m Word,
-        subroutine: bool,
+        kind: LabelKind,
         found: &mut Diagnostics,
     ) {
         let label = DeclaredLabel {
             name,
             statement,
-            subroutine,
+            kind,
         };
         let id = self.all.len();
-        if let Some(fault) = refusal(name, subroutine, self.edition) {
+        self.threads += usize::from(kind == LabelKind::Thread);
+        if kind == LabelKind::Thread && self.threads > THREADS {
+            let reason = Naming::TooManyThreads { most: THREADS };
+            found.push(Diagnostic::new(Code::Argument, name.span, reason).once("threads"));
+        }
+        if let Some(fault) = refusal(name, kind, self.edition) {
             found.push(fault);
         }
-        if name.node == LOOP && !subroutine {
+        if name.node == LOOP && kind == LabelKind::Plain {
             self.loops.push(id);
             self.all.push(label);
             return;
@@ -70,7 +80,8 @@ impl<'m> Labels<'m> {
             let reason = Naming::DeclaredAgain {
                 name: name.node.clone(),
             };
-            let is_call = subroutine && !self.all[*first].subroutine;
+            let first_kind = self.all[*first].kind;
+            let is_call = kind == LabelKind::Subroutine && first_kind == LabelKind::Plain;
             let help: Message = match is_call {
                 true => Suggestion::Call {
                     name: name.node.clone(),
@@ -114,7 +125,7 @@ impl<'m> Labels<'m> {
     }
 }
 
-fn refusal(name: &Word, subroutine: bool, edition: Edition) -> Option<Diagnostic> {
+fn refusal(name: &Word, kind: LabelKind, edition: Edition) -> Option<Diagnostic> {
     let word = name.node.as_str();
     let fault = |reason: Naming| Diagnostic::new(Code::Argument, name.span, reason);
     if !names::is_label(word) {
@@ -136,5 +147,10 @@ fn refusal(name: &Word, subroutine: bool, edition: Edition) -> Option<Diagnostic
             .help(help),
         );
     }
-    (subroutine && word == LOOP).then(|| fault(Naming::SubroutineLoop).help(Naming::ChooseAnother))
+    let reason = match kind {
+        LabelKind::Plain => return None,
+        LabelKind::Subroutine => Naming::SubroutineLoop,
+        LabelKind::Thread => Naming::ThreadLoop,
+    };
+    (word == LOOP).then(|| fault(reason).help(Naming::ChooseAnother))
 }

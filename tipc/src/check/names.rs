@@ -1,5 +1,6 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
+use super::targets::inventory;
 use crate::code::Code;
 use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -7,16 +8,16 @@ use crate::foreign;
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, names};
-use crate::message::{ForeignWord, Message, Naming, Suggestion};
-use crate::program::{self, Scalar, Variable, VariableId};
+use crate::message::{Commanding, ForeignWord, Message, Naming, Suggestion};
+use crate::program::{self, Scalar, StructOperand, Variable, VariableId};
 use crate::robot::Robot;
-use crate::source::Span;
+use crate::source::{Source, Span};
 use crate::suggest::nearest;
 use crate::syntax::{Module, Operand, OperandKind, Statement, StatementKind, VariableKind, Word};
 use smol_str::SmolStr;
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
-use tip_runtime::command::{CONSTANT, Target};
+use tip_runtime::command::{CONSTANT, READING, Reading, Target, Teach};
 
 /// The most unknown names that are compared with declared ones.
 const COMPARED: usize = MOST;
@@ -24,20 +25,34 @@ const COMPARED: usize = MOST;
 /// `VAR_KEY` is the first of all variables.
 pub(super) const VAR_KEY_ID: VariableId = 0;
 
-/// Every variable of a program.
+/// Every variable and constant of a program.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {
     pub(crate) variables: Vec<Variable>,
-    /// Declaration of each variable; `None` for VAR_KEY.
+    /// Declaration of each variable; `None` for VAR_KEY and those that are shared with native code.
     pub(crate) declared: Vec<Option<Span>>,
     ids: HashMap<String, VariableId>,
+    /// The constants that DEFINE names, in order of the text.
+    pub(crate) constants: Vec<NamedConstant>,
+    constant_ids: HashMap<SmolStr, usize>,
     /// Known names nearest to unknown ones, so that each is compared once.
     near: RefCell<HashMap<String, Option<String>>>,
     /// Names whose declaration was refused: their uses are not reported again.
     refused: HashSet<String>,
     joints: usize,
+    robot: Robot,
     /// Whose words are reserved.
     pub(crate) edition: Edition,
+}
+
+/// A constant that DEFINE names.
+#[derive(Clone, Debug)]
+pub(crate) struct NamedConstant {
+    pub(crate) name: SmolStr,
+    /// Its name in the definition.
+    pub(crate) span: Span,
+    /// Its value; `None` if the definition has none, which is reported.
+    pub(crate) value: Option<f64>,
 }
 
 /// Meaning of an operand.
@@ -54,6 +69,13 @@ pub(crate) enum ResolvedOperand {
         kind: VariableKind,
         negative: bool,
     },
+    /// A special variable of this type, or a member of it.
+    Reading {
+        reading: Reading,
+        kind: VariableKind,
+        member: Option<usize>,
+        negative: bool,
+    },
 }
 
 impl ResolvedOperand {
@@ -64,41 +86,153 @@ impl ResolvedOperand {
             ResolvedOperand::Scalar {
                 scalar, negative, ..
             } => Some(program::Operand::Scalar { scalar, negative }),
-            ResolvedOperand::Struct { .. } => None,
+            ResolvedOperand::Reading {
+                reading,
+                kind,
+                member,
+                negative,
+            } if kind == VariableKind::Var || member.is_some() => Some(program::Operand::Reading {
+                reading,
+                member: member.unwrap_or(0),
+                negative,
+            }),
+            ResolvedOperand::Reading { .. } | ResolvedOperand::Struct { .. } => None,
         }
+    }
+
+    /// Returns the whole POS or JOINT, its type, and true if a minus precedes it; `None` for a number.
+    pub(crate) fn structure(self) -> Option<(StructOperand, VariableKind, bool)> {
+        match self {
+            ResolvedOperand::Struct {
+                variable,
+                kind,
+                negative,
+            } => Some((StructOperand::Variable(variable), kind, negative)),
+            ResolvedOperand::Reading {
+                reading,
+                kind: kind @ (VariableKind::Pos | VariableKind::Joint),
+                member: None,
+                negative,
+            } => Some((StructOperand::Reading(reading), kind, negative)),
+            _ => None,
+        }
+    }
+
+    /// Returns true for a member of a POS or JOINT.
+    pub(crate) fn is_member(self) -> bool {
+        matches!(
+            self,
+            ResolvedOperand::Scalar { member: true, .. }
+                | ResolvedOperand::Reading {
+                    member: Some(_),
+                    ..
+                }
+        )
     }
 }
 
 impl Names {
     /// Reads every declaration.
-    pub(crate) fn collect(module: &Module, robot: Robot, found: &mut Diagnostics) -> Self {
-        let mut names = Names {
-            joints: usize::from(robot.signature().joints),
-            edition: module.edition,
-            ..Names::default()
-        };
-        names.insert(VAR_KEY, VariableKind::Var, None);
-        for statement in &module.statements {
-            if let StatementKind::Define {
-                kind, names: words, ..
-            } = &statement.kind
-            {
-                for word in words {
-                    names.declare(*kind, word, found);
-                }
+    pub(crate) fn collect(
+        source: &Source,
+        module: &Module,
+        robot: Robot,
+        found: &mut Diagnostics,
+    ) -> Self {
+        let shared = match module.edition >= Edition::V3_2 {
+            true => {
+                let all = Names::with(
+                    module,
+                    robot,
+                    &shared_variables(|_| true),
+                    &mut Diagnostics::default(),
+                );
+                let used = all.used_in(source, module);
+                shared_variables(|name| used.contains(name))
             }
-        }
+            false => Vec::new(),
+        };
+        let names = Names::with(module, robot, &shared, found);
         names.warn_of_flags(module, found);
         names
     }
 
+    /// Reads every declaration, behind these variables that are shared with native code.
+    fn with(
+        module: &Module,
+        robot: Robot,
+        shared: &[(String, VariableKind, u8)],
+        found: &mut Diagnostics,
+    ) -> Self {
+        let mut names = Names {
+            joints: usize::from(robot.signature().joints),
+            robot,
+            edition: module.edition,
+            ..Names::default()
+        };
+        names.insert(VAR_KEY, VariableKind::Var, None, None);
+        for (name, kind, number) in shared {
+            names.insert(name, *kind, None, Some(*number));
+        }
+        for statement in &module.statements {
+            match &statement.kind {
+                StatementKind::Define {
+                    kind, names: words, ..
+                } => {
+                    for word in words {
+                        names.declare(*kind, word, found);
+                    }
+                }
+                StatementKind::Constant { name, .. } => names.define(name, found),
+                _ => {}
+            }
+        }
+        // A value may name a variable that is declared below: that is known only now.
+        for statement in &module.statements {
+            if let StatementKind::Constant { name, value, .. } = &statement.kind {
+                names.evaluate(name, value, found);
+            }
+        }
+        names
+    }
+
+    /// Returns the names of variables shared with native code that the program uses.
+    fn used_in(&self, source: &Source, module: &Module) -> HashSet<String> {
+        let mut used = HashSet::new();
+        let mut note = |id: VariableId| {
+            let variable = &self.variables[id];
+            if variable.special.is_some() {
+                used.insert(variable.name.clone());
+            }
+        };
+        for statement in &module.statements {
+            statement.kind.each_operand(&mut |operand| {
+                let name = match &operand.kind {
+                    OperandKind::Number(_) => return,
+                    OperandKind::Name(name) => name,
+                    OperandKind::Member(words) => &words.0,
+                };
+                self.find(name).into_iter().for_each(&mut note);
+            });
+            if let StatementKind::Message { text } | StatementKind::FileMessage { text } =
+                &statement.kind
+            {
+                self.each_shown(source.slice(text.span), &mut note);
+            }
+        }
+        used
+    }
+
     /// Warns of variables called `R`, `A` or `HS`; a motion that has the word means its flag.
     fn warn_of_flags(&self, module: &Module, found: &mut Diagnostics) {
-        for (variable, declared) in self.variables.iter().zip(&self.declared) {
-            let name = variable.name.as_str();
+        let variables = self.variables.iter().map(|variable| variable.name.as_str());
+        let variables = variables.zip(self.declared.iter().copied());
+        let constants = self.constants.iter();
+        let constants = constants.map(|constant| (constant.name.as_str(), Some(constant.span)));
+        for (name, declared) in variables.chain(constants) {
             let is_flag = is_motion_flag(name, self.edition);
             let used = is_flag.then(|| used_in_motion(module, name)).flatten();
-            if let (Some(declared), Some(used)) = (*declared, used) {
+            if let (Some(declared), Some(used)) = (declared, used) {
                 let warning = Diagnostic::new(Code::FlagName, declared, Naming::ReadAsFlag)
                     .about(name)
                     .label(used, Naming::FlagHere)
@@ -108,7 +242,13 @@ impl Names {
         }
     }
 
-    fn insert(&mut self, name: &str, kind: VariableKind, location: Option<Span>) {
+    fn insert(
+        &mut self,
+        name: &str,
+        kind: VariableKind,
+        location: Option<Span>,
+        special: Option<u8>,
+    ) {
         let first = self
             .variables
             .last()
@@ -120,6 +260,7 @@ impl Names {
             kind,
             first,
             joints: self.joints,
+            special,
         });
     }
 
@@ -132,7 +273,62 @@ impl Names {
                 .insert(array.map_or(name, |(name, _)| name).to_owned());
             return;
         }
-        self.insert(name, kind, Some(word.span));
+        self.insert(name, kind, Some(word.span), None);
+    }
+
+    /// Reads the name of a DEFINE.
+    fn define(&mut self, word: &Word, found: &mut Diagnostics) {
+        if let Some(fault) = self.refusal(word) {
+            found.push(fault);
+            self.refused.insert(word.node.to_string());
+            return;
+        }
+        self.constant_ids
+            .insert(word.node.clone(), self.constants.len());
+        self.constants.push(NamedConstant {
+            name: word.node.clone(),
+            span: word.span,
+            value: None,
+        });
+    }
+
+    /// Evaluates a DEFINE, once those above it are.
+    fn evaluate(&mut self, name: &Word, value: &Operand, found: &mut Diagnostics) {
+        let number = self.constant_of(name, value);
+        let id = self.constant_ids.get(&name.node).copied();
+        let own = id.filter(|id| self.constants[*id].span == name.span);
+        match (number, own) {
+            (Ok(number), Some(own)) => self.constants[own].value = number,
+            (Ok(_), None) => {}
+            (Err(fault), _) => found.push(*fault),
+        }
+    }
+
+    fn constant_of(&self, name: &Word, value: &Operand) -> Result<Option<f64>, Box<Diagnostic>> {
+        if let OperandKind::Name(used) = &value.kind
+            && let Some(constant) = self.find_constant(used)
+            && self.constants[constant].span.start >= name.span.start
+        {
+            let reason = Naming::DefinedBelow { name: used.clone() };
+            let fault = Diagnostic::new(Code::UnknownVariable, value.span, reason);
+            return Err(Box::new(
+                fault.about(used.as_str()).help(Naming::DefineAbove),
+            ));
+        }
+        match self.operand(value, Code::Argument, Some(VariableKind::Var))? {
+            Some(ResolvedOperand::Constant(value)) => Ok(Some(value)),
+            None => Ok(None),
+            Some(_) => {
+                let name = match &value.kind {
+                    OperandKind::Name(name) => name.clone(),
+                    OperandKind::Member(words) => format!("{}.{}", words.0, words.1).into(),
+                    OperandKind::Number(_) => SmolStr::default(),
+                };
+                let fault =
+                    Diagnostic::new(Code::Argument, value.span, Naming::NotConstant { name });
+                Err(Box::new(fault.help(Naming::ConstantIs)))
+            }
+        }
     }
 
     fn refusal(&self, word: &Word) -> Option<Diagnostic> {
@@ -153,17 +349,55 @@ impl Names {
             let help = Naming::ChooseAnother;
             return Some(fault(Naming::WordOfLanguage { word: name.into() }).help(help));
         }
-        let first = *self.ids.get(name)?;
+        let constant = self.find_constant(name);
+        let first = match (self.ids.get(name), constant) {
+            (Some(variable), _) => self.declared[*variable],
+            (None, constant) => Some(self.constants[constant?].span),
+        };
         let again = fault(Naming::DeclaredAgain { name: name.into() }).help(Naming::DeclareOnce);
-        Some(match self.declared[first] {
+        Some(match first {
             Some(location) => again.label(location, Naming::FirstDeclared),
             None => again,
         })
     }
 
+    /// Returns the number of variables that are not declared: they come first.
+    pub(crate) fn predeclared(&self) -> usize {
+        let mut all = self.declared.iter();
+        all.position(Option::is_some).unwrap_or(self.declared.len())
+    }
+
     /// Returns the variable of that name.
     pub(crate) fn find(&self, name: &str) -> Option<VariableId> {
         self.ids.get(name).copied()
+    }
+
+    /// Returns the type of what a name stands for; a constant is of VAR's.
+    pub(crate) fn kind_of(&self, name: &str) -> Option<VariableKind> {
+        if name.starts_with(READING) {
+            return reserved::reading(name, self.edition).map(kind_of);
+        }
+        let constant = || self.find_constant(name).map(|_| VariableKind::Var);
+        let variable = self.find(name).map(|id| self.variables[id].kind);
+        variable.or_else(constant)
+    }
+
+    /// Returns the value of an operand that is a constant.
+    pub(crate) fn constant(&self, operand: &Operand) -> Option<f64> {
+        match self.operand(operand, Code::Argument, None) {
+            Ok(Some(ResolvedOperand::Constant(value))) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Returns the index of the constant that DEFINE names so.
+    pub(crate) fn find_constant(&self, name: &str) -> Option<usize> {
+        self.constant_ids.get(name).copied()
+    }
+
+    /// Returns true if the program declares a variable or defines a constant of that name.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.find(name).is_some() || self.find_constant(name).is_some()
     }
 
     /// Resolves an operand. `shape` is the code of a member that the variable lacks, `guess` the type that an
@@ -186,6 +420,27 @@ impl Names {
         {
             let value = if operand.negative { -value } else { value };
             return Ok(Some(ResolvedOperand::Constant(value)));
+        }
+        if name.starts_with(READING) {
+            return self.reading(operand, name, member, shape).map(Some);
+        }
+        if let Some(constant) = self.find_constant(name) {
+            return match (member, self.constants[constant].value) {
+                (Some(member), _) => {
+                    let reason = Naming::NoMember {
+                        name: name.clone(),
+                        member: member.into(),
+                    };
+                    let help = Naming::ConstantMembers { name: name.clone() };
+                    Err(Box::new(
+                        Diagnostic::new(shape, operand.span, reason).help(help),
+                    ))
+                }
+                (None, value) => {
+                    let sign = if operand.negative { -1.0 } else { 1.0 };
+                    Ok(value.map(|value| ResolvedOperand::Constant(sign * value)))
+                }
+            };
         }
         let Some(variable) = self.find(name) else {
             if self.refused.contains(name.as_str()) {
@@ -215,6 +470,64 @@ impl Names {
         }
     }
 
+    /// Resolves a special variable, which the robot has to sense.
+    fn reading(
+        &self,
+        operand: &Operand,
+        name: &SmolStr,
+        member: Option<&str>,
+        shape: Code,
+    ) -> Result<ResolvedOperand, Box<Diagnostic>> {
+        let Some(reading) = reserved::reading(name, self.edition) else {
+            let reason = Naming::NoReading { word: name.clone() };
+            let fault = Diagnostic::new(Code::UnknownVariable, operand.span, reason);
+            let fault = fault.about(name.as_str()).once(format!("variable {name}"));
+            return Err(Box::new(fault.help(Naming::Readings)));
+        };
+        if let Some(fault) = self.not_sensed(reading, operand.span) {
+            return Err(fault);
+        }
+        let kind = kind_of(reading);
+        let index = match member {
+            None => None,
+            Some(member) => match self.member_of(kind, member) {
+                Some(index) => Some(index),
+                None => {
+                    let reason = Naming::NoMember {
+                        name: name.clone(),
+                        member: member.into(),
+                    };
+                    let help = Naming::ReadingMembers { word: name.clone() };
+                    return Err(Box::new(
+                        Diagnostic::new(shape, operand.span, reason).help(help),
+                    ));
+                }
+            },
+        };
+        Ok(ResolvedOperand::Reading {
+            reading,
+            kind,
+            member: index,
+            negative: operand.negative,
+        })
+    }
+
+    /// Returns what is wrong with a special variable that the robot cannot sense.
+    pub(crate) fn not_sensed(&self, reading: Reading, span: Span) -> Option<Box<Diagnostic>> {
+        let Reading::Measured(what, target) = reading else {
+            return None;
+        };
+        let (robot, word) = (self.robot.name(), SmolStr::from(reading.to_string()));
+        let reason: Message = match () {
+            () if !self.robot.has(target) => Commanding::RobotHasNo { robot, target }.into(),
+            () if !commands::senses(self.robot, what) => Naming::NotSensed { robot, word }.into(),
+            () => return None,
+        };
+        let inventory = inventory(self.robot);
+        let fault = Diagnostic::new(Code::Argument, span, reason);
+        Some(Box::new(fault.help(Commanding::RobotHas { inventory })))
+    }
+
     fn whole(&self, variable: VariableId, negative: bool) -> ResolvedOperand {
         match self.variables[variable].kind {
             VariableKind::Var => ResolvedOperand::Scalar {
@@ -234,12 +547,25 @@ impl Names {
     }
 
     fn member(&self, variable: VariableId, member: &str) -> Option<usize> {
-        let variable = &self.variables[variable];
-        match variable.kind {
+        self.member_of(self.variables[variable].kind, member)
+    }
+
+    /// Returns the number of scalars of a type.
+    pub(crate) fn size_of(&self, kind: VariableKind) -> usize {
+        match kind {
+            VariableKind::Var => 1,
+            VariableKind::Pos => POSITION.len(),
+            VariableKind::Joint => self.joints,
+        }
+    }
+
+    /// Returns the index of a member of a type.
+    pub(crate) fn member_of(&self, kind: VariableKind, member: &str) -> Option<usize> {
+        match kind {
             VariableKind::Var => None,
             VariableKind::Pos => POSITION.iter().position(|name| *name == member),
             VariableKind::Joint => {
-                (0..variable.size()).find(|index| member == format!("{JOINT}{}", index + 1))
+                (0..self.joints).find(|index| member == format!("{JOINT}{}", index + 1))
             }
         }
     }
@@ -283,7 +609,7 @@ impl Names {
         if inputs::find(word, self.edition).is_some() {
             return Suggestion::ReadInput { input: target }.into();
         }
-        let command = commands::find(word);
+        let command = commands::find_in(word, self.edition);
         match command.map(|command| (command.meaning, command.name)) {
             Some((Meaning::KeyIn, _)) => ForeignWord::KeyIn.into(),
             Some((Meaning::AdIn, _)) => ForeignWord::AdIn.into(),
@@ -306,7 +632,11 @@ impl Names {
         if near.len() >= COMPARED && !near.contains_key(name) {
             return None;
         }
-        let known = || self.variables.iter().map(|variable| variable.name.as_str());
+        let known = || {
+            let variables = self.variables.iter().map(|variable| variable.name.as_str());
+            let constants = self.constants.iter();
+            variables.chain(constants.map(|constant| constant.name.as_str()))
+        };
         let nearest = || nearest(name, known()).map(str::to_owned);
         near.entry(name.to_owned()).or_insert_with(nearest).clone()
     }
@@ -342,6 +672,25 @@ impl Names {
             .once(format!("variable {name}"))
             .help(help)
     }
+}
+
+/// Returns the type of a special variable.
+pub(crate) fn kind_of(reading: Reading) -> VariableKind {
+    match reading {
+        Reading::Measured(Teach::Position | Teach::Force, _) => VariableKind::Pos,
+        Reading::Measured(Teach::Angle | Teach::Torque, Target::Joint(..)) | Reading::Timer(_) => {
+            VariableKind::Var
+        }
+        Reading::Measured(Teach::Angle | Teach::Torque, _) => VariableKind::Joint,
+    }
+}
+
+/// Returns the variables that programs share with native code, as far as their names pass a test: name, type, number.
+fn shared_variables(is_used: impl Fn(&str) -> bool) -> Vec<(String, VariableKind, u8)> {
+    let kinds = [VariableKind::Var, VariableKind::Pos, VariableKind::Joint];
+    let all = reserved::SPECIALS.into_iter().zip(kinds);
+    let all = all.flat_map(|(stem, kind)| (0..10).map(move |n| (format!("{stem}{n}"), kind, n)));
+    all.filter(|(name, ..)| is_used(name)).collect()
 }
 
 /// `L00`, `X100`: the number that was meant, if there is one.

@@ -3,7 +3,6 @@
 use super::resolve::Resolver;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::Edition;
 use crate::language::commands::{Arguments, Limit, Values};
 use crate::language::functions::{self, Operation};
 use crate::message::phrase::Bounds;
@@ -11,7 +10,8 @@ use crate::message::{Calculating, Commanding};
 use crate::program::{Argument, Arithmetic, Function, Operand};
 use crate::robot::Robot;
 use crate::source::Span;
-use crate::syntax::{self, Equation, Expression, OperandKind, Word};
+use crate::syntax::{self, Equation, Expression, Word};
+use tip_runtime::command::{TIMERS, Target};
 use tip_runtime::model::Range;
 
 impl Resolver<'_> {
@@ -25,7 +25,7 @@ impl Resolver<'_> {
     ) {
         let judged = match form.values {
             // The z of a finger is ignored.
-            Values::Three | Values::Position if self.robot.is_hand() => 2,
+            Values::Three | Values::ThreeOrPos | Values::Position if self.robot.is_hand() => 2,
             _ => values.len(),
         };
         for (operand, value) in operands.iter().zip(values).take(judged) {
@@ -39,47 +39,94 @@ impl Resolver<'_> {
                 };
                 let reason = Commanding::OutOfRange;
                 self.report(Diagnostic::new(Code::OutOfRange, operand.span, reason).help(help));
+                if self.names.edition.is_strict() {
+                    // The step fails at its first one.
+                    return;
+                }
             }
         }
     }
 }
 
 impl Resolver<'_> {
+    /// Warns of a constant limit outside the joint's own ones, or of two that leave no range between them.
+    pub(super) fn warn_of_limits(
+        &mut self,
+        name: &Word,
+        target: Target,
+        operands: &[syntax::Operand],
+        values: &[Argument],
+    ) {
+        let constant = |value: &Argument| match value.operand {
+            Operand::Constant(value) => Some(value),
+            _ => None,
+        };
+        let own = self.robot.limits(target);
+        let mut pairs = operands.iter().zip(values);
+        let outside = pairs.find_map(|(operand, value)| {
+            let own = own.filter(|own| constant(value).is_some_and(|it| !own.contains(it)))?;
+            let Range { min, max } = own;
+            Some((operand.span, Bounds::FromTo { min, max }))
+        });
+        let reversed = || match (values, operands) {
+            ([low, high], [_, operand]) if constant(low)? >= constant(high)? => Some((
+                operand.span,
+                Bounds::Above {
+                    low: constant(low)?,
+                },
+            )),
+            _ => None,
+        };
+        if let Some((location, bounds)) = outside.or_else(reversed) {
+            let help = Commanding::Takes {
+                command: name.node.clone(),
+                bounds,
+                robot: self.robot.name(),
+            };
+            let reason = Commanding::OutOfRange;
+            self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
+        }
+    }
+
     /// Warns of a constant for which an equation has no result, whatever its variables are.
     pub(super) fn warn_of_domain(&mut self, equation: &Equation) {
-        if let Some((location, reason, help)) = impossible(equation, self.names.edition) {
+        if let Some((location, reason, help)) = self.impossible(equation) {
             self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
         }
     }
 }
 
-/// Finds such a constant: its location, why it has no result, and what to write instead.
-fn impossible(equation: &Equation, edition: Edition) -> Option<(Span, Calculating, Calculating)> {
-    match &equation.value {
-        Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {
-            division(divisor)
+impl Resolver<'_> {
+    /// Finds such a constant: its location, why it has no result, and what to write instead.
+    fn impossible(&self, equation: &Equation) -> Option<(Span, Calculating, Calculating)> {
+        let constant = |operand: &syntax::Operand| self.names.constant(operand);
+        let division = |divisor: &syntax::Operand| {
+            let (reason, help) = (Calculating::DividedByZero, Calculating::DivideByAnother);
+            (constant(divisor)? == 0.0).then_some((divisor.span, reason, help))
+        };
+        match &equation.value {
+            Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {
+                division(divisor)
+            }
+            Expression::Binary {
+                operation: Arithmetic::Div,
+                right,
+                ..
+            } => division(right),
+            Expression::Function { name, operands } => {
+                let operation = functions::find(&name.node, self.names.edition)?;
+                outside(operation, operands, constant)
+            }
+            Expression::Operand(_) | Expression::Binary { .. } => None,
         }
-        Expression::Binary {
-            operation: Arithmetic::Div,
-            right,
-            ..
-        } => division(right),
-        Expression::Function { name, operands } => {
-            outside(functions::find(&name.node, edition)?, operands)
-        }
-        Expression::Operand(_) | Expression::Binary { .. } => None,
     }
-}
-
-fn division(divisor: &syntax::Operand) -> Option<(Span, Calculating, Calculating)> {
-    let (reason, help) = (Calculating::DividedByZero, Calculating::DivideByAnother);
-    (constant(divisor)? == 0.0).then_some((divisor.span, reason, help))
 }
 
 /// Finds a constant outside the domain of a function.
 fn outside(
     operation: Operation,
     operands: &[syntax::Operand],
+    constant: impl Fn(&syntax::Operand) -> Option<f64>,
 ) -> Option<(Span, Calculating, Calculating)> {
     let first = operands.first()?;
     let value = constant(first)?;
@@ -111,13 +158,6 @@ fn outside(
     }
 }
 
-fn constant(operand: &syntax::Operand) -> Option<f64> {
-    match operand.kind {
-        OperandKind::Number(value) => Some(value),
-        OperandKind::Name(_) | OperandKind::Member(_) => None,
-    }
-}
-
 /// Returns the range that a value leaves.
 fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
     let from_to = |Range { min, max }: Range| Bounds::FromTo { min, max };
@@ -144,6 +184,15 @@ fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
             let range = Range::new(1.0, types);
             (!range.contains(value.trunc())).then(|| from_to(range))
         }
+        Limit::Timer => {
+            let range = Range::new(0.0, f64::from(TIMERS - 1));
+            (!range.contains(value.trunc())).then(|| from_to(range))
+        }
+        Limit::Steps => {
+            let range = Range::new(1.0, 255.0);
+            (!range.contains(value.trunc())).then(|| from_to(range))
+        }
+        Limit::Angles => None,
         Limit::ObjectType => {
             let range = Range::new(1.0, 3.0);
             (!range.contains(value.trunc())).then(|| from_to(range))

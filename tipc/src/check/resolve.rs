@@ -4,6 +4,7 @@ use super::blocks::Blocks;
 use super::labels::Labels;
 use super::names::{Names, ResolvedOperand};
 use super::resolved::{Counting, Resolved, StatementId};
+use super::texts::Text;
 use super::uses::{Named, Uses};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -14,7 +15,8 @@ use crate::robot::Robot;
 use crate::source::{Source, Span};
 use crate::symbols::Access;
 use crate::syntax::{
-    self, Condition, Jump, Module, Operand, Statement, StatementKind, Then, VariableKind,
+    self, Condition, Jump, LabelKind, Module, Operand, OperandKind, Statement, StatementKind, Then,
+    VariableKind,
 };
 use std::collections::HashMap;
 
@@ -98,6 +100,15 @@ impl Resolver<'_> {
                 }
                 Resolved::Define
             }
+            StatementKind::Constant { name, value, .. } => {
+                self.uses.define(name);
+                if let OperandKind::Name(_) = &value.kind {
+                    // Its value is evaluated already.
+                    let constant = ResolvedOperand::Constant(0.0);
+                    self.uses.operand(value, constant, Access::Read);
+                }
+                Resolved::Define
+            }
             StatementKind::Label(name) => {
                 self.uses.define_label(name, index);
                 Resolved::Label
@@ -137,6 +148,20 @@ impl Resolver<'_> {
                 Resolved::Subroutine
             }
             StatementKind::SubEnd => Resolved::SubEnd,
+            StatementKind::Thread { name, .. } => {
+                self.uses.define_label(name, index);
+                Resolved::Thread
+            }
+            StatementKind::ThreadEnd => Resolved::ThreadEnd,
+            StatementKind::StartThread(jump) => {
+                Resolved::StartThread(self.jump(index, jump, Access::Start)?)
+            }
+            StatementKind::StopThread(jump) => {
+                Resolved::StopThread(self.jump(index, jump, Access::Control)?)
+            }
+            StatementKind::WaitThread(jump) => {
+                Resolved::WaitThread(self.jump(index, jump, Access::Control)?)
+            }
             StatementKind::Call(jump) => Resolved::Call(self.jump(index, jump, Access::Call)?),
             StatementKind::Goto(jump) => Resolved::Goto(self.jump(index, jump, Access::Jump)?),
             StatementKind::Gosub(jump) => Resolved::Gosub(self.jump(index, jump, Access::Call)?),
@@ -146,7 +171,11 @@ impl Resolver<'_> {
             StatementKind::Rem => Resolved::Rem,
             StatementKind::Message { text } => {
                 let shown = self.known.source.slice(text.span);
-                Resolved::Message(self.message(shown, text.span))
+                Resolved::Message(whole(self.message(Text::Shown, shown, text.span))?)
+            }
+            StatementKind::FileMessage { text } => {
+                let written = self.known.source.slice(text.span);
+                Resolved::FileMessage(whole(self.message(Text::Written, written, text.span))?)
             }
             StatementKind::Command {
                 name,
@@ -320,7 +349,7 @@ impl Resolver<'_> {
     /// Returns whether a label of that name is a SUBROUTINE, if there is one.
     pub(super) fn is_subroutine(&self, name: &str) -> Option<bool> {
         let label = self.known.labels.find(name)?;
-        Some(self.known.labels.all[label].subroutine)
+        Some(self.known.labels.all[label].kind == LabelKind::Subroutine)
     }
 
     /// Returns the text before a location on its line.

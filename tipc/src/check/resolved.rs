@@ -3,7 +3,7 @@
 use super::labels::DeclaredLabel;
 use crate::program::{
     Argument, Arithmetic, Condition, Mark, MessagePart, Op, Operand, Port, Scalar,
-    ScalarExpression, StructExpression, Target, Teach, Variable, VariableId,
+    ScalarExpression, StructExpression, StructOperand, Target, Teach, Variable, VariableId,
 };
 
 /// The statements of a module, its variables and labels.
@@ -23,7 +23,7 @@ pub(crate) type StatementId = usize;
 /// Meaning of a statement. The lowering decides what it does.
 #[derive(Debug)]
 pub(crate) enum Resolved {
-    /// DEF_VAR, DEF_POS, DEF_JOINT.
+    /// DEF_VAR, DEF_POS, DEF_JOINT, DEFINE.
     Define,
     /// A label.
     Label,
@@ -57,6 +57,16 @@ pub(crate) enum Resolved {
     Subroutine,
     /// SUBEND.
     SubEnd,
+    /// THREAD.
+    Thread,
+    /// THREADEND.
+    ThreadEnd,
+    /// START_THREAD, and its THREAD.
+    StartThread(StatementId),
+    /// STOP_THREAD, and its THREAD.
+    StopThread(StatementId),
+    /// WAIT_THREAD, and its THREAD.
+    WaitThread(StatementId),
     /// CALL, and where it leads.
     Call(StatementId),
     /// GOTO, and where it leads.
@@ -73,6 +83,8 @@ pub(crate) enum Resolved {
     Rem,
     /// MESSAGE.
     Message(Vec<MessagePart>),
+    /// F_MESSAGE.
+    FileMessage(Vec<MessagePart>),
     /// MESSAGE_CLEAR.
     MessageClear,
     /// A command of the robot.
@@ -129,12 +141,14 @@ pub(crate) struct Counting {
 /// The arguments of a command after its target.
 #[derive(Debug)]
 pub(crate) enum Arguments {
+    /// The members of two JOINTs.
+    Two([StructOperand; 2]),
     /// One by one.
     Each(Vec<Argument>),
     /// The members of a POS or JOINT.
     Whole {
         /// The variable.
-        variable: VariableId,
+        operand: StructOperand,
         /// Flag before it.
         mark: Mark,
     },

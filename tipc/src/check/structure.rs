@@ -57,7 +57,7 @@ struct Open {
     has_else: bool,
     /// The block of the current branch.
     block: usize,
-    /// The SUBROUTINEs directly inside, which are not allowed.
+    /// The SUBROUTINEs and THREADs directly inside, which are not allowed.
     nested: Vec<usize>,
 }
 
@@ -65,7 +65,7 @@ struct Open {
 #[derive(Default)]
 struct Stack {
     all: Vec<Open>,
-    of_kind: [Vec<usize>; 5],
+    of_kind: [Vec<usize>; BlockKind::COUNT],
 }
 
 impl Stack {
@@ -80,10 +80,12 @@ impl Stack {
         Some(open)
     }
 
-    /// Returns the open blocks of a kind in the innermost SUBROUTINE, or that one itself.
+    /// Returns the open blocks of a kind in the innermost SUBROUTINE or THREAD, or that one itself.
     fn within(&self, kind: BlockKind) -> &[usize] {
         let of_kind = &self.of_kind[kind as usize];
-        let routine = self.of_kind[BlockKind::Subroutine as usize].last();
+        let routines = [BlockKind::Subroutine, BlockKind::Thread];
+        let routine = routines.map(|routine| self.of_kind[routine as usize].last());
+        let routine = routine.into_iter().max().flatten();
         let outside = routine.map_or(0, |routine| of_kind.partition_point(|at| at < routine));
         &of_kind[outside..]
     }
@@ -118,7 +120,7 @@ struct Matcher<'a> {
     result: Blocks,
     open: Stack,
     /// By the kinds of the constructs.
-    owed: [AllOwed; 5],
+    owed: [AllOwed; BlockKind::COUNT],
     /// Starts of words that were to close another block: that they are not alone on their lines does not matter.
     closes_more: HashSet<usize>,
     /// Starts of statements of another language, which is reported.
@@ -144,6 +146,8 @@ impl Matcher<'_> {
             Shape::Next => self.close(index, BlockKind::For, Keyword::Next),
             Shape::Subroutine => self.open(BlockKind::Subroutine, index),
             Shape::SubEnd => self.close(index, BlockKind::Subroutine, Keyword::SubEnd),
+            Shape::Thread => self.open(BlockKind::Thread, index),
+            Shape::ThreadEnd => self.close(index, BlockKind::Thread, Keyword::ThreadEnd),
             Shape::Close => self.close_innermost(index),
         }
     }
@@ -168,7 +172,7 @@ impl Matcher<'_> {
         let blocks = &mut self.result.blocks;
         let block = blocks.len();
         let routine = match kind {
-            BlockKind::Subroutine => Some(block),
+            kind if kind.is_routine() => Some(block),
             _ => parent.and_then(|parent| blocks[parent].routine),
         };
         blocks.push(Block {
@@ -183,8 +187,8 @@ impl Matcher<'_> {
     }
 
     fn open(&mut self, kind: BlockKind, index: usize) {
-        let is_subroutine = kind == BlockKind::Subroutine;
-        if is_subroutine {
+        let is_routine = kind.is_routine();
+        if is_routine {
             self.owed = Default::default();
             if let Some(outer) = self.open.all.last_mut() {
                 outer.nested.push(index);
@@ -192,7 +196,7 @@ impl Matcher<'_> {
         }
         let parent = self.current();
         let block = self.new_block(kind, index, parent);
-        self.result.around[index] = if is_subroutine { Some(block) } else { parent };
+        self.result.around[index] = if is_routine { Some(block) } else { parent };
         self.open.push(Open {
             kind,
             first: index,
@@ -203,7 +207,7 @@ impl Matcher<'_> {
         });
     }
 
-    /// Reports the SUBROUTINEs inside a construct that is closed.
+    /// Reports the SUBROUTINEs and THREADs inside a construct that is closed.
     fn refuse_nested(&mut self, open: &Open) {
         let (opener, closer) = (open.kind.opener(), open.kind.closer());
         for index in &open.nested {
@@ -211,7 +215,10 @@ impl Matcher<'_> {
             if let Some(outer) = inside.and_then(|block| self.result.blocks[block].parent) {
                 self.result.blocks[outer].broken = true;
             }
-            let reason = Structuring::SubroutineInside { opener };
+            let reason = match self.module.statements[*index].kind.shape() {
+                Shape::Thread => Structuring::ThreadInside { opener },
+                _ => Structuring::SubroutineInside { opener },
+            };
             let fault = Diagnostic::new(Code::Structure, self.location(*index), reason)
                 .label(self.location(open.first), Structuring::StillOpen { opener })
                 .help(Structuring::CloseBefore { opener, closer });
@@ -284,6 +291,7 @@ impl Matcher<'_> {
                     Structuring::IfFirst { word: name }
                 }
                 (_, BlockKind::Subroutine) => Structuring::SubEndCloses,
+                (_, BlockKind::Thread) => Structuring::ThreadEndCloses,
                 _ => Structuring::Opens { opener, closer },
             };
             let mut fault =

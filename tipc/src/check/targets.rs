@@ -33,7 +33,7 @@ impl Resolver<'_> {
             let text = upper_case(&format!("{other}{rest}"));
             return Suggestion::Write { text }.into();
         }
-        let usage = commands::find(other).map(|row| row.usage(self.robot));
+        let usage = commands::find(other).map(|row| row.usage(self.robot, self.names.edition));
         let forms = Alternatives(usage.unwrap_or_default());
         Commanding::Write { forms }.into()
     }

@@ -11,7 +11,7 @@ use crate::parse::narrow;
 use crate::program::VariableId;
 use crate::source::{Source, Span};
 use crate::symbols::{Access, Definition, DefinitionId, DefinitionKind, Symbols, Use};
-use crate::syntax::{Jump, Operand, OperandKind, VariableKind, Word};
+use crate::syntax::{Jump, LabelKind, Operand, OperandKind, VariableKind, Word};
 use std::collections::HashSet;
 
 /// Names that the statements use, so far.
@@ -32,6 +32,8 @@ pub(super) struct Uses<'a> {
 /// The names of a whole program, and what each is used for.
 pub(super) struct Named {
     pub(super) symbols: Symbols,
+    /// Number of labels.
+    pub(super) labels: usize,
     /// The variables that a broken statement names: nothing can be said of them.
     pub(super) excused: Vec<bool>,
     /// The variables that a MESSAGE was to show, and does not: that nothing reads them follows from it.
@@ -47,7 +49,7 @@ impl<'a> Uses<'a> {
             labels,
             all: Vec::new(),
             first: 0,
-            next: (1, 0),
+            next: (names.predeclared(), 0),
             excused: vec![false; names.variables.len()],
             to_be_shown: vec![false; names.variables.len()],
             dumped: false,
@@ -62,6 +64,7 @@ impl<'a> Uses<'a> {
     /// Returns all uses.
     pub(super) fn finish(self) -> Named {
         Named {
+            labels: self.labels.all.len(),
             symbols: Symbols::new(definitions(self.names, self.labels), self.all),
             excused: self.excused,
             to_be_shown: self.to_be_shown,
@@ -87,7 +90,24 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// Records a label or the name of a SUBROUTINE, defined by a statement.
+    /// Records the name of a DEFINE.
+    pub(super) fn define(&mut self, word: &Word) {
+        if let Some(constant) = self.names.find_constant(&word.node) {
+            self.note(word.span, self.of_constant(constant), Access::Define);
+        }
+    }
+
+    /// Records a constant that is named at this location.
+    pub(super) fn constant(&mut self, location: Span, constant: usize) {
+        self.note(location, self.of_constant(constant), Access::Read);
+    }
+
+    fn of_constant(&self, constant: usize) -> DefinitionId {
+        let before = self.names.variables.len() + self.labels.all.len();
+        DefinitionId::of_constant(constant, before)
+    }
+
+    /// Records a label or the name of a SUBROUTINE or THREAD, defined by a statement.
     pub(super) fn define_label(&mut self, word: &Word, statement: usize) {
         let (_, next) = self.next;
         let is_next = self
@@ -116,12 +136,20 @@ impl<'a> Uses<'a> {
 
     /// Records an operand that stands for something of this meaning.
     pub(super) fn operand(&mut self, operand: &Operand, meant: ResolvedOperand, access: Access) {
-        let (variable, member) = match meant {
-            ResolvedOperand::Constant(_) => return,
-            ResolvedOperand::Struct { variable, .. } => (variable, None),
+        let (definition, member) = match meant {
+            ResolvedOperand::Reading { .. } => return,
+            ResolvedOperand::Constant(_) => match &operand.kind {
+                OperandKind::Name(name) => match self.names.find_constant(name) {
+                    Some(constant) => (self.of_constant(constant), None),
+                    None => return,
+                },
+                OperandKind::Number(_) | OperandKind::Member(_) => return,
+            },
+            ResolvedOperand::Struct { variable, .. } => (DefinitionId::of_variable(variable), None),
             ResolvedOperand::Scalar { scalar, member, .. } => {
                 let index = u8::try_from(scalar.member).ok();
-                (scalar.variable, index.filter(|_| member))
+                let definition = DefinitionId::of_variable(scalar.variable);
+                (definition, index.filter(|_| member))
             }
         };
         let length = match &operand.kind {
@@ -132,7 +160,7 @@ impl<'a> Uses<'a> {
         let start = operand.span.start + usize::from(operand.negative);
         self.all.push(Use {
             span: Span::new(start, start + length),
-            definition: DefinitionId::of_variable(variable),
+            definition,
             access,
             member,
             negative: operand.negative,
@@ -142,6 +170,20 @@ impl<'a> Uses<'a> {
     /// Records a whole variable without sign: the name at this location, or none if it is empty.
     pub(super) fn variable(&mut self, location: Span, variable: VariableId, access: Access) {
         self.note(location, DefinitionId::of_variable(variable), access);
+    }
+
+    /// Records a variable without sign, or a member of it: the name at this location.
+    pub(super) fn member(
+        &mut self,
+        location: Span,
+        variable: VariableId,
+        member: Option<usize>,
+        access: Access,
+    ) {
+        self.note(location, DefinitionId::of_variable(variable), access);
+        if let Some(last) = self.all.last_mut() {
+            last.member = member.and_then(|member| u8::try_from(member).ok());
+        }
     }
 
     /// Records that OUTPUT_VARIABLES writes every variable to a file.
@@ -201,7 +243,11 @@ impl<'a> Uses<'a> {
     /// Returns the variable of that name, else the label.
     fn named(&self, name: &str) -> Option<DefinitionId> {
         let variable = self.names.find(name).map(DefinitionId::of_variable);
-        variable.or_else(|| self.labels.find(name).map(|label| self.label(label)))
+        let constant = || self.names.find_constant(name);
+        let constant = || constant().map(|constant| self.of_constant(constant));
+        variable
+            .or_else(|| self.labels.find(name).map(|label| self.label(label)))
+            .or_else(constant)
     }
 
     fn label(&self, label: usize) -> DefinitionId {
@@ -228,13 +274,19 @@ fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
     });
     let labels = labels.all.iter().map(|label| Definition {
         name: label.name.node.clone(),
-        kind: match label.subroutine {
-            true => DefinitionKind::Subroutine,
-            false => DefinitionKind::Label,
+        kind: match label.kind {
+            LabelKind::Thread => DefinitionKind::Thread,
+            LabelKind::Subroutine => DefinitionKind::Subroutine,
+            LabelKind::Plain => DefinitionKind::Label,
         },
         span: Some(label.name.span),
     });
-    variables.chain(labels).collect()
+    let constants = names.constants.iter().map(|constant| Definition {
+        name: constant.name.clone(),
+        kind: DefinitionKind::Constant,
+        span: Some(constant.span),
+    });
+    variables.chain(labels).chain(constants).collect()
 }
 
 /// Reports reads that nothing assigned, and variables that serve nothing.
@@ -254,9 +306,29 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         });
     let meant: HashSet<String> = meant.collect();
     let lacks_name = found.iter().any(lacks_name);
+    let first = serves.len() + named.labels;
+    let mut used = vec![false; names.constants.len()];
+    for one in named.symbols.all_uses() {
+        let constant = one.definition.index().checked_sub(first);
+        let constant = constant.filter(|_| one.access != Access::Define);
+        if let Some(used) = constant.and_then(|constant| used.get_mut(constant)) {
+            *used = true;
+        }
+    }
+    for (constant, used) in names.constants.iter().zip(used) {
+        // What is wrong with its definition is reported.
+        let line = |location: Span| source.line_column(location.start).0;
+        let is_wrong = |it: &Diagnostic| line(it.span) == line(constant.span);
+        if !used && !meant.contains(constant.name.as_str()) && !found.iter().any(is_wrong) {
+            let reason = Naming::NothingUsesConstant;
+            let warning = Diagnostic::new(Code::UnusedConstant, constant.span, reason);
+            found.push(warning.about(constant.name.as_str()));
+        }
+    }
     for (id, variable) in names.variables.iter().enumerate() {
         let is_refused = variable.name.len() > LIMIT;
-        if named.excused[id] || is_refused || meant.contains(&variable.name) {
+        let is_shared = variable.special.is_some();
+        if named.excused[id] || is_refused || is_shared || meant.contains(&variable.name) {
             continue;
         }
         let name = &variable.name;
@@ -313,7 +385,13 @@ impl<'a> Service<'a> {
                 self.assigned = true;
             }
             // What NEXT counts its FOR has begun.
-            Access::Count | Access::Define | Access::Jump | Access::Call | Access::Unclear => {}
+            Access::Count
+            | Access::Define
+            | Access::Jump
+            | Access::Call
+            | Access::Start
+            | Access::Control
+            | Access::Unclear => {}
         }
     }
 }

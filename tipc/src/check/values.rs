@@ -1,7 +1,7 @@
 //! The values of commands: numbers with their flags, or a struct in their place.
 
 use super::equations::type_of;
-use super::names::ResolvedOperand;
+use super::names::kind_of;
 use super::resolve::Resolver;
 use super::resolved;
 use super::targets::word;
@@ -9,9 +9,10 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::commands::{self, Arguments, Form, Targets, Values};
+use crate::language::{Edition, reserved};
 use crate::message::phrase::Numbers;
 use crate::message::{Commanding, ForeignWord};
-use crate::program::{self, Argument, Mark};
+use crate::program::{self, Argument, Mark, StructOperand};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Operand, OperandKind, VariableKind, Word};
@@ -27,31 +28,82 @@ impl Resolver<'_> {
     ) -> Option<resolved::Arguments> {
         let joints = usize::from(self.robot.signature().joints);
         let single = matches!(target, Target::Joint(..));
-        let one_for_all =
-            target == Target::All && operands.len() < joints && !self.is_joint(operands);
+        let one_for_all = target == Target::All
+            && operands.len() < joints
+            && !self.is_of(operands, VariableKind::Joint);
         let each = match form.values {
             Values::None => {
                 self.no_more(name, operands)?;
                 Some(Vec::new())
             }
             Values::One => self.plain_values(name, operands, 1),
-            Values::Three => self.plain_values(name, operands, 3),
+            Values::ThreeOrPos if self.is_of(operands, VariableKind::Pos) => {
+                return self.vector(name, form, operands, VariableKind::Pos, 3);
+            }
+            Values::Three | Values::ThreeOrPos => self.plain_values(name, operands, 3),
+            Values::Limits if single => self.scalars(name, form, operands, 2),
+            Values::Limits => return self.two_joints(name, operands),
             Values::Angles if single => self.scalars(name, form, operands, 1),
-            Values::PerJoint if single || one_for_all => self.plain_values(name, operands, 1),
+            Values::PerLeg if target == Target::All => self.plain_values(name, operands, 1),
+            Values::PerJoint | Values::PerLeg if single || one_for_all => {
+                self.plain_values(name, operands, 1)
+            }
             Values::Position => return self.vector(name, form, operands, VariableKind::Pos, 3),
-            Values::Angles | Values::PerJoint => {
+            Values::Angles | Values::PerJoint | Values::PerLeg => {
                 return self.vector(name, form, operands, VariableKind::Joint, joints);
             }
         };
         each.map(resolved::Arguments::Each)
     }
 
-    fn is_joint(&self, operands: &[Operand]) -> bool {
-        let id = operands
+    /// Returns true if the first operand is a whole struct of a type.
+    fn is_of(&self, operands: &[Operand], kind: VariableKind) -> bool {
+        let named = operands
             .first()
-            .and_then(word)
-            .and_then(|name| self.names.find(name));
-        id.is_some_and(|id| self.names.variables[id].kind == VariableKind::Joint)
+            .and_then(|operand| self.struct_named(operand));
+        named.is_some_and(|(_, of)| of == kind)
+    }
+
+    /// Returns the whole variable that an operand without sign names, and its type.
+    fn struct_named(&self, operand: &Operand) -> Option<(StructOperand, VariableKind)> {
+        let name = word(operand)?;
+        if let Some(id) = self.names.find(name) {
+            let kind = self.names.variables[id].kind;
+            return Some((StructOperand::Variable(id), kind));
+        }
+        let reading = reserved::reading(name, self.names.edition)?;
+        Some((StructOperand::Reading(reading), kind_of(reading)))
+    }
+
+    /// Reads two JOINTs: the lower and the upper limits of a leg.
+    fn two_joints(&mut self, name: &Word, operands: &[Operand]) -> Option<resolved::Arguments> {
+        let mut read = Vec::new();
+        for operand in operands.iter().take(2) {
+            read.push(self.joint(name, operand)?);
+        }
+        let [low, high] = read[..] else {
+            let reason = Commanding::WantsTwoJoints {
+                command: name.node.clone(),
+            };
+            return self.refuse(Code::Argument, name.span, reason);
+        };
+        self.no_more(name, &operands[2..])?;
+        Some(resolved::Arguments::Two([low, high]))
+    }
+
+    fn joint(&mut self, name: &Word, operand: &Operand) -> Option<StructOperand> {
+        let kind = Some(VariableKind::Joint);
+        let meant = self.resolve_operand_as(operand, Code::Argument, kind)?;
+        self.uses.operand(operand, meant, Access::Read);
+        match meant.structure() {
+            Some((whole, VariableKind::Joint, false)) => Some(whole),
+            _ => {
+                let reason = Commanding::WantsTwoJoints {
+                    command: name.node.clone(),
+                };
+                self.refuse(Code::Argument, operand.span, reason)
+            }
+        }
     }
 
     /// Reads three or n scalars, or one struct in their place.
@@ -68,17 +120,17 @@ impl Resolver<'_> {
             .get(flagged)
             .and_then(word)
             .filter(|name| !is_flag(form, name));
-        let id = whole.and_then(|name| self.names.find(name));
-        if let (None, Some(_), [operand]) = (id, whole, &operands[flagged..]) {
+        let named = whole.and_then(|_| self.struct_named(&operands[flagged]));
+        if let (None, Some(_), [operand]) = (named, whole, &operands[flagged..]) {
             // The only operand can only be meant as a struct.
             self.resolve_operand_as(operand, Code::Argument, Some(kind))?;
         }
-        let id = match id.map(|id| (id, self.names.variables[id].kind)) {
+        let operand = match named {
             None | Some((_, VariableKind::Var)) => {
                 let each = self.scalars(name, form, operands, count);
                 return each.map(resolved::Arguments::Each);
             }
-            Some((id, of)) if of == kind => id,
+            Some((whole, of)) if of == kind => whole,
             Some((_, of)) => {
                 let reason = Commanding::OtherType {
                     command: name.node.clone(),
@@ -90,8 +142,9 @@ impl Resolver<'_> {
         };
         self.no_more(name, &operands[flagged + 1..])?;
         let mark = self.mark(form, operands)?;
-        self.uses.variable(operands[flagged].span, id, Access::Read);
-        Some(resolved::Arguments::Whole { variable: id, mark })
+        let meant = self.resolve_operand_as(&operands[flagged], Code::Argument, Some(kind))?;
+        self.uses.operand(&operands[flagged], meant, Access::Read);
+        Some(resolved::Arguments::Whole { operand, mark })
     }
 
     /// Reads `count` scalars, each with its flag.
@@ -209,8 +262,10 @@ impl Resolver<'_> {
         found: usize,
     ) -> Option<T> {
         let whole = match form.values {
-            Values::Position => Some(VariableKind::Pos),
-            Values::Angles | Values::PerJoint if wanted > 1 => Some(VariableKind::Joint),
+            Values::Position | Values::ThreeOrPos => Some(VariableKind::Pos),
+            Values::Angles | Values::PerJoint | Values::PerLeg if wanted > 1 => {
+                Some(VariableKind::Joint)
+            }
             _ => None,
         };
         let reason = Commanding::TooFew {
@@ -229,11 +284,9 @@ impl Resolver<'_> {
     ) -> Option<program::Operand> {
         let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
-        match meant {
-            ResolvedOperand::Constant(_) | ResolvedOperand::Scalar { member: false, .. } => {
-                meant.number()
-            }
-            ResolvedOperand::Scalar { .. } | ResolvedOperand::Struct { .. } => {
+        match meant.number().filter(|_| !meant.is_member()) {
+            Some(number) => Some(number),
+            None => {
                 let reason = Commanding::ConstantOrVar;
                 let fault = Diagnostic::new(shape, operand.span, reason);
                 self.report(fault.help(Commanding::CopyIntoVar));
@@ -285,7 +338,9 @@ impl Resolver<'_> {
                     false => ForeignWord::NoTarget { command },
                 })
             }
-            Some(word) if commands::find(word).is_some() => Some(ForeignWord::NextStatement),
+            Some(word) if commands::find_in(word, self.names.edition).is_some() => {
+                Some(ForeignWord::NextStatement)
+            }
             Some(unit) if foreign::is_unit(unit) && self.names.find(unit).is_none() => {
                 Some(ForeignWord::NoUnit)
             }
@@ -333,7 +388,7 @@ fn is_flag(form: Arguments, word: &str) -> bool {
 }
 
 fn takes_target(command: &str) -> bool {
-    let form = commands::find(command).map(|command| command.form);
+    let form = commands::find_in(command, Edition::V3_2).map(|command| command.form);
     matches!(form, Some(Form::Robot(form)) if form.targets != Targets::NONE)
 }
 

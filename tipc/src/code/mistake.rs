@@ -86,7 +86,8 @@ mistakes! {
 
     Equation "E107-01" "a left side that is not one variable", "1つの変数ではない左辺":
         Parsing { OneVariableLeft ConstantAssigned StartsWithVariable }
-        Calculating { LeftSideSign };
+        Calculating { LeftSideSign }
+        Naming { ReadingAssigned };
     Equation "E107-02" "more than one operation or function", "2つ以上の演算や関数":
         Parsing { OperatorOrNothing EquationEnds FunctionCannotStandHere };
     Equation "E107-03" "a missing operand", "足りない数値や変数":
@@ -131,15 +132,17 @@ mistakes! {
     Argument "E205-07" "R, A or HS where it cannot stand", "R、A、HSを書けないところ":
         Commanding { FlagBeforeNumber NoFlag };
     Argument "E205-08" "a value of another type", "型の合わない値":
-        Commanding { OtherType StructForNumber ConstantOrVar };
+        Commanding { OtherType StructForNumber ConstantOrVar WantsTwoJoints };
     Argument "E205-09" "no variable to fill", "値を受け取る変数でないもの":
         Commanding { PosVariable JointVariable VarOrJointMember VarBelongsHere };
     Argument "E205-10" "a number that nothing has", "存在しない番号":
         Commanding { OneBoard Channels NativeCommands };
     Argument "E205-11" "a variable in the place of a constant", "定数のところにある変数":
-        Commanding { ConstantBelongsHere };
+        Commanding { ConstantBelongsHere }
+        Naming { NotConstant };
     Argument "E205-12" "an input that the robot lacks", "ロボットにない入力":
-        Commanding { NoInput };
+        Commanding { NoInput }
+        Naming { NotSensed };
     Argument "E205-13" "an event flag that the robot lacks", "ロボットにないイベントフラグ":
         Commanding { NoEventFlag };
     Argument "E205-14" "a condition that compares nothing", "何も比較しない条件式":
@@ -164,9 +167,9 @@ mistakes! {
             NameColonMissing NameBelongsHere NameMissing
         };
     Argument "E205-20" "a call that does not fit its label", "ラベルに合わない呼び出し":
-        Structuring { PlainLabel LoopForGoto };
+        Structuring { PlainLabel LoopForGoto NoThread CalledThread };
     Argument "E205-21" "a name that cannot be used", "使えない名前":
-        Naming { NoVariableName NoLabelName WordOfLanguage SubroutineLoop };
+        Naming { NoVariableName NoLabelName WordOfLanguage SubroutineLoop ThreadLoop };
     Argument "E205-22" "a variable declared twice", "二重に宣言した変数":
         Naming { DeclaredAgain };
     Argument "E205-23" "a declaration of anything but names", "変数名だけではない宣言":
@@ -184,13 +187,15 @@ mistakes! {
         ForeignWord { NoBraces NoColon };
     Argument "E205-27" "a MESSAGE without a blank", "空白のないMESSAGE":
         Parsing { BlankBehindMessage };
+    Argument "E205-28" "more threads than a program may have", "多すぎるスレッド":
+        Naming { TooManyThreads };
 
     Structure "E207-01" "a block that is not closed", "閉じていないブロック":
         Structuring { NotClosed };
     Structure "E207-02" "a word without its block", "対応するブロックのない語":
         Structuring { NothingOpen };
     Structure "E207-03" "a SUBROUTINE inside a block", "ブロックの中のSUBROUTINE":
-        Structuring { SubroutineInside };
+        Structuring { SubroutineInside ThreadInside };
     Structure "E207-04" "a branch after ELSE", "ELSEより後の分岐":
         Structuring { BehindElse };
     Structure "E207-05" "a NEXT with another variable", "変数の違うNEXT":
@@ -198,9 +203,11 @@ mistakes! {
     Structure "E207-06" "a jump into a block", "ブロックの中へのジャンプ":
         Structuring { Enters };
     Structure "E207-07" "a GOTO out of a SUBROUTINE", "SUBROUTINEの外へのGOTO":
-        Structuring { LeavesSubroutine };
+        Structuring { LeavesSubroutine LeavesThread };
     Structure "E207-08" "END and a word in the place of one", "2語に分かれた終わりの語":
         ForeignWord { EndInTwo };
+    Structure "E207-09" "a way that runs into a SUBROUTINE or THREAD", "SUBROUTINEやTHREADに上から入る経路":
+        Structuring { RunsIntoSubroutine RunsIntoThread };
 }
 
 #[cfg(test)]

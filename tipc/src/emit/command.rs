@@ -3,7 +3,7 @@
 use super::expression::Values;
 use super::ident;
 use crate::program::{Argument, Mark, MessagePart, Operand, Scalar, VariableKind};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 impl Values<'_> {
@@ -28,7 +28,7 @@ impl Values<'_> {
     fn whole_struct(&self, arguments: &[Argument]) -> Option<TokenStream> {
         let variable = match arguments.first()?.operand {
             Operand::Scalar { scalar, .. } => scalar.variable,
-            Operand::Constant(_) => return None,
+            Operand::Constant(_) | Operand::Reading { .. } => return None,
         };
         let members = (0..self.program.variables[variable].size()).map(|member| Argument {
             operand: Operand::Scalar {
@@ -42,19 +42,20 @@ impl Values<'_> {
         (is_struct && is_whole).then(|| self.read_struct(variable))
     }
 
-    pub(super) fn message(&self, parts: &[MessagePart]) -> TokenStream {
+    /// Returns the code that hands a text to `show`, a method of the context.
+    pub(super) fn message(&self, show: &Ident, parts: &[MessagePart]) -> TokenStream {
         let plain: Option<String> = parts.iter().map(text).collect();
         if let Some(plain) = plain {
-            return quote!(cx.message(&#plain););
+            return quote!(cx.#show(&#plain););
         }
         let parts = parts.iter().map(|part| match part {
             MessagePart::Text(text) => quote!(Part::Text(#text)),
-            MessagePart::Value { scalar, decimals } => {
-                let (value, decimals) = (self.read(*scalar), ident::small(*decimals));
+            MessagePart::Value { operand, decimals } => {
+                let (value, decimals) = (self.operand(*operand), ident::small(*decimals));
                 quote!(Part::Number(#value, #decimals))
             }
         });
-        quote!(cx.message(&Message(&[#(#parts),*]));)
+        quote!(cx.#show(&Message(&[#(#parts),*]));)
     }
 }
 
@@ -68,7 +69,7 @@ fn text(part: &MessagePart) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use crate::emit::{Options, emit};
-    use crate::fixture::{program, scalar};
+    use crate::fixture::{program, read};
     use crate::program::{Action, MessagePart};
 
     // clauses: 7.38
@@ -76,7 +77,7 @@ mod tests {
     fn a_message_without_values_is_shown_as_it_is() {
         let text = || MessagePart::Text("Hello ".to_owned());
         let value = MessagePart::Value {
-            scalar: scalar(0),
+            operand: read(0),
             decimals: 1,
         };
         for (parts, shown) in [

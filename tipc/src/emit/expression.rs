@@ -5,11 +5,11 @@ use super::ident;
 use super::ident::{field, identifier};
 use crate::analysis::assignment::Assignment;
 use crate::program::{
-    Arithmetic, Axis, Condition, Operand, Program, Relation, Scalar, ScalarExpression, StepId,
-    StructExpression, VariableId, VariableKind,
+    Arithmetic, Axis, Condition, Operand, Program, Reading, Relation, Scalar, ScalarExpression,
+    StepId, StructExpression, StructOperand, Teach, VariableId, VariableKind,
 };
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 
 /// Reads and assignments of one step.
 pub(super) struct Values<'a> {
@@ -71,6 +71,36 @@ impl Values<'_> {
                 let value = self.read(scalar);
                 quote!(-#value)
             }
+            Operand::Reading {
+                reading,
+                member,
+                negative,
+            } => {
+                let (reading, member) = (ident::reading(reading), Literal::usize_unsuffixed(member));
+                let minus = negative.then(|| quote!(-));
+                quote!(#minus cx.reading(#reading)?[#member])
+            }
+        }
+    }
+
+    /// Returns the members of a struct that is a variable or special variable.
+    fn read_whole(&self, whole: StructOperand) -> TokenStream {
+        match whole {
+            StructOperand::Variable(variable) => self.read_struct(variable),
+            StructOperand::Reading(reading) => {
+                let size = match reading {
+                    Reading::Measured(Teach::Angle | Teach::Torque, _) => {
+                        usize::from(self.program.signature.joints)
+                    }
+                    Reading::Measured(Teach::Position | Teach::Force, _) | Reading::Timer(_) => 3,
+                };
+                let members: Vec<Ident> = (1..=size).map(|member| format_ident!("m{member}")).collect();
+                let reading = ident::reading(reading);
+                quote!({
+                    let [#(#members,)* ..] = cx.reading(#reading)?;
+                    [#(#members),*]
+                })
+            }
         }
     }
 
@@ -124,8 +154,8 @@ impl Values<'_> {
                 let (y, x) = (self.operand(y), self.operand(x));
                 quote!(ops::atan2(#y, #x))
             }
-            ScalarExpression::Norm(variable) => {
-                let members = self.read_struct(variable);
+            ScalarExpression::Norm(whole) => {
+                let members = self.read_whole(whole);
                 quote!(ops::norm(#members))
             }
         }
@@ -154,18 +184,18 @@ impl Values<'_> {
 
     fn struct_expression(&self, value: StructExpression) -> TokenStream {
         match value {
-            StructExpression::Copy(variable) => self.read_struct(variable),
+            StructExpression::Copy(whole) => self.read_whole(whole),
             StructExpression::Binary {
                 left,
                 operation,
                 right,
             } => {
                 let operation = arithmetic_each(operation);
-                let (left, right) = (self.read_struct(left), self.read_struct(right));
+                let (left, right) = (self.read_whole(left), self.read_whole(right));
                 quote!(#operation(#left, #right)?)
             }
-            StructExpression::UnitVect(variable) => {
-                let members = self.read_struct(variable);
+            StructExpression::UnitVect(whole) => {
+                let members = self.read_whole(whole);
                 quote!(ops::unit_vect(#members)?)
             }
             StructExpression::Rotate {
@@ -178,7 +208,7 @@ impl Values<'_> {
                     Axis::Y => quote!(ops::rot_y),
                     Axis::Z => quote!(ops::rot_z),
                 };
-                let (members, angle) = (self.read_struct(operand), self.operand(angle));
+                let (members, angle) = (self.read_whole(operand), self.operand(angle));
                 quote!(#turn(#members, #angle)?)
             }
         }

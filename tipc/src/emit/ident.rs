@@ -1,6 +1,6 @@
 //! Names of the generated code.
 
-use crate::program::{Flag, Label, Op, Port, StepId, Target, Teach, Variable};
+use crate::program::{Flag, Label, Op, Port, Reading, StepId, Target, Teach, Variable};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -120,6 +120,19 @@ pub(super) fn teach(what: Teach) -> TokenStream {
     variant("Teach", what)
 }
 
+pub(super) fn reading(reading: Reading) -> TokenStream {
+    match reading {
+        Reading::Timer(n) => {
+            let n = small(n);
+            quote!(Reading::Timer(#n))
+        }
+        Reading::Measured(what, part) => {
+            let (what, part) = (teach(what), target(part));
+            quote!(Reading::Measured(#what, #part))
+        }
+    }
+}
+
 pub(super) fn port(port: Port) -> TokenStream {
     variant("Port", port)
 }
@@ -132,6 +145,11 @@ pub(super) fn flag(flag: Flag) -> TokenStream {
     let name = identifier(variant.split('(').next().unwrap_or_default());
     let of = target(of);
     quote!(Flag::#name(#of))
+}
+
+/// Returns the number of a thread from 1, by its index.
+pub(super) fn thread(index: usize) -> Literal {
+    Literal::usize_unsuffixed(index + 1)
 }
 
 pub(super) fn small(n: u8) -> Literal {

@@ -12,7 +12,19 @@ use tip_runtime::model::Family;
 
 impl Emitter<'_> {
     fn has_calls(&self, mentioned: &BTreeSet<String>) -> bool {
-        mentioned.contains("calls")
+        mentioned.contains("calls") || self.has_threads()
+    }
+
+    pub(super) fn has_threads(&self) -> bool {
+        !self.program.threads.is_empty()
+    }
+
+    /// Returns the type of the field of the other places of a program with threads.
+    fn threads_type(&self) -> Option<TokenStream> {
+        let runtime = self.runtime;
+        let count = Literal::usize_unsuffixed(self.program.threads.len() + 1);
+        let threads = quote!(#runtime::generated::Threads::<#count>);
+        self.has_threads().then_some(threads)
     }
 
     /// Returns the struct; `mentioned` are the words of its states.
@@ -40,6 +52,7 @@ impl Emitter<'_> {
         let calls = self
             .has_calls(mentioned)
             .then(|| quote!(calls: #runtime::program::CallStack,));
+        let threads = self.threads_type().map(|threads| quote!(threads: #threads,));
         quote! {
             #attributes
             #gap
@@ -52,6 +65,7 @@ impl Emitter<'_> {
                 at: u32,
                 #not_taken
                 #calls
+                #threads
                 #(#fields)*
             }
         }
@@ -79,19 +93,24 @@ impl Emitter<'_> {
         } = self;
         let fields = self.program.variables.iter().map(|variable| {
             let field = field(variable);
-            let unassigned = match variable.kind {
-                VariableKind::Var => quote!(Scalar::UNASSIGNED),
+            let initial = match variable.special {
+                Some(_) => quote!(Scalar::of(0.0)),
+                None => quote!(Scalar::UNASSIGNED),
+            };
+            let initial = match variable.kind {
+                VariableKind::Var => initial,
                 VariableKind::Pos | VariableKind::Joint => {
                     let size = Literal::usize_unsuffixed(variable.size());
-                    quote!([Scalar::UNASSIGNED; #size])
+                    quote!([#initial; #size])
                 }
             };
-            quote!(#field: #unassigned,)
+            quote!(#field: #initial,)
         });
         let not_taken = self.has_taken_state.then(|| quote!(not_taken: false,));
         let calls = self
             .has_calls(mentioned)
             .then(|| quote!(calls: #runtime::program::CallStack::new(),));
+        let threads = self.threads_type().map(|threads| quote!(threads: #threads::new(),));
         quote! {
             #[doc = " At step 0, with every variable unassigned."]
             #visibility const fn new() -> Self {
@@ -100,6 +119,7 @@ impl Emitter<'_> {
                     at: 0,
                     #not_taken
                     #calls
+                    #threads
                     #(#fields)*
                 }
             }
@@ -170,7 +190,19 @@ impl Emitter<'_> {
                 self.go(step)
             }
         };
-        let behind = [("after", after), ("branch", branch), ("call", call)]
+        let back = quote! {
+            fn back(&mut self) -> Result<Flow, Fault> {
+                match self.calls.pop() {
+                    Ok(back) => self.go(back),
+                    Err(_) => self.threads.end(),
+                }
+            }
+        };
+        let back = match self.has_threads() {
+            true => back,
+            false => TokenStream::new(),
+        };
+        let behind = [("after", after), ("branch", branch), ("call", call), ("back", back)]
             .map(|(name, function)| mentioned.contains(name).then_some(function));
         let skip = mentioned.contains("skip").then_some(skip);
         quote! { #skip #(#behind)* }
@@ -198,6 +230,7 @@ impl Emitter<'_> {
         let (source, title) = (&program.source_name, &program.title);
         let signature = self.signature();
         let (scalars, assignments) = (self.scalars(), self.assignments());
+        let (threads, specials) = (self.thread_methods(), self.specials_method());
         quote! {
             #[automatically_derived]
             #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
@@ -243,8 +276,67 @@ impl Emitter<'_> {
                 fn reset(&mut self) {
                     *self = Self::new();
                 }
+                #threads
+                #specials
             }
         }
+    }
+
+    /// Returns the methods of a program with threads.
+    fn thread_methods(&self) -> Option<TokenStream> {
+        let runtime = self.runtime;
+        let threads = || (1_u8..).zip(&self.program.threads);
+        let names = threads().map(|(n, thread)| {
+            let (n, name) = (ident::small(n), &thread.name);
+            quote!(#n => #name,)
+        });
+        let firsts = threads().map(|(n, thread)| {
+            let (n, first) = (ident::small(n), Literal::u32_unsuffixed(thread.first));
+            quote!(#n => #first,)
+        });
+        let methods = quote! {
+            fn thread(&self, n: u8) -> ::core::option::Option<(&str, u32)> {
+                let name = match n {
+                    #(#names)*
+                    _ => return ::core::option::Option::None,
+                };
+                ::core::option::Option::Some((name, self.threads.at(n, self.at)))
+            }
+            fn select(&mut self, thread: u8) {
+                let place = #runtime::generated::Position {
+                    at: self.at,
+                    not_taken: self.not_taken,
+                    calls: self.calls,
+                };
+                let place = self.threads.select(thread, place);
+                self.at = place.at;
+                self.not_taken = place.not_taken;
+                self.calls = place.calls;
+            }
+            fn begin(&mut self, thread: u8) {
+                let first = match thread {
+                    #(#firsts)*
+                    _ => return,
+                };
+                self.threads.begin(thread, first);
+            }
+        };
+        self.has_threads().then_some(methods)
+    }
+
+    /// Returns the method of a program that shares variables with native code.
+    fn specials_method(&self) -> Option<TokenStream> {
+        let shared = self.program.variables.iter();
+        let shared = shared.filter(|variable| variable.special.is_some());
+        let count: usize = shared.map(Variable::size).sum();
+        let number = Literal::usize_unsuffixed(count);
+        (count > 0).then(|| {
+            quote! {
+                fn specials(&self) -> usize {
+                    #number
+                }
+            }
+        })
     }
 
     fn signature(&self) -> TokenStream {

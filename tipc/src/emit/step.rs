@@ -126,6 +126,7 @@ impl Emitter<'_> {
                 let (call, go) = (self.call(*to, next), self.go(next));
                 quote!(if #condition { #call } else { #go })
             }
+            Action::Return if self.has_threads() => quote!(self.back()),
             Action::Return => quote! {
                 let back = self.calls.pop()?;
                 self.go(back)
@@ -190,8 +191,29 @@ impl Emitter<'_> {
                     Ok(Flow::Wait)
                 })
             }
+            Action::StartThread { thread } => {
+                let (thread, go) = (ident::thread(*thread), self.go(next));
+                quote!(cx.start_thread(#thread)?; #go)
+            }
+            Action::StopThread { thread } => {
+                let (thread, go) = (ident::thread(*thread), self.go(next));
+                quote!(cx.stop_thread(#thread); #go)
+            }
+            Action::WaitThread { thread } => {
+                let (thread, go) = (ident::thread(*thread), self.go(next));
+                quote!(match cx.wait_thread(#thread)? {
+                    Poll::Done => #go,
+                    Poll::Pending => Ok(Flow::Wait),
+                })
+            }
+            Action::ThreadEnd => quote!(self.threads.end()),
+            Action::FileMessage { parts } => {
+                let text = values.message(&format_ident!("append"), parts);
+                let go = self.go(next);
+                quote!(#text #go)
+            }
             Action::Message { parts } => {
-                let text = values.message(parts);
+                let text = values.message(&format_ident!("message"), parts);
                 let go = self.go(next);
                 quote!(#text #go)
             }

@@ -123,8 +123,10 @@ impl Emitter<'_> {
         let runtime = self.runtime;
         let option = import(quote!(::core::option::Option), words, &["Some"]);
         let result = import(quote!(::core::result), words, &["Result"]);
-        let ok = import(quote!(::core::result::Result), words, &["Ok"]);
-        let command = ["Command", "Flag", "Op", "Port", "Target", "Teach", "Value"];
+        let ok = import(quote!(::core::result::Result), words, &["Err", "Ok"]);
+        let command = [
+            "Command", "Flag", "Op", "Poll", "Port", "Reading", "Target", "Teach", "Value",
+        ];
         let command = import(quote!(#runtime::command), words, &command);
         let fault = import(quote!(#runtime::fault), words, &["Fault"]);
         let row = import(

@@ -20,6 +20,7 @@ pub use outcome::{Cycles, Failure, Moves};
 
 use super::index::Index;
 use super::{Bilingual, Edition, Keyword};
+use crate::robot::Robot;
 use tip_runtime::command::{Op, Teach};
 
 /// A command of the language.
@@ -39,6 +40,8 @@ pub struct Command {
     pub meaning: Meaning,
     /// Its arguments.
     pub form: Form,
+    /// Its arguments from a later edition on, if that has more forms.
+    pub later_form: Option<(Edition, Form)>,
     /// The robots that have it.
     pub robots: Robots,
     /// The unit of its values, empty if they have none; `torque` is the robot's torque unit.
@@ -125,9 +128,21 @@ static INDEX: Index<{ 2 * COUNT }> = {
     Index::of(words)
 };
 
-/// Returns the command of that name or alias, whatever the case.
+/// Returns the command of that name or alias that every edition has, whatever the case.
 pub fn find(name: &str) -> Option<&'static Command> {
-    ROWS.get(INDEX.find(name)?)
+    find_in(name, Edition::V3_1)
+}
+
+/// Returns the command of that name or alias that an edition has, whatever the case.
+pub fn find_in(name: &str, edition: Edition) -> Option<&'static Command> {
+    let row = ROWS.get(INDEX.find(name)?);
+    row.filter(|row| row.since <= edition)
+}
+
+/// Returns the names of the commands of an edition.
+pub fn names(edition: Edition) -> impl Iterator<Item = &'static str> {
+    let rows = COMMANDS.iter().filter(move |row| row.since <= edition);
+    rows.map(|row| row.name)
 }
 
 impl Command {
@@ -141,6 +156,7 @@ impl Command {
             clause: "",
             meaning,
             form: Form::Robot(Arguments::BARE),
+            later_form: None,
             robots: Robots::ALL,
             unit: "",
             moves: Moves::Nothing,
@@ -201,6 +217,22 @@ impl Command {
         Command { form, ..self }
     }
 
+    /// Sets its arguments from a later edition on.
+    const fn later(self, edition: Edition, arguments: Arguments) -> Self {
+        Command {
+            later_form: Some((edition, Form::Robot(arguments))),
+            ..self
+        }
+    }
+
+    /// Marks it as a command that 3.2 brought.
+    const fn since_3_2(self) -> Self {
+        Command {
+            since: Edition::V3_2,
+            ..self
+        }
+    }
+
     /// Sets its arguments as the parser reads them.
     const fn words(self, text: &'static str) -> Self {
         self.form(Form::Words(text))
@@ -243,12 +275,28 @@ impl Command {
     }
 }
 
+impl Command {
+    /// Returns its arguments in an edition.
+    pub fn form_in(&self, edition: Edition) -> Form {
+        match self.later_form {
+            Some((since, form)) if since <= edition => form,
+            _ => self.form,
+        }
+    }
+}
+
 /// Returns true if a command of the robot can take more than one control cycle.
 pub fn waits(op: Op) -> bool {
     let mut rows = COMMANDS.iter();
     rows.any(|command| {
         command.meaning == Meaning::Robot(op) && matches!(command.cycles, Cycles::Until(_))
     })
+}
+
+/// Returns true if the robot can measure a quantity.
+pub fn senses(robot: Robot, what: Teach) -> bool {
+    let mut rows = COMMANDS.iter();
+    rows.any(|row| row.meaning == Meaning::Teach(what) && row.robots.contains(robot))
 }
 
 /// Returns the command that does to joints what this one does to feet.

@@ -27,6 +27,8 @@ editions! {
     /// T.I.P. 3.1: what a program is read by if its number names no edition.
     #[default]
     V3_1 3.1;
+    /// T.I.P. 3.2: what the author of the language planned next (T.I.P. 3.1 §1-2).
+    V3_2 3.2;
 }
 
 impl Edition {
@@ -35,6 +37,11 @@ impl Edition {
         let mut all = Edition::ALL.iter().copied();
         all.find(|edition| edition.number() == number)
             .unwrap_or_default()
+    }
+
+    /// Returns true if a mistake that stops the program when it runs is refused when it loads; 3.1 warns of it.
+    pub const fn is_strict(self) -> bool {
+        matches!(self, Edition::V3_2)
     }
 }
 
@@ -48,10 +55,11 @@ impl fmt::Display for Edition {
 mod tests {
     use super::Edition;
 
-    // clauses: 1.3
+    // clauses: 1.3 12.1
     #[test]
     fn a_number_that_names_no_edition_is_read_by_the_rules_of_3_1() {
         assert_eq!(Edition::of(3.1), Edition::V3_1);
+        assert_eq!(Edition::of(3.2), Edition::V3_2);
         for number in [0.0, 2.0, 3.0, 3.10001, 9.9, f64::NAN] {
             assert_eq!(Edition::of(number), Edition::V3_1, "{number}");
         }

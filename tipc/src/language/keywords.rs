@@ -234,6 +234,55 @@ keywords! {
         clause: "7.39",
         description: "Ends the program.", "プログラムを終了します。",
     }
+    Define {
+        word: "DEFINE",
+        since: Edition::V3_2,
+        section: "§1-2-10",
+        clause: "13.1",
+        description: "Names a constant; takes no step.", "定数に名前を付けます。ステップにはなりません。",
+    }
+    Thread {
+        word: "THREAD",
+        since: Edition::V3_2,
+        section: "§1-2-9",
+        clause: "15.1",
+        description: "Opens a thread, which runs besides the main program.", "メインプログラムと並行して動くスレッドを始めます。",
+    }
+    ThreadEnd {
+        word: "THREADEND",
+        since: Edition::V3_2,
+        section: "§1-2-9",
+        clause: "15.1",
+        description: "Closes THREAD and ends the thread.", "THREADを閉じ、スレッドを終了します。",
+    }
+    StartThread {
+        word: "START_THREAD",
+        since: Edition::V3_2,
+        section: "§1-2-9",
+        clause: "15.1",
+        description: "Starts a thread with the next cycle.", "次の周期からスレッドを動かします。",
+    }
+    StopThread {
+        word: "STOP_THREAD",
+        since: Edition::V3_2,
+        section: "§1-2-9",
+        clause: "15.1",
+        description: "Stops a thread with this cycle.", "この周期でスレッドを止めます。",
+    }
+    WaitThread {
+        word: "WAIT_THREAD",
+        since: Edition::V3_2,
+        section: "§1-2-9",
+        clause: "15.1",
+        description: "Waits until a thread does not run.", "スレッドが終わるまで待ちます。",
+    }
+    FileMessage {
+        word: "F_MESSAGE",
+        since: Edition::V3_2,
+        section: "§1-2-4",
+        clause: "17.2",
+        description: "Appends a text with the values of variables to FOUT.LOG.", "変数の値を入れた文字列をFOUT.LOGに追加します。",
+    }
 }
 
 impl Keyword {
@@ -245,6 +294,11 @@ impl Keyword {
     /// Returns true if it is allowed only after another one.
     pub const fn is_particle(self) -> bool {
         matches!(self, Keyword::Then | Keyword::To | Keyword::Step)
+    }
+
+    /// Returns true if a text follows it instead of operands.
+    pub const fn takes_text(self) -> bool {
+        matches!(self, Keyword::Message | Keyword::Rem | Keyword::FileMessage)
     }
 
     /// Returns its spelling.
@@ -290,10 +344,19 @@ mod tests {
     fn every_keyword_is_found_by_its_word_and_has_the_row_of_its_index() {
         for row in KEYWORDS {
             assert_eq!(row.keyword.row(), row);
-            assert_eq!(find(row.word, Edition::V3_1), Some(row.keyword));
+            assert_eq!(find(row.word, row.since), Some(row.keyword));
             let small = row.word.to_ascii_lowercase();
-            assert_eq!(find(&small, Edition::V3_1), Some(row.keyword));
+            assert_eq!(find(&small, Edition::V3_2), Some(row.keyword));
         }
         assert_eq!(find("PTP", Edition::V3_1), None);
+    }
+
+    // clauses: 12.1
+    #[test]
+    fn an_edition_has_its_own_words_only() {
+        for row in KEYWORDS.iter().filter(|row| row.since == Edition::V3_2) {
+            assert_eq!(find(row.word, Edition::V3_1), None, "{}", row.word);
+        }
+        assert!(find("THREAD", Edition::V3_2).is_some());
     }
 }

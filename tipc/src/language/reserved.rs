@@ -1,7 +1,7 @@
 //! Words that are not commands, functions, flags or inputs, and which words nothing may have as a name (T.I.P. 3.1 §4).
 
 use super::{Bilingual, Edition, commands, flags, functions, inputs, keywords};
-use tip_runtime::command::{self, CONSTANT, Target};
+use tip_runtime::command::{self, CONSTANT, Reading, Target};
 
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +27,10 @@ pub enum Kind {
     Target(Target),
     /// A variable that every program has.
     Variable,
+    /// Ten variables that every program has; a digit follows.
+    Variables,
+    /// Special variables, which are read only; one of them.
+    Reading(Reading),
     /// A constant.
     Constant(f64),
     /// A constant for each digit and letter: its ASCII code. The character follows.
@@ -41,6 +45,9 @@ pub enum Kind {
 
 /// The variable of KEY_IN without argument.
 pub const VAR_KEY: &str = "VAR_KEY";
+
+/// First letters of the variables that a program shares with native code: VARs, POSs, JOINTs. A digit follows.
+pub const SPECIALS: [&str; 3] = ["VAR_SPECIAL_", "POS_SPECIAL_", "JNT_SPECIAL_"];
 
 /// The label that may appear many times.
 pub const LOOP: &str = "LOOP";
@@ -76,6 +83,46 @@ pub const RESERVED: &[Row] = &[
         "3.3",
         "Receives the key of KEY_IN without argument.",
         "引数のないKEY_INのキーが入ります。",
+    ),
+    Row::special(
+        SPECIALS[0],
+        "A number that the program shares with native code of SPECIAL; a digit follows.",
+        "SPECIALのネイティブコードと共有する数。数字が1桁続きます。",
+    ),
+    Row::special(
+        SPECIALS[1],
+        "A position that the program shares with native code of SPECIAL; a digit follows.",
+        "SPECIALのネイティブコードと共有する位置。数字が1桁続きます。",
+    ),
+    Row::special(
+        SPECIALS[2],
+        "Joint values that the program shares with native code of SPECIAL; a digit follows.",
+        "SPECIALのネイティブコードと共有する関節の値。数字が1桁続きます。",
+    ),
+    Row::reading(
+        Reading::KINDS[0],
+        "The angle of a joint, deg.",
+        "関節の角度(deg)。",
+    ),
+    Row::reading(
+        Reading::KINDS[1],
+        "The torque of a joint.",
+        "関節のトルク。",
+    ),
+    Row::reading(
+        Reading::KINDS[5],
+        "The contact force at a fingertip, N.",
+        "指先の接触力(N)。",
+    ),
+    Row::reading(
+        Reading::KINDS[4],
+        "The position of a foot or fingertip, mm.",
+        "足先または指先の位置(mm)。",
+    ),
+    Row::reading(
+        Reading::KINDS[6],
+        "The time of a timer, ms.",
+        "タイマの時間(ms)。",
     ),
     Row::new(
         "CHAR_SPC",
@@ -179,6 +226,29 @@ impl Row {
         }
     }
 
+    /// Creates ten variables of 3.2.
+    const fn special(word: &'static str, english: &'static str, japanese: &'static str) -> Self {
+        Row {
+            since: Edition::V3_2,
+            ..Row::new(word, Kind::Variables, "§1-2-14", "13.3", english, japanese)
+        }
+    }
+
+    /// Creates a special variable of 3.2.
+    const fn reading(reading: Reading, english: &'static str, japanese: &'static str) -> Self {
+        Row {
+            since: Edition::V3_2,
+            ..Row::new(
+                reading.stem(),
+                Kind::Reading(reading),
+                "§1-2-11",
+                "13.2",
+                english,
+                japanese,
+            )
+        }
+    }
+
     /// Creates a target of 3.1.
     const fn target(target: Target, english: &'static str, japanese: &'static str) -> Self {
         let kind = Kind::Target(target);
@@ -196,9 +266,32 @@ impl Row {
             }
             Kind::Variable | Kind::Constant(_) => word == self.word,
             Kind::Characters => character(word, self.word).is_some(),
-            Kind::MotionFlag | Kind::Label | Kind::Member => false,
+            Kind::Variables => digit(word, self.word).is_some(),
+            // No name begins with `@`.
+            Kind::Reading(_) | Kind::MotionFlag | Kind::Label | Kind::Member => false,
         }
     }
+}
+
+/// Returns the digit after what the names of such variables begin with.
+fn digit(word: &str, stem: &str) -> Option<u8> {
+    match word.strip_prefix(stem)?.as_bytes() {
+        [digit @ b'0'..=b'9'] => Some(digit - b'0'),
+        _ => None,
+    }
+}
+
+/// Returns the index among [`SPECIALS`] and the number of a variable that the program shares with native code.
+pub fn special(word: &str, edition: Edition) -> Option<(usize, u8)> {
+    let mut all = SPECIALS.iter().enumerate();
+    let named = all.find_map(|(kind, stem)| Some((kind, digit(word, stem)?)));
+    named.filter(|_| edition >= Edition::V3_2)
+}
+
+/// Returns the special variable that an edition writes so, in capital letters.
+pub fn reading(word: &str, edition: Edition) -> Option<Reading> {
+    let reading = word.parse().ok()?;
+    (edition >= Edition::V3_2).then_some(reading)
 }
 
 /// Returns the digit or letter after what the names of such constants begin with.
@@ -237,7 +330,7 @@ pub fn is_motion_flag(word: &str, edition: Edition) -> bool {
 /// Returns true if an edition's word, in capital letters, belongs to the language, so that nothing may have it as a
 /// name.
 pub fn is_reserved(word: &str, edition: Edition) -> bool {
-    commands::find(word).is_some_and(|command| command.since <= edition)
+    commands::find_in(word, edition).is_some()
         || keywords::find(word, edition).is_some()
         || functions::find(word, edition).is_some()
         || flags::find(word, edition).is_some()
@@ -314,6 +407,27 @@ mod tests {
             "SPECIAL_FLAGFLOOR",
         ] {
             assert!(!is_reserved(word, Edition::V3_1), "{word}");
+        }
+    }
+
+    // clauses: 12.1 13.3
+    #[test]
+    fn the_words_of_3_2_are_free_in_3_1() {
+        for word in [
+            "DIRECT",
+            "THREAD",
+            "START_TIMER",
+            "F_MESSAGE",
+            "DEFINE",
+            "VAR_SPECIAL_0",
+            "POS_SPECIAL_9",
+            "JNT_SPECIAL_5",
+        ] {
+            assert!(!is_reserved(word, Edition::V3_1), "{word}");
+            assert!(is_reserved(word, Edition::V3_2), "{word}");
+        }
+        for word in ["VAR_SPECIAL_", "VAR_SPECIAL_10", "JNT_SPECIAL", "TIMER0"] {
+            assert!(!is_reserved(word, Edition::V3_2), "{word}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! The code of a line to labels and statements, for today's programs and for older ones.
 
 use super::{skip_delimiters, trim_delimiters, word_end};
-use crate::language::Keyword;
+use crate::language::{Edition, Keyword, keywords};
 use crate::source::Span;
 
 /// A part of a line before its comment.
@@ -33,6 +33,7 @@ pub struct Pieces<'a> {
     code_end: usize,
     /// `;` is an ordinary character of texts.
     single: bool,
+    edition: Edition,
     /// Position of the next byte to read.
     at: usize,
     /// Start of the delimiters before `part_end`.
@@ -48,12 +49,18 @@ impl<'a> Pieces<'a> {
             text,
             code_end: code.end,
             single,
+            edition: Edition::default(),
             at: code.start,
             trimmed_end: code.start,
             part_end: code.start,
         };
         pieces.open_part(code.start);
         pieces
+    }
+
+    /// Reads the words of an edition.
+    pub fn in_edition(self, edition: Edition) -> Self {
+        Pieces { edition, ..self }
     }
 
     /// Goes on at `start`, up to the next `;`.
@@ -67,7 +74,7 @@ impl<'a> Pieces<'a> {
     }
 
     fn statement(&mut self, word: Span) -> Piece {
-        if self.single && takes_text(&self.text[word.start..word.end]) {
+        if self.single && self.takes_text(word) {
             (self.part_end, self.trimmed_end) = (self.code_end, self.code_end);
         }
         self.at = self.trimmed_end;
@@ -86,8 +93,14 @@ impl<'a> Pieces<'a> {
         // `A := 1` is the assignment of another language.
         let is_label = bytes.get(colon) == Some(&b':')
             && bytes.get(colon + 1) != Some(&b'=')
-            && (colon == word.end || !takes_text(&self.text[word.start..word.end]));
+            && (colon == word.end || !self.takes_text(word));
         is_label.then_some(colon + 1)
+    }
+
+    /// Returns true if the word is followed by a text instead of operands.
+    fn takes_text(&self, word: Span) -> bool {
+        let keyword = keywords::find(&self.text[word.start..word.end], self.edition);
+        keyword.is_some_and(Keyword::takes_text)
     }
 }
 
@@ -115,14 +128,6 @@ impl Iterator for Pieces<'_> {
             self.open_part(self.part_end + 1);
         }
     }
-}
-
-/// Returns true if the word is followed by a text instead of operands.
-fn takes_text(word: &str) -> bool {
-    let texts = [Keyword::Message, Keyword::Rem];
-    texts
-        .iter()
-        .any(|text| word.eq_ignore_ascii_case(text.word()))
 }
 
 /// Returns the code of a line, and its comment.

@@ -48,6 +48,9 @@ messages! {
     TooFew { command: SmolStr, wanted: Numbers, found: Standing }
         "{command} wants {wanted}; {found} here",
         "{command}には{wanted}が必要ですが、{found}";
+    WantsTwoJoints { command: SmolStr }
+        "{command} wants two JOINTs for a leg: the lowest and the highest angles",
+        "脚を指定した{command}には、下限と上限のJOINT型変数が2個必要です";
     TooMany { command: SmolStr }
         "one argument too many for {command}",
         "{command}の引数が多すぎます";
@@ -289,6 +292,49 @@ messages! {
     SubroutineLoop
         "a SUBROUTINE cannot be named LOOP",
         "SUBROUTINEにLOOPという名前は付けられません";
+    ThreadLoop
+        "a THREAD cannot be named LOOP",
+        "THREADにLOOPという名前は付けられません";
+    TooManyThreads { most: usize }
+        "a program has at most {most} threads",
+        "1つのプログラムのスレッドは{most}本までです";
+
+    // Constants.
+    NotConstant { name: SmolStr }
+        "`{name}` is not a constant",
+        "`{name}` は定数ではありません";
+    ConstantIs
+        "DEFINE wants a number, a CHAR_ constant or a constant defined above",
+        "DEFINEの値は、数値、CHAR_定数、または上で定義した定数です";
+    DefinedBelow { name: SmolStr }
+        "`{name}` is not defined above this line",
+        "`{name}` はこの行より上で定義されていません";
+    DefineAbove
+        "put its DEFINE above this one",
+        "そのDEFINEをこれより上に書いてください";
+    ConstantMembers { name: SmolStr }
+        "`{name}` is a constant: it has no members",
+        "`{name}` は定数で、メンバはありません";
+    NothingUsesConstant
+        "nothing uses this constant",
+        "この定数はどこでも使われていません";
+
+    // Special variables.
+    NoReading { word: SmolStr }
+        "there is no special variable `{word}`",
+        "`{word}` という特殊変数はありません";
+    Readings
+        "the special variables are @AGL_Jnm, @TRQ_Jnm, @AGL_Fn, @TRQ_Fn, @POS_Fn, @FORCE_Fn and @TIMER0…@TIMER7",
+        "特殊変数は@AGL_Jnm、@TRQ_Jnm、@AGL_Fn、@TRQ_Fn、@POS_Fn、@FORCE_Fn、@TIMER0…@TIMER7です";
+    NotSensed { robot: &'static str, word: SmolStr }
+        "{robot} cannot measure `{word}`",
+        "{robot}は `{word}` を測れません";
+    ReadingAssigned { word: SmolStr }
+        "`{word}` can only be read",
+        "`{word}` は読み出し専用です";
+    ReadingMembers { word: SmolStr }
+        "the members of a position are X, Y, Z, those of joint values J1, J2 and so on; a number has none: look at `{word}`",
+        "位置のメンバはX、Y、Z、関節の値のメンバはJ1、J2…です。数値にメンバはありません。`{word}` を確かめてください";
 
     // Variables.
     NoNames
@@ -344,6 +390,9 @@ messages! {
         "`{name}` はJOINT型で、このロボットではメンバはJ1…J{last}です";
 
     // Use.
+    NoValueOnAnyWay { name: SmolStr }
+        "`{name}` has no value here, on whatever way the program comes",
+        "どの経路を通っても、ここで `{name}` に値がありません";
     NothingUses
         "nothing uses this name",
         "この名前はどこでも使われていません";
@@ -364,6 +413,9 @@ messages! {
     SubroutineInside { opener: Keyword }
         "this SUBROUTINE stands inside {opener}",
         "このSUBROUTINEは{opener}の中にあります";
+    ThreadInside { opener: Keyword }
+        "this THREAD stands inside {opener}",
+        "このTHREADは{opener}の中にあります";
     StillOpen { opener: Keyword }
         "this {opener} is still open",
         "この{opener}がまだ閉じていません";
@@ -391,6 +443,9 @@ messages! {
     SubEndCloses
         "SUBEND closes a SUBROUTINE; a part that GOSUB calls ends with RETURN",
         "SUBENDはSUBROUTINEを閉じます。GOSUBで呼ぶ部分の終わりはRETURNです";
+    ThreadEndCloses
+        "THREADEND closes a THREAD",
+        "THREADENDはTHREADを閉じます";
     Open { opener: Keyword }
         "this {opener} is open",
         "この{opener}が開いています";
@@ -441,6 +496,18 @@ messages! {
     PlainLabel { name: SmolStr }
         "`{name}` is a plain label, not a SUBROUTINE",
         "`{name}` は普通のラベルで、SUBROUTINEではありません";
+    NoThread { name: SmolStr }
+        "`{name}` is not a THREAD",
+        "`{name}` はTHREADではありません";
+    OnlyThreads
+        "START_THREAD, STOP_THREAD and WAIT_THREAD name a THREAD",
+        "START_THREAD、STOP_THREAD、WAIT_THREADにはTHREADの名前を書きます";
+    CalledThread { name: SmolStr }
+        "`{name}` is a THREAD, which cannot be called",
+        "`{name}` はTHREADなので、呼び出せません";
+    StartIt
+        "START_THREAD starts it",
+        "START_THREADで動かしてください";
     GosubCalls
         "GOSUB calls plain labels",
         "普通のラベルはGOSUBで呼びます";
@@ -477,6 +544,15 @@ messages! {
     LeavesSubroutine
         "GOTO leaves its SUBROUTINE",
         "GOTOでSUBROUTINEの外に出ています";
+    LeavesThread
+        "GOTO leaves its THREAD",
+        "GOTOでTHREADの外に出ています";
+    ThreadStarts
+        "the THREAD starts here",
+        "THREADはここで始まります";
+    ThreadEndsAt
+        "a thread ends with THREADEND, or with RETURN outside of a call",
+        "スレッドはTHREADENDか、呼び出し中でないRETURNで終わります";
     SubroutineStarts
         "the SUBROUTINE starts here",
         "SUBROUTINEはここで始まります";
@@ -492,6 +568,12 @@ messages! {
     RunsInto
         "its SUBEND stops a program that comes this way",
         "ここを通って入ると、SUBENDで緊急停止します";
+    RunsIntoSubroutine
+        "only a call leads into a SUBROUTINE, and a way comes here without one",
+        "SUBROUTINEには呼び出しで入りますが、呼び出しなしでここに来る経路があります";
+    RunsIntoThread
+        "a thread begins only where START_THREAD starts it",
+        "スレッドはSTART_THREADで動かしたときだけ始まります";
     PutJumpAbove
         "put GOTO, RETURN or EXIT above it",
         "その上にGOTO、RETURN、EXITのどれかを置いてください";

@@ -118,6 +118,9 @@ messages! {
     TextTooLong { limit: usize }
         "a MESSAGE has at most {limit} bytes",
         "MESSAGEの文字列は{limit}バイトまでです";
+    FileTextTooLong { limit: usize }
+        "an F_MESSAGE has at most {limit} bytes",
+        "F_MESSAGEの文字列は{limit}バイトまでです";
     FullWidthCounts
         "a full-width character counts 2 bytes",
         "全角文字は1文字2バイトと数えます";
@@ -168,6 +171,12 @@ messages! {
     WriteSubroutine { name: SmolStr }
         "write `SUBROUTINE {name}:`",
         "`SUBROUTINE {name}:` と書いてください";
+    WriteThread { name: SmolStr }
+        "write `THREAD {name}:`",
+        "`THREAD {name}:` と書いてください";
+    WriteDefine
+        "write DEFINE as `DEFINE STEP_LENGTH 90`: one name and one constant",
+        "DEFINEは `DEFINE STEP_LENGTH 90` のように、名前一つと定数一つを書きます";
 
     // Conditions.
     ConditionMissing

@@ -12,6 +12,8 @@ messages! {
     Condition "the condition", "条件式";
     NextAndVariable "NEXT and its variable", "NEXTとその変数";
     SubroutineAndName "SUBROUTINE and its name", "SUBROUTINEとその名前";
+    ThreadAndName "THREAD and its name", "THREADとその名前";
+    DefineAndValue "DEFINE, its name and its value", "DEFINEとその名前と値";
 }
 
 messages! {
@@ -130,6 +132,7 @@ messages! {
     NotNegative "0 or more", "0以上";
     Positive "more than 0", "0より大きい値";
     Percent "more than 0, up to 100", "0より大きく100以下";
+    Above { low: f64 } "an upper limit above {low}", "{low}より大きい上限";
     Nothing "nothing", "なし";
 }
 
@@ -142,6 +145,7 @@ messages! {
     Repeat "a REPEAT", "REPEAT文";
     For "a FOR", "FOR文";
     Subroutine "a SUBROUTINE", "サブルーチン";
+    Thread "a THREAD", "スレッド";
 }
 
 messages! {

@@ -5,6 +5,7 @@ use super::reader::{Fault, Parsed, Reader};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
+use crate::language::Keyword;
 use crate::lex::{BLANKS, DELIMITERS, Kind, Token, delimiter};
 use crate::message::{ForeignWord, Message, Parsing};
 use crate::source::{Span, first_beyond};
@@ -61,7 +62,7 @@ impl Parser<'_> {
     /// Reads a command word and its arguments. Whether the command exists is not known here, and a misspelt one is
     /// reported as such, whatever follows it: so faults in its arguments travel with it.
     pub(super) fn command(&self, keyword: Span, tokens: &[Token]) -> StatementKind {
-        let mut reader = Reader::new(self.text, tokens, 1, Code::Argument);
+        let mut reader = Reader::new(self.text, tokens, 1, Code::Argument, self.module.edition);
         let (arguments, read) = reader.operands();
         StatementKind::Command {
             name: self.command_word(keyword, tokens),
@@ -84,9 +85,18 @@ impl Parser<'_> {
 /// The most bytes that a MESSAGE text may have.
 const TEXT_LIMIT: usize = 70;
 
+/// The most bytes that an F_MESSAGE text may have.
+const FILE_TEXT_LIMIT: usize = 200;
+
 impl Parser<'_> {
-    /// Reads MESSAGE, whose word is at `keyword` and whose text may reach up to `end`.
-    pub(super) fn message(&mut self, keyword: Span, end: usize, comment: Option<Span>) {
+    /// Reads MESSAGE or F_MESSAGE, whose word is at `keyword` and whose text may reach up to `end`.
+    pub(super) fn message(
+        &mut self,
+        word: Keyword,
+        keyword: Span,
+        end: usize,
+        comment: Option<Span>,
+    ) {
         let first = delimiter(&self.text.as_bytes()[..end], keyword.end);
         let is_blank = |char: char| BLANKS.contains(&char);
         let location = self.trim(Span::new(keyword.end + first, end), is_blank);
@@ -96,7 +106,7 @@ impl Parser<'_> {
         if let Some(comment) = comment.filter(|_| first > 0) {
             self.warn_of_comment(comment);
         }
-        self.check_text(location);
+        self.check_text(word, location);
         let text = Spanned {
             node: self.source.slice(location).replace('\u{3000}', "  "),
             span: location,
@@ -106,10 +116,11 @@ impl Parser<'_> {
         } else {
             location.end
         };
-        self.push(
-            StatementKind::Message { text },
-            Span::new(keyword.start, end),
-        );
+        let kind = match word {
+            Keyword::FileMessage => StatementKind::FileMessage { text },
+            _ => StatementKind::Message { text },
+        };
+        self.push(kind, Span::new(keyword.start, end));
     }
 
     fn glued_message(&mut self, keyword: Span, text: Span) {
@@ -124,9 +135,10 @@ impl Parser<'_> {
         self.report(Diagnostic::new(Code::CommentInMessage, comment, reason).help(help));
     }
 
-    fn check_text(&mut self, location: Span) {
+    fn check_text(&mut self, word: Keyword, location: Span) {
         let text = self.source.slice(location);
-        if let Some(at) = line_break(text) {
+        let is_file = word == Keyword::FileMessage;
+        if let Some(at) = line_break(text).filter(|_| !is_file) {
             let at = location.start + at;
             let length = text[at - location.start..]
                 .chars()
@@ -137,9 +149,13 @@ impl Parser<'_> {
             let help = Parsing::Escapes;
             self.report(Diagnostic::new(Code::Format, escape, reason).help(help));
         }
-        if let Some(at) = first_beyond(text, TEXT_LIMIT) {
+        let limit = if is_file { FILE_TEXT_LIMIT } else { TEXT_LIMIT };
+        if let Some(at) = first_beyond(text, limit) {
             let rest = Span::new(location.start + at, location.end);
-            let reason = Parsing::TextTooLong { limit: TEXT_LIMIT };
+            let reason = match is_file {
+                true => Parsing::FileTextTooLong { limit },
+                false => Parsing::TextTooLong { limit },
+            };
             let help = Parsing::FullWidthCounts;
             self.report(Diagnostic::new(Code::LongString, rest, reason).help(help));
         }

@@ -5,7 +5,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::reserved::LOOP;
-use crate::language::{Keyword, commands, keywords};
+use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::{Commanding, ForeignWord, Parsing};
 use crate::source::Span;
@@ -57,7 +57,7 @@ impl Parser<'_> {
             // That closes and opens a block, which is reported: `} ELSE {`.
             _ if word == CLOSE => return,
             // All of the statement is of another language: `SWITCH (A) {`.
-            _ if commands::find(&word).is_none() && foreign::statement(&word).is_some() => {
+            _ if !self.is_command(&word) && foreign::statement(&word).is_some() => {
                 let is_routine = self.diagnostics.len() > before;
                 if word == LOOP {
                     let reason = Commanding::NoCommand { word: LOOP.into() };

@@ -3,7 +3,7 @@
 use super::jump::{bare, glued, with_parameters};
 use super::reader::{Fault, Parsed, Reader};
 use crate::foreign::{self, Means};
-use crate::language::{Edition, Keyword, commands, keywords};
+use crate::language::{Keyword, commands, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
 use crate::message::{ForeignWord, Message, Parsing, Suggestion};
@@ -168,7 +168,7 @@ impl Reader<'_> {
         if flag.parse::<Flag>().is_ok() {
             return Some(ForeignWord::FlagOfTarget { flag: flag.into() });
         }
-        let command = commands::find(&before)?;
+        let command = commands::find_in(&before, self.edition())?;
         Some(ForeignWord::CommandNoCondition {
             command: command.name,
         })
@@ -311,10 +311,13 @@ impl Reader<'_> {
         }
     }
 
-    pub(super) fn subroutine(&mut self, keyword: Span) -> Read {
-        let help = Parsing::WriteSubroutine {
-            name: "NAME".into(),
+    /// `SUBROUTINE NAME:` and `THREAD NAME:`.
+    pub(super) fn routine(&mut self, word: Keyword, keyword: Span) -> Read {
+        let written = |name: SmolStr| match word {
+            Keyword::Thread => Parsing::WriteThread { name },
+            _ => Parsing::WriteSubroutine { name },
         };
+        let help = written("NAME".into());
         let mut name = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
             Some(token) => {
@@ -327,24 +330,53 @@ impl Reader<'_> {
         let end = match self.peek() {
             Some(token) if token.kind == Kind::Colon => {
                 self.take();
-                self.expect_end_or(End::SubroutineAndName, Suggestion::NoValues)
+                self.expect_end_or(routine_and_name(word), Suggestion::NoValues)
             }
             _ => {
                 // `SUBROUTINE WALK()`: what calls it is not wrong.
                 let alone = with_parameters(&name.node);
                 let takes_some = alone.is_some();
                 name.node = alone.unwrap_or_else(|| bare(&name.node));
-                let written = name.node.clone();
+                let alone = name.node.clone();
                 let help: Message = match takes_some {
-                    true => ForeignWord::NoParameters { name: written }.into(),
-                    false => Parsing::WriteSubroutine { name: written }.into(),
+                    true => ForeignWord::NoParameters { name: alone }.into(),
+                    false => written(alone).into(),
                 };
                 let mut fault = self.fault_with_help(name.span, Parsing::NameColonMissing, help);
                 fault.once = takes_some.then(|| name.node.clone());
                 Err(fault)
             }
         };
-        Ok((StatementKind::Subroutine { keyword, name }, end))
+        let kind = match word {
+            Keyword::Thread => StatementKind::Thread { keyword, name },
+            _ => StatementKind::Subroutine { keyword, name },
+        };
+        Ok((kind, end))
+    }
+
+    /// `DEFINE NAME value`
+    pub(super) fn constant(&mut self, keyword: Span) -> Read {
+        let help = || Parsing::WriteDefine;
+        let name = match self.take() {
+            Some(token) if token.kind == Kind::Word => self.word(token.span),
+            Some(token) => {
+                return Err(self.fault_with_help(token.span, Parsing::NameBelongsHere, help()));
+            }
+            None => {
+                return Err(self.fault_with_help(self.here(), Parsing::NameMissing, help()));
+            }
+        };
+        let value = self.operand().map_err(|mut fault| {
+            fault.help.get_or_insert_with(|| help().into());
+            fault
+        })?;
+        let end = self.expect_end_or(End::DefineAndValue, help());
+        let kind = StatementKind::Constant {
+            keyword,
+            name,
+            value,
+        };
+        Ok((kind, end))
     }
 
     /// `CALL NAME:` and `GOSUB NAME:`.
@@ -380,7 +412,7 @@ impl Reader<'_> {
     /// Suggests a replacement for words after one that is alone: `EXIT FOR`, `EXIT SUB`, `RETURN 0`.
     fn alone_help(&self, name: Keyword) -> Option<Message> {
         let next = upper_case(self.slice(self.here()));
-        let keyword = keywords::find(&next, Edition::default());
+        let keyword = keywords::find(&next, self.edition());
         let foreign = foreign::statement(&next).map(|row| (row.means, &row.advice));
         Some(match (name, keyword, foreign) {
             (Keyword::Exit, Some(Keyword::For | Keyword::While | Keyword::Repeat), _)
@@ -391,10 +423,17 @@ impl Reader<'_> {
             | (Keyword::Exit, _, Some((Means::Keyword(Keyword::Subroutine), _))) => {
                 Suggestion::LeaveSubroutine.into()
             }
-            _ if commands::find(&next).is_some() => return None,
+            _ if commands::find_in(&next, self.edition()).is_some() => return None,
             (Keyword::Return, ..) => Suggestion::NoResult.into(),
             _ => Suggestion::Alone { word: name.into() }.into(),
         })
+    }
+}
+
+fn routine_and_name(word: Keyword) -> End {
+    match word {
+        Keyword::Thread => End::ThreadAndName,
+        _ => End::SubroutineAndName,
     }
 }
 

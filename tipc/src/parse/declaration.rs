@@ -38,7 +38,7 @@ impl Parser<'_> {
             let fault = Diagnostic::new(Code::Argument, *first, Parsing::OnlyNames);
             self.report(fault.help(Suggestion::TypeLeftOut));
         }
-        let reader = Reader::new(self.text, tokens, 0, Code::Argument);
+        let reader = Reader::new(self.text, tokens, 0, Code::Argument, self.module.edition);
         let glued = hyphened(tokens);
         for location in &glued {
             self.report_hyphen(*location);

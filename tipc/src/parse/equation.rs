@@ -23,7 +23,7 @@ pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
 
 /// Reads an equation.
 pub(super) fn equation(text: &str, tokens: &[Token], edition: Edition) -> Parsed<Equation> {
-    let mut reader = Reader::new(text, tokens, 0, Code::Equation);
+    let mut reader = Reader::new(text, tokens, 0, Code::Equation, edition);
     let target = target(&mut reader)?;
     let (update, operator) = match reader.take() {
         Some(Token {

@@ -8,7 +8,7 @@ use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::foreign;
 use crate::foreign::Means;
-use crate::language::commands::{COMMANDS, Meaning};
+use crate::language::commands::Meaning;
 use crate::language::reserved::{JOINT, LOOP, POSITION};
 use crate::language::{Edition, Keyword, commands, keywords, names};
 use crate::lex::{Kind, Token, foreign_run, lex};
@@ -74,7 +74,7 @@ impl Parser<'_> {
     fn misspelt(&self, word: &str) -> Option<&'static str> {
         let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
         let is_searched = !self.diagnostics.are_many() && word.chars().all(is_letter);
-        let names = COMMANDS.iter().map(|command| command.name);
+        let names = commands::names(self.module.edition);
         is_searched.then(|| nearest(word, names))?
     }
 
@@ -106,7 +106,7 @@ impl Parser<'_> {
     pub(super) fn unknown(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         let other = self.assignment(tokens).or_else(|| self.brace(word, tokens));
         // Nearly all statements begin with a command: for those no other language is searched.
-        if other.is_some() || commands::find(self.source.slice(word)).is_some() {
+        if other.is_some() || self.is_command(self.source.slice(word)) {
             return other;
         }
         self.line_number(word, tokens)
@@ -125,7 +125,7 @@ impl Parser<'_> {
             return None;
         };
         let text = upper_case(self.source.slice(word));
-        let is_name = tokens.len() == 1 && commands::find(&text).is_none();
+        let is_name = tokens.len() == 1 && !self.is_command(&text);
         if !is_name || before.line != self.line.number {
             return None;
         }
@@ -168,7 +168,7 @@ impl Parser<'_> {
         let word = upper_case(self.source.slice(first.span));
         let is_loop = word == LOOP;
         let is_known = foreign::statement(&word).is_some_and(|_| !is_loop)
-            || commands::find(&word).is_some()
+            || self.is_command(&word)
             || self.misspelt(&word).is_some();
         if is_known || first.kind != Kind::Word {
             return None;
@@ -217,7 +217,7 @@ impl Parser<'_> {
         let start = self.line.span.start;
         let before = self.source.slice(Span::new(start, word.start));
         let text = upper_case(self.source.slice(word));
-        if before.trim() != ";" || commands::find(&text).is_some() {
+        if before.trim() != ";" || self.is_command(&text) {
             return None;
         }
         let reason = Commanding::NoCommand { word: text.clone() };
@@ -227,7 +227,7 @@ impl Parser<'_> {
 
     fn foreign_word(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         let text = upper_case(self.source.slice(word));
-        if commands::find(&text).is_some() {
+        if self.is_command(&text) {
             return None;
         }
         let (means, help): (_, Message) = match foreign::statement(&text) {
@@ -453,7 +453,7 @@ impl Parser<'_> {
         let text = self.source.slice(location);
         let is_list = text.matches(',').count() + 1 == names.len();
         let name = upper_case(word(first));
-        let is_known = commands::find(&name).is_some() || foreign::statement(&name).is_some();
+        let is_known = self.is_command(&name) || foreign::statement(&name).is_some();
         if !are_names || !is_list || is_known {
             return None;
         }

@@ -3,6 +3,7 @@
 use super::reader::Parsed;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::Edition;
 use crate::lex::{BLANKS, split_comment};
 use crate::message::{Decimal, ForeignWord, Message, Parsing, Suggestion};
 use crate::source::{Source, Span};
@@ -10,12 +11,15 @@ use crate::source::{Source, Span};
 /// The versions that `migrate` reads; some programs of the time of 2.1 say 4.0 (T.I.P. 3.1 §1-1).
 const OLDER: &[f64] = &[1.0, 1.1, 2.0, 2.1, 3.0, 4.0];
 
-/// Returns true if line 1 names `wanted`, compared as numbers.
-pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
+/// Returns the edition of line 1, which must name `demanded`, compared as numbers; without one, any edition.
+pub(super) fn version(source: &Source, demanded: Option<f64>) -> Parsed<Edition> {
     let span = version_word(source);
     let word = source.slice(span);
+    let is_edition = |found: f64| Edition::ALL.iter().any(|one| one.number() == found);
+    let is_right = |found: f64| demanded.map_or_else(|| is_edition(found), |one| found == one);
+    let wanted = demanded.unwrap_or(Edition::default().number());
     let reason = match version_number(word) {
-        Some(found) if found == wanted => return Ok(()),
+        Some(found) if is_right(found) => return Ok(Edition::of(found)),
         Some(_) => Parsing::OtherVersion {
             wanted: Decimal(wanted),
         },
@@ -24,7 +28,8 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     };
     let is_older = version_number(word).is_some_and(|found| OLDER.contains(&found));
     let first = word.split(BLANKS).next().and_then(version_number);
-    let is_title_behind = first == Some(wanted);
+    let is_title_behind = first.is_some_and(is_right);
+    let wanted = first.filter(|_| is_title_behind).unwrap_or(wanted);
     let help: Message = match (is_older, is_title_behind) {
         (true, _) => ForeignWord::Migrate.into(),
         (_, true) => Suggestion::TitleInLineTwo {

@@ -25,7 +25,7 @@ impl Parser<'_> {
         let first = self.module.statements.len();
         let reported = self.diagnostics.len();
         let mut flow = Flow::Continue;
-        for piece in Pieces::new(self.text, code, false) {
+        for piece in Pieces::new(self.text, code, false).in_edition(self.module.edition) {
             match piece {
                 Piece::Label { name, span } => flow = self.label_or_word(name, span),
                 Piece::Statement {
@@ -53,7 +53,7 @@ impl Parser<'_> {
             Some(Keyword::EndIf) => (Shape::EndIf, Flow::Continue),
             Some(Keyword::Wend) => (Shape::Wend, Flow::Continue),
             // The rest of the line is a text.
-            Some(Keyword::Rem | Keyword::Message) => (Shape::Plain, Flow::NextLine),
+            Some(keyword) if keyword.takes_text() => (Shape::Plain, Flow::NextLine),
             _ => {
                 return match self.after_colon(word, span) {
                     Some(help) => self.command_with_colon(word, span, help),
@@ -74,7 +74,7 @@ impl Parser<'_> {
     /// Suggests a replacement for a command with a colon, if its arguments follow: `SLEEP: 100`, `GOTO :L1`.
     fn after_colon(&self, word: Span, span: Span) -> Option<Message> {
         let text = self.source.slice(word);
-        let command = commands::find(text)?;
+        let command = commands::find_in(text, self.module.edition)?;
         let (code, _) = split_comment(self.text, self.line.span);
         let rest = self
             .source
@@ -136,7 +136,7 @@ impl Parser<'_> {
         self.push(StatementKind::Broken(Shape::Plain), colon);
         let next = self.text[colon.end..self.line.span.end.max(colon.end)].trim();
         let is_name = |it: u8| it.is_ascii_alphanumeric() || it == b'_';
-        if next.is_empty() || !next.bytes().all(is_name) || commands::find(next).is_some() {
+        if next.is_empty() || !next.bytes().all(is_name) || self.is_command(next) {
             self.report(fault);
             return Flow::Continue;
         }
@@ -302,6 +302,8 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
         | Shape::Next
         | Shape::Subroutine
         | Shape::SubEnd
+        | Shape::Thread
+        | Shape::ThreadEnd
         | Shape::Close => None,
     }
 }
@@ -368,7 +370,7 @@ impl Parser<'_> {
         let text = self.source.slice(word);
         let name = &text[..text.find(COLON)?];
         let meant = upper_case(&narrow(name));
-        let is_name = names::is_label(&meant) && commands::find(&meant).is_none();
+        let is_name = names::is_label(&meant) && !self.is_command(&meant);
         is_name.then(|| Span::new(word.start, word.start + name.len()))
     }
 

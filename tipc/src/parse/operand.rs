@@ -187,14 +187,16 @@ impl Reader<'_> {
 
     fn name(&self, word: &str, span: Span) -> Parsed<OperandKind> {
         // Nearly all are names without a member.
-        if word.bytes().all(|it| is_name_char(it.into())) {
+        let sign = usize::from(self.is_reading(word));
+        if word.bytes().skip(sign).all(|it| is_name_char(it.into())) {
             return Ok(OperandKind::Name(upper_case(word)));
         }
         let (name, member) = match word.split_once('.') {
             Some((name, member)) => (name, Some(member)),
             None => (word, None),
         };
-        if let Some(at) = word.find(|char: char| !is_name_char(char) && char != '.') {
+        let is_odd = |char: char| !is_name_char(char) && char != '.';
+        if let Some(at) = word[sign..].find(is_odd).map(|at| sign + at) {
             let character = word[at..].chars().next().map_or(0, char::len_utf8);
             let start = span.start + at;
             return Err(self.foreign_in_name(word, Span::new(start, start + character)));

@@ -2,13 +2,14 @@
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::{Keyword, commands};
+use crate::language::{Edition, Keyword, commands};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
 use crate::message::{ForeignWord, Message, Parsing};
 use crate::source::Span;
 use crate::syntax::{Word, upper_case};
 use smol_str::SmolStr;
+use tip_runtime::command::READING;
 
 /// Fault of a statement.
 pub(super) type Fault = Box<Diagnostic>;
@@ -21,17 +22,35 @@ pub(super) struct Reader<'a> {
     tokens: &'a [Token],
     at: usize,
     code: Code,
+    edition: Edition,
 }
 
 impl<'a> Reader<'a> {
     /// Starts after the `skip` first tokens.
-    pub(super) fn new(text: &'a str, tokens: &'a [Token], skip: usize, code: Code) -> Self {
+    pub(super) fn new(
+        text: &'a str,
+        tokens: &'a [Token],
+        skip: usize,
+        code: Code,
+        edition: Edition,
+    ) -> Self {
         Reader {
             text,
             tokens,
             at: skip,
             code,
+            edition,
         }
+    }
+
+    /// Returns the edition whose words are read.
+    pub(super) fn edition(&self) -> Edition {
+        self.edition
+    }
+
+    /// Returns true if a word is one of a special variable, well-formed or not.
+    pub(super) fn is_reading(&self, word: &str) -> bool {
+        self.edition >= Edition::V3_2 && word.starts_with(READING)
     }
 
     /// Returns true if this reads an equation, whose rules differ from those of arguments.
@@ -163,7 +182,7 @@ impl<'a> Reader<'a> {
     pub(super) fn expect_end_or(&self, end: End, help: impl Into<Message>) -> Parsed<()> {
         self.expect_end(end).map_err(|mut fault| {
             let next = self.slice(self.here());
-            if commands::find(next).is_none() {
+            if commands::find_in(next, self.edition).is_none() {
                 fault.help = Some(help.into());
             }
             fault

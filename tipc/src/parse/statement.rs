@@ -32,7 +32,9 @@ impl Parser<'_> {
                 self.module.after_end = self.word_after(word, span);
                 return Flow::End;
             }
-            Some(Keyword::Message) => self.message(word, text_end, comment),
+            Some(keyword @ (Keyword::Message | Keyword::FileMessage)) => {
+                self.message(keyword, word, text_end, comment);
+            }
             Some(Keyword::Rem) => self.push(StatementKind::Rem, span),
             None if foreign::is_comment(self.source.slice(span)) => {
                 self.foreign_comment(span);
@@ -71,7 +73,10 @@ impl Parser<'_> {
         if let Some(opening) = opening {
             self.opened_block(word, opening, before);
         }
-        if let StatementKind::Subroutine { name, .. } = &kind {
+        if let StatementKind::Subroutine { name, .. }
+        | StatementKind::Thread { name, .. }
+        | StatementKind::Constant { name, .. } = &kind
+        {
             self.check_name_length(name);
         }
         // `NEXT I, J` was to close both.
@@ -201,7 +206,7 @@ impl Parser<'_> {
     }
 
     fn control(&self, keyword: Keyword, word: Span, tokens: &[Token]) -> Option<Read> {
-        let mut reader = Reader::new(self.text, tokens, 1, Code::Argument);
+        let mut reader = Reader::new(self.text, tokens, 1, Code::Argument, self.module.edition);
         Some(match keyword {
             Keyword::If => reader.if_statement(word),
             Keyword::ElseIf => reader.else_if(word),
@@ -209,7 +214,12 @@ impl Parser<'_> {
             Keyword::Until => reader.until(word),
             Keyword::For => reader.for_statement(word),
             Keyword::Next => reader.next_statement(word),
-            Keyword::Subroutine => reader.subroutine(word),
+            Keyword::Subroutine | Keyword::Thread => reader.routine(keyword, word),
+            Keyword::ThreadEnd => reader.alone(keyword, StatementKind::ThreadEnd),
+            Keyword::StartThread => reader.call(word, keyword, StatementKind::StartThread),
+            Keyword::StopThread => reader.call(word, keyword, StatementKind::StopThread),
+            Keyword::WaitThread => reader.call(word, keyword, StatementKind::WaitThread),
+            Keyword::Define => reader.constant(word),
             Keyword::SubEnd => reader.alone(keyword, StatementKind::SubEnd),
             Keyword::Call => reader.call(word, keyword, StatementKind::Call),
             Keyword::Gosub => reader.call(word, keyword, StatementKind::Gosub),
@@ -228,6 +238,7 @@ impl Parser<'_> {
             | Keyword::Wend
             | Keyword::Repeat
             | Keyword::Message
+            | Keyword::FileMessage
             | Keyword::Rem
             | Keyword::End => return None,
         })
@@ -269,7 +280,14 @@ impl Start {
             | Keyword::Goto
             | Keyword::Gosub
             | Keyword::Return
+            | Keyword::Thread
+            | Keyword::ThreadEnd
+            | Keyword::StartThread
+            | Keyword::StopThread
+            | Keyword::WaitThread
+            | Keyword::Define
             | Keyword::Message
+            | Keyword::FileMessage
             | Keyword::Rem
             | Keyword::End
             | Keyword::Exit => Start::Other,
@@ -292,6 +310,8 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
         Keyword::Next => Shape::Next,
         Keyword::Subroutine => Shape::Subroutine,
         Keyword::SubEnd => Shape::SubEnd,
+        Keyword::Thread => Shape::Thread,
+        Keyword::ThreadEnd => Shape::ThreadEnd,
         Keyword::If
         | Keyword::Then
         | Keyword::To
@@ -303,7 +323,12 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
         | Keyword::Gosub
         | Keyword::Goto
         | Keyword::Return
+        | Keyword::StartThread
+        | Keyword::StopThread
+        | Keyword::WaitThread
+        | Keyword::Define
         | Keyword::Message
+        | Keyword::FileMessage
         | Keyword::Rem
         | Keyword::End
         | Keyword::Exit => Shape::Plain,

@@ -29,7 +29,7 @@ fn outcome(body: &str) -> Vec<String> {
     let text = format!("3.1\ntitle\n{body}");
     let (source, bad) = Source::decode("test.prg", text.as_bytes(), Encoding::Utf8);
     assert_eq!(bad, None);
-    let (module, diagnostics) = parse(&source, 3.1);
+    let (module, diagnostics) = parse(&source, Some(3.1));
     let statements = module
         .statements
         .iter()

@@ -8,7 +8,7 @@ use super::{
 /// Action of a step. Next steps are resolved; where none is named it is the following one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Nothing: a label, REM, ENDIF, REPEAT or SUBROUTINE.
+    /// Nothing: a label, REM, ENDIF, REPEAT, SUBROUTINE or THREAD.
     Nothing,
     /// An equation whose left side is a scalar.
     SetScalar {
@@ -154,6 +154,28 @@ pub enum Action {
         /// The scalar that receives its code.
         into: Scalar,
     },
+    /// START_THREAD.
+    StartThread {
+        /// The index among [`Program::threads`](super::Program::threads).
+        thread: usize,
+    },
+    /// STOP_THREAD.
+    StopThread {
+        /// The index of the thread.
+        thread: usize,
+    },
+    /// WAIT_THREAD.
+    WaitThread {
+        /// The index of the thread.
+        thread: usize,
+    },
+    /// THREADEND: ends the thread that comes to it.
+    ThreadEnd,
+    /// F_MESSAGE; an empty text has no parts.
+    FileMessage {
+        /// Parts to write, in order.
+        parts: Vec<MessagePart>,
+    },
     /// MESSAGE; MESSAGE_CLEAR and an empty text have no parts.
     Message {
         /// Parts to show, in order.
@@ -186,6 +208,11 @@ impl Action {
             | Action::TeachScalar { .. }
             | Action::AdIn { .. }
             | Action::KeyIn { .. }
+            | Action::StartThread { .. }
+            | Action::StopThread { .. }
+            | Action::WaitThread { .. }
+            | Action::ThreadEnd
+            | Action::FileMessage { .. }
             | Action::Message { .. } => None,
         }
     }
@@ -200,6 +227,10 @@ impl Action {
             | Action::TeachScalar { .. }
             | Action::AdIn { .. }
             | Action::KeyIn { .. }
+            | Action::StartThread { .. }
+            | Action::StopThread { .. }
+            | Action::WaitThread { .. }
+            | Action::FileMessage { .. }
             | Action::Message { .. } => true,
             Action::Nothing
             | Action::If { .. }
@@ -214,6 +245,7 @@ impl Action {
             | Action::Gosub { .. }
             | Action::IfGosub { .. }
             | Action::Return
+            | Action::ThreadEnd
             | Action::Finish(_) => false,
         }
     }
@@ -242,6 +274,11 @@ impl Action {
             | Action::TeachScalar { .. }
             | Action::AdIn { .. }
             | Action::KeyIn { .. }
+            | Action::StartThread { .. }
+            | Action::StopThread { .. }
+            | Action::WaitThread { .. }
+            | Action::ThreadEnd
+            | Action::FileMessage { .. }
             | Action::Message { .. } => None,
         }
     }
@@ -267,15 +304,15 @@ pub enum Mark {
     Absolute,
 }
 
-/// A piece of a MESSAGE.
+/// A piece of a MESSAGE or F_MESSAGE.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MessagePart {
     /// Text, with `\a` and `\t` already characters.
     Text(String),
-    /// The value of a VAR.
+    /// A value.
     Value {
-        /// Which one.
-        scalar: Scalar,
+        /// Which one; without sign.
+        operand: Operand,
         /// Digits after the point, 0…7; 0 truncates.
         decimals: u8,
     },

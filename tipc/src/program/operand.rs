@@ -1,6 +1,6 @@
 //! Operands, conditions and expressions of steps.
 
-use super::{Arithmetic, Axis, Flag, Function, Relation};
+use super::{Arithmetic, Axis, Flag, Function, Reading, Relation};
 
 /// A variable, by its index in [`Program::variables`](super::Program::variables).
 pub type VariableId = usize;
@@ -26,6 +26,41 @@ pub enum Operand {
         /// `-` precedes it.
         negative: bool,
     },
+    /// A special variable, or a member of one, its sign changed if `negative`.
+    Reading {
+        /// The special variable.
+        reading: Reading,
+        /// The member, from 0; 0 for a number.
+        member: usize,
+        /// `-` precedes it.
+        negative: bool,
+    },
+}
+
+/// A whole POS or JOINT that a step reads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StructOperand {
+    /// A variable.
+    Variable(VariableId),
+    /// A special variable.
+    Reading(Reading),
+}
+
+impl StructOperand {
+    /// Returns one of its members as an operand.
+    pub const fn member(self, member: usize) -> Operand {
+        match self {
+            StructOperand::Variable(variable) => Operand::Scalar {
+                scalar: Scalar { variable, member },
+                negative: false,
+            },
+            StructOperand::Reading(reading) => Operand::Reading {
+                reading,
+                member,
+                negative: false,
+            },
+        }
+    }
 }
 
 /// A condition.
@@ -78,31 +113,31 @@ pub enum ScalarExpression {
         x: Operand,
     },
     /// `NORM s`
-    Norm(VariableId),
+    Norm(StructOperand),
 }
 
 /// The right side of a struct equation; all structs in it are of one type.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StructExpression {
     /// `a`
-    Copy(VariableId),
+    Copy(StructOperand),
     /// `a + b` and its like, member by member.
     Binary {
         /// The left operand.
-        left: VariableId,
+        left: StructOperand,
         /// The operation.
         operation: Arithmetic,
         /// The right operand.
-        right: VariableId,
+        right: StructOperand,
     },
     /// `UNIT_VECT p`
-    UnitVect(VariableId),
+    UnitVect(StructOperand),
     /// `ROT_X p angle` and its like.
     Rotate {
         /// The axis.
         axis: Axis,
         /// Turned variable.
-        operand: VariableId,
+        operand: StructOperand,
         /// By how many degrees.
         angle: Operand,
     },

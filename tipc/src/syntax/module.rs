@@ -58,7 +58,10 @@ pub struct Statement {
 impl Statement {
     /// Returns true if it is a step: everything but a declaration.
     pub const fn is_step(&self) -> bool {
-        !matches!(self.kind, StatementKind::Define { .. })
+        !matches!(
+            self.kind,
+            StatementKind::Define { .. } | StatementKind::Constant { .. }
+        )
     }
 
     /// Returns its first word if it has a location of its own, else the whole statement.
@@ -81,7 +84,7 @@ mod tests {
 
     fn module(text: &str) -> Module {
         let (source, _) = Source::decode("steps.prg", text.as_bytes(), Encoding::Utf8);
-        parse(&source, 3.1).0
+        parse(&source, Some(3.1)).0
     }
 
     // clauses: 2.1

@@ -1,6 +1,6 @@
 //! The kinds of statements, and what each of them is to the passes: an opener, a jump, a label.
 
-use super::{Condition, Counting, Equation, Operand, Spanned, VariableKind, Word};
+use super::{Condition, Counting, Equation, Expression, Operand, Spanned, VariableKind, Word};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
@@ -15,6 +15,15 @@ pub enum StatementKind {
         keyword: Span,
         /// The names as written, well-formed or not.
         names: Vec<Word>,
+    },
+    /// `DEFINE NAME value`: not a step.
+    Constant {
+        /// The command word.
+        keyword: Span,
+        /// The name as written, well-formed or not.
+        name: Word,
+        /// The value as written, constant or not.
+        value: Operand,
     },
     /// `NAME:`; the name without its colon.
     Label(Word),
@@ -81,6 +90,21 @@ pub enum StatementKind {
     },
     /// `SUBEND`
     SubEnd,
+    /// `THREAD NAME:`; the name without its colon.
+    Thread {
+        /// The command word.
+        keyword: Span,
+        /// The name.
+        name: Word,
+    },
+    /// `THREADEND`
+    ThreadEnd,
+    /// `START_THREAD NAME:`
+    StartThread(Jump),
+    /// `STOP_THREAD NAME:`
+    StopThread(Jump),
+    /// `WAIT_THREAD NAME:`
+    WaitThread(Jump),
     /// `CALL NAME:`
     Call(Jump),
     /// `GOTO [NAME:]`
@@ -97,6 +121,11 @@ pub enum StatementKind {
     Rem,
     /// `MESSAGE text`; the text trimmed, U+3000 already two spaces, escapes and placeholders as written.
     Message {
+        /// The text.
+        text: Spanned<String>,
+    },
+    /// `F_MESSAGE text`; the text as in MESSAGE.
+    FileMessage {
         /// The text.
         text: Spanned<String>,
     },
@@ -147,6 +176,10 @@ pub enum Shape {
     Subroutine,
     /// `SUBEND`
     SubEnd,
+    /// `THREAD`
+    Thread,
+    /// `THREADEND`
+    ThreadEnd,
 }
 
 /// Continuation of an IF.
@@ -178,6 +211,19 @@ pub enum JumpKind {
     Gosub,
     /// Goes to a SUBROUTINE, and comes back.
     Call,
+    /// Names a THREAD to start, stop or wait for, and goes on.
+    Thread,
+}
+
+/// Kind of a label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LabelKind {
+    /// A label of its own.
+    Plain,
+    /// The name of a SUBROUTINE.
+    Subroutine,
+    /// The name of a THREAD.
+    Thread,
 }
 
 impl StatementKind {
@@ -198,14 +244,21 @@ impl StatementKind {
             StatementKind::Next { .. } => Shape::Next,
             StatementKind::Subroutine { .. } => Shape::Subroutine,
             StatementKind::SubEnd => Shape::SubEnd,
+            StatementKind::Thread { .. } => Shape::Thread,
+            StatementKind::ThreadEnd => Shape::ThreadEnd,
             StatementKind::Broken(shape) => *shape,
             StatementKind::If {
                 then: Then::Goto(_) | Then::Gosub(_),
                 ..
             }
             | StatementKind::Define { .. }
+            | StatementKind::Constant { .. }
             | StatementKind::Label(_)
             | StatementKind::Equation(_)
+            | StatementKind::StartThread(_)
+            | StatementKind::StopThread(_)
+            | StatementKind::WaitThread(_)
+            | StatementKind::FileMessage { .. }
             | StatementKind::Call(_)
             | StatementKind::Goto(_)
             | StatementKind::Gosub(_)
@@ -218,7 +271,7 @@ impl StatementKind {
         }
     }
 
-    /// Returns the jump in it.
+    /// Returns the jump in it, or what names a THREAD.
     pub const fn jump(&self) -> Option<(JumpKind, &Jump)> {
         match self {
             StatementKind::Goto(jump)
@@ -232,10 +285,17 @@ impl StatementKind {
                 ..
             } => Some((JumpKind::Gosub, jump)),
             StatementKind::Call(jump) => Some((JumpKind::Call, jump)),
+            StatementKind::StartThread(jump)
+            | StatementKind::StopThread(jump)
+            | StatementKind::WaitThread(jump) => Some((JumpKind::Thread, jump)),
             StatementKind::If {
                 then: Then::Block, ..
             }
             | StatementKind::Define { .. }
+            | StatementKind::Constant { .. }
+            | StatementKind::Thread { .. }
+            | StatementKind::ThreadEnd
+            | StatementKind::FileMessage { .. }
             | StatementKind::Label(_)
             | StatementKind::Equation(_)
             | StatementKind::ElseIf { .. }
@@ -259,12 +319,80 @@ impl StatementKind {
         }
     }
 
-    /// Returns the label that it defines, and true if SUBROUTINE does.
-    pub const fn label(&self) -> Option<(&Word, bool)> {
+    /// Passes on each operand in it, in the order of the text.
+    pub fn each_operand(&self, found: &mut dyn FnMut(&Operand)) {
         match self {
-            StatementKind::Label(name) => Some((name, false)),
-            StatementKind::Subroutine { name, .. } => Some((name, true)),
+            StatementKind::Constant { value, .. } => found(value),
+            StatementKind::Equation(equation) => {
+                found(&equation.target);
+                match &equation.value {
+                    Expression::Operand(operand) => found(operand),
+                    Expression::Binary { left, right, .. } => {
+                        found(left);
+                        found(right);
+                    }
+                    Expression::Function { operands, .. } => operands.iter().for_each(found),
+                }
+            }
+            StatementKind::If { condition, .. }
+            | StatementKind::ElseIf { condition, .. }
+            | StatementKind::While { condition, .. }
+            | StatementKind::Until { condition, .. } => {
+                if let Condition::Compare { left, right, .. } = &**condition {
+                    found(left);
+                    found(right);
+                }
+            }
+            StatementKind::For { counting, .. } => {
+                let Counting {
+                    variable,
+                    from,
+                    to,
+                    step,
+                } = &**counting;
+                [variable, from, to].into_iter().chain(step).for_each(found);
+            }
+            StatementKind::Next { variable, .. } => variable.iter().for_each(found),
+            StatementKind::Command { arguments, .. } => arguments.iter().for_each(found),
             StatementKind::Define { .. }
+            | StatementKind::Label(_)
+            | StatementKind::Else
+            | StatementKind::EndIf
+            | StatementKind::Wend
+            | StatementKind::Repeat
+            | StatementKind::Subroutine { .. }
+            | StatementKind::SubEnd
+            | StatementKind::Thread { .. }
+            | StatementKind::ThreadEnd
+            | StatementKind::StartThread(_)
+            | StatementKind::StopThread(_)
+            | StatementKind::WaitThread(_)
+            | StatementKind::Call(_)
+            | StatementKind::Goto(_)
+            | StatementKind::Gosub(_)
+            | StatementKind::Return
+            | StatementKind::End
+            | StatementKind::Exit
+            | StatementKind::Rem
+            | StatementKind::Message { .. }
+            | StatementKind::FileMessage { .. }
+            | StatementKind::Broken(_) => {}
+        }
+    }
+
+    /// Returns the label that it defines, and its kind.
+    pub const fn label(&self) -> Option<(&Word, LabelKind)> {
+        match self {
+            StatementKind::Label(name) => Some((name, LabelKind::Plain)),
+            StatementKind::Subroutine { name, .. } => Some((name, LabelKind::Subroutine)),
+            StatementKind::Thread { name, .. } => Some((name, LabelKind::Thread)),
+            StatementKind::Define { .. }
+            | StatementKind::Constant { .. }
+            | StatementKind::ThreadEnd
+            | StatementKind::StartThread(_)
+            | StatementKind::StopThread(_)
+            | StatementKind::WaitThread(_)
+            | StatementKind::FileMessage { .. }
             | StatementKind::Equation(_)
             | StatementKind::If { .. }
             | StatementKind::ElseIf { .. }
@@ -300,8 +428,15 @@ impl StatementKind {
             | StatementKind::For { keyword, .. }
             | StatementKind::Next { keyword, .. }
             | StatementKind::Subroutine { keyword, .. }
+            | StatementKind::Thread { keyword, .. }
+            | StatementKind::Constant { keyword, .. }
             | StatementKind::Define { keyword, .. } => Some(*keyword),
             StatementKind::Label(_)
+            | StatementKind::ThreadEnd
+            | StatementKind::StartThread(_)
+            | StatementKind::StopThread(_)
+            | StatementKind::WaitThread(_)
+            | StatementKind::FileMessage { .. }
             | StatementKind::Equation(_)
             | StatementKind::Else
             | StatementKind::EndIf
@@ -326,11 +461,18 @@ impl StatementKind {
         match self {
             StatementKind::Goto(_)
             | StatementKind::SubEnd
+            | StatementKind::ThreadEnd
             | StatementKind::Return
             | StatementKind::End
             | StatementKind::Exit
             | StatementKind::Broken(_) => false,
             StatementKind::Define { .. }
+            | StatementKind::Constant { .. }
+            | StatementKind::Thread { .. }
+            | StatementKind::StartThread(_)
+            | StatementKind::StopThread(_)
+            | StatementKind::WaitThread(_)
+            | StatementKind::FileMessage { .. }
             | StatementKind::Label(_)
             | StatementKind::Equation(_)
             | StatementKind::If { .. }

@@ -1,6 +1,6 @@
 //! Display of MESSAGE, piece by piece (T.I.P. 3.1 §7-9-4).
 
-use tipc::program::{Action, MessagePart, Scalar};
+use tipc::program::{Action, MessagePart, Operand, Scalar};
 use tipc::{Options, load};
 
 /// Returns the pieces of a text in a program with the VARs A (scalar 1), BIG (2) and the POS P.
@@ -26,7 +26,11 @@ fn value(variable: usize, decimals: u8) -> MessagePart {
         variable,
         member: 0,
     };
-    MessagePart::Value { scalar, decimals }
+    let operand = Operand::Scalar {
+        scalar,
+        negative: false,
+    };
+    MessagePart::Value { operand, decimals }
 }
 
 // clauses: 7.47

@@ -27,6 +27,8 @@ fn line(loaded: &Loaded, it: &Use) -> String {
         Access::Count => "counts",
         Access::Jump => "jumps",
         Access::Call => "calls",
+        Access::Start => "starts",
+        Access::Control => "names",
         Access::Unclear => "unclear",
     };
     let member = it.member.map(|member| format!(" .{member}"));
@@ -209,6 +211,8 @@ fn definitions_are_the_variables_then_the_labels() {
                 DefinitionKind::Variable(_) => "variable",
                 DefinitionKind::Label => "label",
                 DefinitionKind::Subroutine => "subroutine",
+                DefinitionKind::Thread => "thread",
+                DefinitionKind::Constant => "constant",
             };
             let line = span.map(|span| loaded.source.line_column(span.start).0 as usize - 2);
             (name.as_str(), kind, line)

@@ -1,6 +1,7 @@
 //! The usage that help texts show is the language that loads.
 
 use tipc::code::Level;
+use tipc::language::Edition;
 use tipc::language::commands::{COMMANDS, Form};
 use tipc::{Options, Robot, load};
 
@@ -26,6 +27,8 @@ fn statements(usage: &str) -> Vec<String> {
 fn filled(word: &str) -> &str {
     match word {
         "number" | "x" | "y" | "z" | "j1" | "j2" | "j3" => "1",
+        "low" => "0",
+        "high" => "1",
         "0…255" => "7",
         "VAR" => "V",
         "POS" => "P",
@@ -34,9 +37,10 @@ fn filled(word: &str) -> &str {
     }
 }
 
-fn mistakes(statement: &str, robot: Robot) -> Vec<String> {
+fn mistakes(statement: &str, edition: Edition, robot: Robot) -> Vec<String> {
     let text = format!(
-        "3.1\nusage\nDEF_VAR V\nDEF_POS P\nDEF_JOINT Q\nV = 1\nP.X = V\nQ.J1 = P.X\n{statement}\n\
+        "{edition}\nusage\nDEF_VAR V\nDEF_POS P\nDEF_JOINT Q\nV = 1\nP.X = V\nP.Y = V\nP.Z = V\n\
+         Q.J1 = P.X\nQ.J2 = V\nQ.J3 = V\n{statement}\n\
          SLEEP V\nPTP F1 P\nPTP_ANGLE F1 Q\nEND\n"
     );
     let options = Options {
@@ -64,11 +68,16 @@ fn every_usage_loads_on_its_robots() {
             .filter(|robot| command.robots.contains(**robot))
         {
             for statement in command
-                .usage(*robot)
+                .usage(*robot, command.since)
                 .iter()
                 .flat_map(|usage| statements(usage))
             {
-                assert_eq!(mistakes(&statement, *robot), [""; 0], "{}", robot.name());
+                assert_eq!(
+                    mistakes(&statement, command.since, *robot),
+                    [""; 0],
+                    "{}",
+                    robot.name()
+                );
                 tried += 1;
             }
         }
@@ -84,10 +93,10 @@ fn a_robot_without_the_command_refuses_every_usage() {
             .iter()
             .filter(|robot| !command.robots.contains(**robot))
         {
-            for usage in command.usage(*robot) {
+            for usage in command.usage(*robot, command.since) {
                 for statement in statements(&usage) {
                     assert!(
-                        !mistakes(&statement, *robot).is_empty(),
+                        !mistakes(&statement, command.since, *robot).is_empty(),
                         "{statement} on {}",
                         robot.name()
                     );

@@ -36,7 +36,13 @@ fn a_program_of_an_older_version_is_refused_by_its_first_line() {
 // clauses: 1.3
 #[test]
 fn line_1_chooses_the_edition_and_a_number_of_none_is_read_by_the_rules_of_3_1() {
-    for (version, tip_version) in [("3.1", 3.1), ("3.10", 3.1), ("2.0", 2.0), ("9", 9.0)] {
+    for (version, tip_version) in [
+        ("3.1", None),
+        ("3.1", Some(3.1)),
+        ("3.10", Some(3.1)),
+        ("2.0", Some(2.0)),
+        ("9", Some(9.0)),
+    ] {
         let text = format!("{version}\ntitle\nDEF_VAR N\nN = SQRT 4\nSLEEP N\nEND\n");
         let options = Options {
             tip_version,
@@ -47,6 +53,39 @@ fn line_1_chooses_the_edition_and_a_number_of_none_is_read_by_the_rules_of_3_1()
         let program = loaded.program.expect("a sound program");
         assert_eq!(program.edition(), Edition::V3_1, "{version}");
         assert_eq!(loaded.module.edition, Edition::V3_1, "{version}");
+    }
+}
+
+// clauses: 12.1
+#[test]
+fn line_1_chooses_3_2_unless_another_version_is_demanded() {
+    let found = |version: &str, tip_version: Option<f64>| {
+        let text = format!("{version} // the next edition\ntitle\nDIRECT ALL\nEND\n");
+        let options = Options {
+            tip_version,
+            ..Options::default()
+        };
+        let loaded = tipc::load("test.prg", text.as_bytes(), &options);
+        let codes = loaded.diagnostics.iter().map(|found| found.code);
+        (codes.collect::<Vec<_>>(), loaded.module.edition)
+    };
+    assert_eq!(found("3.2", None), (vec![], Edition::V3_2));
+    assert_eq!(found("3.20", Some(3.2)), (vec![], Edition::V3_2));
+    assert_eq!(
+        found("3.1", None),
+        (vec![Code::UnknownCommand], Edition::V3_1)
+    );
+    assert_eq!(
+        found("9", Some(9.0)),
+        (vec![Code::UnknownCommand], Edition::V3_1)
+    );
+    for (version, demanded) in [
+        ("3.2", Some(3.1)),
+        ("3.1", Some(3.2)),
+        ("3.3", None),
+        ("3", None),
+    ] {
+        assert_eq!(found(version, demanded).0, [Code::Version], "{version}");
     }
 }
 

@@ -25,9 +25,9 @@ pub(super) struct SourceArguments {
 
     /// The version in line 1
     ///
-    /// The version of the language that line 1 must name
-    #[arg(long, value_name = "NUMBER", default_value_t = TIP_VERSION, value_parser = version_number)]
-    tip_version: f64,
+    /// The version of the language that line 1 must name; by default that of any edition, 3.1 or 3.2
+    #[arg(long, value_name = "NUMBER", value_parser = version_number)]
+    tip_version: Option<f64>,
 
     /// The encoding: auto, utf-8 or shift_jis
     ///
@@ -43,9 +43,6 @@ pub(super) struct SourceArguments {
     pub(super) given: Option<(PathBuf, RobotChoice)>,
 }
 
-/// The default of `--tip-version`.
-const TIP_VERSION: f64 = 3.1;
-
 impl SourceArguments {
     /// Returns the arguments of a client without a command line.
     pub(super) fn of_client(
@@ -55,7 +52,7 @@ impl SourceArguments {
     ) -> Self {
         SourceArguments {
             robot,
-            tip_version: TIP_VERSION,
+            tip_version: None,
             encoding,
             output_options: OutputOptions::of(LangName::of(lang)),
             given: None,

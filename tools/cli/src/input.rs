@@ -9,6 +9,7 @@ use tipc::code::Code;
 use tipc::description::{Description, Project};
 use tipc::diagnostic::Diagnostic;
 use tipc::embed::LIMIT;
+use tipc::language::Edition;
 use tipc::message::Reading;
 use tipc::source::{Encoding, Source, Span};
 use tipc::{Loaded, Options, embed};
@@ -41,10 +42,14 @@ pub(super) fn bytes(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
 }
 
 /// Migrates the program at `path`.
-pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<Loaded>> {
+pub(super) fn migrate(
+    path: &Path,
+    encoding: Encoding,
+    edition: Edition,
+) -> Result<Migration, Box<Loaded>> {
     let name = name(path);
     match read(path, LIMIT) {
-        Ok(bytes) => tip_lint::migrate::migrate(&name, &bytes, encoding),
+        Ok(bytes) => tip_lint::migrate::migrate_to(edition, &name, &bytes, encoding),
         Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }

@@ -17,6 +17,7 @@ use tip_lint::message::Formatting;
 use tip_lint::migrate::{self, Migration};
 use tip_runtime::printable::Printable;
 use tipc::emit as rust;
+use tipc::language::Edition;
 use tipc::program::Program;
 use tipc::source::{Encoding, Source};
 use tipc::{Loaded, Options, Robot};
@@ -59,9 +60,9 @@ pub(super) struct Fmt {
 
     /// The version in line 1
     ///
-    /// The version of the language that line 1 must name
-    #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
-    tip_version: f64,
+    /// The version of the language that line 1 must name; by default that of any edition, 3.1 or 3.2
+    #[arg(long, value_name = "NUMBER", value_parser = version_number)]
+    tip_version: Option<f64>,
 
     /// The encoding: auto, utf-8 or shift_jis
     ///
@@ -278,10 +279,12 @@ fn as_rust(program: &Program) -> Result<String, Error> {
 #[command(
     after_long_help = "Programs of versions 1.0 to 3.0, and those that say 4.0, become programs of version 3.1: declarations,
 renamed commands, changed forms. Comments, layout, encoding and the order of the steps are kept.
-Every change is reported with its line. If the text leaves a choice open, the report asks a question and nothing is written.
+With --to 3.2 they go on to edition 3.2, and a program of 3.1 does: names that 3.2 reserves are renamed, and what 3.2 refuses
+is a question. Every change is reported with its line. If the text leaves a choice open, the report asks a question and nothing is written.
 
 Examples:
   tip migrate old.prg -o new.prg
+  tip migrate --to 3.2 walk.prg -o next.prg
   tip migrate old.prg > new.prg                        the new program on standard output
   tip migrate --message-format short old.prg -o new.prg   FILE:LINE:COLUMN: change: ...
 
@@ -296,6 +299,10 @@ pub(super) struct Migrate {
     #[arg(short, long, value_name = "NEW")]
     pub(super) out: Option<PathBuf>,
 
+    /// The version of the new program
+    #[arg(long, value_enum, default_value = "3.1")]
+    pub(super) to: EditionName,
+
     /// The encoding: auto, utf-8 or shift_jis
     ///
     /// auto is UTF-8 if that is valid, else Shift_JIS
@@ -306,10 +313,34 @@ pub(super) struct Migrate {
     pub(super) output_options: OutputOptions,
 }
 
+/// The editions of the language.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum EditionName {
+    /// T.I.P. 3.1
+    #[value(name = "3.1")]
+    V3_1,
+    /// T.I.P. 3.2
+    #[value(name = "3.2")]
+    V3_2,
+}
+
+impl EditionName {
+    const fn edition(self) -> Edition {
+        match self {
+            EditionName::V3_1 => Edition::V3_1,
+            EditionName::V3_2 => Edition::V3_2,
+        }
+    }
+}
+
 /// Writes the new program, or nothing if a question is open; the report goes to standard error.
 pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {
     let output_options = arguments.output_options;
-    let migration = match input::migrate(&arguments.file, arguments.encoding.encoding()) {
+    let migration = match input::migrate(
+        &arguments.file,
+        arguments.encoding.encoding(),
+        arguments.to.edition(),
+    ) {
         Ok(migration) => migration,
         Err(loaded) => {
             report::diagnostics(&loaded, output_options);

@@ -6,16 +6,16 @@ mod context;
 use crate::hover::usage;
 use crate::{Document, word};
 use context::Context;
-use tip_runtime::command::{Flag, Port, Target, Teach};
+use tip_runtime::command::{Flag, Port, Reading, TIMERS, Target, Teach};
 use tipc::Robot;
 use tipc::language::commands::{
-    Arguments, COMMANDS, Command, Form, Joints, Meaning, Targets, Values,
+    Arguments, COMMANDS, Command, Form, Joints, Meaning, Targets, Values, senses,
 };
 use tipc::language::flags::{self, FLAGS};
 use tipc::language::functions::FUNCTIONS;
 use tipc::language::inputs::INPUTS;
-use tipc::language::reserved::{JOINT, Kind, LOOP, POSITION, RESERVED, VAR_KEY, motion_flags};
-use tipc::language::{Bilingual, Keyword};
+use tipc::language::reserved::{JOINT, Kind, LOOP, POSITION, RESERVED, motion_flags};
+use tipc::language::{Bilingual, Edition, Keyword};
 use tipc::source::Span;
 use tipc::symbols::{Definition, DefinitionKind};
 use tipc::syntax::VariableKind;
@@ -125,12 +125,11 @@ impl Document {
     fn items(&self, context: &Context, at: usize) -> Vec<CompletionItem> {
         match context {
             Context::Version => {
-                let version = self.loaded.module.edition.to_string();
-                vec![CompletionItem::new(
-                    version,
-                    CompletionKind::Constant,
-                    Bilingual::EMPTY,
-                )]
+                let editions = Edition::ALL.iter().map(Edition::to_string);
+                let kind = CompletionKind::Constant;
+                editions
+                    .map(|version| CompletionItem::new(version, kind, Bilingual::EMPTY))
+                    .collect()
             }
             Context::Start => self.starts(),
             Context::Member(name) => self.members(name),
@@ -142,7 +141,11 @@ impl Document {
                 items.extend(particle.map(keyword_item));
                 items
             }
-            Context::Counter | Context::Placeholder => self.variables(&[VariableKind::Var]),
+            Context::Counter => self.declared(&[VariableKind::Var]),
+            Context::Placeholder if self.loaded.module.edition >= Edition::V3_2 => {
+                self.variables(SCALARS)
+            }
+            Context::Placeholder => self.declared(&[VariableKind::Var]),
             Context::Right => {
                 let mut items = self.variables(SCALARS);
                 items.extend(functions());
@@ -160,26 +163,41 @@ impl Document {
         let rows = COMMANDS.iter();
         let rows = rows.filter(|row| row.since <= edition && row.robots.contains(robot));
         let mut items: Vec<CompletionItem> = rows.map(|row| command_item(row, self)).collect();
-        items.extend(self.variables(SCALARS));
+        items.extend(self.declared(SCALARS));
         items
     }
 
-    /// Returns the variables of some types.
+    /// Returns the variables of some types, special ones too.
     fn variables(&self, kinds: &[VariableKind]) -> Vec<CompletionItem> {
+        let mut items = self.declared(kinds);
+        if self.loaded.module.edition >= Edition::V3_2 {
+            items.extend(readings(self.robot(), kinds));
+        }
+        items
+    }
+
+    /// Returns the variables of some types that the program declares or names, and its constants.
+    fn declared(&self, kinds: &[VariableKind]) -> Vec<CompletionItem> {
         let definitions = self.loaded.symbols.definitions().iter();
         let mut items = Vec::new();
         for definition in definitions {
-            let DefinitionKind::Variable(kind) = definition.kind else {
-                continue;
+            let (kind, item) = match definition.kind {
+                DefinitionKind::Variable(kind) => (kind, CompletionKind::Variable),
+                DefinitionKind::Constant => (VariableKind::Var, CompletionKind::Constant),
+                _ => continue,
             };
             if kinds.contains(&kind) {
+                let name = definition.name.as_str();
                 let description = match definition.span {
-                    None => reserved_line(VAR_KEY),
+                    None => reserved_line(name.trim_end_matches(|it: char| it.is_ascii_digit())),
                     Some(_) => Bilingual::EMPTY,
                 };
-                let name = definition.name.as_str();
-                let item = CompletionItem::new(name, CompletionKind::Variable, description);
-                items.push(item.detail(declaring(kind).word()));
+                let detail = match definition.kind {
+                    DefinitionKind::Constant => Keyword::Define,
+                    _ => declaring(kind),
+                };
+                let item = CompletionItem::new(name, item, description);
+                items.push(item.detail(detail.word()));
             }
         }
         items
@@ -219,8 +237,13 @@ impl Document {
             (at <= subroutines[last].end).then_some(last)
         };
         let here = around(at);
+        let names_thread = matches!(
+            keyword,
+            Keyword::StartThread | Keyword::StopThread | Keyword::WaitThread
+        );
         let fits = |it: &Definition| match it.kind {
-            DefinitionKind::Variable(_) => false,
+            DefinitionKind::Variable(_) | DefinitionKind::Constant => false,
+            DefinitionKind::Thread => names_thread,
             DefinitionKind::Label => {
                 let there = it.span.and_then(|place| around(place.start));
                 match keyword {
@@ -229,7 +252,7 @@ impl Document {
                     _ => false,
                 }
             }
-            DefinitionKind::Subroutine => keyword != Keyword::Goto,
+            DefinitionKind::Subroutine => keyword != Keyword::Goto && !names_thread,
         };
         let mut names: Vec<&str> = definitions
             .filter(|it| fits(it))
@@ -296,8 +319,10 @@ impl Document {
         } else if arguments.values != Values::None {
             let kinds: &[VariableKind] = match arguments.values {
                 Values::None | Values::One | Values::Three => &[VariableKind::Var],
-                Values::Position => &[VariableKind::Var, VariableKind::Pos],
-                Values::Angles | Values::PerJoint => &[VariableKind::Var, VariableKind::Joint],
+                Values::Position | Values::ThreeOrPos => &[VariableKind::Var, VariableKind::Pos],
+                Values::Angles | Values::PerJoint | Values::PerLeg | Values::Limits => {
+                    &[VariableKind::Var, VariableKind::Joint]
+                }
             };
             items.extend(self.variables(kinds));
         }
@@ -339,7 +364,7 @@ fn command_item(row: &Command, document: &Document) -> CompletionItem {
         _ => CompletionKind::Command,
     };
     let robot = document.robot();
-    let usage = row.usage(robot);
+    let usage = row.usage(robot, document.loaded.module.edition);
     let detail = usage.first().map_or("", String::as_str);
     CompletionItem::new(row.name, kind, row.description)
         .detail(detail)
@@ -372,6 +397,44 @@ fn constants() -> impl Iterator<Item = CompletionItem> {
     })
 }
 
+/// Returns the special variables of some types that a robot has and senses.
+fn readings(robot: Robot, kinds: &[VariableKind]) -> Vec<CompletionItem> {
+    let signature = robot.signature();
+    let mut all: Vec<(Reading, VariableKind)> = Vec::new();
+    for kind in Reading::KINDS {
+        match kind {
+            Reading::Timer(_) => {
+                let timers = (0..TIMERS).map(Reading::Timer);
+                all.extend(timers.map(|timer| (timer, VariableKind::Var)));
+            }
+            Reading::Measured(what, _) if !senses(robot, what) => {}
+            Reading::Measured(what, Target::Joint(..)) => {
+                for leg in 1..=signature.legs {
+                    let joints = 1..=signature.joints;
+                    let joints = joints.map(|joint| Target::Joint(leg, joint));
+                    let joints = joints.map(|joint| Reading::Measured(what, joint));
+                    all.extend(joints.map(|reading| (reading, VariableKind::Var)));
+                }
+            }
+            Reading::Measured(what, _) => {
+                let kind = match what {
+                    Teach::Position | Teach::Force => VariableKind::Pos,
+                    Teach::Angle | Teach::Torque => VariableKind::Joint,
+                };
+                let feet = (1..=signature.legs).map(Target::Foot);
+                all.extend(feet.map(|foot| (Reading::Measured(what, foot), kind)));
+            }
+        }
+    }
+    all.into_iter()
+        .filter(|(_, kind)| kinds.contains(kind))
+        .map(|(reading, _)| {
+            let description = reserved_line(reading.stem());
+            CompletionItem::new(reading.to_string(), CompletionKind::Variable, description)
+        })
+        .collect()
+}
+
 fn reserved_line(word: &str) -> Bilingual {
     let row = RESERVED.iter().find(|row| row.word == word);
     row.map_or(Bilingual::EMPTY, |row| row.description)
@@ -391,7 +454,7 @@ pub fn snippet(command: &Command, robot: Robot) -> String {
     match command.meaning {
         Meaning::Keyword(keyword) => block(keyword),
         _ => {
-            let usage = command.usage(robot);
+            let usage = command.usage(robot, command.since);
             let first = usage.first().map_or(command.name, String::as_str);
             arguments(first)
         }
@@ -415,9 +478,14 @@ fn block(keyword: Keyword) -> String {
             format!("{keyword} ${{1:VAR}} = ${{2:1}} {to} ${{3:10}}{inside}{next}")
         }
         Keyword::Subroutine => format!("{keyword} ${{1:name}}:{inside}{}", Keyword::SubEnd),
+        Keyword::Thread => format!("{keyword} ${{1:name}}:{inside}{}", Keyword::ThreadEnd),
         Keyword::Call | Keyword::Goto | Keyword::Gosub => format!("{keyword} ${{1:label}}:"),
+        Keyword::StartThread | Keyword::StopThread | Keyword::WaitThread => {
+            format!("{keyword} ${{1:name}}:")
+        }
+        Keyword::Define => format!("{keyword} ${{1:name}} ${{2:constant}}"),
         Keyword::DefVar | Keyword::DefPos | Keyword::DefJoint => format!("{keyword} ${{1:name}}"),
-        Keyword::Message | Keyword::Rem => format!("{keyword} ${{1:text}}"),
+        Keyword::Message | Keyword::FileMessage | Keyword::Rem => format!("{keyword} ${{1:text}}"),
         Keyword::Then
         | Keyword::Else
         | Keyword::EndIf
@@ -426,6 +494,7 @@ fn block(keyword: Keyword) -> String {
         | Keyword::Step
         | Keyword::Next
         | Keyword::SubEnd
+        | Keyword::ThreadEnd
         | Keyword::Return
         | Keyword::End
         | Keyword::Exit => keyword.word().to_owned(),

@@ -99,6 +99,7 @@ fn opens(shape: Shape) -> bool {
             | Shape::Repeat
             | Shape::For
             | Shape::Subroutine
+            | Shape::Thread
     )
 }
 
@@ -110,6 +111,7 @@ fn opener(shape: Shape) -> Option<&'static [Shape]> {
         Shape::Until => &[Shape::Repeat],
         Shape::Next => &[Shape::For],
         Shape::SubEnd => &[Shape::Subroutine],
+        Shape::ThreadEnd => &[Shape::Thread],
         _ => return None,
     })
 }

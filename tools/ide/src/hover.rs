@@ -56,7 +56,10 @@ impl Document {
             WordKind::Function(row) => function(row, card),
             WordKind::Flag(row) => self.flag(row, self.slice(word.span), card),
             WordKind::Input(row) => self.input(row, self.slice(word.span), card),
-            WordKind::Target(row) | WordKind::MotionFlag(row) | WordKind::Member(row) => {
+            WordKind::Target(row)
+            | WordKind::Reading(row)
+            | WordKind::MotionFlag(row)
+            | WordKind::Member(row) => {
                 reserved(row, self.slice(word.span), card);
             }
             WordKind::Constant(value, row) => {
@@ -94,7 +97,11 @@ impl Document {
     }
 
     fn command(&self, command: &Command, card: &mut Card) {
-        card.code(&command.usage(self.robot()).join("\n"));
+        card.code(
+            &command
+                .usage(self.robot(), self.loaded.module.edition)
+                .join("\n"),
+        );
         card.paragraph(command.description);
         if !command.unit.is_empty() {
             card.item(Editing::Unit { unit: command.unit });
@@ -113,7 +120,7 @@ impl Document {
     }
 
     fn keyword_card(&self, keyword: Keyword, card: &mut Card) {
-        if let Some(command) = commands::find(keyword.word()) {
+        if let Some(command) = commands::find_in(keyword.word(), self.loaded.module.edition) {
             return self.command(command, card);
         }
         let row = keyword.row();
@@ -149,7 +156,10 @@ impl Document {
         }
         match definition.kind {
             DefinitionKind::Variable(_) => self.variable(named, card),
-            DefinitionKind::Label | DefinitionKind::Subroutine => self.label(named, card),
+            DefinitionKind::Label | DefinitionKind::Subroutine | DefinitionKind::Thread => {
+                self.label(named, card);
+            }
+            DefinitionKind::Constant => {}
         }
         Some(())
     }
@@ -187,7 +197,12 @@ impl Document {
                     }
                 }
                 Access::Update | Access::Count | Access::Unclear => return None,
-                Access::Define | Access::Read | Access::Jump | Access::Call => {}
+                Access::Define
+                | Access::Read
+                | Access::Jump
+                | Access::Call
+                | Access::Start
+                | Access::Control => {}
             }
         }
         Some(values)
@@ -323,6 +338,8 @@ fn declaration(definition: &Definition) -> String {
         DefinitionKind::Variable(VariableKind::Pos) => Keyword::DefPos,
         DefinitionKind::Variable(VariableKind::Joint) => Keyword::DefJoint,
         DefinitionKind::Subroutine => return format!("{} {name}:", Keyword::Subroutine),
+        DefinitionKind::Thread => return format!("{} {name}:", Keyword::Thread),
+        DefinitionKind::Constant => Keyword::Define,
         DefinitionKind::Label => return format!("{name}:"),
     };
     format!("{keyword} {name}")

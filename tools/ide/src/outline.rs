@@ -1,4 +1,4 @@
-//! The outline: variables, labels and subroutines of a program as a tree.
+//! The outline: variables, constants, labels, subroutines and threads of a program as a tree.
 
 use crate::Document;
 use tipc::source::Span;
@@ -29,10 +29,25 @@ pub enum OutlineKind {
     Label,
     /// A SUBROUTINE.
     Subroutine,
+    /// A THREAD.
+    Thread,
+    /// A constant that DEFINE names.
+    Constant,
+}
+
+impl OutlineKind {
+    /// Returns true for a label of its own, a SUBROUTINE and a THREAD.
+    const fn is_label(self) -> bool {
+        matches!(
+            self,
+            OutlineKind::Label | OutlineKind::Subroutine | OutlineKind::Thread
+        )
+    }
 }
 
 impl Document {
-    /// Returns variables, labels and subroutines in the order of the text. A label inside a subroutine is its child.
+    /// Returns variables, constants, labels, subroutines and threads in the order of the text. A label inside a subroutine
+    /// or thread is its child.
     pub fn outline(&self) -> Vec<Outline> {
         let mut found: Vec<Outline> = Vec::new();
         let definitions = self.loaded.symbols.definitions().iter();
@@ -42,15 +57,15 @@ impl Document {
         names.sort_unstable_by_key(|(name, _)| *name);
         let mut labels = names
             .iter()
-            .filter(|(_, kind)| !matches!(kind, OutlineKind::Variable(_)))
+            .filter(|(_, kind)| kind.is_label())
             .map(|(name, _)| name.start)
             .skip(1)
             .collect::<Vec<_>>()
             .into_iter();
         for (name, kind) in names {
             let end = match kind {
-                OutlineKind::Variable(_) => name.end,
-                OutlineKind::Subroutine => {
+                OutlineKind::Variable(_) | OutlineKind::Constant => name.end,
+                OutlineKind::Subroutine | OutlineKind::Thread => {
                     labels.next();
                     self.end_of_subroutine(name)
                 }
@@ -63,11 +78,10 @@ impl Document {
                 name_span: name,
                 children: Vec::new(),
             };
-            let is_variable = matches!(kind, OutlineKind::Variable(_));
             match found.last_mut() {
                 Some(around)
-                    if around.kind == OutlineKind::Subroutine
-                        && !is_variable
+                    if matches!(around.kind, OutlineKind::Subroutine | OutlineKind::Thread)
+                        && kind.is_label()
                         && one.span.end <= around.span.end =>
                 {
                     around.children.push(one);
@@ -78,14 +92,14 @@ impl Document {
         found
     }
 
-    /// Returns the inside of each SUBROUTINE, in order.
+    /// Returns the inside of each SUBROUTINE and THREAD, in order.
     pub(crate) fn subroutines(&self) -> Vec<Span> {
         let mut inside: Vec<Span> = Vec::new();
         let mut start = None;
         for statement in self.statements() {
             match statement.kind.shape() {
-                Shape::Subroutine => start = Some(statement.span.end),
-                Shape::SubEnd => {
+                Shape::Subroutine | Shape::Thread => start = Some(statement.span.end),
+                Shape::SubEnd | Shape::ThreadEnd => {
                     let start = start.take();
                     inside.extend(start.map(|start| Span::new(start, statement.span.start)));
                 }
@@ -101,7 +115,7 @@ impl Document {
         let statements = self.statements();
         let first = statements.partition_point(|it| it.span.end < name.end);
         let mut after = statements[first..].iter();
-        let end = after.find(|it| it.kind.shape() == Shape::SubEnd);
+        let end = after.find(|it| matches!(it.kind.shape(), Shape::SubEnd | Shape::ThreadEnd));
         end.map_or(name.end, |it| it.span.end)
     }
 
@@ -111,7 +125,10 @@ impl Document {
         let first = statements.partition_point(|it| it.span.end < name.end);
         let is_inside = |it: &&tipc::syntax::Statement| {
             next.is_none_or(|next| it.span.start < next)
-                && !matches!(it.kind.shape(), Shape::SubEnd | Shape::Subroutine)
+                && !matches!(
+                    it.kind.shape(),
+                    Shape::SubEnd | Shape::Subroutine | Shape::ThreadEnd | Shape::Thread
+                )
         };
         let inside = statements[first..].iter().take_while(is_inside);
         inside.last().map_or(name.end, |it| it.span.end)
@@ -123,5 +140,7 @@ fn kind(kind: DefinitionKind) -> OutlineKind {
         DefinitionKind::Variable(kind) => OutlineKind::Variable(kind),
         DefinitionKind::Label => OutlineKind::Label,
         DefinitionKind::Subroutine => OutlineKind::Subroutine,
+        DefinitionKind::Thread => OutlineKind::Thread,
+        DefinitionKind::Constant => OutlineKind::Constant,
     }
 }

@@ -70,7 +70,12 @@ impl Document {
         match named.access {
             Access::Define => ReferenceKind::Declares,
             Access::Assign | Access::Update | Access::Count => ReferenceKind::Assigns,
-            Access::Read | Access::Jump | Access::Call | Access::Unclear => ReferenceKind::Uses,
+            Access::Read
+            | Access::Jump
+            | Access::Call
+            | Access::Start
+            | Access::Control
+            | Access::Unclear => ReferenceKind::Uses,
         }
     }
 
@@ -142,7 +147,9 @@ impl Document {
 
     /// Returns an error if the language or the program does not allow a name.
     fn check_name(&self, definition: &Definition, name: &str) -> Result<(), Message> {
-        let is_variable = matches!(definition.kind, DefinitionKind::Variable(_));
+        let is_value =
+            |kind| matches!(kind, DefinitionKind::Variable(_) | DefinitionKind::Constant);
+        let is_variable = is_value(definition.kind);
         let word = || name.into();
         if is_variable && !names::is_variable(name) {
             return Err(Naming::NoVariableName { word: word() }.into());
@@ -164,9 +171,7 @@ impl Document {
             return Err(Editing::LoopLabel.into());
         }
         let others = self.loaded.symbols.definitions().iter();
-        let mut others = others.filter(|it| {
-            *it != definition && matches!(it.kind, DefinitionKind::Variable(_)) == is_variable
-        });
+        let mut others = others.filter(|it| *it != definition && is_value(it.kind) == is_variable);
         match others.find(|it| it.name == name).and_then(|it| it.span) {
             Some(place) => Err(Editing::Taken {
                 name: name.into(),

@@ -101,6 +101,7 @@ impl Document {
             WordKind::Input(_) | WordKind::Target(_) | WordKind::Constant(..) => {
                 plain(TokenClass::Constant)
             }
+            WordKind::Reading(_) => plain(TokenClass::Variable),
             WordKind::MotionFlag(_) => plain(TokenClass::Modifier),
             WordKind::Member(_) => plain(TokenClass::Member),
             WordKind::Number | WordKind::Version => plain(TokenClass::Number),
@@ -116,7 +117,10 @@ impl Document {
         let definition = self.definition_of(named);
         let class = match definition.kind {
             DefinitionKind::Variable(_) => TokenClass::Variable,
-            DefinitionKind::Label | DefinitionKind::Subroutine => TokenClass::Label,
+            DefinitionKind::Label | DefinitionKind::Subroutine | DefinitionKind::Thread => {
+                TokenClass::Label
+            }
+            DefinitionKind::Constant => TokenClass::Constant,
         };
         let assigns = matches!(
             named.access,

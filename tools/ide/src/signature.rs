@@ -45,12 +45,14 @@ impl Document {
         if let Some(found) = self.function_signatures(line, offset) {
             return Some(found);
         }
-        let Some(Piece::Statement { word, span, .. }) = Pieces::new(text, before, false).last()
+        let edition = self.loaded.module.edition;
+        let Some(Piece::Statement { word, span, .. }) =
+            Pieces::new(text, before, false).in_edition(edition).last()
         else {
             return None;
         };
         let is_over = self.slice(Span::new(span.end, offset)).contains(';') || offset <= word.end;
-        let command = commands::find(self.slice(word)).filter(|_| !is_over)?;
+        let command = commands::find_in(self.slice(word), edition).filter(|_| !is_over)?;
         let mut tokens = Vec::new();
         lex::lex(text, span, &mut tokens);
         tokens.retain(|token| token.span.end < offset && token.span.start > word.start);
@@ -97,7 +99,7 @@ impl Document {
 }
 
 fn forms(command: &Command, document: &Document, argument: usize) -> Signatures {
-    let usage = command.usage(document.robot());
+    let usage = command.usage(document.robot(), document.loaded.module.edition);
     let forms: Vec<Signature> = match command.form {
         Form::Words(_) => usage.into_iter().map(statement_signature).collect(),
         _ => usage.into_iter().map(signature).collect(),

@@ -35,6 +35,8 @@ pub(crate) enum WordKind {
     /// `HS`, `R` or `A` among the arguments of a motion.
     MotionFlag(&'static reserved::Row),
     Constant(f64, &'static reserved::Row),
+    /// A special variable, as `@POS_F1`.
+    Reading(&'static reserved::Row),
     Member(&'static reserved::Row),
     /// A name of the program.
     Name(Use),
@@ -73,7 +75,7 @@ impl Document {
         if line.number == 1 {
             push(&mut words, trimmed(text, code), WordKind::Version);
         } else {
-            for piece in Pieces::new(text, code, false) {
+            for piece in Pieces::new(text, code, false).in_edition(self.edition()) {
                 if end.is_some_and(|end| start(&piece) > end) {
                     break;
                 }
@@ -103,7 +105,7 @@ impl Document {
                 span,
                 text_end,
             } => match self.keyword(word) {
-                Some(keyword @ (Keyword::Message | Keyword::Rem)) => {
+                Some(keyword) if keyword.takes_text() => {
                     push(words, word, WordKind::Keyword(keyword));
                     let text = Span::new(word.end, text_end);
                     self.text(trimmed(self.loaded.source.text(), text), words);
@@ -130,7 +132,7 @@ impl Document {
     fn statement(&self, word: Span, span: Span, words: &mut Vec<Word>) {
         let mut tokens = Vec::new();
         lex::lex(self.loaded.source.text(), span, &mut tokens);
-        let command = commands::find(self.slice(word));
+        let command = commands::find_in(self.slice(word), self.edition());
         for token in &tokens {
             let is_first = token.span.start == span.start;
             self.token(token, command, is_first, words);
@@ -192,12 +194,15 @@ impl Document {
         if let Some(keyword) = keywords::find(word, edition) {
             return WordKind::Keyword(keyword);
         }
-        if let Some(row) = commands::find(word).filter(|_| is_first) {
+        if let Some(row) = commands::find_in(word, edition).filter(|_| is_first) {
             return WordKind::Command(row);
         }
         if word.parse::<f64>().is_ok() && word.starts_with(|c: char| c == '.' || c.is_ascii_digit())
         {
             return WordKind::Number;
+        }
+        if let Some(row) = reading(&upper, edition) {
+            return WordKind::Reading(row);
         }
         let form = command.map(|command| command.form);
         if let Some(Form::Robot(arguments)) = form
@@ -221,7 +226,7 @@ impl Document {
             .or_else(|| function().map(WordKind::Function))
             .or_else(|| constant(&upper, edition))
             .or_else(input)
-            .or_else(|| commands::find(word).map(WordKind::Command))
+            .or_else(|| commands::find_in(word, edition).map(WordKind::Command))
             .unwrap_or(WordKind::Unknown)
     }
 }
@@ -272,6 +277,16 @@ fn target_row(target: Target) -> Option<&'static reserved::Row> {
 fn function_row(operation: functions::Operation) -> Option<&'static functions::Row> {
     let mut rows = functions::FUNCTIONS.iter();
     rows.find(|row| row.operation == operation)
+}
+
+/// Returns the row of a special variable, with or without a member.
+fn reading(word: &str, edition: Edition) -> Option<&'static reserved::Row> {
+    let name = word.split('.').next()?;
+    let reading = reserved::reading(name, edition)?;
+    let is_it = |row: &&reserved::Row| {
+        matches!(row.kind, reserved::Kind::Reading(_)) && row.word == reading.stem()
+    };
+    RESERVED.iter().find(is_it)
 }
 
 fn constant(word: &str, edition: Edition) -> Option<WordKind> {

@@ -5,7 +5,8 @@
 //! its subroutine takes, a FOR over constants with its turns. A step that waits counts as the least
 //! that it can take, and marks its part. A subroutine that calls itself has no bound here, although
 //! ten open calls are one. All together takes time O(n log n): where jumps cross so often that the same steps belong to very
-//! many parts, counting ends early, and says so.
+//! many parts, counting ends early, and says so. A part counts in steps of its own thread: that is in cycles if a cycle
+//! runs one step.
 
 mod components;
 mod costs;
@@ -79,6 +80,8 @@ pub enum Stop {
     Return,
     /// With END or EXIT.
     End,
+    /// With THREADEND.
+    ThreadEnd,
 }
 
 /// The sampling times of a run: ms.
@@ -162,6 +165,7 @@ fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> (Vec<Part>, bool)
                 Place::Stop(id) => Stop::Label(flow.nodes()[id].step),
                 Place::Return => Stop::Return,
                 Place::End => Stop::End,
+                Place::ThreadEnd => Stop::ThreadEnd,
                 Place::Pass(_) => continue,
             };
             let from = flow.nodes()[from].step;

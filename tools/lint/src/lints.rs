@@ -10,6 +10,7 @@ mod file;
 mod labels;
 mod message;
 mod routines;
+mod threads;
 mod unreachable;
 mod waits;
 mod walk;
@@ -103,6 +104,7 @@ impl LintContext<'_> {
         commands::warn(self, &mut found);
         equations::warn(self, &mut found);
         message::warn(self, &mut found);
+        threads::warn(self, &mut found);
         found
     }
 

@@ -1,4 +1,4 @@
-//! Programs of older versions of the language to version 3.1 (T.I.P. 3.1 §1-1).
+//! Programs of older versions of the language to version 3.1 (T.I.P. 3.1 §1-1), and on to edition 3.2.
 //!
 //! The original bytes are kept and only spliced: comments, layout, encoding and the order of the steps stay as they
 //! are. Every change is noted with its line. What cannot be decided from the text is a question, and then there is
@@ -12,6 +12,7 @@ mod labels;
 mod lines;
 mod message;
 mod near;
+mod next;
 mod placeholders;
 mod report;
 mod variables;
@@ -26,6 +27,8 @@ use header::Header;
 use lines::{Piece, Statement};
 use near::Moves;
 use tipc::Robot;
+use tipc::language::Edition;
+use tipc::parse::header::{version_number, version_word};
 use tipc::source::{Encoding, Source, Span};
 
 /// Kind of a note: a change or a question.
@@ -147,6 +150,53 @@ pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration
         notes,
         bytes: (!open).then_some(result),
     })
+}
+
+/// Turns a program of version 3.1 or an older one into one of an edition. `name` is how the report calls the file.
+///
+/// # Errors
+///
+/// The diagnostics about bytes that are not text, as [`load`] reports them.
+pub fn migrate_to(
+    edition: Edition,
+    name: &str,
+    bytes: &[u8],
+    encoding: Encoding,
+) -> Result<Migration, Box<Loaded>> {
+    let says_next = || {
+        let (source, _) = Source::decode(name, bytes, encoding);
+        let version = version_number(source.slice(version_word(&source)));
+        version == Some(Edition::V3_2.number())
+    };
+    let mut migration = match edition >= Edition::V3_2 && says_next() {
+        true => unchanged(name, bytes, encoding),
+        false => migrate(name, bytes, encoding)?,
+    };
+    let Some(older) = migration.bytes.take().filter(|_| edition >= Edition::V3_2) else {
+        return Ok(migration);
+    };
+    let (result, mut notes) = next::to_3_2(name, &older, encoding);
+    // Lines are put in behind the title.
+    let (source, _) = Source::decode(name, &older, encoding);
+    let added = source.line_count() - migration.source.line_count();
+    for note in &mut notes {
+        note.line -= if note.line > 2 { added } else { 0 };
+    }
+    migration.notes.extend(notes);
+    migration.notes.sort_by_key(|note| (note.line, note.column));
+    let is_open = migration.questions().next().is_some();
+    migration.bytes = (!is_open).then_some(result);
+    Ok(migration)
+}
+
+/// Returns the result for a program that is to stay as it is.
+fn unchanged(name: &str, bytes: &[u8], encoding: Encoding) -> Migration {
+    Migration {
+        source: Source::decode(name, bytes, encoding).0,
+        encoding,
+        notes: Vec::new(),
+        bytes: Some(bytes.to_vec()),
+    }
 }
 
 /// Collects edits and notes.

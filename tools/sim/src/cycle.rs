@@ -8,7 +8,8 @@ use tip_runtime::plant::Pose;
 use tip_runtime::program::Program;
 use tip_runtime::record::{self, Sink, state_hash};
 
-/// One control cycle. Where [`step`](Self::step) is none no step ran to its end, and what a step does is empty.
+/// One control cycle. Where several steps ran in it, it has what all of them assigned, the last step of the main
+/// program, and the last message, text, lamp and command. Where [`step`](Self::step) is none no step ran to its end, and what a step does is empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
     /// Its number, from 0.
@@ -23,6 +24,8 @@ pub struct Cycle {
     pub set: Vec<(String, f64)>,
     /// Text of a MESSAGE; an empty one cleared the line.
     pub say: Option<String>,
+    /// Text that F_MESSAGE appended to FOUT.LOG.
+    pub out: Option<String>,
     /// The lamp that was switched, and whether on.
     pub lamp: Option<(u8, bool)>,
     /// The command that was accepted, in its first cycle.
@@ -68,11 +71,13 @@ impl Display for IssuedCommand {
 /// Collects what a cycle does.
 #[derive(Default)]
 pub(crate) struct Collector {
-    before: Vec<Option<u64>>,
+    /// The variables before the first step.
+    before: Option<Vec<Option<u64>>>,
     step: Option<u32>,
     next: Option<u32>,
     set: Vec<(String, f64)>,
     say: Option<String>,
+    out: Option<String>,
     lamp: Option<(u8, bool)>,
     command: Option<IssuedCommand>,
 }
@@ -93,6 +98,7 @@ impl Collector {
             next: self.next,
             set: self.set,
             say: self.say,
+            out: self.out,
             lamp: self.lamp,
             command: self.command,
             pose: machine.hardware().pose(),
@@ -108,8 +114,10 @@ fn scalars(program: &dyn Program) -> impl Iterator<Item = (&str, Option<f64>)> {
 
 impl Sink for Collector {
     fn begin(&mut self, program: &dyn Program) {
-        let bits = scalars(program).map(|(_, value)| value.map(f64::to_bits));
-        self.before = bits.collect();
+        if self.before.is_none() {
+            let bits = scalars(program).map(|(_, value)| value.map(f64::to_bits));
+            self.before = Some(bits.collect());
+        }
     }
 
     fn command(&mut self, command: &Command<'_>) {
@@ -125,14 +133,20 @@ impl Sink for Collector {
         self.say = Some(text.to_string());
     }
 
+    fn out(&mut self, text: &dyn Display) {
+        self.out.get_or_insert_default().push_str(&text.to_string());
+    }
+
     fn lamp(&mut self, device: u8, on: bool) {
         self.lamp = Some((device, on));
     }
 
     fn cycle(&mut self, cycle: &record::Cycle<'_>) {
-        self.step = Some(cycle.step);
-        self.next = cycle.next;
-        let now = scalars(cycle.program).zip(&self.before);
+        if cycle.thread.is_none() {
+            self.step = Some(cycle.step);
+            self.next = cycle.next;
+        }
+        let now = scalars(cycle.program).zip(self.before.iter().flatten());
         let changed = now.filter_map(|((name, value), before)| {
             let value = value?;
             (Some(value.to_bits()) != *before).then(|| (name.to_owned(), value))

@@ -157,7 +157,7 @@ impl Debugger {
 
     /// Returns the number of open calls in a run.
     fn depth(run: &Run) -> u8 {
-        let calls = Self::interpreter(run).map_or(0, |engine| engine.calls().len());
+        let calls = Self::interpreter(run).map_or(0, |engine| engine.calls(0).len());
         u8::try_from(calls).unwrap_or(u8::MAX)
     }
 

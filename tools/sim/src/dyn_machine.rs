@@ -4,7 +4,7 @@
 use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::SimHardware;
-use tip_runtime::command::{Flag, Poll};
+use tip_runtime::command::{Flag, MAX, Poll, Reading};
 use tip_runtime::controller::Setpoint;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::JointCommand;
@@ -31,6 +31,8 @@ pub(crate) trait DynMachine: Send {
     /// Returns the sampling time, ms.
     fn period(&self) -> f64;
     fn flag(&self, flag: Flag) -> bool;
+    /// Returns the members of a special variable, of the readings of the last cycle.
+    fn reading(&self, reading: Reading) -> Result<[f64; MAX], Fault>;
     fn setpoints(&self) -> Vec<Setpoint>;
     /// Returns what each joint was sent, leg by leg.
     fn commands(&self) -> &[JointCommand];
@@ -102,6 +104,17 @@ impl<const L: usize, const J: usize> DynMachine
 
     fn flag(&self, flag: Flag) -> bool {
         self.flag(flag)
+    }
+
+    fn reading(&self, reading: Reading) -> Result<[f64; MAX], Fault> {
+        match reading {
+            Reading::Timer(n) => {
+                let mut members = [0.0; MAX];
+                members[0] = self.timer(n);
+                Ok(members)
+            }
+            Reading::Measured(what, target) => self.controller().teach(what, target),
+        }
     }
 
     fn setpoints(&self) -> Vec<Setpoint> {

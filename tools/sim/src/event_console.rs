@@ -69,6 +69,10 @@ impl Console for EventConsole {
         self.notify(|listener| listener.message(text));
     }
 
+    fn append(&mut self, text: &dyn Display) {
+        self.notify(|listener| listener.append(text));
+    }
+
     fn silent(&mut self, on: bool) {
         self.notify(|listener| listener.silent(on));
     }

@@ -116,4 +116,20 @@ impl Program for ProgramRunner {
     fn reset(&mut self) {
         self.program.reset();
     }
+
+    fn thread(&self, n: u8) -> Option<(&str, u32)> {
+        self.0.thread(n)
+    }
+
+    fn select(&mut self, thread: u8) {
+        self.0.select(thread);
+    }
+
+    fn begin(&mut self, thread: u8) {
+        self.0.begin(thread);
+    }
+
+    fn specials(&self) -> usize {
+        self.0.specials()
+    }
 }

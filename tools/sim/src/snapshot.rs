@@ -63,6 +63,7 @@ impl Run {
 #[derive(Clone, Copy, Debug)]
 struct Lengths {
     messages: usize,
+    appended: usize,
     silent: usize,
     log: usize,
     variables: usize,
@@ -74,6 +75,7 @@ impl Lengths {
     fn of(shown: &Transcript) -> Self {
         Lengths {
             messages: shown.messages.len(),
+            appended: shown.appended.len(),
             silent: shown.silent.len(),
             log: shown.log.len(),
             variables: shown.variables.len(),
@@ -85,6 +87,7 @@ impl Lengths {
     /// Takes away what came later.
     fn restore(self, shown: &mut Transcript) {
         shown.messages.truncate(self.messages);
+        shown.appended.truncate(self.appended);
         shown.silent.truncate(self.silent);
         shown.log.truncate(self.log);
         shown.variables.truncate(self.variables);

@@ -52,7 +52,7 @@ pub fn warn(loaded: &mut Loaded, robot: &Robot) {
 fn number(arguments: &[Argument]) -> Option<f64> {
     match arguments.first()?.operand {
         Operand::Constant(number) => Some(number),
-        Operand::Scalar { .. } => None,
+        Operand::Scalar { .. } | Operand::Reading { .. } => None,
     }
 }
 

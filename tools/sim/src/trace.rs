@@ -99,6 +99,11 @@ impl Sink for Tee<'_> {
         self.1.say(text);
     }
 
+    fn out(&mut self, text: &dyn Display) {
+        self.0.out(text);
+        self.1.out(text);
+    }
+
     fn lamp(&mut self, device: u8, on: bool) {
         self.0.lamp(device, on);
         self.1.lamp(device, on);

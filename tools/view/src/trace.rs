@@ -50,10 +50,12 @@ impl std::error::Error for TraceError {}
 #[serde(default)]
 struct Record {
     cycle: u64,
+    sub: u32,
     step: u32,
     next: Option<u32>,
     set: BTreeMap<String, f64>,
     say: Option<String>,
+    out: Option<String>,
     lamp: BTreeMap<String, bool>,
     cmd: Vec<Json>,
     pose: Option<[f64; 6]>,
@@ -91,8 +93,10 @@ impl Recording {
             }
             let command = asked(&record.cmd);
             period = command.as_ref().and_then(new_period).unwrap_or(period);
-            recorder.keep_time(record.cycle, time, period);
-            time += period;
+            if record.sub == 0 {
+                recorder.keep_time(record.cycle, time, period);
+                time += period;
+            }
             recorder.take_record(record, command, time);
         }
         let recording = recorder.finish(outcome);
@@ -115,6 +119,7 @@ impl Recorder {
             next: record.next,
             set: record.set.into_iter().collect(),
             say: record.say,
+            out: record.out,
             lamp: lamps
                 .next()
                 .and_then(|(device, on)| Some((device.parse().ok()?, *on))),

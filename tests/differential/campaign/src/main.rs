@@ -1,5 +1,6 @@
 //! `--programs N` runs programs until N are done, those of earlier calls included; `mass --programs N` does so on walking
 //! robots with mass; `flavours --programs N` compares builds; `report` prints what is done, `mass report` with mass.
+//! `3.2` before these words means programs of that edition.
 
 use campaign::batch::Effort;
 use campaign::build::{Flavour, Workshop};
@@ -7,7 +8,7 @@ use campaign::hunt::{differing, shrink};
 use campaign::progress::{Progress, time_left};
 use campaign::report::report;
 use lockstep::Figures;
-use random_programs::{Specimen, program};
+use random_programs::{Edition, Specimen, program};
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -54,16 +55,29 @@ fn main() -> ExitCode {
     });
     let arguments: Vec<String> = env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let done = match words[..] {
-        ["--programs", count] => number(count).and_then(|count| campaign(count, FIGURES, &EFFORT)),
-        ["mass", "--programs", count] => {
-            number(count).and_then(|count| campaign(count, HEAVY_FIGURES, &HEAVY))
+    let (edition, words) = match &words[..] {
+        ["3.2", rest @ ..] => (Edition::V3_2, rest),
+        rest => (Edition::V3_1, rest),
+    };
+    let figures = match edition {
+        Edition::V3_1 => String::new(),
+        later => format!("-{later}"),
+    };
+    let of = |kept: &str| format!("{kept}{figures}");
+    let done = match *words {
+        ["--programs", count] => {
+            number(count).and_then(|count| campaign(edition, count, &of(FIGURES), &EFFORT))
         }
-        ["flavours", "--programs", count] => number(count).and_then(flavours),
-        ["report"] => show(FIGURES),
-        ["mass", "report"] => show(HEAVY_FIGURES),
+        ["mass", "--programs", count] => {
+            number(count).and_then(|count| campaign(edition, count, &of(HEAVY_FIGURES), &HEAVY))
+        }
+        ["flavours", "--programs", count] => {
+            number(count).and_then(|count| flavours(edition, count))
+        }
+        ["report"] => show(&of(FIGURES)),
+        ["mass", "report"] => show(&of(HEAVY_FIGURES)),
         _ => Err(io::Error::other(
-            "usage: campaign [mass] --programs N | flavours --programs N | [mass] report",
+            "usage: campaign [3.2] [mass] --programs N | [3.2] flavours --programs N | [3.2] [mass] report",
         )),
     };
     match done {
@@ -95,7 +109,7 @@ fn show(kept: &str) -> io::Result<bool> {
 }
 
 /// Goes through batch after batch, those done before left out.
-fn campaign(programs: u64, kept: &str, effort: &Effort) -> io::Result<bool> {
+fn campaign(edition: Edition, programs: u64, kept: &str, effort: &Effort) -> io::Result<bool> {
     let workshop = Workshop::new();
     let progress = progress(&workshop, kept);
     let batches = programs.div_ceil(BATCH);
@@ -109,7 +123,8 @@ fn campaign(programs: u64, kept: &str, effort: &Effort) -> io::Result<bool> {
             1 => Flavour::Optimised,
             _ => Flavour::Quick,
         };
-        let mut specimens = specimens(batch * BATCH, BATCH.min(programs - batch * BATCH));
+        let mut specimens =
+            specimens(edition, batch * BATCH, BATCH.min(programs - batch * BATCH));
         specimens.retain(|specimen| effort.concerns(specimen.robot));
         let printed = workshop.run(&specimens, flavour, effort)?;
         for (place, told) in differing(&specimens, &printed) {
@@ -128,8 +143,9 @@ fn campaign(programs: u64, kept: &str, effort: &Effort) -> io::Result<bool> {
     show(kept)
 }
 
-fn specimens(first: u64, count: u64) -> Vec<Specimen> {
-    (first..first + count).map(program).collect()
+fn specimens(edition: Edition, first: u64, count: u64) -> Vec<Specimen> {
+    let seeds = first..first + count;
+    seeds.map(|seed| program(edition, seed)).collect()
 }
 
 /// Shrinks a program and writes it down as a case of the language.
@@ -164,9 +180,9 @@ fn keep(
 }
 
 /// Every flavour of build gives the same fingerprints.
-fn flavours(programs: u64) -> io::Result<bool> {
+fn flavours(edition: Edition, programs: u64) -> io::Result<bool> {
     let workshop = Workshop::new();
-    let specimens = specimens(0, programs);
+    let specimens = specimens(edition, 0, programs);
     let effort = Effort {
         cycles: 1000,
         ..EFFORT

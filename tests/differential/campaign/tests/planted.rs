@@ -3,7 +3,7 @@
 use campaign::batch::Effort;
 use campaign::build::{Flavour, Workshop};
 use campaign::hunt::{differing, shrink};
-use random_programs::{Specimen, Tamper, program};
+use random_programs::{Edition, Specimen, Tamper, program};
 
 const EFFORT: Effort = Effort {
     runs: 1,
@@ -25,7 +25,7 @@ const FAULTS: &[(Tamper, &str, usize)] = &[
 
 #[test]
 fn planted_faults_are_found_and_shrunk() {
-    let specimens: Vec<Specimen> = (0..60).map(program).collect();
+    let specimens: Vec<Specimen> = (0..60).map(|seed| program(Edition::V3_1, seed)).collect();
     for (tamper, word, lines) in FAULTS {
         let workshop = Workshop {
             tamper: *tamper,

@@ -4,7 +4,7 @@ use crate::compare::Run;
 use std::collections::BTreeMap;
 use std::fmt;
 use tipc::Robot;
-use tipc::language::{commands, flags, functions};
+use tipc::language::{Edition, commands, flags, functions};
 
 /// Counts by name. As text it is a line for each: the name, a tab, the count.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -87,7 +87,7 @@ fn kind_of_end(end: &str) -> &str {
 fn features(formal: &str) -> Vec<String> {
     let fields: Vec<&str> = formal.split('\t').collect();
     let first = fields.first().copied().unwrap_or_default();
-    let Some(command) = commands::find(first) else {
+    let Some(command) = commands::find_in(first, Edition::V3_2) else {
         return match first.ends_with(':') {
             true => vec!["label".to_owned()],
             false => equation(&fields),
@@ -107,14 +107,25 @@ fn features(formal: &str) -> Vec<String> {
         .skip(1)
         .map(|word| word.trim_start_matches('!'));
     features.extend(flags.filter_map(flag));
+    features.extend(readings(&fields));
     features
+}
+
+/// The kinds of readings, without their targets and numbers.
+fn readings(fields: &[&str]) -> impl Iterator<Item = String> {
+    let words = fields.iter().filter_map(|word| word.split_once('@'));
+    words.map(|(_, word)| {
+        let end = word.find(|char: char| !char.is_ascii_uppercase());
+        format!("reading @{}", &word[..end.unwrap_or(word.len())])
+    })
 }
 
 fn equation(fields: &[&str]) -> Vec<String> {
     let words = fields
         .iter()
         .filter(|word| functions::words().any(|function| function == **word) || is_operator(word));
-    words.map(|word| format!("equation {word}")).collect()
+    let words = words.map(|word| format!("equation {word}"));
+    words.chain(readings(fields)).collect()
 }
 
 fn is_operator(word: &str) -> bool {

@@ -3,13 +3,14 @@
 use random_programs::NATIVE;
 use tip_runtime::command::{Command, Op, Poll, Target, Value};
 use tip_runtime::fault::Fault;
-use tip_runtime::program::Robot;
+use tip_runtime::program::{Robot, SpecialVariable};
 use tip_runtime::special::{Call, Special};
 
-/// Remaining cycles of the present command.
+/// Remaining cycles of the present command, and number of all cycles.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Native {
     left: f64,
+    cycles: f64,
 }
 
 impl Special for Native {
@@ -27,6 +28,16 @@ impl Special for Native {
             }),
             _ => Err(Fault::Domain),
         }
+    }
+
+    /// Counts in one variable of the program, and copies another.
+    fn cycle(&mut self, robot: &mut dyn Robot) -> Result<(), Fault> {
+        self.cycles += 1.0;
+        let copied = robot.special_variable(SpecialVariable::Var(0));
+        // They are refused before the program's first SPECIAL, and if it names none.
+        let _ = robot.set_special_variable(SpecialVariable::Var(1), self.cycles);
+        let _ = robot.set_special_variable(SpecialVariable::Joint(2, 0), copied);
+        Ok(())
     }
 }
 

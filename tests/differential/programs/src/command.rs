@@ -10,7 +10,10 @@ impl Writer {
         let known: Vec<&Command> = COMMANDS
             .iter()
             .filter(|command| {
-                command.robots.contains(robot) && !matches!(command.form, Form::Words(_))
+                command.robots.contains(robot)
+                    && command.since <= self.edition
+                    && !matches!(command.form, Form::Words(_))
+                    && !self.is_left_out(command)
             })
             .collect();
         let command = self.pick(&known);
@@ -18,7 +21,7 @@ impl Writer {
             Some(alias) if self.random.once_in(4) => alias,
             _ => command.name,
         };
-        let arguments = match command.form {
+        let arguments = match command.form_in(self.edition) {
             Form::Robot(form) => self.arguments(command, form),
             Form::Special => self.special(),
             Form::Teach(targets) => self.teach(command, targets),
@@ -79,11 +82,15 @@ impl Writer {
             Values::Three => self.plain(command, form, 3),
             Values::Position => self.several(command, form, target, POSITIONS, 3),
             Values::Angles if single => self.scalars(command, form, target, 1),
-            Values::PerJoint if single => self.plain(command, form, 1),
+            Values::PerJoint | Values::PerLeg if single => self.plain(command, form, 1),
+            Values::PerLeg if target == "ALL" => self.plain(command, form, 1),
+            Values::ThreeOrPos if self.is_calm() => self.plain(command, form, 3),
+            Values::ThreeOrPos => self.several(command, form, target, POSITIONS, 3),
+            Values::Limits => self.limits(target),
             Values::PerJoint if target == "ALL" && self.random.once_in(2) => {
                 self.plain(command, form, 1)
             }
-            Values::Angles | Values::PerJoint => {
+            Values::Angles | Values::PerJoint | Values::PerLeg => {
                 self.several(command, form, target, JOINTS, joints)
             }
         }
@@ -93,8 +100,12 @@ impl Writer {
     fn plain(&mut self, command: &Command, form: Arguments, count: usize) -> String {
         let values: Vec<String> = (0..count)
             .map(|_| match self.takes_variable() {
+                true if self.reads() => self.scalar_reading(),
                 true => self.pick(VARS).to_owned(),
-                false => self.number(command, form.limit),
+                false => {
+                    let number = self.number(command, form.limit);
+                    self.perhaps_named(number)
+                }
             })
             .collect();
         values.join(" ")
@@ -115,6 +126,9 @@ impl Writer {
             } else {
                 ""
             };
+            if self.reads() {
+                return format!("{flag}{}", self.struct_reading(Some(structs)));
+            }
             return format!("{flag}{}", self.pick(structs));
         }
         self.scalars(command, form, target, count)
@@ -146,16 +160,20 @@ impl Writer {
         }
         let number = self.number(command, form.limit);
         match home {
-            _ if form.relative && self.random.once_in(3) => format!("R {number}"),
+            _ if form.relative && self.random.once_in(3) => {
+                format!("R {}", self.perhaps_named(number))
+            }
             Some(home) => {
                 let flag = match form.from_target {
                     true => "A ",
                     false => self.pick(&["", "", "A "]),
                 };
-                let delta: f64 = number.parse().expect("a number");
-                format!("{flag}{}", home + delta)
+                match number.parse::<f64>() {
+                    Ok(delta) => format!("{flag}{}", home + delta),
+                    Err(_) => format!("{flag}{number}"),
+                }
             }
-            None => number,
+            None => self.perhaps_named(number),
         }
     }
 

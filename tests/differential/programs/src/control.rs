@@ -1,6 +1,6 @@
 //! Statements, and those of them that sequence others.
 
-use crate::writer::{COUNTERS, DEPTH, Writer};
+use crate::writer::{DEPTH, Writer};
 
 impl Writer {
     /// Some statements.
@@ -17,6 +17,9 @@ impl Writer {
     }
 
     pub(crate) fn statement(&mut self) {
+        if self.is_later() && self.random.once_in(4) {
+            return self.later_statement();
+        }
         let kinds = if self.depth < DEPTH { 34 } else { 24 };
         match self.random.below(kinds) {
             0..=3 => self.scalar_equation(),
@@ -58,7 +61,7 @@ impl Writer {
     }
 
     fn counted_while(&mut self) {
-        let (counter, rounds) = (COUNTERS[self.depth], self.random.below(4));
+        let (counter, rounds) = (self.counter(), self.random.below(4));
         self.line(&format!("{counter} = 0"));
         self.line(&format!("WHILE {counter} < {rounds}"));
         self.nested();
@@ -68,7 +71,7 @@ impl Writer {
 
     /// Left by chance: every flag and comparison may hold.
     fn repeat(&mut self) {
-        let (counter, rounds) = (COUNTERS[self.depth], 1 + self.random.below(3));
+        let (counter, rounds) = (self.counter(), 1 + self.random.below(3));
         self.line(&format!("{counter} = 0"));
         self.line("REPEAT");
         self.nested();
@@ -82,13 +85,14 @@ impl Writer {
     }
 
     fn counted_for(&mut self) {
-        let counter = COUNTERS[self.depth];
+        let counter = self.counter();
         let last = 1 + self.random.below(3);
         let range = match self.random.below(5) {
             0 => format!("{last} TO 1 STEP -1"),
             1 => format!("-0.5 TO {last} STEP .75"),
             2 if !self.is_calm() => {
                 let (from, to, by) = (self.scalar(), self.scalar(), self.scalar());
+                let by = self.unless_constant(by);
                 format!("{from} TO {to} STEP {by}")
             }
             3 => "D TO D".to_owned(),
@@ -96,7 +100,11 @@ impl Writer {
         };
         self.line(&format!("FOR {counter} = {range}"));
         self.nested();
-        let named = if self.random.once_in(2) { counter } else { "" };
+        let named = if self.random.once_in(2) {
+            &counter
+        } else {
+            ""
+        };
         self.line(format!("NEXT {named}").trim_end());
     }
 
@@ -115,7 +123,7 @@ impl Writer {
 
     /// A loop over LOOP, entered by whatever is above it.
     fn jump_back(&mut self) {
-        let (counter, rounds) = (COUNTERS[self.depth], 1 + self.random.below(3));
+        let (counter, rounds) = (self.counter(), 1 + self.random.below(3));
         self.line(&format!("{counter} = 0"));
         self.line("LOOP:");
         self.line(&format!("{counter} += 1"));
@@ -154,10 +162,13 @@ impl Writer {
     /// Writes a statement that ends a program early, and is therefore rare.
     fn rarity(&mut self) {
         let condition = self.condition();
-        let wild = ["RETURN", "EXIT", "D = SQRT -1", "B = ASIN 2", "C = 1 / 0"];
+        let wild: &[&str] = match self.is_later() {
+            false => &["RETURN", "EXIT", "D = SQRT -1", "B = ASIN 2", "C = 1 / 0"],
+            true => &["RETURN", "EXIT", "D = SQRT BAD", "B = ASIN BAD", "C = 1 / BAD"],
+        };
         let line = match self.is_calm() {
             true => "REM nothing happens",
-            false => self.pick(&wild),
+            false => self.pick(wild),
         };
         self.line(&format!("IF {condition} THEN"));
         self.line(line);

@@ -60,11 +60,16 @@ impl Writer {
         let update = self.pick(&["=", "=", "=", "+=", "-=", "*=", "/="]);
         let (a, b) = (self.scalar(), self.scalar());
         let value = match self.random.below(12) {
+            0..=2 if update == "/=" => self.unless_constant(a),
             0..=2 => a,
-            3..=7 => format!("{a} {} {b}", self.pick(&["+", "-", "*", "/", "+"])),
-            8 => format!("{} {a}", self.pick(PARTIAL)),
+            3..=7 => match self.pick(&["+", "-", "*", "/", "+"]) {
+                "/" => format!("{a} / {}", self.unless_constant(b)),
+                operator => format!("{a} {operator} {b}"),
+            },
+            8 => format!("{} {}", self.pick(PARTIAL), self.unless_constant(a)),
             9 => format!("{} {a}", self.pick(TOTAL)),
-            10 => format!("ATAN2 {a} {b}"),
+            10 => format!("ATAN2 {} {b}", self.unless_constant(a)),
+            _ if self.reads() => format!("NORM {}", self.struct_reading(None)),
             _ => format!("NORM {}", self.pick(&["P", "Q", "S", "T"])),
         };
         self.line(&format!("{target} {update} {value}"));
@@ -77,6 +82,8 @@ impl Writer {
             true => [first, last, last],
             false => [self.pick(names), self.pick(names), self.pick(names)],
         };
+        let reading = self.reads().then(|| self.struct_reading(Some(names)));
+        let a = reading.as_deref().unwrap_or(a);
         let rotation = self.pick(&["ROT_X", "ROT_Y", "ROT_Z"]);
         let updates: &[&str] = if self.is_calm() {
             &["="]

@@ -8,6 +8,7 @@ mod condition;
 mod control;
 mod equation;
 mod inputs;
+mod later;
 mod number;
 mod operand;
 mod random;
@@ -17,6 +18,7 @@ mod untidy;
 mod writer;
 
 pub use random::Random;
+pub use tipc::language::Edition;
 pub use rust::{Tamper, rust};
 pub use untidy::untidy;
 
@@ -47,8 +49,8 @@ enum Temper {
     Wild,
 }
 
-/// The program of a seed. Half of them are for TITAN VIII, the others for the hand and the generic robot.
-pub fn program(seed: u64) -> Specimen {
+/// The program of a seed in an edition. Half of them are for TITAN VIII, the others for the hand and the generic robot.
+pub fn program(edition: Edition, seed: u64) -> Specimen {
     let mut random = Random::new(seed);
     let robot = pick(
         &mut random,
@@ -58,7 +60,7 @@ pub fn program(seed: u64) -> Specimen {
     Specimen {
         seed,
         robot,
-        source: Writer::new(random, robot, temper).write(seed),
+        source: Writer::new(random, edition, robot, temper).write(seed),
     }
 }
 

@@ -21,6 +21,9 @@ impl Writer {
     /// A value of a command: small, and within its limit; wild programs break it now and then.
     pub(crate) fn number(&mut self, command: &Command, limit: Limit) -> String {
         if !self.is_calm() && self.random.once_in(12) {
+            if self.is_later() {
+                return "BAD".to_owned();
+            }
             return self.pick(&["-1", "0", "1E9", "-0.0", "300"]).to_owned();
         }
         let Range { min, max } = self.robot.facts().periods;
@@ -50,6 +53,9 @@ impl Writer {
                 .to_string(),
             Limit::FloorType if self.is_hand() => of(self, &[1.0, 2.0]),
             Limit::FloorType | Limit::ObjectType => of(self, &[1.0, 2.5, 3.0]),
+            Limit::Timer => of(self, &[0.0, 1.0, 2.9, 7.0]),
+            Limit::Steps => of(self, &[1.0, 1.0, 2.0, 3.0, 5.5, 255.0]),
+            Limit::Angles => of(self, &[0.0]),
         }
     }
 
@@ -88,7 +94,7 @@ impl Writer {
         }
     }
 
-    fn initial(&self, leg: usize) -> Option<Vec<f64>> {
+    pub(crate) fn initial(&self, leg: usize) -> Option<Vec<f64>> {
         let angles = match self.robot.signature().family {
             Family::Titan => titan8::MODEL.legs.get(leg)?.initial,
             Family::Generic => generic::MODEL.legs.get(leg)?.initial,

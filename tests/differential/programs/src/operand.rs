@@ -18,9 +18,15 @@ const CONSTANTS: &[&str] = &[
     "-2.5E-3",
 ];
 
+/// Constants of the DEFINEs that programs of 3.2 begin with.
+const NAMED: &[&str] = &["HALF", "-HALF", "LESS", "-LESS", "DIGIT", "NONE"];
+
 impl Writer {
-    /// A number as it is written.
+    /// A number as it is written, or a name for one.
     pub(crate) fn constant(&mut self) -> &'static str {
+        if self.is_later() && self.random.once_in(4) {
+            return self.pick(NAMED);
+        }
         self.pick(CONSTANTS)
     }
 
@@ -50,6 +56,9 @@ impl Writer {
 
     /// Any scalar operand.
     pub(crate) fn scalar(&mut self) -> String {
+        if self.reads() {
+            return self.scalar_reading();
+        }
         match self.random.below(8) {
             0..=2 => self.constant().to_owned(),
             3 => self.member(),

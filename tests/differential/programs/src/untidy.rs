@@ -62,7 +62,7 @@ impl Hand {
             words.next();
             first = words.peek().copied().unwrap_or_default();
         }
-        if matches!(first, "MESSAGE" | "REM") {
+        if matches!(first, "MESSAGE" | "F_MESSAGE" | "REM") {
             self.word(first);
             let text = line.split_once(first).map_or("", |(_, text)| text);
             self.put(text);

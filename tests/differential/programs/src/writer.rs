@@ -4,10 +4,12 @@ use crate::random::Random;
 use crate::{Temper, pick};
 use std::fmt::Write as _;
 use tipc::Robot;
+use tipc::language::Edition;
 
 /// Variables that equations and commands fill.
 pub(crate) const VARS: &[&str] = &["B", "C", "D"];
-/// Loop variables, one for each depth of blocks. Nothing else reads them, so that they need no first values.
+/// Loop variables, one for each depth of blocks; those of a thread have its number behind them. Nothing else reads them,
+/// so that they need no first values.
 pub(crate) const COUNTERS: &[&str] = &["I", "K"];
 pub(crate) const POSITIONS: &[&str] = &["P", "Q"];
 pub(crate) const JOINTS: &[&str] = &["S", "T"];
@@ -17,6 +19,7 @@ pub(crate) const DEPTH: usize = COUNTERS.len();
 
 pub(crate) struct Writer {
     pub(crate) random: Random,
+    pub(crate) edition: Edition,
     pub(crate) robot: Robot,
     pub(crate) temper: Temper,
     text: String,
@@ -26,13 +29,23 @@ pub(crate) struct Writer {
     pub(crate) subroutines: u64,
     /// GOTO may not leave a SUBROUTINE, RETURN belongs in one.
     pub(crate) in_subroutine: bool,
+    pub(crate) threads: u64,
+    /// The thread that statements are written for.
+    pub(crate) in_thread: Option<u64>,
+    /// Number of DEFINEs so far.
+    pub(crate) defined: u32,
 }
 
 impl Writer {
-    pub(crate) fn new(mut random: Random, robot: Robot, temper: Temper) -> Self {
+    pub(crate) fn new(mut random: Random, edition: Edition, robot: Robot, temper: Temper) -> Self {
         let subroutines = pick(&mut random, &[0, 0, 1, 1, 2]);
+        let threads = match edition {
+            Edition::V3_1 => 0,
+            _ => pick(&mut random, &[0, 1, 1, 2, 3]),
+        };
         Writer {
             random,
+            edition,
             robot,
             temper,
             text: String::new(),
@@ -40,6 +53,9 @@ impl Writer {
             depth: 0,
             subroutines,
             in_subroutine: false,
+            threads,
+            in_thread: None,
+            defined: 0,
         }
     }
 
@@ -49,16 +65,24 @@ impl Writer {
     }
 
     pub(crate) fn write(mut self, seed: u64) -> String {
-        self.line("3.1");
+        self.line(&self.edition.to_string());
         self.line(&format!("random program {seed}"));
         self.declarations();
         self.first_values();
+        self.first_threads();
         self.stays();
-        // After REM the program runs into its first subroutine.
-        let leaves = self.pick(&["EXIT", "EXIT", "GOTO LAST:", "REM"]);
+        // After REM the program runs into its first subroutine, which later editions refuse.
+        let leaves: &[&str] = match self.edition {
+            Edition::V3_1 => &["EXIT", "EXIT", "GOTO LAST:", "REM"],
+            _ => &["EXIT", "EXIT", "GOTO LAST:"],
+        };
+        let leaves = self.pick(leaves);
         self.line(leaves);
         for n in 0..self.subroutines {
             self.subroutine(n);
+        }
+        for n in 0..self.threads {
+            self.thread(n);
         }
         self.line("LAST: END");
         self.text
@@ -79,10 +103,27 @@ impl Writer {
         self.temper == Temper::Calm
     }
 
+    /// Returns true for the words that 3.2 brought.
+    pub(crate) fn is_later(&self) -> bool {
+        self.edition > Edition::V3_1
+    }
+
+    /// The loop variable of the present depth.
+    pub(crate) fn counter(&self) -> String {
+        let counter = COUNTERS[self.depth];
+        match self.in_thread {
+            Some(thread) => format!("{counter}{thread}"),
+            None => counter.to_owned(),
+        }
+    }
+
     fn declarations(&mut self) {
         self.line("DEF_VAR B C D, I, K");
         self.line("DEF_POS P, Q");
         self.line("DEF_JOINT S T");
+        if self.is_later() {
+            self.later_declarations();
+        }
     }
 
     /// Every variable gets a value, except that wild programs leave one now and then for later.
@@ -99,6 +140,9 @@ impl Writer {
         for var in VARS {
             let value = self.constant();
             lines.push(format!("{var} = {value}"));
+        }
+        if self.is_later() {
+            lines.extend(self.later_values());
         }
         let late = match self.temper {
             Temper::Calm => lines.len(),

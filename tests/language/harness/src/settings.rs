@@ -80,7 +80,7 @@ impl Settings {
             let known = match option {
                 "--robot" if value.ends_with(".toml") => Some(self.describe(&folder.join(value))?),
                 "--robot" => Robot::from_name(value).map(|robot| self.load.robot = robot),
-                "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = n),
+                "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = Some(n)),
                 "--encoding" => encoding(value).map(|encoding| self.load.encoding = encoding),
                 "--scene" => {
                     self.scene = Some(value.to_owned());

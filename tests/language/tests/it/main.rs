@@ -9,6 +9,6 @@ mod host;
 mod macros;
 mod mutants;
 mod outside;
-
+mod second_edition;
 mod special;
 mod variables;

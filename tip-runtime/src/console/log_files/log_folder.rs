@@ -77,6 +77,11 @@ impl LogFolder {
         replace().map_err(|error| LogError::new(&path, error))
     }
 
+    /// Returns the length of the first line of a file, with its end.
+    pub(super) fn heading_len(&self, name: &str) -> usize {
+        self.heading(name).len() + 1
+    }
+
     fn heading(&self, name: &str) -> String {
         format!("# {name} of {}", self.program)
     }

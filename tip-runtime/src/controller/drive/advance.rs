@@ -1,7 +1,7 @@
 //! One sampling time of a leg: set points move on, and joint commands follow from them.
 
 use super::law::{bounded, spring};
-use super::reach::{follow, name};
+use super::reach::{follow, leap, name};
 use super::trial::PointOfLeg;
 use super::{Drive, LegDrive, Redundancy, Solved, THIRD};
 use crate::controller::params::{JointParams, LegParams, PointParams};
@@ -173,12 +173,13 @@ impl<const J: usize> LegDrive<J> {
         };
         self.redundancy.look(&looking, &self.angles, track, limits);
         let held = cycle.held || self.redundancy.waits();
+        let jumps = track.jumps() && !held;
         track.advance(limits, cycle.dt, held);
         if let Some(target) = track.goal().target() {
             let line = (track.position(), target);
             self.redundancy.advance(line, cycle.dt, cycle.held);
         }
-        match self.solve(point, track, leg, cycle) {
+        match self.solve(point, (track, jumps), leg, cycle) {
             Ok(angles) => {
                 let moving = self.angles.iter_mut().zip(angles);
                 for (angle, new) in moving.take(point.moved_by(J)) {
@@ -196,12 +197,12 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Returns the angles that put a point where its set point is. A closed form solves a foot that
+    /// Returns the angles that put a point where its set point is, or where it jumped. A closed form solves a foot that
     /// stays where it is only once.
     fn solve(
         &mut self,
         point: LegPoint,
-        track: &Track<3>,
+        (track, jumps): (&Track<3>, bool),
         leg: &MovingLeg<'_, J>,
         cycle: &CycleParams,
     ) -> Result<[f64; J], Fault> {
@@ -218,13 +219,12 @@ impl<const J: usize> LegDrive<J> {
         let target = track.goal().target();
         let posture =
             target.and_then(|target| self.redundancy.posture(&self.angles, (foot, target)));
-        let angles = follow(
-            cycle.inverse,
-            leg.model,
-            name,
-            &self.angles,
-            (track, posture),
-        )?;
+        let angles = if jumps {
+            leap(cycle.inverse, leg.model, name, &self.angles, foot)?
+        } else {
+            let path = (track, posture);
+            follow(cycle.inverse, leg.model, name, &self.angles, path)?
+        };
         if is_closed {
             self.solved = Some(Solved { foot, angles });
         }

@@ -95,6 +95,24 @@ pub(super) fn follow<const J: usize>(
     reach(inverse, leg, (point, n), from, at)
 }
 
+/// Returns the joint angles that put a point of leg `n` at `position` without a path to it.
+///
+/// # Errors
+/// The errors of [`reach`].
+pub(super) fn leap<const J: usize>(
+    inverse: Inverse,
+    leg: &Leg<J>,
+    (point, n): (LegPoint, u8),
+    from: &[f64; J],
+    position: Point,
+) -> Result<[f64; J], Fault> {
+    reach(inverse, leg, (point, n), from, position).or_else(|fault| {
+        let elsewhere = || kinematics::search(leg, point, position, inverse.axes());
+        let found = (!inverse.is_closed()).then(elsewhere);
+        found.flatten().ok_or(fault)
+    })
+}
+
 /// Returns the place nearest to `position` (mm) that a point with too few joints can come to;
 /// `position` itself for any other point.
 pub(in crate::controller) fn nearest_place<const J: usize>(

@@ -40,6 +40,9 @@ impl Program for Variables {
 
 fn cycle(number: u64, step: u32, next: Option<u32>, program: &Variables) -> Cycle<'_> {
     Cycle {
+        sub: 0,
+        last: true,
+        thread: None,
         step,
         next,
         program,
@@ -230,10 +233,46 @@ fn the_last_record_says_how_it_ended() {
         fault: Fault::OutOfReach(Target::Foot(1)),
         step: 4,
         cycle: 12,
+        thread: None,
     };
     assert_eq!(
         last(Ending::Emergency(emergency)),
         "{\"end\":\"EMERGENCY\",\"error\":\"Out of reach F1\",\"kind\":\"RobotError\",\"step\":4,\"cycles\":12}\n"
+    );
+}
+
+// clauses: 14.3 15.3 17.4
+#[test]
+fn a_record_of_a_later_step_has_its_number_and_its_thread() {
+    let program = Variables(std::vec![("VAR_KEY", None)]);
+    let mut trace = JsonLines::new(String::new(), true);
+    for (sub, last) in [(0, false), (1, true)] {
+        trace.begin(&program);
+        trace.out(&"a\n");
+        trace.cycle(&Cycle {
+            sub,
+            last,
+            thread: (sub > 0).then_some("WATCH"),
+            ..cycle(3, 7, None, &program)
+        });
+    }
+    trace.end(
+        Ending::Emergency(Emergency {
+            fault: Fault::Domain,
+            step: 9,
+            cycle: 3,
+            thread: Some(crate::emergency::ThreadName::new("WATCH")),
+        }),
+        3,
+    );
+    let text = trace.into_inner();
+    let lines: Vec<_> = text.lines().collect();
+    assert_eq!(lines[0], r#"{"cycle":3,"step":7,"out":"a\n"}"#);
+    let start = r#"{"cycle":3,"sub":1,"thread":"WATCH","step":7,"out":"a\n","state":""#;
+    assert!(lines[1].starts_with(start), "{text}");
+    assert_eq!(
+        lines[2],
+        r#"{"end":"EMERGENCY","error":"Domain error","kind":"RuntimeError","thread":"WATCH","step":9,"cycles":3}"#
     );
 }
 

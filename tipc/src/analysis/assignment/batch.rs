@@ -88,16 +88,26 @@ pub(super) struct Found {
     pub(super) assigned: Scalars,
 }
 
+/// Beginning of runs.
+#[derive(Clone, Copy)]
+pub(super) struct Start<'a> {
+    /// The nodes where a run may begin.
+    pub(super) nodes: &'a [NodeId],
+    /// The scalars that have a value there.
+    pub(super) given: Scalars,
+}
+
 /// Some scalars in the blocks of a flow.
 pub(super) struct Batch<'a> {
     blocks: &'a Blocks,
+    start: Start<'a>,
     touches: &'a [Touch],
     effects: Vec<Effect>,
 }
 
 impl<'a> Batch<'a> {
-    /// Prepares the scalars that are touched so, in the order of the nodes.
-    pub(super) fn new(blocks: &'a Blocks, touches: &'a [Touch]) -> Self {
+    /// Prepares the scalars that are touched so, in the order of the nodes, for runs that begin so.
+    pub(super) fn new(blocks: &'a Blocks, touches: &'a [Touch], start: Start<'a>) -> Self {
         let mut effects = vec![Effect::NONE; blocks.all().len()];
         for touch in touches {
             let effect = &mut effects[blocks.of_node(touch.node)];
@@ -105,6 +115,7 @@ impl<'a> Batch<'a> {
         }
         Batch {
             blocks,
+            start,
             touches,
             effects,
         }
@@ -140,9 +151,11 @@ impl<'a> Batch<'a> {
         let passages = self.passages();
         let mut states = vec![State::default(); blocks.len()];
         let mut work = Worklist::new(blocks.len(), Order::Forward);
-        if let Some(first) = states.first_mut() {
-            first.unassigned = Scalars::MAX;
-            work.push(0);
+        for node in self.start.nodes.iter().filter(|_| !blocks.is_empty()) {
+            let first = self.blocks.of_node(*node);
+            states[first].unassigned = !self.start.given;
+            states[first].assigned = self.start.given;
+            work.push(first);
         }
         while let Some(id) = work.pop() {
             let after = states[id].behind(self.effects[id]);
@@ -180,6 +193,12 @@ impl<'a> Batch<'a> {
             let passage = passages[self.blocks.of_node(entry)];
             passage.is_some_and(|passage| passage.untouched & 1 != 0)
         }
+    }
+
+    /// Returns a test: true if some path through the subroutine at a node comes back.
+    pub(super) fn comes_back(&self) -> impl Fn(NodeId) -> bool {
+        let passages = self.passages();
+        move |entry| passages[self.blocks.of_node(entry)].is_some()
     }
 
     /// Returns for each block the paths to the return of the call that it is in.

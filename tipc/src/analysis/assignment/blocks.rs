@@ -90,7 +90,7 @@ fn beginnings(flow: &Flow) -> Vec<bool> {
             *begins = true;
         }
     };
-    mark(0);
+    flow.starts().iter().copied().for_each(&mut mark);
     for (id, node) in nodes.iter().enumerate() {
         if *node.next == [id + 1] && node.call.is_none() {
             continue;

@@ -1,7 +1,6 @@
 //! Locations where a variable lacks a value, and a path that leads there.
 
-use super::batch::Batch;
-use super::batch::Touches;
+use super::batch::{Batch, Start, Touches};
 use super::blocks::Blocks;
 use super::{Assigned, Assignment};
 use crate::analysis::flow::{Flow, NodeId};
@@ -22,7 +21,7 @@ pub struct Gap {
     pub assigned: Assigned,
     /// The step that reads it.
     pub step: StepId,
-    /// The steps of a shortest run from step 0 to `step` on which the first of `scalars` gets no value;
+    /// The steps of a shortest run from step 0, or from the start of a thread, to `step` on which the first of `scalars` gets no value;
     /// of a subroutine that is left again, its call alone. Empty after the first hundred gaps.
     pub way: Vec<StepId>,
 }
@@ -56,7 +55,11 @@ pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
     let (blocks, touches) = (Blocks::of(&flow), Touches::of(program, &flow));
     for gap in gaps.iter_mut().take(WAYS) {
         let touches = touches.of_scalar(gap.scalars[0]);
-        gap.way = way(&flow, &Batch::new(&blocks, &touches), gap.step);
+        let start = Start {
+            nodes: flow.starts(),
+            given: 0,
+        };
+        gap.way = way(&flow, &Batch::new(&blocks, &touches, start), gap.step);
     }
     gaps
 }
@@ -66,7 +69,7 @@ fn way(flow: &Flow, batch: &Batch<'_>, step: StepId) -> Vec<StepId> {
     let is_untouched = |id: NodeId| batch.is_untouched(id);
     let passes = batch.passes();
     let mut from: Vec<Option<NodeId>> = vec![None; flow.nodes().len()];
-    let mut queue = VecDeque::from([0]);
+    let mut queue: VecDeque<NodeId> = flow.starts().iter().copied().collect();
     while let Some(id) = queue.pop_front() {
         let node = &flow.nodes()[id];
         if node.step == step && !is_untouched(id) {
@@ -80,7 +83,7 @@ fn way(flow: &Flow, batch: &Batch<'_>, step: StepId) -> Vec<StepId> {
             .iter()
             .flat_map(|call| [Some(call.entry), passes(call.entry).then_some(call.back)]);
         for next in node.next.iter().copied().chain(call.flatten()) {
-            if next != 0 && from[next].is_none() {
+            if !flow.starts().contains(&next) && from[next].is_none() {
                 from[next] = Some(id);
                 queue.push_back(next);
             }
@@ -89,7 +92,7 @@ fn way(flow: &Flow, batch: &Batch<'_>, step: StepId) -> Vec<StepId> {
     Vec::new()
 }
 
-/// Returns the steps on the path from node 0 to `id`.
+/// Returns the steps on the path from a start to `id`.
 fn walked(flow: &Flow, from: &[Option<NodeId>], id: NodeId) -> Vec<StepId> {
     let nodes = std::iter::successors(Some(id), |id| from[*id]);
     let mut steps: Vec<StepId> = nodes.map(|id| flow.nodes()[id].step).collect();

@@ -3,7 +3,7 @@
 mod explored;
 mod random;
 
-use super::{Assigned, Assignment, Gap, Read, gaps};
+use super::{Assigned, Assignment, Gap, Read, Ways, gaps};
 use crate::analysis::access;
 use crate::program::Program;
 use crate::{Options, load};
@@ -222,4 +222,47 @@ fn a_long_program_is_judged() {
     let read: usize = Assignment::of(&program).reads().len();
     // One MESSAGE in each of the thousand turns.
     assert_eq!(read, 1_000);
+}
+
+/// Returns the reads of a program of 3.2, as they are proved and as ways find them.
+fn threads_of(statements: &str) -> (Assignment, Assignment) {
+    let program = program(&format!("3.2\ntest\n{statements}\n"));
+    (Assignment::of(&program), Ways::of(&program).assignment)
+}
+
+fn assigned(reads: &Assignment, step: u32) -> Vec<Assigned> {
+    let here = reads.reads().iter().filter(|read| read.step == step);
+    here.map(|read| read.assigned).collect()
+}
+
+// clauses: 12.4
+#[test]
+fn what_another_thread_assigns_counts_and_proves_nothing() {
+    let text = "DEF_VAR A B\nSTART_THREAD T:\nSLEEP A\nB = 1\nEXIT\nTHREAD T:\nA = 1\nSLEEP B\nSLEEP A\nTHREADEND\nEND";
+    let (proved, ways) = threads_of(text);
+    // The main program may read A before the thread has assigned it.
+    assert_eq!(assigned(&proved, 1), [Assigned::Never]);
+    assert_eq!(assigned(&ways, 1), [Assigned::Always]);
+    assert_eq!(assigned(&proved, 6), [Assigned::Never]);
+    assert_eq!(assigned(&ways, 6), [Assigned::Always]);
+    // A thread's own assignments are a proof.
+    assert_eq!(assigned(&proved, 7), [Assigned::Always]);
+}
+
+// clauses: 12.4
+#[test]
+fn a_part_that_threads_share_has_a_value_only_if_each_brings_it() {
+    let text = "DEF_VAR A\nSTART_THREAD T:\nA = 1\nGOSUB SHOW:\nEXIT\nSHOW:\nSLEEP A\nRETURN\nEXIT\nTHREAD T:\nGOSUB SHOW:\nTHREADEND\nEND";
+    let (proved, ways) = threads_of(text);
+    assert_eq!(assigned(&proved, 5), [Assigned::Sometimes]);
+    assert_eq!(assigned(&ways, 5), [Assigned::Always]);
+}
+
+// clauses: 13.3
+#[test]
+fn what_native_code_shares_has_a_value_from_the_start() {
+    let text = "SLEEP VAR_SPECIAL_1\nPTP F1 POS_SPECIAL_2\nEND";
+    let (proved, _) = threads_of(text);
+    assert_eq!(assigned(&proved, 0), [Assigned::Always]);
+    assert_eq!(assigned(&proved, 1), [Assigned::Always; 3]);
 }

@@ -25,8 +25,8 @@ impl Matcher<'_> {
             return false;
         };
         let (inner, first, block) = (open.kind, open.first, open.block);
-        let may_be = inner != BlockKind::Subroutine
-            && kind != BlockKind::Subroutine
+        let may_be = !inner.is_routine()
+            && !kind.is_routine()
             && inner != kind
             && name == kind.closer()
             && !self.is_reported(index)
@@ -93,7 +93,7 @@ impl Matcher<'_> {
         let (mut inside, mut later) = (0, 0);
         for statement in self.module.statements[index + 1..].iter().take(FAR) {
             match statement.kind.shape() {
-                Shape::Subroutine | Shape::SubEnd => break,
+                Shape::Subroutine | Shape::SubEnd | Shape::Thread | Shape::ThreadEnd => break,
                 shape if shape == opens(kind) => inside += 1,
                 shape if shape == closes(kind) && inside == 0 => later += 1,
                 shape if shape == closes(kind) => inside -= 1,
@@ -182,6 +182,7 @@ fn opens(kind: BlockKind) -> Shape {
         BlockKind::Repeat => Shape::Repeat,
         BlockKind::For => Shape::For,
         BlockKind::Subroutine => Shape::Subroutine,
+        BlockKind::Thread => Shape::Thread,
     }
 }
 
@@ -192,5 +193,6 @@ fn closes(kind: BlockKind) -> Shape {
         BlockKind::Repeat => Shape::Until,
         BlockKind::For => Shape::Next,
         BlockKind::Subroutine => Shape::SubEnd,
+        BlockKind::Thread => Shape::ThreadEnd,
     }
 }

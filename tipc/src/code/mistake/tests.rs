@@ -11,7 +11,7 @@ const PLAIN: &[(&str, &str)] = &[
     ),
     (
         "Parsing",
-        "OtherVersion NoVersion MoreThanVersion ProgramEndsHere TextEndsHere TextTooLong",
+        "OtherVersion NoVersion MoreThanVersion ProgramEndsHere TextEndsHere TextTooLong FileTextTooLong",
     ),
     ("Commanding", "OutOfRange NeverEnds"),
     (
@@ -20,7 +20,8 @@ const PLAIN: &[(&str, &str)] = &[
     ),
     (
         "Naming",
-        "ReadAsFlag NotDeclared NoNumber NothingUses NothingReads AssignedNowhere",
+        "ReadAsFlag NotDeclared NoNumber NothingUses NothingReads AssignedNowhere NoValueOnAnyWay DefinedBelow
+         NothingUsesConstant NoReading",
     ),
     ("Structuring", "NoSuchLabel NoLoopAbove NextCounts RunsInto"),
 ];
@@ -33,7 +34,7 @@ const BESIDE: &[(&str, &str)] = &[
         "StartWithVersion BreakTheLine PutEnd WriteHalfWidth TakeOut WantsOwnLine LabelBeforeCommentBehind
          NextStatementElsewhere WriteJump WriteLabel SeparateNames CommentElsewhere Escapes FullWidthCounts GosubCalls
          WriteThenOrJump WriteFor WriteSubroutine Conditions Relations LeftSide OneOperation SeparateArguments LeavePlusOut
-         Constants Members NoParentheses NameCharacters PlainNames WriteEquation",
+         Constants Members NoParentheses NameCharacters PlainNames WriteEquation WriteThread WriteDefine",
     ),
     (
         "Commanding",
@@ -48,13 +49,15 @@ const BESIDE: &[(&str, &str)] = &[
     (
         "Naming",
         "ChooseAnother FlagHere FirstDeclared DeclaredHere LabelCharacters OwnName WriteNames VariableCharacters DeclareOnce NumberBelongsHere
-         Declare DeclareAs AlsoHere VarMembers PosMembers JointMembers AssignBefore",
+         Declare DeclareAs AlsoHere VarMembers PosMembers JointMembers AssignBefore ConstantIs DefineAbove ConstantMembers Readings
+         ReadingMembers",
     ),
     (
         "Structuring",
         "StillOpen CloseBefore Else ElseIsLast Opens Open StandsHere CloseWith SubroutineBefore WordBefore EndsBefore
          VariableOfFor JumpsHere DidYouMean DeclareLabel GosubCalls OwnLabel PutLoop MoveOut JumpBefore CallIt BlockStarts
-         Label SubroutineStarts LeaveWith For PutJumpAbove ReturnOfGosub IfFirst SubEndCloses ClosesOuter",
+         Label SubroutineStarts LeaveWith For PutJumpAbove ReturnOfGosub IfFirst SubEndCloses ClosesOuter ThreadStarts ThreadEndsAt
+         OnlyThreads StartIt ThreadEndCloses",
     ),
     (
         "ForeignWord",

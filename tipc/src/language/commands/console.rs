@@ -25,6 +25,9 @@ pub(super) const ROWS: &[Command] = &[
     Command::new("MESSAGE_CLEAR", Meaning::MessageClear)
         .place("§7-9-5", "7.34")
         .does("Clears the message line.", "メッセージ行を消します。"),
+    Command::keyword(Keyword::FileMessage)
+        .words("[text]")
+        .fails(outcome::READS),
     Command::robot(Op::LampOn)
         .place("§7-9-6", "7.36")
         .does("Switches a lamp or relay on.", "ランプまたはリレーをオンにします。")

@@ -36,4 +36,14 @@ pub(super) const ROWS: &[Command] = &[
         .words("label:")
         .fails(outcome::CALLS),
     Command::keyword(Keyword::Return).fails(outcome::RETURNS),
+    Command::keyword(Keyword::Thread).words("name:"),
+    Command::keyword(Keyword::ThreadEnd),
+    Command::keyword(Keyword::StartThread)
+        .words("name:")
+        .fails(outcome::RUNNING),
+    Command::keyword(Keyword::StopThread).words("name:"),
+    Command::keyword(Keyword::WaitThread)
+        .words("name:")
+        .until("the thread does not run", "スレッドが動いていない")
+        .fails(outcome::ITSELF),
 ];

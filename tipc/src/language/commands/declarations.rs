@@ -13,4 +13,7 @@ pub(super) const ROWS: &[Command] = &[
     Command::keyword(Keyword::DefJoint)
         .words("name, name, …")
         .no_step(),
+    Command::keyword(Keyword::Define)
+        .words("name constant")
+        .no_step(),
 ];

@@ -181,6 +181,12 @@ pub enum Values {
     Angles,
     /// Like `Angles`; one constant or VAR for a single joint, and perhaps for ALL.
     PerJoint,
+    /// Like `Angles`; one constant or VAR for a single joint and for ALL.
+    PerLeg,
+    /// Three constants or VARs, or one POS.
+    ThreeOrPos,
+    /// The lowest and the highest angle: two scalars for a joint, two JOINTs for a leg.
+    Limits,
 }
 
 /// Runtime limit on the values of a command.
@@ -204,6 +210,12 @@ pub enum Limit {
     FloorType,
     /// A type of DETECT_OBJECT.
     ObjectType,
+    /// A timer of the program.
+    Timer,
+    /// A number of steps of one cycle.
+    Steps,
+    /// A lower and an upper limit inside those of the joint.
+    Angles,
 }
 
 /// The arguments of a command that the robot carries out.
@@ -334,6 +346,9 @@ impl Arguments {
             Values::Angles if self.targets.joints == Joints::None => format!("Sⁿ{mark}"),
             Values::Angles => format!("Sⁿ{mark}, one S{mark} for J"),
             Values::PerJoint => "Sⁿ, one V for J, V or Sⁿ for ALL".to_owned(),
+            Values::PerLeg => "Sⁿ, one V for J and ALL".to_owned(),
+            Values::ThreeOrPos => "V V V, or P".to_owned(),
+            Values::Limits => "Q Q, S S for J".to_owned(),
         };
         let hs = if self.hs { "[HS]" } else { "" };
         let parts = [hs.to_owned(), self.targets.syntax(), values];

@@ -111,4 +111,26 @@ pub(super) const ROWS: &[Command] = &[
         .takes(Arguments::target(Targets::FOOT_JOINT))
         .moves(Moves::Target)
         .only(Robots::FORCE),
+    Command::robot(Op::Direct)
+        .since_3_2()
+        .place("§1-2-2", "16.1")
+        .does("Lets set points jump to their targets at once, without limits of speed and acceleration.", "速度・加速度の制限なしに、設定値を目標へすぐに移します。")
+        .takes(Arguments::target(Targets::ANY))
+        .fails(outcome::LOCKED),
+    Command::robot(Op::Trajectory)
+        .since_3_2()
+        .place("§1-2-2", "16.1")
+        .does("Lets set points move to their targets under the limits again.", "再び制限の範囲内で、設定値を目標へ動かします。")
+        .takes(Arguments::target(Targets::ANY))
+        .fails(outcome::LOCKED),
+    Command::robot(Op::Lock)
+        .since_3_2()
+        .place("§1-2-8", "16.2")
+        .does("Protects the mode and target of joints against every other command.", "関節の制御モードと目標を、ほかのコマンドで変わらないようにします。")
+        .takes(Arguments::target(Targets::ANY)),
+    Command::robot(Op::Unlock)
+        .since_3_2()
+        .place("§1-2-8", "16.2")
+        .does("Ends LOCK.", "LOCKを解除します。")
+        .takes(Arguments::target(Targets::ANY)),
 ];

@@ -1,6 +1,6 @@
 //! The program itself: remarks, ends, logs, emergencies and native code (T.I.P. 3.1 §7-10).
 
-use super::{Command, Form, outcome};
+use super::{Arguments, Command, Form, Limit, Targets, Values, outcome};
 use crate::language::Keyword;
 use tip_runtime::command::Op;
 
@@ -47,4 +47,12 @@ pub(super) const ROWS: &[Command] = &[
             "ネイティブコードが終了を知らせる",
         )
         .fails(outcome::NATIVE),
+    Command::robot(Op::SpeedUp)
+        .since_3_2()
+        .place("§1-2-3", "14.2")
+        .does(
+            "Sets how many steps a cycle runs at most, from the next cycle on.",
+            "1周期に実行するステップ数の上限を、次の周期から変えます。",
+        )
+        .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Steps)),
 ];

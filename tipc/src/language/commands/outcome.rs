@@ -183,6 +183,24 @@ pub(super) const RETURNS: &[Failure] = &[(
     Bilingual::new("no call is open", "呼び出し中でない"),
 )];
 
+pub(super) const RUNNING: &[Failure] = &[(
+    Fault::InvalidMode,
+    Bilingual::new("the thread runs already", "スレッドがすでに動いている"),
+)];
+
+pub(super) const ITSELF: &[Failure] = &[(
+    Fault::InvalidMode,
+    Bilingual::new("the thread waits for itself", "スレッドが自分自身を待つ"),
+)];
+
+pub(super) const LOCKED: &[Failure] = &[(
+    Fault::InvalidMode,
+    Bilingual::new(
+        "a joint that it names is locked",
+        "指定した関節がロックされている",
+    ),
+)];
+
 pub(super) const NATIVE: &[Failure] = &[(
     Fault::Domain,
     Bilingual::new(
@@ -223,6 +241,12 @@ impl Command {
                 "T: 1～3以外、H: 1～2以外",
             )),
             Limit::ObjectType => Some(Bilingual::new("not 1–3", "1～3以外")),
+            Limit::Timer => Some(Bilingual::new("outside 0…7", "0～7以外")),
+            Limit::Steps => Some(Bilingual::new("outside 1…255", "1～255以外")),
+            Limit::Angles => Some(Bilingual::new(
+                "outside the joint's own limits, or no range",
+                "関節本来の可動範囲外、または下限が上限以上",
+            )),
         }
     }
 

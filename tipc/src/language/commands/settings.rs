@@ -1,6 +1,7 @@
 //! Parameters of feet, joints, springs and the control cycle (T.I.P. 3.1 §7-8).
 
 use super::{Arguments, Command, Limit, Robots, Targets, Values};
+use crate::language::Edition;
 use tip_runtime::command::Op;
 
 pub(super) const ROWS: &[Command] = &[
@@ -293,6 +294,10 @@ pub(super) const ROWS: &[Command] = &[
             Values::One,
             Limit::NotNegative,
         ))
+        .later(
+            Edition::V3_2,
+            Arguments::setting(Targets::ANY, Values::PerLeg, Limit::NotNegative),
+        )
         .unit("torque/deg")
         .only(Robots::FORCE),
     Command::robot(Op::SetPositionStiffness)
@@ -306,6 +311,10 @@ pub(super) const ROWS: &[Command] = &[
             Values::Three,
             Limit::NotNegative,
         ))
+        .later(
+            Edition::V3_2,
+            Arguments::setting(Targets::FEET, Values::ThreeOrPos, Limit::NotNegative),
+        )
         .unit("N/mm")
         .only(Robots::FORCE),
     Command::robot(Op::SetComplianceTorqueLimit)
@@ -344,6 +353,27 @@ pub(super) const ROWS: &[Command] = &[
         .does("Lifts that bound.", "その上限をなくします。")
         .takes(Arguments::target(Targets::TIPS))
         .only(Robots::FORCE),
+    Command::robot(Op::SetLimit)
+        .since_3_2()
+        .place("§1-2-12", "16.3")
+        .does(
+            "Sets working limits of joints inside the robot's own.",
+            "関節の可動範囲を、ロボット本来の範囲の内側に制限します。",
+        )
+        .takes(Arguments::setting(
+            Targets::FOOT_JOINT,
+            Values::Limits,
+            Limit::Angles,
+        ))
+        .unit("deg"),
+    Command::robot(Op::ResetLimit)
+        .since_3_2()
+        .place("§1-2-12", "16.3")
+        .does(
+            "Restores the robot's own limits.",
+            "ロボット本来の可動範囲に戻します。",
+        )
+        .takes(Arguments::target(Targets::ANY)),
     Command::robot(Op::SetSamplingTime)
         .place("§7-8-4-1", "7.31")
         .does("Sets the control cycle.", "制御周期を設定します。")

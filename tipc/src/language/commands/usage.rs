@@ -1,13 +1,14 @@
 //! Syntax of a command, shown by an example for the robot at hand.
 
 use super::{Arguments, Command, Form, Joints, Meaning, Targets, Values};
+use crate::language::Edition;
 use crate::robot::Robot;
 use tip_runtime::command::{Target, Teach};
 
 impl Command {
-    /// Returns every form of it for a robot, as `PTP [HS] F1 [R] x [R] y [R] z`.
-    pub fn usage(&self, robot: Robot) -> Vec<String> {
-        let behind = match self.form {
+    /// Returns every form of it for a robot in an edition, as `PTP [HS] F1 [R] x [R] y [R] z`.
+    pub fn usage(&self, robot: Robot, edition: Edition) -> Vec<String> {
+        let behind = match self.form_in(edition) {
             Form::Robot(arguments) => arguments.usage(robot),
             Form::Special => vec!["0…255 [number] [number]".to_owned()],
             Form::Teach(targets) => teaching(self.meaning, targets, robot),
@@ -47,6 +48,7 @@ impl Arguments {
         let all = self.targets.examples(robot);
         let legs = Targets {
             joints: Joints::None,
+            all: self.targets.all && self.values != Values::PerLeg,
             ..self.targets
         };
         let several = |targets: &str, names: &[String], whole: &str| {
@@ -66,13 +68,16 @@ impl Arguments {
             Values::Position => several(&all, &["x", "y", "z"].map(str::to_owned), "POS"),
             Values::Angles => several(&legs.examples(robot), &angles, "JOINT"),
             Values::PerJoint => several("F1|ALL", &angles, "JOINT"),
+            Values::PerLeg => several(&legs.examples(robot), &angles, "JOINT"),
+            Values::ThreeOrPos => vec![format!("{all} x y z"), format!("{all} POS")],
+            Values::Limits => vec!["J11 low high".to_owned(), "F1 JOINT JOINT".to_owned()],
         };
         match self.values {
             Values::Angles if self.targets.joints != Joints::None => {
                 let flag = self.flag();
                 forms.push(format!("{hs}J11 {flag}number"));
             }
-            Values::PerJoint => forms.push("J11|ALL number".to_owned()),
+            Values::PerJoint | Values::PerLeg => forms.push("J11|ALL number".to_owned()),
             _ => {}
         }
         forms

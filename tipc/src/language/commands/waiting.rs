@@ -45,4 +45,24 @@ pub(super) const ROWS: &[Command] = &[
         .form(Form::Teach(Targets::CONTACT))
         .unit("N")
         .only(Robots::FORCE),
+    Command::robot(Op::StartTimer)
+        .since_3_2()
+        .place("§1-2-13", "14.1")
+        .does("Starts a timer from zero.", "タイマを0から動かします。")
+        .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Timer)),
+    Command::robot(Op::StopTimer)
+        .since_3_2()
+        .place("§1-2-13", "14.1")
+        .does("Halts a timer.", "タイマを止めます。")
+        .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Timer)),
+    Command::robot(Op::RestartTimer)
+        .since_3_2()
+        .place("§1-2-13", "14.1")
+        .does("Lets a timer go on from where it stands.", "タイマを止まったところから再び動かします。")
+        .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Timer)),
+    Command::robot(Op::ResetTimer)
+        .since_3_2()
+        .place("§1-2-13", "14.1")
+        .does("Sets a timer to zero; a running one goes on.", "タイマを0に戻します。動いているタイマはそのまま動き続けます。")
+        .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Timer)),
 ];

@@ -9,7 +9,7 @@ use crate::source::{Encoding, Source};
 fn check(line: &str, wanted: f64, expected: bool) {
     let text = format!("{line}\n　two　words ;\t\nFOO");
     let (source, _) = Source::decode("test.prg", text.as_bytes(), Encoding::Utf8);
-    let (module, diagnostics) = parse(&source, wanted);
+    let (module, diagnostics) = parse(&source, Some(wanted));
     let messages: Vec<String> = diagnostics.iter().map(|one| one.message()).collect();
     if expected {
         assert_eq!(module.title, "two  words ;");

@@ -96,7 +96,7 @@ fn try_on(bytes: &[u8]) {
         if let Some(bad) = &bad {
             assert_in_range(&source, bad.span, bytes);
         }
-        let (module, diagnostics) = parse(&source, 3.1);
+        let (module, diagnostics) = parse(&source, Some(3.1));
         for diagnostic in diagnostics.iter() {
             assert_in_range(&source, diagnostic.span, bytes);
             for label in &diagnostic.labels {
@@ -147,7 +147,7 @@ fn time(unit: &str, length: usize) -> Duration {
     let text = format!("3.1\nt\n{}", unit.repeat(length / unit.len()));
     let start = Instant::now();
     let (source, _) = Source::decode("long.prg", text.as_bytes(), Encoding::Auto);
-    let (_, diagnostics) = parse(&source, 3.1);
+    let (_, diagnostics) = parse(&source, Some(3.1));
     for diagnostic in diagnostics.iter() {
         source.line_column(diagnostic.span.start);
     }

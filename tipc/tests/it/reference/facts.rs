@@ -63,7 +63,7 @@ fn forms(command: &Command) -> String {
         if !command.robots.contains(robot) {
             continue;
         }
-        let usage = command.usage(robot);
+        let usage = command.usage(robot, command.since);
         match groups.iter_mut().find(|(_, forms)| *forms == usage) {
             Some((letters, _)) => *letters += &format!(" {letter}"),
             None => groups.push((letter.to_owned(), usage)),
@@ -163,6 +163,9 @@ fn wrong_operands(arguments: Arguments) -> Vec<String> {
         Values::Angles => {
             format!("for F other than a scalar for each joint or one JOINT{joint}")
         }
+        Values::PerLeg => "for F other than a scalar for each joint or one JOINT, for J and ALL other than one constant or VAR".to_owned(),
+        Values::ThreeOrPos => "other than three constants or VARs or one POS".to_owned(),
+        Values::Limits => "for F other than two JOINTs, for J other than two scalars".to_owned(),
         Values::PerJoint => "for F other than a scalar for each joint or one JOINT, for J other than one constant or VAR, for ALL other than any of these".to_owned(),
     };
     let flags = match (arguments.motion, arguments.relative, arguments.hs) {

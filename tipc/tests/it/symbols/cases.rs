@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
+use tipc::language::Edition;
 use tipc::source::Span;
 use tipc::symbols::{DefinitionKind, Symbols, Use};
 use tipc::syntax::{Module, StatementKind, VariableKind};
@@ -50,20 +51,38 @@ fn tokens(loaded: &Loaded) -> Vec<Token<'_>> {
     for statement in &loaded.module.statements {
         match &statement.kind {
             StatementKind::Rem => {}
-            StatementKind::Message { text: shown } => placeholders(loaded, shown.span, &mut found),
+            StatementKind::Message { text: shown } | StatementKind::FileMessage { text: shown } => {
+                placeholders(loaded, shown.span, &mut found);
+            }
             _ => words(text, statement.span, &mut found),
         }
     }
     found
 }
 
-/// `%NAME%` and `%NAME.n%`, n up to 7, of a VAR.
+/// `%NAME%` and `%NAME.n%`, n up to 7, of a VAR; in 3.2 of a constant, a struct or a member, too.
 fn placeholders<'a>(loaded: &'a Loaded, shown: Span, found: &mut Vec<Token<'a>>) {
-    let is_var = |name: &str| {
-        loaded.symbols.definitions().iter().any(|it| {
-            it.kind == DefinitionKind::Variable(VariableKind::Var)
-                && it.name.eq_ignore_ascii_case(name)
-        })
+    let is_later = loaded.module.edition > Edition::V3_1;
+    let kind_of = |name: &str| {
+        let mut definitions = loaded.symbols.definitions().iter();
+        let named = definitions.find(|it| it.name.eq_ignore_ascii_case(name))?;
+        match named.kind {
+            DefinitionKind::Variable(kind) => {
+                Some(kind).filter(|kind| is_later || *kind == VariableKind::Var)
+            }
+            DefinitionKind::Constant => Some(VariableKind::Var),
+            _ => None,
+        }
+    };
+    let is_shown = |kind: VariableKind, rest: &str| {
+        let members: &[&str] = match kind {
+            VariableKind::Var => &[],
+            VariableKind::Pos => &["X", "Y", "Z"],
+            VariableKind::Joint => &["J1", "J2", "J3"],
+        };
+        let (member, digits) = rest.split_once('.').unwrap_or((rest, "0"));
+        let is_digit = |digits: &str| matches!(digits.as_bytes(), [b'0'..=b'7']);
+        is_digit(rest) || members.contains(&&*member.to_ascii_uppercase()) && is_digit(digits)
     };
     let text = loaded.source.slice(shown);
     let percents: Vec<usize> = text.match_indices('%').map(|(at, _)| at).collect();
@@ -75,7 +94,7 @@ fn placeholders<'a>(loaded: &'a Loaded, shown: Span, found: &mut Vec<Token<'a>>)
             continue;
         };
         let (name, digits) = inner.split_once('.').unwrap_or((inner, "0"));
-        if is_var(name) && matches!(digits.as_bytes(), [b'0'..=b'7']) {
+        if kind_of(name).is_some_and(|kind| is_shown(kind, digits)) {
             opening = None;
             let start = shown.start + start;
             found.push(Token {
@@ -112,9 +131,16 @@ fn words<'a>(text: &'a str, statement: Span, found: &mut Vec<Token<'a>>) {
                 label: behind_jump || colon,
             });
         }
-        behind_jump = ["GOTO", "GOSUB", "CALL"]
-            .iter()
-            .any(|jump| word.eq_ignore_ascii_case(jump));
+        behind_jump = [
+            "GOTO",
+            "GOSUB",
+            "CALL",
+            "START_THREAD",
+            "STOP_THREAD",
+            "WAIT_THREAD",
+        ]
+        .iter()
+        .any(|jump| word.eq_ignore_ascii_case(jump));
         at += length;
     }
 }
@@ -123,8 +149,10 @@ fn words<'a>(text: &'a str, statement: Span, found: &mut Vec<Token<'a>>) {
 fn is_declared(symbols: &Symbols, token: &Token<'_>) -> bool {
     symbols.definitions().iter().any(|definition| {
         let fits = match definition.kind {
-            DefinitionKind::Variable(_) => !token.label,
-            DefinitionKind::Label | DefinitionKind::Subroutine => token.label,
+            DefinitionKind::Variable(_) | DefinitionKind::Constant => !token.label,
+            DefinitionKind::Label | DefinitionKind::Subroutine | DefinitionKind::Thread => {
+                token.label
+            }
         };
         fits && definition.name.eq_ignore_ascii_case(token.text)
     })

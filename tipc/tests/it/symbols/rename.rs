@@ -19,7 +19,7 @@ fn new_names(loaded: &Loaded) -> Vec<Option<String>> {
         let is_fixed = match definition.kind {
             DefinitionKind::Variable(_) => definition.span.is_none(),
             DefinitionKind::Label => definition.name == "LOOP",
-            DefinitionKind::Subroutine => false,
+            DefinitionKind::Subroutine | DefinitionKind::Thread | DefinitionKind::Constant => false,
         };
         if is_fixed { None } else { free.next() }
     });
@@ -59,7 +59,7 @@ fn meaning(program: &Program) -> String {
     let labels: Vec<_> = program
         .labels()
         .iter()
-        .map(|label| (label.step, label.subroutine))
+        .map(|label| (label.step, label.kind))
         .collect();
     format!(
         "{actions:?} {variables:?} {labels:?} {:?}",

@@ -117,6 +117,12 @@ impl Console for Screen {
         }
     }
 
+    fn append(&mut self, text: &dyn Display) {
+        if let Some(logs) = &mut self.logs {
+            logs.append(text);
+        }
+    }
+
     fn silent(&mut self, on: bool) {
         self.silent = on;
     }

@@ -59,7 +59,9 @@ impl Document {
             let name = &rest[rest.trim_end_matches(is_letter).len()..];
             return Some((Context::Member(name.to_owned()), word));
         }
-        let last = Pieces::new(text, done, false).last();
+        let last = Pieces::new(text, done, false)
+            .in_edition(self.loaded.module.edition)
+            .last();
         let context = match last {
             Some(Piece::Statement {
                 word: head, span, ..
@@ -115,7 +117,7 @@ impl Document {
         {
             return Some(Context::Right);
         }
-        let command = commands::find(self.slice(head))?;
+        let command = commands::find_in(self.slice(head), self.loaded.module.edition)?;
         let written = tokens.get(1..).unwrap_or_default();
         Some(Context::Argument(
             command,
@@ -129,7 +131,14 @@ impl Document {
             tokens.iter().skip(1).any(is_it)
         };
         Some(match keyword {
-            Keyword::Goto | Keyword::Gosub | Keyword::Call => Context::Label(keyword),
+            Keyword::Goto
+            | Keyword::Gosub
+            | Keyword::Call
+            | Keyword::StartThread
+            | Keyword::StopThread
+            | Keyword::WaitThread => Context::Label(keyword),
+            Keyword::Define if tokens.is_empty() => Context::Declaration,
+            Keyword::Define => Context::Counting(None),
             Keyword::If if has(Keyword::Goto) => Context::Label(Keyword::Goto),
             Keyword::If if has(Keyword::Gosub) => Context::Label(Keyword::Gosub),
             Keyword::If | Keyword::ElseIf if has(Keyword::Then) => return None,
@@ -141,13 +150,19 @@ impl Document {
             Keyword::For if has(Keyword::To) => Context::Counting(Some(Keyword::Step)),
             Keyword::For => Context::Counting(Some(Keyword::To)),
             Keyword::Next => Context::Counter,
-            Keyword::DefVar | Keyword::DefPos | Keyword::DefJoint | Keyword::Subroutine => {
-                Context::Declaration
-            }
-            Keyword::Message if self.slice(rest).matches('%').count() % 2 == 1 => {
+            Keyword::DefVar
+            | Keyword::DefPos
+            | Keyword::DefJoint
+            | Keyword::Subroutine
+            | Keyword::Thread => Context::Declaration,
+            Keyword::Message | Keyword::FileMessage
+                if self.slice(rest).matches('%').count() % 2 == 1 =>
+            {
                 Context::Placeholder
             }
             Keyword::Message
+            | Keyword::FileMessage
+            | Keyword::ThreadEnd
             | Keyword::Rem
             | Keyword::Then
             | Keyword::Else

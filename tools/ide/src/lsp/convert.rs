@@ -232,7 +232,8 @@ pub(crate) fn symbol(one: &Outline, positions: Positions) -> DocumentSymbol {
         kind: match one.kind {
             OutlineKind::Variable(_) => SymbolKind::Variable,
             OutlineKind::Label => SymbolKind::Key,
-            OutlineKind::Subroutine => SymbolKind::Function,
+            OutlineKind::Subroutine | OutlineKind::Thread => SymbolKind::Function,
+            OutlineKind::Constant => SymbolKind::Constant,
         },
         tags: None,
         deprecated: None,

@@ -8,7 +8,7 @@ use tipc::program::{Action, Op, Operand, Program};
 /// Returns the cost of a single step: one cycle, or the least of a step that waits.
 pub(super) fn cost(action: &Action, longest_sampling: f64) -> Count {
     let least = match action {
-        Action::KeyIn { .. } => 1,
+        Action::KeyIn { .. } | Action::WaitThread { .. } => 1,
         Action::Command { op, arguments, .. } if commands::waits(*op) => {
             match (op, arguments.first().map(|argument| argument.operand)) {
                 (Op::Sleep, Some(Operand::Constant(ms))) => slept(ms, longest_sampling),
@@ -35,6 +35,10 @@ pub(super) fn cost(action: &Action, longest_sampling: f64) -> Count {
         | Action::TeachStruct { .. }
         | Action::TeachScalar { .. }
         | Action::AdIn { .. }
+        | Action::StartThread { .. }
+        | Action::StopThread { .. }
+        | Action::ThreadEnd
+        | Action::FileMessage { .. }
         | Action::Message { .. } => return Count::exactly(1),
     };
     Count {

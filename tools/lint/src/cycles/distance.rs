@@ -18,6 +18,8 @@ pub(super) enum Place {
     Return,
     /// To the end of the program.
     End,
+    /// THREADEND.
+    ThreadEnd,
 }
 
 /// A step of a path: what it costs to be at the next place.
@@ -121,8 +123,9 @@ impl Search {
         let key = match place {
             Place::Return => 0,
             Place::End => 1,
-            Place::Pass(id) => 2 + 2 * id,
-            Place::Stop(id) => 3 + 2 * id,
+            Place::ThreadEnd => 2,
+            Place::Pass(id) => 3 + 2 * id,
+            Place::Stop(id) => 4 + 2 * id,
         };
         if self.numbers.len() <= key {
             self.numbers.resize(key + 1, (0, 0));

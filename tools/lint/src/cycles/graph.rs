@@ -69,7 +69,10 @@ impl<'a> Graph<'a> {
             node.next.iter().copied().chain(back).collect()
         });
         let entries = self.routines.keys().copied();
-        Loops::new(next.collect(), entries.chain([0]))
+        Loops::new(
+            next.collect(),
+            entries.chain(self.flow.starts().iter().copied()),
+        )
     }
 
     /// Returns the number of runs of the body, which begins here, of a counted loop.
@@ -177,12 +180,12 @@ impl<'a> Graph<'a> {
                 cost,
             });
         }
-        if matches!(action(self.program, node.step), Action::Finish(_)) {
-            edges.push(Edge {
-                to: Place::End,
-                cost,
-            });
-        }
+        let end = match action(self.program, node.step) {
+            Action::Finish(_) => Some(Place::End),
+            Action::ThreadEnd => Some(Place::ThreadEnd),
+            _ => None,
+        };
+        edges.extend(end.map(|to| Edge { to, cost }));
         Some(())
     }
 

@@ -20,6 +20,9 @@ pub fn human(program: &Program, parts: &Parts, sampling: Sampling) -> String {
             format!("line {line} sets a sampling time: other times hold while it is in force\n");
         out += &note;
     }
+    if let Some(note) = speed_up(program) {
+        out = out + &note + "\n";
+    }
     let mut rows = vec![["part", "lines", "cycles", "ms", ""].map(str::to_owned)];
     rows.extend(
         parts
@@ -57,26 +60,28 @@ pub fn short(program: &Program, parts: &Parts, sampling: Sampling) -> String {
         let plural = if cycles == "1" { "" } else { "s" };
         format!("{name}:{line}: {what}: {cycles} cycle{plural}, {ms} ms{waits}\n")
     });
-    let more = parts.has_more.then(|| {
+    let more = parts.has_more.then(|| MORE.to_owned());
+    let notes = speed_up(program).into_iter().chain(more).map(|note| {
         let name = Printable::line(program.source_name());
-        format!("{name}: {MORE}\n")
+        format!("{name}: {note}\n")
     });
-    lines.chain(more).collect()
+    lines.chain(notes).collect()
 }
 
 /// Returns one object a line: `part` (`subroutine`, `turn`, `stretch`), `name`, `file`, `line`, of a stretch `to`, of
 /// a FOR over constants `turns`, then `min`, `max` (absent without bound), `min_ms`, `max_ms` and `waits`. A last
-/// object without `part`, with `file` and `note`, if there are more.
+/// object without `part`, with `file` and `note`, if there are more, and one if the program sets the steps of a cycle.
 pub fn json(program: &Program, parts: &Parts, sampling: Sampling) -> String {
     let objects = parts.counted.iter();
     let objects = objects.map(|part| object(program, part, sampling) + "\n");
-    let more = parts.has_more.then(|| {
+    let more = parts.has_more.then(|| MORE.to_owned());
+    let notes = speed_up(program).into_iter().chain(more).map(|note| {
         let mut out = String::from("{\"file\":");
         push_string(&mut out, program.source_name());
-        push_member(&mut out, "note", MORE);
+        push_member(&mut out, "note", &note);
         out + "}\n"
     });
-    objects.chain(more).collect()
+    objects.chain(notes).collect()
 }
 
 fn object(program: &Program, part: &Part, sampling: Sampling) -> String {
@@ -212,7 +217,26 @@ fn end(program: &Program, stop: Stop) -> String {
         Stop::Label(step) => label(program, step).unwrap_or_default().to_owned(),
         Stop::Return => Keyword::Return.to_string(),
         Stop::End => Keyword::End.to_string(),
+        Stop::ThreadEnd => Keyword::ThreadEnd.to_string(),
     }
+}
+
+/// Returns the note about a program that sets how many steps a cycle runs.
+fn speed_up(program: &Program) -> Option<String> {
+    let sets = |action: &Action| {
+        matches!(
+            action,
+            Action::Command {
+                op: Op::SpeedUp,
+                ..
+            }
+        )
+    };
+    let step = program.steps().iter().find(|step| sets(&step.action))?;
+    Some(format!(
+        "line {} sets the steps of a cycle: the counts are steps, which are cycles at one step a cycle",
+        step.line
+    ))
 }
 
 /// Returns the line of the first step that sets a sampling time.

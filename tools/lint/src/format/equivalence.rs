@@ -2,7 +2,7 @@
 //! not how they are laid out, so equal fields make an equal program.
 
 use crate::Options;
-use crate::listing::formal;
+use crate::listing::{Constants, formal};
 use crate::message::Formatting;
 use std::mem::discriminant;
 use tipc::load::Parsed;
@@ -84,7 +84,7 @@ fn name(word: &Word) -> &str {
 /// Returns the fields of a statement as FORMAL.TMP shows them.
 fn fields<'a>(text: &'a mut Vec<u8>, source: &Source, statement: &Statement) -> &'a [u8] {
     text.clear();
-    formal::write(text, source, statement, b'\t');
+    formal::write(text, source, statement, &Constants::default(), b'\t');
     text
 }
 

@@ -1,7 +1,7 @@
 //! Layout of each line: its statements, and their indentation.
 
 use super::rows::{Row, Rows};
-use crate::listing::formal;
+use crate::listing::{Constants, formal};
 use tipc::language::Keyword;
 use tipc::lex::{BLANKS, DELIMITERS, split_comment};
 use tipc::source::{Line, Source, Span, byte_length};
@@ -152,8 +152,11 @@ impl Layout<'_> {
 
     fn statement(&mut self, statement: &Statement, code: Span) -> usize {
         match &statement.kind {
-            StatementKind::Message { text } => {
-                let mut length = self.put(Keyword::Message.word());
+            StatementKind::Message { text } | StatementKind::FileMessage { text } => {
+                let mut length = self.put(match &statement.kind {
+                    StatementKind::FileMessage { .. } => Keyword::FileMessage.word(),
+                    _ => Keyword::Message.word(),
+                });
                 if !text.node.is_empty() {
                     length += self.put(" ") + self.copy(text.span);
                 }
@@ -184,7 +187,8 @@ impl Layout<'_> {
             _ => {
                 // All of it is ASCII.
                 let start = self.code.len();
-                formal::write(&mut self.code, self.source, statement, b' ');
+                let constants = Constants::default();
+                formal::write(&mut self.code, self.source, statement, &constants, b' ');
                 self.code.len() - start
             }
         }
@@ -222,15 +226,19 @@ enum Edge {
 impl Edge {
     const fn of(shape: Shape) -> Self {
         match shape {
-            Shape::If | Shape::While | Shape::Repeat | Shape::For | Shape::Subroutine => {
-                Edge::Opens
-            }
+            Shape::If
+            | Shape::While
+            | Shape::Repeat
+            | Shape::For
+            | Shape::Subroutine
+            | Shape::Thread => Edge::Opens,
             Shape::ElseIf | Shape::Else => Edge::Parts,
             Shape::EndIf
             | Shape::Wend
             | Shape::Until
             | Shape::Next
             | Shape::SubEnd
+            | Shape::ThreadEnd
             | Shape::Close => Edge::Closes,
             Shape::Plain | Shape::OneLineIf => Edge::Inside,
         }

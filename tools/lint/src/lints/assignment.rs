@@ -2,19 +2,22 @@
 
 use super::LintContext;
 use crate::message::{Lack, Linting, Stretch};
-use tipc::analysis::assignment::{Assigned, Assignment, Gap, gaps};
+use tipc::analysis::assignment::{Assigned, Assignment, Gap, Ways, gaps};
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::message::list::{Pieces, Quoted};
 use tipc::message::phrase::Assign;
 use tipc::program::{Program, StepId, VariableKind};
 use tipc::source::Span;
-use tipc::symbols::Access;
 
 /// Warns of every variable that is, or may be, read without a value.
 pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
     let program = context.program;
-    let gaps = gaps(program, &Assignment::along(program, context.flow));
+    let assignment = match program.edition().is_strict() {
+        true => Ways::of(program).assignment,
+        false => Assignment::along(program, context.flow),
+    };
+    let gaps = gaps(program, &assignment);
     let warnings = gaps
         .iter()
         .map(|gap| warning(program, gap, context.operand(gap)));
@@ -27,23 +30,9 @@ impl LintContext<'_> {
         let Some(statement) = self.statement(gap.step) else {
             return Span::default();
         };
-        let whole = statement.span;
-        let named = self.symbols.within(whole).iter();
-        let named = named.filter(|it| it.definition.index() == gap.variable);
-        // What is updated is read last.
-        let first = named.clone().filter(|it| it.access == Access::Read);
-        let last = named.filter(|it| it.access == Access::Update);
-        let operands: Vec<Span> = first
-            .chain(last)
-            .map(|it| it.operand(self.source))
-            .collect();
         let scalar = scalar_name(self.program, gap.scalars[0]);
-        let names_it = |location: &&Span| {
-            let operand = self.source.slice(**location).to_ascii_uppercase();
-            operand.trim_start_matches('-') == scalar
-        };
-        let operand = operands.iter().find(names_it).or(operands.first());
-        operand.copied().unwrap_or(whole)
+        let symbols = self.symbols;
+        symbols.read_in(self.source, statement.span, gap.variable, &scalar)
     }
 }
 

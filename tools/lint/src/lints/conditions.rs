@@ -203,9 +203,12 @@ pub(super) fn condition(statement: &Statement) -> Span {
 }
 
 /// Returns the steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the
-/// condition. Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag says may change at any
-/// time. A loop that does nothing is left out: whoever runs the program may assign the variable that it waits for.
+/// condition. Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag or a special variable says
+/// may change at any time, and so may a variable that native code or another thread assigns. A loop that does nothing is left out: whoever runs the program may assign the variable that it waits for.
 fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
+    if !program.threads().is_empty() {
+        return Vec::new();
+    }
     let mut walk = Walk::new(flow);
     let steps = (0..).zip(program.steps());
     let loops =
@@ -224,7 +227,12 @@ fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
         Action::IfGoto { condition, to } if *to <= step => (condition, *to),
         _ => return None,
     };
-    matches!(condition, Condition::Compare { .. }).then(|| flow.first(turn))
+    let is_fixed = |operand: &Operand| !matches!(operand, Operand::Reading { .. });
+    let compares = match condition {
+        Condition::Compare { left, right, .. } => is_fixed(left) && is_fixed(right),
+        Condition::Flag { .. } => false,
+    };
+    compares.then(|| flow.first(turn))
 }
 
 /// Returns whether the loop cannot end; `None` if it is too large to say.
@@ -251,5 +259,10 @@ fn is_stuck(
         .iter()
         .any(|id| assigns(program, action(*id)).any(|scalar| compared.contains(&scalar)));
     let acts = all.iter().any(|id| action(*id).acts());
+    let variable = |scalar: &usize| &program.variables()[program.variable_of(*scalar)];
+    let is_shared = compared
+        .iter()
+        .any(|scalar| variable(scalar).special.is_some());
+    let changes = changes || is_shared;
     Some(!compared.is_empty() && acts && own.contains(&end) && !returns && !ends && !changes)
 }

@@ -54,7 +54,7 @@ fn suspects(symbols: &Symbols) -> Vec<Suspect<'_>> {
         .map(|it| (it.name.as_str(), it.kind))
         .collect();
     let leads_on = |jump: Keyword, meant: &str| match kinds.get(meant) {
-        None | Some(DefinitionKind::Variable(_)) => false,
+        None | Some(DefinitionKind::Variable(_) | DefinitionKind::Constant) => false,
         Some(kind) => jump != Keyword::Call || *kind == DefinitionKind::Subroutine,
     };
     let uses = symbols.all_uses().iter();

@@ -6,18 +6,25 @@ use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Diagnostics};
+use tipc::language::Edition;
+use tipc::language::reserved::{JOINT, POSITION, reading};
 use tipc::message::Message;
 use tipc::message::phrase::Type;
 use tipc::parse::narrow;
-use tipc::program::{Variable, VariableId, VariableKind};
+use tipc::program::{Reading, Target, Teach, Variable, VariableId, VariableKind};
 use tipc::source::Span;
 use tipc::suggest::nearest;
-use tipc::symbols::{Access, DefinitionId};
+use tipc::symbols::{Access, DefinitionId, DefinitionKind};
 use tipc::syntax::{StatementKind, upper_case};
 
 /// The variables of a program by their names.
 struct Names<'a> {
     variables: &'a [Variable],
+    /// The names of constants.
+    constants: HashSet<&'a str>,
+    edition: Edition,
+    /// Number of joints of a leg.
+    joints: usize,
     ids: HashMap<&'a str, VariableId>,
     /// True if something reads each definition.
     is_read: Vec<bool>,
@@ -30,7 +37,12 @@ impl<'a> Names<'a> {
         for it in context.symbols.all_uses() {
             is_read[it.definition.index()] |= !matches!(it.access, Access::Define | Access::Assign);
         }
+        let definitions = context.symbols.definitions().iter();
+        let constants = definitions.filter(|it| it.kind == DefinitionKind::Constant);
         Names {
+            constants: constants.map(|it| it.name.as_str()).collect(),
+            edition: context.module.edition,
+            joints: usize::from(context.program.signature().joints),
             variables,
             ids: variables
                 .iter()
@@ -46,6 +58,39 @@ impl<'a> Names<'a> {
         self.ids.get(name).map(|id| &self.variables[*id])
     }
 
+    /// Returns true if the text between percent signs is a value of edition 3.2: a constant, a special variable, a POS or
+    /// JOINT, or a member of one.
+    fn is_later(&self, inner: &str) -> bool {
+        if self.edition < Edition::V3_2 {
+            return false;
+        }
+        let upper = upper_case(inner);
+        let mut parts = upper.split('.');
+        let name = parts.next().unwrap_or_default();
+        let kind = match (self.find(name), reading(name, self.edition)) {
+            (Some(variable), _) => variable.kind,
+            (None, Some(reading)) => kind_of(reading),
+            (None, None) if self.constants.contains(name) => VariableKind::Var,
+            (None, None) => return false,
+        };
+        let is_member = |word: &str| match kind {
+            VariableKind::Var => false,
+            VariableKind::Pos => POSITION.contains(&word),
+            VariableKind::Joint => word.strip_prefix(JOINT).is_some_and(|it| {
+                let joint = it.parse::<usize>().unwrap_or(0);
+                (1..=self.joints).contains(&joint) && !it.starts_with('0')
+            }),
+        };
+        let is_digit = |word: &str| matches!(word.as_bytes(), [b'0'..=b'7']);
+        let rest: Vec<&str> = parts.collect();
+        match rest[..] {
+            [] => true,
+            [one] => is_digit(one) || is_member(one),
+            [member, digits] => is_member(member) && is_digit(digits),
+            _ => false,
+        }
+    }
+
     /// Returns true if the name is that of a VAR, in letters of any case.
     fn is_var(&self, name: &str) -> bool {
         let variable = self.find(&upper_case(name));
@@ -56,9 +101,16 @@ impl<'a> Names<'a> {
 pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
     let mut names = None;
     for statement in context.module.steps() {
-        if let StatementKind::Message { text } = &statement.kind {
+        let (text, is_shown) = match &statement.kind {
+            StatementKind::Message { text } => (text, true),
+            StatementKind::FileMessage { text } => (text, false),
+            _ => continue,
+        };
+        {
             let names = names.get_or_insert_with(|| Names::of(context));
-            found.extend(quoted(context.source.slice(text.span), text.span));
+            if is_shown {
+                found.extend(quoted(context.source.slice(text.span), text.span));
+            }
             placeholders(context, names, text.span, found);
             foreign_values(context, names, text.span, found);
             wide_placeholder(context, text.span, found);
@@ -191,7 +243,7 @@ fn placeholders(
 
 /// Returns true if the text between percent signs is shown as a value.
 fn is_placeholder(names: &Names<'_>, inner: &str) -> bool {
-    split(inner).is_some() && fault(names, inner).is_none()
+    names.is_later(inner) || split(inner).is_some() && fault(names, inner).is_none()
 }
 
 /// Returns the name between percent signs, and what follows it from a point on. Blanks and signs make no name.
@@ -208,8 +260,20 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     (starts && is_word(name) && rest.is_none_or(is_word)).then_some((name, rest))
 }
 
+/// Returns the type of a special variable.
+fn kind_of(reading: Reading) -> VariableKind {
+    match reading {
+        Reading::Measured(Teach::Position | Teach::Force, _) => VariableKind::Pos,
+        Reading::Measured(_, Target::Foot(_)) => VariableKind::Joint,
+        Reading::Measured(..) | Reading::Timer(_) => VariableKind::Var,
+    }
+}
+
 /// Returns why what looks like a placeholder stands for nothing, and what to write.
 fn fault(names: &Names<'_>, inner: &str) -> Option<(Linting, Linting)> {
+    if names.is_later(inner) {
+        return None;
+    }
     let (name, rest) = split(inner)?;
     let name = || upper_case(name);
     let Some(variable) = names.find(&name()) else {

@@ -112,6 +112,7 @@ fn closes(kind: &StatementKind) -> bool {
             | StatementKind::Until { .. }
             | StatementKind::Next { .. }
             | StatementKind::SubEnd
+            | StatementKind::ThreadEnd
     )
 }
 
@@ -119,7 +120,7 @@ fn closes(kind: &StatementKind) -> bool {
 /// in order, counts as taken, even if constants decide otherwise.
 fn dead(program: &Program, flow: &Flow, open: &[StepId]) -> Vec<StepId> {
     let mut is_live = vec![false; flow.nodes().len()];
-    let mut next = vec![0];
+    let mut next = flow.starts().to_vec();
     while let Some(id) = next.pop() {
         let Some(node) = flow.nodes().get(id) else {
             continue;
@@ -162,6 +163,11 @@ fn branches(flow: &Flow, step: StepId, action: &Action) -> [NodeId; 2] {
         | Action::TeachScalar { .. }
         | Action::AdIn { .. }
         | Action::KeyIn { .. }
+        | Action::StartThread { .. }
+        | Action::StopThread { .. }
+        | Action::WaitThread { .. }
+        | Action::ThreadEnd
+        | Action::FileMessage { .. }
         | Action::Message { .. } => flow.first(step + 1),
     };
     [flow.first(step + 1), other]

@@ -1,16 +1,73 @@
 //! A statement as its fields, in capital letters: a line of FORMAL.TMP has tabs between them (T.I.P. 3.1 §10-4-2), a
 //! formatted program blanks.
 
-use tipc::language::Keyword;
+use smol_str::SmolStr;
+use std::collections::HashMap;
+use tipc::language::commands::{Form, find};
+use tipc::language::reserved::{self, is_motion_flag};
+use tipc::language::{Edition, Keyword};
 use tipc::source::{Source, Span};
 use tipc::syntax::{
-    Arithmetic, Condition, Expression, Jump, Relation, Statement, StatementKind, Then,
+    Arithmetic, Condition, Expression, Jump, Module, Operand, OperandKind, Relation, Statement,
+    StatementKind, Then,
 };
 
-/// Writes the fields of one statement of a source in UTF-8, with a separator between them.
-pub(crate) fn write(text: &mut Vec<u8>, source: &Source, statement: &Statement, separator: u8) {
+/// The constants that DEFINE names, with their values.
+#[derive(Debug, Default)]
+pub(crate) struct Constants {
+    values: HashMap<SmolStr, f64>,
+    edition: Edition,
+}
+
+impl Constants {
+    /// Evaluates the definitions of a module.
+    pub(crate) fn of(module: &Module) -> Self {
+        let mut constants = Constants {
+            values: HashMap::new(),
+            edition: module.edition,
+        };
+        for statement in &module.statements {
+            if let StatementKind::Constant { name, value, .. } = &statement.kind
+                && let Some(value) = constants.evaluate(value)
+            {
+                constants.values.entry(name.node.clone()).or_insert(value);
+            }
+        }
+        constants
+    }
+
+    fn evaluate(&self, value: &Operand) -> Option<f64> {
+        match &value.kind {
+            OperandKind::Number(number) => Some(*number),
+            OperandKind::Name(name) => {
+                let known = reserved::constant(name, self.edition);
+                let known = known.or_else(|| self.values.get(name).copied())?;
+                Some(if value.negative { -known } else { known })
+            }
+            OperandKind::Member(_) => None,
+        }
+    }
+
+    /// Returns the value of an operand that is such a name.
+    fn named(&self, operand: &Operand) -> Option<f64> {
+        match &operand.kind {
+            OperandKind::Name(name) if self.values.contains_key(name) => self.evaluate(operand),
+            _ => None,
+        }
+    }
+}
+
+/// Writes the fields of one statement of a source in UTF-8, with a separator between them; constants as their values.
+pub(crate) fn write(
+    text: &mut Vec<u8>,
+    source: &Source,
+    statement: &Statement,
+    constants: &Constants,
+    separator: u8,
+) {
     let mut line = Line {
         source,
+        constants,
         start: text.len(),
         text,
         separator,
@@ -21,6 +78,7 @@ pub(crate) fn write(text: &mut Vec<u8>, source: &Source, statement: &Statement, 
 /// A line as it grows, field by field.
 struct Line<'a> {
     source: &'a Source,
+    constants: &'a Constants,
     start: usize,
     text: &'a mut Vec<u8>,
     separator: u8,
@@ -32,6 +90,12 @@ impl Line<'_> {
             StatementKind::Label(name) => self.label(&name.node),
             StatementKind::Message { text } => {
                 self.keyword(Keyword::Message);
+                if !text.node.is_empty() {
+                    self.field(&text.node);
+                }
+            }
+            StatementKind::FileMessage { text } => {
+                self.keyword(Keyword::FileMessage);
                 if !text.node.is_empty() {
                     self.field(&text.node);
                 }
@@ -66,12 +130,12 @@ impl Line<'_> {
                 self.keyword(Keyword::For);
                 self.source(counting.variable.span);
                 self.field("=");
-                self.source(counting.from.span);
+                self.operand(&counting.from);
                 self.keyword(Keyword::To);
-                self.source(counting.to.span);
+                self.operand(&counting.to);
                 if let Some(step) = &counting.step {
                     self.keyword(Keyword::Step);
-                    self.source(step.span);
+                    self.operand(step);
                 }
             }
             StatementKind::Next { variable, .. } => {
@@ -84,6 +148,18 @@ impl Line<'_> {
                 self.keyword(Keyword::Subroutine);
                 self.label(&name.node);
             }
+            StatementKind::Thread { name, .. } => {
+                self.keyword(Keyword::Thread);
+                self.label(&name.node);
+            }
+            StatementKind::StartThread(jump) => self.jump(Keyword::StartThread, jump),
+            StatementKind::StopThread(jump) => self.jump(Keyword::StopThread, jump),
+            StatementKind::WaitThread(jump) => self.jump(Keyword::WaitThread, jump),
+            StatementKind::Constant { name, value, .. } => {
+                self.keyword(Keyword::Define);
+                self.field(&name.node);
+                self.source(value.span);
+            }
             StatementKind::Call(jump) => self.jump(Keyword::Call, jump),
             StatementKind::Goto(jump) => self.jump(Keyword::Goto, jump),
             StatementKind::Gosub(jump) => self.jump(Keyword::Gosub, jump),
@@ -91,8 +167,16 @@ impl Line<'_> {
                 name, arguments, ..
             } => {
                 self.field(&name.node);
+                let flags = has_flags(&name.node);
                 for argument in arguments {
-                    self.source(argument.span);
+                    match &argument.kind {
+                        OperandKind::Name(word)
+                            if flags && is_motion_flag(word, self.constants.edition) =>
+                        {
+                            self.source(argument.span);
+                        }
+                        _ => self.operand(argument),
+                    }
                 }
             }
             StatementKind::Define { .. }
@@ -101,6 +185,7 @@ impl Line<'_> {
             | StatementKind::Wend
             | StatementKind::Repeat
             | StatementKind::SubEnd
+            | StatementKind::ThreadEnd
             | StatementKind::Return
             | StatementKind::End
             | StatementKind::Exit
@@ -131,6 +216,14 @@ impl Line<'_> {
             .extend(piece.map(|byte| byte.to_ascii_uppercase()));
     }
 
+    /// Writes an operand; a constant with a name as its value.
+    fn operand(&mut self, operand: &Operand) {
+        match self.constants.named(operand) {
+            Some(value) => self.field(&format!("{value:?}").to_ascii_uppercase()),
+            None => self.source(operand.span),
+        }
+    }
+
     fn label(&mut self, name: &str) {
         self.field(name);
         self.text.push(b':');
@@ -151,9 +244,9 @@ impl Line<'_> {
                 relation,
                 right,
             } => {
-                self.source(left.span);
+                self.operand(left);
                 self.field(relation_sign(*relation));
-                self.source(right.span);
+                self.operand(right);
             }
             Condition::Flag { name, negated } => {
                 self.field(if *negated { "!" } else { "" });
@@ -164,24 +257,30 @@ impl Line<'_> {
 
     fn expression(&mut self, expression: &Expression) {
         match expression {
-            Expression::Operand(operand) => self.source(operand.span),
+            Expression::Operand(operand) => self.operand(operand),
             Expression::Binary {
                 left,
                 operation,
                 right,
             } => {
-                self.source(left.span);
+                self.operand(left);
                 self.field(operation_sign(*operation));
-                self.source(right.span);
+                self.operand(right);
             }
             Expression::Function { name, operands } => {
                 self.field(&name.node);
                 for operand in operands {
-                    self.source(operand.span);
+                    self.operand(operand);
                 }
             }
         }
     }
+}
+
+/// Returns true if the command reads `R`, `A` and `HS` as its flags.
+fn has_flags(command: &str) -> bool {
+    let form = find(command).map(|command| command.form);
+    matches!(form, Some(Form::Robot(form)) if form.motion)
 }
 
 const fn relation_sign(relation: Relation) -> &'static str {

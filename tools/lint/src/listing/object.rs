@@ -1,16 +1,16 @@
 //! TIP.OBJ: what the original keeps of each step in memory, as text (T.I.P. 3.1 §11, layouts in §5 to §7).
 
-use super::formal;
+use super::{Constants, formal};
 use std::borrow::Cow;
 use std::fmt::Write;
-use tip_runtime::command::{Port, Target};
+use tip_runtime::command::{Port, READING, Reading, Target, Teach};
 use tipc::language::Keyword;
-use tipc::language::commands::find;
+use tipc::language::commands::find_in;
 use tipc::language::functions::Operation;
 use tipc::language::reserved::POSITION;
 use tipc::program::{
-    Action, Argument, Arithmetic, Condition, Mark, Operand, Program, Relation, Scalar,
-    ScalarExpression, StepId, StructExpression, VariableId, VariableKind,
+    Action, Argument, Arithmetic, Condition, Mark, Op, Operand, Program, Relation, Scalar,
+    ScalarExpression, StepId, StructExpression, StructOperand, Variable, VariableId, VariableKind,
 };
 use tipc::source::Source;
 use tipc::syntax::Module;
@@ -27,10 +27,11 @@ pub fn object(source: &Source, module: &Module, program: &Program) -> String {
     };
     let steps = module.steps().zip(program.steps()).enumerate();
     let mut line = Vec::new();
+    let constants = Constants::of(module);
     steps
         .map(|(number, (statement, step))| {
             line.clear();
-            formal::write(&mut line, source, statement, b'\t');
+            formal::write(&mut line, source, statement, &constants, b'\t');
             let formal = String::from_utf8_lossy(&line);
             listing.record(&formal, &step.action).text(number, count)
         })
@@ -49,11 +50,19 @@ impl Listing<'_> {
     fn record(&mut self, formal: &str, action: &Action) -> Record {
         let mut fields = formal.split('\t');
         let word = fields.next().unwrap_or_default();
-        let name = find(word).map_or(word, |command| command.name);
+        let name =
+            find_in(word, self.variables.program.edition()).map_or(word, |command| command.name);
         let last = fields.next_back();
         match action {
             Action::Nothing if word.ends_with(':') => Record::new("LABEL_CMD"),
-            Action::Message { .. } if word == Keyword::Message.word() => self.message(),
+            Action::Message { .. } if word == Keyword::Message.word() => self.message(name),
+            Action::FileMessage { .. } => self.message(name),
+            Action::StartThread { thread }
+            | Action::StopThread { thread }
+            | Action::WaitThread { thread } => {
+                let thread = &self.variables.program.threads()[*thread];
+                Record::new(name).with(label(thread.first))
+            }
             Action::KeyIn { into } => {
                 // Without argument it names none, although VAR_KEY receives the key.
                 let into = last.map(|_| self.variables.scalar(*into, false));
@@ -68,6 +77,17 @@ impl Listing<'_> {
             Action::TeachScalar { target, into, .. } => Record::new(name)
                 .to(target_name(*target))
                 .with(self.variables.scalar(*into, false)),
+            Action::Command {
+                op: Op::SetLimit,
+                target: target @ Target::Foot(_),
+                arguments,
+                ..
+            } => {
+                let record = Record::new(name).to(target_name(*target));
+                let firsts = arguments.iter().step_by((arguments.len() / 2).max(1));
+                let joints = firsts.filter_map(|first| self.variables.whole_of(first.operand));
+                joints.fold(record, Record::with)
+            }
             Action::Command {
                 hs,
                 target,
@@ -133,17 +153,19 @@ impl Listing<'_> {
             Action::Next { variable, body, .. } => Record::new(Keyword::Next.word())
                 .with(self.variables.scalar(*variable, false))
                 .with(label(body.saturating_sub(1))),
-            Action::Nothing | Action::Return | Action::Finish(_) | Action::Message { .. } => {
-                Record::new(name)
-            }
+            Action::Nothing
+            | Action::Return
+            | Action::ThreadEnd
+            | Action::Finish(_)
+            | Action::Message { .. } => Record::new(name),
         }
     }
 
     /// Returns the index of the text among all texts.
-    fn message(&mut self) -> Record {
+    fn message(&mut self, name: &str) -> Record {
         let text = Slot::new("STRING", f64::from(self.texts));
         self.texts += 1;
-        Record::new(Keyword::Message.word()).with(text)
+        Record::new(name).with(text)
     }
 
     fn ad_in(&self, name: &str, port: Port, into: Slot) -> Record {
@@ -189,15 +211,15 @@ impl Listing<'_> {
                 (equal(Operation::Scalar(*function)), vec![slot(operand)])
             }
             ScalarExpression::Atan2 { y, x } => (equal(Operation::Atan2), vec![slot(y), slot(x)]),
-            ScalarExpression::Norm(variable) => (
+            ScalarExpression::Norm(whole) => (
                 equal(Operation::Norm),
-                vec![self.variables.whole(*variable)],
+                vec![self.variables.structure(*whole)],
             ),
         }
     }
 
     fn struct_value(&self, value: &StructExpression) -> (String, Vec<Slot>) {
-        let whole = |variable: &usize| self.variables.whole(*variable);
+        let whole = |operand: &StructOperand| self.variables.structure(*operand);
         match value {
             StructExpression::Copy(variable) => ("EQUAL".to_owned(), vec![whole(variable)]),
             StructExpression::Binary {
@@ -384,6 +406,9 @@ impl<'a> Variables<'a> {
     pub(super) fn new(program: &'a Program) -> Self {
         let mut counts = [0; 3];
         let places = program.variables().iter().map(|variable| {
+            if let Some(number) = variable.special {
+                return u32::from(number);
+            }
             let count = &mut counts[variable.kind as usize];
             let place = *count;
             *count += 1;
@@ -397,10 +422,14 @@ impl<'a> Variables<'a> {
 
     /// Returns a struct as a whole; of a VAR, the VAR.
     pub(super) fn whole(&self, variable: VariableId) -> Slot {
-        let kind = match self.program.variables()[variable].kind {
-            VariableKind::Var => "VAR",
-            VariableKind::Pos => "POS",
-            VariableKind::Joint => "JNT",
+        let Variable { kind, special, .. } = &self.program.variables()[variable];
+        let kind = match (kind, special) {
+            (VariableKind::Var, None) => "VAR",
+            (VariableKind::Pos, None) => "POS",
+            (VariableKind::Joint, None) => "JNT",
+            (VariableKind::Var, Some(_)) => "VAR_SPECIAL",
+            (VariableKind::Pos, Some(_)) => "POS_SPECIAL",
+            (VariableKind::Joint, Some(_)) => "JNT_SPECIAL",
         };
         Slot::new(kind, f64::from(self.places[variable]))
     }
@@ -421,19 +450,61 @@ impl<'a> Variables<'a> {
         match operand {
             Operand::Constant(value) => Slot::constant(value),
             Operand::Scalar { scalar, negative } => self.scalar(scalar, negative),
+            Operand::Reading {
+                reading,
+                member,
+                negative,
+            } => {
+                let sign = if negative { "MINUS_" } else { "" };
+                let member = match reading {
+                    Reading::Measured(Teach::Position | Teach::Force, _) => {
+                        format!("_{}", POSITION[member])
+                    }
+                    Reading::Measured(_, Target::Foot(_)) => format!("_{}", member + 1),
+                    Reading::Measured(..) | Reading::Timer(_) => String::new(),
+                };
+                Slot::new(format!("{sign}{}{member}", bare(reading)), 0.0)
+            }
+        }
+    }
+
+    /// Returns a struct, or a special variable, as a whole.
+    pub(super) fn structure(&self, whole: StructOperand) -> Slot {
+        match whole {
+            StructOperand::Variable(variable) => self.whole(variable),
+            StructOperand::Reading(reading) => Slot::new(bare(reading), 0.0),
+        }
+    }
+
+    /// Returns the struct that an operand is a member of.
+    fn whole_of(&self, operand: Operand) -> Option<Slot> {
+        match operand {
+            Operand::Constant(_) => None,
+            Operand::Scalar { scalar, .. } => Some(self.whole(scalar.variable)),
+            Operand::Reading { reading, .. } => Some(Slot::new(bare(reading), 0.0)),
         }
     }
 
     /// Returns the struct that was written as `word` in the place of these arguments.
     pub(super) fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
         let first = arguments.first()?;
-        let Operand::Scalar { scalar, .. } = first.operand else {
-            return None;
+        let scalar = match first.operand {
+            Operand::Scalar { scalar, .. } => scalar,
+            Operand::Reading { reading, .. } if arguments.len() > 1 => {
+                let slot = Slot::new(bare(reading), 0.0).marked(first.mark);
+                return (reading.to_string() == word).then_some(slot);
+            }
+            _ => return None,
         };
         let variable = &self.program.variables()[scalar.variable];
         let is_struct = variable.kind != VariableKind::Var && variable.name == word;
         is_struct.then(|| self.whole(scalar.variable).marked(first.mark))
     }
+}
+
+/// Returns the word of a special variable without its `@`.
+fn bare(reading: Reading) -> String {
+    reading.to_string().split_off(READING.len_utf8())
 }
 
 /// Returns a target's name; `NO_TARGET` for none.

@@ -22,6 +22,32 @@ tipc::message_table! {
         "no value on the path through {path}; {assign}",
         "{path}を通る経路では値がありません。{assign}";
 
+    // Threads, timers and log files.
+    NothingStarts
+        "no START_THREAD names it",
+        "これを指定したSTART_THREADがありません";
+    StartThread { name: SmolStr }
+        "start it with `START_THREAD {name}:`",
+        "`START_THREAD {name}:` で動かしてください";
+    WaitsInItself
+        "it runs as long as it waits",
+        "待っている間、このスレッドは動いたままです";
+    WaitElsewhere
+        "wait for it in the main program or in another thread",
+        "メインプログラムか別のスレッドで待ってください";
+    OneLine
+        "no F_MESSAGE ends its line",
+        "改行するF_MESSAGEがありません";
+    EndLine
+        "end the text with `\\n`",
+        "文字列の終わりに `\\n` を書いてください";
+    TimerStands
+        "it stays 0 until the timer is started",
+        "タイマを動かすまで0のままです";
+    StartTimer { timer: u32 }
+        "start it with `START_TIMER {timer}`",
+        "`START_TIMER {timer}` で動かしてください";
+
     // Messages.
     NoVar { name: SmolStr }
         "no VAR is called `{name}`",

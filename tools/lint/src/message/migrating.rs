@@ -17,6 +17,21 @@ tipc::message_table! {
     Version { version: String }
         "version {version} becomes 3.1",
         "バージョン{version}を3.1にします";
+    ToVersion { to: &'static str }
+        "line 1 becomes {to}",
+        "1行目を{to}にします";
+    LabelIn3_2 { name: String, new: String }
+        "the label {name} becomes {new}: {name} is a word of the language in 3.2",
+        "ラベル{name}を{new}にします。{name}は3.2の予約語です";
+    VariableIn3_2 { name: String, new: String }
+        "the variable {name} becomes {new}: {name} is a word of the language in 3.2",
+        "変数{name}を{new}にします。{name}は3.2の予約語です";
+    ShowsMore
+        "this MESSAGE shows more values in 3.2: which text is meant?",
+        "3.2ではこのMESSAGEに表示される値が増えます。どの文字列にしますか?";
+    RefusedIn3_2 { title: Text, reason: Box<Message> }
+        "3.2 does not load this: {title}: {reason}",
+        "3.2ではここを読み込めません: {title}: {reason}";
     EmptyTitle
         "put in an empty line 2: since 1.1 it holds the title",
         "2行目に空行を入れます。1.1から2行目は題名です";

@@ -24,7 +24,7 @@ pub(super) fn questions(
     let (source, _) = Source::decode(old.name(), result, encoding);
     // Lines are put in after the title alone, and nothing is wrong with them: only names that fit are declared.
     let added = source.line_count() - old.line_count();
-    let (module, found) = parse(&source, 3.1);
+    let (module, found) = parse(&source, Some(3.1));
     let broken = found
         .iter()
         .filter(|diagnostic| diagnostic.level() == Level::Error)

@@ -3,6 +3,7 @@
 mod bounded;
 mod codes;
 mod diagnostics;
+mod edition_3_2;
 mod fixes;
 mod format;
 mod listing;

@@ -1,11 +1,12 @@
 //! Expressions in the program's own language, log points, and the values that a debugger shows.
 
 use super::{DebugError, Debugger};
-use crate::interp::Interpreter;
+use crate::interp::{Interpreter, Sensed};
 use crate::message::Debugging;
 use crate::run::Run;
 use std::fmt;
 use tip_lint::query::QueryContext;
+use tip_runtime::command::{Flag, MAX, Reading};
 use tip_runtime::controller::Mode;
 use tip_runtime::fault::Fault;
 use tipc::program::{Action, Condition, Operand, Program, ScalarExpression, VariableKind};
@@ -88,6 +89,16 @@ pub(super) struct Now<'a> {
     pub(super) asker: &'a QueryContext,
 }
 
+impl Sensed for Now<'_> {
+    fn flag(&self, flag: Flag) -> bool {
+        self.run.flag(flag)
+    }
+
+    fn reading(&self, reading: Reading) -> Result<[f64; MAX], Fault> {
+        self.run.machine.reading(reading)
+    }
+}
+
 impl Now<'_> {
     fn interpreter(&self) -> Result<&Interpreter, Fault> {
         self.run.engine().ok_or(Fault::WrongStep)
@@ -106,8 +117,7 @@ impl Now<'_> {
             },
             flag @ Condition::Flag { .. } => flag,
         };
-        let flag_is_up = |flag| self.run.flag(flag);
-        self.interpreter()?.holds(condition, &flag_is_up)
+        self.interpreter()?.holds(condition, self)
     }
 
     fn number(&self, value: ScalarExpression) -> Result<f64, Fault> {
@@ -133,7 +143,7 @@ impl Now<'_> {
             },
             norm @ E::Norm(_) => norm,
         };
-        self.interpreter()?.scalar_expression(value)
+        self.interpreter()?.scalar_expression(value, self)
     }
 
     /// Replaces the debugger's own names by their values in an operand.
@@ -323,7 +333,7 @@ impl Debugger {
 
     /// Returns the open calls, the innermost first, the program itself last.
     pub fn frames(&self) -> Vec<Frame> {
-        let returns = Self::interpreter(self.run()).map_or(&[][..], |engine| engine.calls());
+        let returns = Self::interpreter(self.run()).map_or(&[][..], |engine| engine.calls(0));
         let calls: Vec<u32> = returns.iter().map(|step| step.saturating_sub(1)).collect();
         let names = std::iter::once(None).chain(calls.iter().map(|call| self.called_by(*call)));
         let steps = calls.iter().copied().chain([self.step()]);

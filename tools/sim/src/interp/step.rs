@@ -1,11 +1,11 @@
 //! Execution of one cycle of each step: first its result, then, if nothing failed, its effect.
 
-use super::Interpreter;
+use super::{Interpreter, Sensed};
 use std::fmt;
 use tip_runtime::command::{Command, MAX, Poll, Value};
 use tip_runtime::fault::Fault;
 use tip_runtime::ops::{self, FormattedNumber};
-use tip_runtime::program::{CallStack, Context, Flow};
+use tip_runtime::program::{CallStack, Context, Flow, Program};
 use tipc::program::{Action, Argument, End, Mark, MessagePart, Scalar, StepId, VariableId};
 
 /// Result of a step.
@@ -26,6 +26,8 @@ enum Then {
     Otherwise(StepId),
     /// Nowhere: it runs again.
     Wait,
+    /// The thread is over.
+    EndThread,
     /// The program is over.
     Finish(End),
 }
@@ -44,8 +46,8 @@ impl Then {
 impl Interpreter {
     /// Does everything that can fail, with no effect on the program's state.
     pub(super) fn outcome(&self, cx: &mut dyn Context) -> Result<Outcome, Fault> {
-        let step = self.program.steps().get(self.at as usize);
-        let next = self.at + 1;
+        let step = self.program.steps().get(self.at() as usize);
+        let next = self.at() + 1;
         let on = Then::To(next);
         Ok(match &step.ok_or(Fault::WrongStep)?.action {
             Action::Nothing => on.with(),
@@ -54,7 +56,7 @@ impl Interpreter {
                 update,
                 value,
             } => {
-                let value = self.scalar_value(*target, *update, *value)?;
+                let value = self.scalar_value(*target, *update, *value, &&*cx)?;
                 self.assign(*target, value, on)
             }
             Action::SetStruct {
@@ -62,13 +64,13 @@ impl Interpreter {
                 update,
                 value,
             } => {
-                let values = self.struct_value(*target, *update, *value)?;
+                let values = self.struct_value(*target, *update, *value, &&*cx)?;
                 self.assign_struct(*target, values)
             }
             Action::If {
                 condition,
                 otherwise,
-            } => match self.holds(*condition, &|flag| cx.flag(flag))? {
+            } => match self.holds(*condition, &&*cx)? {
                 true => on.with(),
                 false => Then::Otherwise(*otherwise).with(),
             },
@@ -76,8 +78,8 @@ impl Interpreter {
                 condition,
                 otherwise,
             } => {
-                if self.not_taken {
-                    match self.holds(*condition, &|flag| cx.flag(flag))? {
+                if self.position().not_taken {
+                    match self.holds(*condition, &&*cx)? {
                         true => on.with(),
                         false => Then::Otherwise(*otherwise).with(),
                     }
@@ -85,14 +87,14 @@ impl Interpreter {
                     Then::To(*otherwise).with()
                 }
             }
-            Action::Else { end } => Then::To(if self.not_taken { next } else { *end }).with(),
+            Action::Else { end } => Then::To(if self.position().not_taken { next } else { *end }).with(),
             Action::While { condition, exit } => {
-                let goes_on = self.holds(*condition, &|flag| cx.flag(flag))?;
+                let goes_on = self.holds(*condition, &&*cx)?;
                 Then::To(if goes_on { next } else { *exit }).with()
             }
             Action::Goto { to } => Then::To(*to).with(),
             Action::Until { condition, back } => {
-                let done = self.holds(*condition, &|flag| cx.flag(flag))?;
+                let done = self.holds(*condition, &&*cx)?;
                 Then::To(if done { next } else { *back }).with()
             }
             Action::For {
@@ -102,9 +104,9 @@ impl Interpreter {
                 step,
                 exit,
             } => {
-                let from = self.operand(*from)?;
-                let to = self.operand(*to)?;
-                let step = self.operand(*step)?;
+                let from = self.operand(*from, &&*cx)?;
+                let to = self.operand(*to, &&*cx)?;
+                let step = self.operand(*step, &&*cx)?;
                 let enters = ops::for_test(from, to, step)?;
                 self.assign(*variable, from, Then::To(if enters { next } else { *exit }))
             }
@@ -115,8 +117,8 @@ impl Interpreter {
                 body,
             } => {
                 let value = self.read(*variable)?;
-                let step = self.operand(*step)?;
-                let to = self.operand(*to)?;
+                let step = self.operand(*step, &&*cx)?;
+                let to = self.operand(*to, &&*cx)?;
                 let value = ops::add(value, step)?;
                 let repeats = ops::for_test(value, to, step)?;
                 self.assign(
@@ -126,22 +128,24 @@ impl Interpreter {
                 )
             }
             Action::IfGoto { condition, to } => {
-                let jumps = self.holds(*condition, &|flag| cx.flag(flag))?;
+                let jumps = self.holds(*condition, &&*cx)?;
                 Then::To(if jumps { *to } else { next }).with()
             }
             Action::Gosub { to } => self.call(*to)?,
             Action::IfGosub { condition, to } => {
-                match self.holds(*condition, &|flag| cx.flag(flag))? {
+                match self.holds(*condition, &&*cx)? {
                     true => self.call(*to)?,
                     false => on.with(),
                 }
             }
             Action::Return => {
-                let mut calls = self.calls;
-                let back = calls.pop()?;
-                Outcome {
-                    calls: Some(calls),
-                    ..Then::To(back).with()
+                let mut calls = self.position().calls;
+                match calls.pop() {
+                    Ok(back) => Outcome {
+                        calls: Some(calls),
+                        ..Then::To(back).with()
+                    },
+                    Err(_) => self.thread_end()?.with(),
                 }
             }
             Action::Finish(end) => Then::Finish(*end).with(),
@@ -151,7 +155,7 @@ impl Interpreter {
                 target,
                 arguments,
             } => {
-                let (values, count) = self.values(arguments)?;
+                let (values, count) = self.values(arguments, &&*cx)?;
                 let poll = cx.command(&Command {
                     op: *op,
                     hs: *hs,
@@ -177,8 +181,27 @@ impl Interpreter {
                 Some(key) => self.assign(*into, f64::from(key), on),
                 None => Then::Wait.with(),
             },
+            Action::StartThread { thread } => {
+                cx.start_thread(number(*thread))?;
+                on.with()
+            }
+            Action::StopThread { thread } => {
+                cx.stop_thread(number(*thread));
+                on.with()
+            }
+            Action::WaitThread { thread } => match cx.wait_thread(number(*thread))? {
+                Poll::Done => on.with(),
+                Poll::Pending => Then::Wait.with(),
+            },
+            Action::ThreadEnd => self.thread_end()?.with(),
+            Action::FileMessage { parts } => {
+                let text = self.text(parts, &&*cx)?;
+                cx.append(&text);
+                on.with()
+            }
             Action::Message { parts } => {
-                cx.message(&self.text(parts)?);
+                let text = self.text(parts, &&*cx)?;
+                cx.message(&text);
                 on.with()
             }
         })
@@ -190,17 +213,19 @@ impl Interpreter {
         for (place, value) in places.zip(outcome.values) {
             *place = Some(value);
         }
+        let position = &mut self.positions[self.selected];
         if let Some(calls) = outcome.calls {
-            self.calls = calls;
+            position.calls = calls;
         }
         let (at, not_taken) = match outcome.then {
             Then::To(step) => (step, false),
             Then::Otherwise(step) => (step, true),
             Then::Wait => return Flow::Wait,
+            Then::EndThread => return Flow::ThreadEnd,
             Then::Finish(end) => return Flow::Finished(end),
         };
-        self.at = at;
-        self.not_taken = not_taken;
+        position.at = at;
+        position.not_taken = not_taken;
         Flow::Next
     }
 
@@ -216,23 +241,31 @@ impl Interpreter {
         Outcome {
             first: self.program.variables()[target].first,
             values,
-            ..Then::To(self.at + 1).with()
+            ..Then::To(self.at() + 1).with()
+        }
+    }
+
+    /// The end of a thread; the main program has nothing to return from.
+    fn thread_end(&self) -> Result<Then, Fault> {
+        match self.selected {
+            0 => Err(Fault::InvalidReturn),
+            _ => Ok(Then::EndThread),
         }
     }
 
     fn call(&self, to: StepId) -> Result<Outcome, Fault> {
-        let mut calls = self.calls;
-        calls.push(self.at + 1)?;
+        let mut calls = self.position().calls;
+        calls.push(self.at() + 1)?;
         Ok(Outcome {
             calls: Some(calls),
             ..Then::To(to).with()
         })
     }
 
-    fn values(&self, arguments: &[Argument]) -> Result<([Value; MAX], usize), Fault> {
+    fn values(&self, arguments: &[Argument], sensed: &dyn Sensed) -> Result<([Value; MAX], usize), Fault> {
         let mut values = [Value::Absolute(0.0); MAX];
         for (place, argument) in values.iter_mut().zip(arguments) {
-            let number = self.operand(argument.operand)?;
+            let number = self.operand(argument.operand, sensed)?;
             *place = match argument.mark {
                 Mark::None => Value::Absolute(number),
                 Mark::Relative => Value::Relative(number),
@@ -242,18 +275,23 @@ impl Interpreter {
         Ok((values, arguments.len().min(MAX)))
     }
 
-    fn text<'a>(&self, parts: &'a [MessagePart]) -> Result<Text<'a>, Fault> {
+    fn text<'a>(&self, parts: &'a [MessagePart], sensed: &dyn Sensed) -> Result<Text<'a>, Fault> {
         let pieces = parts.iter().map(|part| {
             Ok(match part {
                 MessagePart::Text(text) => Piece::Text(text),
-                MessagePart::Value { scalar, decimals } => Piece::Value(FormattedNumber {
-                    value: self.read(*scalar)?,
+                MessagePart::Value { operand, decimals } => Piece::Value(FormattedNumber {
+                    value: self.operand(*operand, sensed)?,
                     decimals: *decimals,
                 }),
             })
         });
         Ok(Text(pieces.collect::<Result<_, Fault>>()?))
     }
+}
+
+/// Returns the number of a thread from 1, by its index.
+fn number(thread: usize) -> u8 {
+    u8::try_from(thread + 1).unwrap_or(u8::MAX)
 }
 
 /// A MESSAGE with its placeholders replaced.

@@ -185,6 +185,8 @@ pub(super) struct HashedCycles {
     pub(super) hash: Hash,
     /// The present cycle in words, if they are wanted.
     pub(super) words: Option<String>,
+    /// More steps of the present cycle may follow.
+    goes_on: bool,
 }
 
 impl HashedCycles {
@@ -234,9 +236,10 @@ impl HashedCycles {
 
 impl Sink for HashedCycles {
     fn begin(&mut self, program: &dyn Program) {
-        if let Some(words) = &mut self.words {
+        if let (Some(words), false) = (&mut self.words, self.goes_on) {
             words.clear();
         }
+        self.goes_on = true;
         let at = program.at();
         self.note(format_args!("step {at}, line {}", program.line(at)));
     }
@@ -260,6 +263,11 @@ impl Sink for HashedCycles {
         self.note(format_args!("says {text}"));
     }
 
+    fn out(&mut self, text: &dyn Display) {
+        write!(self.hash, "{text}").expect("a hash takes every text");
+        self.note(format_args!("appends {text}"));
+    }
+
     fn lamp(&mut self, device: u8, on: bool) {
         self.hash.add(u64::from(device) * 2 + u64::from(on));
         self.note(format_args!("lamp {device} {on}"));
@@ -271,8 +279,15 @@ impl Sink for HashedCycles {
         self.hash.add(u64::from(cycle.step));
         self.hash.add(next);
         self.note(format_args!("next {:?}", cycle.next));
+        if let Some(thread) = cycle.thread {
+            write!(self.hash, "{thread}").expect("a hash takes every text");
+            self.note(format_args!("thread {thread}"));
+        }
         self.variables(cycle.program);
-        self.joints(cycle);
+        if cycle.last {
+            self.joints(cycle);
+            self.goes_on = false;
+        }
     }
 }
 
@@ -287,6 +302,10 @@ impl Shown {
 }
 
 impl Console for Shown {
+    fn append(&mut self, text: &dyn Display) {
+        self.show(text);
+    }
+
     fn silent(&mut self, on: bool) {
         self.0.add(u64::from(on));
     }

@@ -56,7 +56,7 @@ pub fn inputs(program: &Program) -> Vec<Event> {
 fn constant(operand: &Operand) -> Option<f64> {
     match operand {
         Operand::Constant(number) => Some(*number),
-        Operand::Scalar { .. } => None,
+        Operand::Scalar { .. } | Operand::Reading { .. } => None,
     }
 }
 

@@ -39,7 +39,7 @@ fn path_of(interpreter: &mut Interpreter, script: &mut Script) -> Vec<u32> {
         assert!(path.len() < 100, "runs forever: {path:?}");
         match interpreter.step(script) {
             Ok(Flow::Next | Flow::Wait) => {}
-            Ok(Flow::Finished(_)) | Err(_) => return path,
+            Ok(Flow::ThreadEnd | Flow::Finished(_)) | Err(_) => return path,
         }
     }
 }

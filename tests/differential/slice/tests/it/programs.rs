@@ -1,6 +1,6 @@
 //! Random programs load, and all that the language has comes up in them.
 
-use random_programs::{Specimen, program};
+use random_programs::{Edition, Specimen, program};
 use std::collections::BTreeSet;
 use tipc::Robot;
 use tipc::language::commands::COMMANDS;
@@ -8,7 +8,11 @@ use tipc::language::commands::COMMANDS;
 const SEEDS: u64 = 3000;
 
 fn specimens() -> impl Iterator<Item = Specimen> {
-    (0..SEEDS).map(program)
+    let of_edition = |edition: &Edition| {
+        let edition = *edition;
+        (0..SEEDS).map(move |seed| program(edition, seed))
+    };
+    Edition::ALL.iter().flat_map(of_edition)
 }
 
 #[test]
@@ -60,6 +64,7 @@ fn every_command_of_every_robot_comes_up() {
 
 #[test]
 fn a_seed_gives_the_same_program_again() {
-    assert_eq!(program(7), program(7));
-    assert_ne!(program(7).source, program(8).source);
+    let of = |seed| program(Edition::V3_2, seed);
+    assert_eq!(of(7), of(7));
+    assert_ne!(of(7).source, of(8).source);
 }

@@ -2,7 +2,7 @@
 //! before a run in release mode takes so many random ones.
 
 use crate::random::Random;
-use random_programs::{program, untidy};
+use random_programs::{Edition, Specimen, program, untidy};
 use robustness::format::{for_some_robot, formatted};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -67,13 +67,19 @@ fn seeds() -> Range<u64> {
     0..asked.map_or(PROGRAMS, |count| count.parse().expect("a number"))
 }
 
+/// The random program of a seed, of each edition in turn.
+fn specimen(seed: u64) -> Specimen {
+    let editions = Edition::ALL;
+    program(editions[seed as usize % editions.len()], seed)
+}
+
 /// Bytes that mean something to someone who reads a program.
 const BYTES: &[u8] = b" \t,;:/-+*=<>!%.\r\n\x1A\0\\R1E\x81\xE3";
 
 #[test]
 fn damaged_programs_stay_the_same_or_are_left() {
     for seed in seeds() {
-        let mut bytes = untidy(&program(seed));
+        let mut bytes = untidy(&specimen(seed));
         let mut random = Random::new(seed);
         for _ in 0..=random.below(3) {
             let at = random.below(bytes.len());
@@ -91,7 +97,7 @@ fn damaged_programs_stay_the_same_or_are_left() {
 #[test]
 fn random_programs_stay_the_same_however_they_are_written() {
     for seed in seeds() {
-        let specimen = program(seed);
+        let specimen = specimen(seed);
         let options = Options {
             robot: specimen.robot,
             ..Options::default()

@@ -13,7 +13,7 @@ fn every_option_is_read() {
         panic!("one robot");
     };
     assert_eq!(settings.load.robot, Robot::Generic);
-    assert_eq!(settings.load.tip_version, 2.5);
+    assert_eq!(settings.load.tip_version, Some(2.5));
     assert_eq!(settings.load.encoding, Encoding::ShiftJis);
     assert_eq!(
         settings.inputs,

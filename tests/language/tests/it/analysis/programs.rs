@@ -3,22 +3,26 @@
 
 use crate::analysis::watched::{Seen, Watched};
 use lockstep::Script;
-use random_programs::Specimen;
-use std::fs;
+use random_programs::{Edition, Specimen};
 use std::sync::{Arc, LazyLock, Mutex};
+use std::{env, fs};
 use tip_sim::{Event, Inputs, Plant};
 use tip_tests::{Settings, cases, root, run};
 use tipc::program::Program;
 use tipc::{Options, Robot};
 
-/// Number of random programs: enough to reach reads that find a value on some paths only.
+/// Default number of random programs of each edition: enough to reach reads that find a value on some paths only.
+/// `TIP_PROGRAMS=100000` before a run in release mode takes so many.
 const SEEDS: u64 = 1_000;
+
+/// Maximum number of traces that are kept.
+const KEPT: usize = 5_000;
 
 /// Observations of the runs of all programs.
 pub(crate) struct Runs {
     /// The reads that they came to.
     pub(crate) seen: Seen,
-    /// Each program that was run to its end or limit, with its trace.
+    /// The first programs that were run to their ends or limits, with their traces.
     pub(crate) traces: Vec<(Runnable, String)>,
 }
 
@@ -29,7 +33,9 @@ pub(crate) static RUNS: LazyLock<Runs> = LazyLock::new(|| {
     for one in all() {
         let watched = Watched::new(&one.name, one.program.clone(), Arc::clone(&seen));
         // A program that never ends by itself has no whole trace.
-        if let Ok(trace) = run(watched, &one.settings) {
+        if let Ok(trace) = run(watched, &one.settings)
+            && traces.len() < KEPT
+        {
             traces.push((one, trace));
         }
     }
@@ -45,9 +51,10 @@ pub(crate) struct Runnable {
 }
 
 /// Every case with a trace, then every random program.
-pub(crate) fn all() -> Vec<Runnable> {
+pub(crate) fn all() -> impl Iterator<Item = Runnable> {
     let folder = root().join("cases");
-    let of_case = |name: String| {
+    let names = cases(&folder);
+    let of_case = move |name: String| {
         let expectation = folder.join(format!("{name}.trace"));
         let header = fs::read_to_string(&expectation).unwrap_or_default();
         let beside = expectation.parent().expect("a case stands in a folder");
@@ -66,10 +73,13 @@ pub(crate) fn all() -> Vec<Runnable> {
         let settings = random_settings(robot, seed);
         runnable(format!("seed {seed}"), source.as_bytes(), settings)
     };
-    let cases = cases(&folder).into_iter().flat_map(of_case);
-    cases
-        .chain((0..SEEDS).map(random_programs::program).filter_map(of_seed))
-        .collect()
+    let asked = env::var("TIP_PROGRAMS").ok();
+    let seeds = asked.map_or(SEEDS, |count| count.parse().expect("a number"));
+    let random = Edition::ALL
+        .iter()
+        .flat_map(move |edition| (0..seeds).map(move |seed| random_programs::program(*edition, seed)));
+    let of_cases = names.into_iter().flat_map(of_case);
+    of_cases.chain(random.filter_map(of_seed))
 }
 
 /// Keys are typed while a random program runs.

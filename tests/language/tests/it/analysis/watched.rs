@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Arc, Mutex};
 use tip_runtime::fault::Fault;
-use tip_runtime::program::{Context, Flow, Program, Signature};
+use tip_runtime::program::{Context, Flow, Program, Signature, THREADS};
 use tip_sim::Interpreter;
 use tipc::analysis::assignment::{Assigned, Assignment};
 use tipc::program::Action;
@@ -19,8 +19,11 @@ pub(crate) struct Watched {
     name: String,
     engine: Interpreter,
     assignment: Assignment,
-    /// True if the step is reached "not taken"; `None` if that cannot be seen from outside.
-    not_taken: Option<bool>,
+    /// Of the main program and each thread: true if its step is reached "not taken"; `None` if that cannot be seen from
+    /// outside.
+    not_taken: [Option<bool>; 1 + THREADS],
+    /// The thread that runs.
+    thread: u8,
     seen: Arc<Mutex<Seen>>,
 }
 
@@ -30,7 +33,8 @@ impl Watched {
             name: name.to_owned(),
             assignment: Assignment::of(&program),
             engine: Interpreter::new(program),
-            not_taken: Some(false),
+            not_taken: [Some(false); 1 + THREADS],
+            thread: 0,
             seen,
         }
     }
@@ -38,7 +42,11 @@ impl Watched {
     /// Returns true if the step that runs next may read what it names: a passed ELSEIF does not.
     fn reads_now(&self) -> bool {
         let action = &self.engine.program().steps()[self.engine.at() as usize].action;
-        !matches!(action, Action::ElseIf { .. }) || self.not_taken == Some(true)
+        !matches!(action, Action::ElseIf { .. }) || self.is_not_taken() == Some(true)
+    }
+
+    fn is_not_taken(&self) -> Option<bool> {
+        self.not_taken[usize::from(self.thread)]
     }
 
     fn judge(&self) {
@@ -70,7 +78,9 @@ impl Watched {
                 None
             }
             Action::If { otherwise, .. } => Some(self.engine.at() == otherwise),
-            Action::ElseIf { otherwise, .. } if self.engine.at() == otherwise => self.not_taken,
+            Action::ElseIf { otherwise, .. } if self.engine.at() == otherwise => {
+                self.is_not_taken()
+            }
             _ => Some(false),
         }
     }
@@ -106,7 +116,7 @@ impl Program for Watched {
         }
         let flow = self.engine.step(cx);
         match flow {
-            Ok(Flow::Next) => self.not_taken = self.arrival(at),
+            Ok(Flow::Next) => self.not_taken[usize::from(self.thread)] = self.arrival(at),
             Err(Fault::Unassigned(scalar)) => {
                 let told = self.assignment.reads().iter().any(|read| {
                     (read.step, read.scalar) == (at, scalar as usize)
@@ -133,5 +143,23 @@ impl Program for Watched {
 
     fn reset(&mut self) {
         self.engine.reset();
+    }
+
+    fn thread(&self, n: u8) -> Option<(&str, u32)> {
+        self.engine.thread(n)
+    }
+
+    fn select(&mut self, thread: u8) {
+        self.thread = thread;
+        self.engine.select(thread);
+    }
+
+    fn begin(&mut self, thread: u8) {
+        self.not_taken[usize::from(thread)] = Some(false);
+        self.engine.begin(thread);
+    }
+
+    fn specials(&self) -> usize {
+        self.engine.specials()
     }
 }

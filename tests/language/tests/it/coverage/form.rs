@@ -246,6 +246,8 @@ fn value_lists(values: Values, head: Option<Head>) -> Vec<Vec<Slot>> {
             vec![vec![Slot::Plain], scalars, vec![Slot::Joint]]
         }
         Values::Angles | Values::PerJoint => vec![scalars, vec![Slot::Joint]],
+        // Forms of edition 3.2 are no rows of this table.
+        Values::PerLeg | Values::ThreeOrPos | Values::Limits => Vec::new(),
     }
 }
 

@@ -5,6 +5,7 @@ use super::outcome::Outcome;
 use super::rule::{self, Possible};
 use super::sentence::{self, Sentence};
 use tipc::Robot;
+use tipc::language::Edition;
 use tipc::language::commands::{COMMANDS, Form as Shape};
 
 /// A form of a statement.
@@ -17,7 +18,7 @@ pub enum Row {
 }
 
 impl Row {
-    /// Every row, in the order of the table of commands.
+    /// Every row of edition 3.1, in the order of the table of commands.
     pub fn all() -> Vec<Row> {
         let sentences = sentence::all();
         let named = |name: &str| {
@@ -25,7 +26,7 @@ impl Row {
             mine.cloned().map(Row::Sentence).collect::<Vec<_>>()
         };
         let mut rows = Vec::new();
-        for command in COMMANDS {
+        for command in COMMANDS.iter().filter(|it| it.since == Edition::V3_1) {
             match command.form {
                 Shape::Words(_) => rows.extend(named(command.name)),
                 _ => rows.extend(Form::all(command).into_iter().map(Row::Command)),

@@ -2,6 +2,7 @@
 
 use super::equation;
 use super::written::Names;
+use tipc::language::Edition;
 use tipc::language::commands::{COMMANDS, Form};
 use tipc::syntax::{Condition, Operand, OperandKind, Relation, StatementKind, Then, VariableKind};
 
@@ -34,7 +35,7 @@ fn sentence(name: &'static str, text: impl Into<String>) -> Sentence {
 /// Every form.
 pub fn all() -> Vec<Sentence> {
     let mut all: Vec<Sentence> = Vec::new();
-    for command in COMMANDS {
+    for command in COMMANDS.iter().filter(|it| it.since == Edition::V3_1) {
         if let Form::Words(text) = command.form {
             all.extend(expanded(text).map(|text| sentence(command.name, text)));
         }
@@ -159,7 +160,16 @@ pub fn shown(kind: &StatementKind, names: &Names) -> Vec<Sentence> {
         Kind::Return => one("RETURN", ""),
         Kind::End => one("END", ""),
         Kind::Exit => one("EXIT", ""),
-        Kind::Command { .. } | Kind::Broken(_) => Vec::new(),
+        // Those of edition 3.2 are no rows of this table.
+        Kind::Constant { .. }
+        | Kind::Thread { .. }
+        | Kind::ThreadEnd
+        | Kind::StartThread(_)
+        | Kind::StopThread(_)
+        | Kind::WaitThread(_)
+        | Kind::FileMessage { .. }
+        | Kind::Command { .. }
+        | Kind::Broken(_) => Vec::new(),
     }
 }
 

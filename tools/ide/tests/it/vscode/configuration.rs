@@ -42,6 +42,7 @@ pub(crate) fn configuration() -> Configuration {
         Keyword::Until,
         Keyword::Next,
         Keyword::SubEnd,
+        Keyword::ThreadEnd,
     ];
     let parting = any(&[Keyword::ElseIf, Keyword::Else]);
     let asking = any(&[Keyword::If, Keyword::ElseIf]);
@@ -51,6 +52,7 @@ pub(crate) fn configuration() -> Configuration {
         Keyword::Repeat,
         Keyword::For,
         Keyword::Subroutine,
+        Keyword::Thread,
     ]);
     let (closing, then) = (any(&closing), Keyword::Then);
     // A block may also be on one line.

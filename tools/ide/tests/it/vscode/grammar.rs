@@ -3,7 +3,7 @@
 use crate::vscode::rule::Rule;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use tip_runtime::command::{Flag, MAX, Target};
+use tip_runtime::command::{Flag, MAX, READING, Target};
 use tipc::language::commands::{COMMANDS, Command, Form, Meaning};
 use tipc::language::flags::{self, FLAGS};
 use tipc::language::keywords::KEYWORDS;
@@ -70,10 +70,11 @@ fn header() -> Rule {
         .ends_with(1, &format!("{TEXT}.title"))
 }
 
-/// MESSAGE and REM, which texts follow.
+/// MESSAGE, F_MESSAGE and REM, which texts follow.
 fn text() -> Rule {
     let begin = |keyword: Keyword| format!("(?i)({keyword})(?={BLANK}|;|//|$)");
-    let placeholder = "(?i)%([A-Z_][A-Z0-9_]*)(?:\\.[0-7])?%";
+    let member = format!("(?:\\.(?:{}|{JOINT}[0-9]))?", any(POSITION));
+    let placeholder = format!("(?i)%({READING}?[A-Z_][A-Z0-9_]*){member}(?:\\.[0-7])?%");
     let placeholder = Rule::parts(placeholder, &[(1, "variable.other")]);
     let shown = |keyword, patterns| {
         Rule::stretch(begin(keyword), END, patterns)
@@ -81,7 +82,8 @@ fn text() -> Rule {
             .holds(TEXT)
     };
     Rule::list(vec![
-        shown(Keyword::Message, vec![placeholder]),
+        shown(Keyword::Message, vec![placeholder.clone()]),
+        shown(Keyword::FileMessage, vec![placeholder]),
         shown(Keyword::Rem, Vec::new()),
     ])
 }
@@ -118,6 +120,10 @@ fn statement() -> Rule {
         Keyword::Call,
         Keyword::Goto,
         Keyword::Gosub,
+        Keyword::Thread,
+        Keyword::StartThread,
+        Keyword::StopThread,
+        Keyword::WaitThread,
     ];
     let jumps = any(jumps.map(Keyword::word));
     let jump = format!("(?i){BEFORE}({jumps}){BLANK}+({NAME})");
@@ -136,6 +142,8 @@ fn words() -> Rule {
         any(POSITION)
     );
     let parts = [(1, "variable.other"), (2, "variable.other.member")];
+    let member = format!("(?:\\.({}|{JOINT}[0-9]+){AFTER})?", any(POSITION));
+    let reading = format!("(?i)({READING}[A-Z0-9_]+){member}");
     let number = format!("(?i){BEFORE}(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:E[-+]?[0-9]+)?{AFTER}");
     Rule::list(vec![
         named(KEYWORD, any(KEYWORDS.iter().map(|row| row.word))),
@@ -146,6 +154,13 @@ fn words() -> Rule {
         named("constant.language.input", any(inputs::named())),
         named("constant.language.key", any(constants())),
         Rule::named(NUMBER, number),
+        Rule::parts(
+            reading,
+            &[
+                (1, "variable.language.reading"),
+                (2, "variable.other.member"),
+            ],
+        ),
         Rule::parts(variable, &parts),
         Rule::named("keyword.operator", "<>|[-+*/=<>]=|[-+*/=<>!]"),
         Rule::named("invalid.illegal", r"[^\x00-\x7F\x{3000}]+"),

@@ -4,7 +4,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A rule of a grammar: what is found, and what it is called.
-#[derive(Default, Serialize)]
+#[derive(Clone, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct Rule {
     #[serde(skip_serializing_if = "String::is_empty")]
@@ -29,7 +29,7 @@ pub(crate) struct Rule {
     patterns: Vec<Rule>,
 }
 
-#[derive(Serialize)]
+#[derive(Clone, Serialize)]
 struct Capture {
     name: String,
 }

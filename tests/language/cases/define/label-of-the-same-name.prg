@@ -1,0 +1,9 @@
+3.2
+Label of the same name
+DEFINE NEXT_ONE 5
+DEF_VAR V
+V = NEXT_ONE
+GOTO NEXT_ONE:
+V = 0
+NEXT_ONE: V = -NEXT_ONE
+END

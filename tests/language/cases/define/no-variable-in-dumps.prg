@@ -1,0 +1,8 @@
+3.2
+No variable in dumps
+DEFINE C 5
+DEF_VAR V
+OUTPUT_VARIABLES
+V = C
+MESSAGE %C.X% %C.2% %V%
+END

@@ -1,0 +1,10 @@
+3.2
+Motion under way ends as it began
+PTP_ANGLE J11 30
+DIRECT J11
+SLEEP 200
+IF INPOS_J11 GOTO BAD:
+MESSAGE good
+EXIT
+BAD: MESSAGE bad
+END

@@ -1,0 +1,10 @@
+3.2
+Of a foot is of its joints
+DIRECT F1
+PTP_ANGLE J11 30
+SLEEP 200
+IF !INPOS_J11 GOTO BAD:
+MESSAGE good
+EXIT
+BAD: MESSAGE bad
+END

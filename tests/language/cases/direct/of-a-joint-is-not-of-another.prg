@@ -1,0 +1,10 @@
+3.2
+Of a joint is not of another
+DIRECT J11
+PTP_ANGLE J21 30
+SLEEP 200
+IF INPOS_J21 GOTO BAD:
+MESSAGE good
+EXIT
+BAD: MESSAGE bad
+END

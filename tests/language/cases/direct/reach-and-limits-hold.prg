@@ -1,0 +1,6 @@
+3.2
+Reach and limits hold
+DIRECT ALL
+PTP_ANGLE J11 55
+PTP_ANGLE J11 61
+END

@@ -1,0 +1,5 @@
+3.2
+Reach of a foot holds
+DIRECT F1
+PTP F1 100 -100 0
+END

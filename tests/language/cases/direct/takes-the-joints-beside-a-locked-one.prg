@@ -1,0 +1,11 @@
+3.2
+Takes the joints beside a locked one
+LOCK J11
+DIRECT ALL
+PTP_ANGLE J12 30
+SLEEP 200
+IF !INPOS_J12 GOTO BAD:
+MESSAGE good
+EXIT
+BAD: MESSAGE bad
+END

@@ -1,0 +1,11 @@
+3.2
+Trajectory of one joint leaves the foot
+DIRECT F1
+TRAJECTORY J11
+PTP F1 -391 281 -180
+SLEEP 200
+IF !INPOS_F1 GOTO BAD:
+MESSAGE good
+EXIT
+BAD: MESSAGE bad
+END

@@ -1,0 +1,13 @@
+3.2
+Velocities keep their limits
+DEF_VAR A
+DIRECT ALL
+OMEGA_CONTROL J11 60
+A = @AGL_J11
+SLEEP 20
+A = @AGL_J11
+IF A > 1 GOTO BAD:
+MESSAGE good
+EXIT
+BAD: MESSAGE bad
+END

@@ -1,0 +1,9 @@
+3.2
+A called part without its RETURN
+GOSUB L1:
+EXIT
+L1:
+SLEEP 100
+SUBROUTINE S1:
+SUBEND
+END

@@ -1,0 +1,15 @@
+3.2
+A call returns behind itself
+DEF_VAR A B
+GOSUB GIVE:
+SLEEP A
+GOSUB NOTHING:
+SLEEP B
+EXIT
+GIVE:
+A = 1
+RETURN
+NOTHING:
+RETURN
+B = 1
+END

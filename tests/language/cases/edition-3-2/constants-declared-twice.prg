@@ -1,0 +1,13 @@
+3.2
+Names that are there already
+DEF_VAR A
+DEFINE A 5
+DEFINE B 1
+DEF_POS B
+DEFINE B 2
+A = B
+SLEEP A
+L1: DEFINE L1 3
+SLEEP L1
+GOTO L1:
+END

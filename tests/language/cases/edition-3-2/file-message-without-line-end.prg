@@ -1,0 +1,5 @@
+3.2
+One long line
+F_MESSAGE one
+F_MESSAGE two
+END

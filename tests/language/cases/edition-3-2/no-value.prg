@@ -1,0 +1,26 @@
+3.2
+Reads that find no value on any way
+DEF_VAR A B C
+DEF_POS P
+IF KB_HIT THEN
+  B = A
+  C = B
+ENDIF
+IF 1 == 2 THEN
+  SLEEP C
+ENDIF
+P.X = 1
+IF !KB_HIT THEN
+  SLEEP A
+  PTP F1 P
+ENDIF
+IF KB_HIT THEN
+  PTP F1 P
+ENDIF
+A = 1
+B = 2
+P.Y = 1
+P.Z = 1
+EXIT
+SLEEP C
+END

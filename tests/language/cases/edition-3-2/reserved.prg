@@ -1,0 +1,7 @@
+3.2
+Names that 3.2 reserves
+DEF_VAR LOCK
+DEF_VAR THREAD
+GOTO DIRECT:
+DIRECT:
+END

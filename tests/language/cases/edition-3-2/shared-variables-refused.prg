@@ -1,0 +1,6 @@
+3.2
+Names of shared variables
+DEF_VAR VAR_SPECIAL_1
+DEFINE JNT_SPECIAL_0 5
+VAR_SPECIAL_10 = 1
+END

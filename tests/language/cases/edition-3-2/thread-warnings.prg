@@ -1,0 +1,11 @@
+3.2
+Threads that are not what was meant
+START_THREAD A:
+EXIT
+THREAD A:
+  WAIT_THREAD A:
+THREADEND
+THREAD B:
+  SLEEP 100
+THREADEND
+END

@@ -1,0 +1,6 @@
+3.2
+A timer that stands
+RESTART_TIMER 1
+SLEEP @TIMER1
+SLEEP @TIMER2
+END

@@ -1,0 +1,7 @@
+3.2
+A constant that nothing uses
+DEFINE USED 100
+DEFINE MORE -USED
+DEFINE LESS USED
+SLEEP LESS
+END

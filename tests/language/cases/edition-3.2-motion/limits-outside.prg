@@ -1,0 +1,7 @@
+3.2
+Limits that are none
+DEF_VAR LOW HIGH
+LOW = -60.5
+HIGH = 5.0
+SET_LIMIT J11 LOW HIGH
+END

@@ -1,0 +1,8 @@
+3.2
+F_MESSAGE
+DEF_VAR A
+A = 2.75
+F_MESSAGE a\tb\\c\qd
+F_MESSAGE
+F_MESSAGE   %A.1%\n
+END

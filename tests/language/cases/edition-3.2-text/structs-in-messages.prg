@@ -1,0 +1,11 @@
+3.2
+POS, JOINT and members
+DEF_POS P
+DEF_JOINT Q
+P.X = 1.5
+P.Y = -2
+P.Z = 0.25
+Q = @AGL_F1
+MESSAGE %P% %P.2% %P.Y% %P.Z.1% %P.J1% %NONE%
+MESSAGE %Q.1% %@POS_F1% %@AGL_J13.2% %@POS_F1.Z.1%
+END

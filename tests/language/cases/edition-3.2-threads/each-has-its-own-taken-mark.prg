@@ -1,0 +1,20 @@
+3.2
+ELSE of the main program while a thread passes one
+DEF_VAR A B C
+A = 0
+START_THREAD ONE:
+REM
+IF A == 1 THEN
+REM
+ELSE
+B = 1
+ENDIF
+EXIT
+THREAD ONE:
+IF A == 0 THEN
+C = 1
+ELSE
+C = 2
+ENDIF
+THREADEND
+END

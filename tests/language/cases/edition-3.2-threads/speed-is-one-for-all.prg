@@ -1,0 +1,15 @@
+3.2
+Two steps in each turn
+DEF_VAR A
+START_THREAD ONE:
+TIP_SPEED_UP 2
+REM
+REM
+EXIT
+THREAD ONE:
+A = 1
+A = 2
+SLEEP 0
+A = 3
+THREADEND
+END

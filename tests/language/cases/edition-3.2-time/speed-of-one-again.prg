@@ -1,0 +1,8 @@
+3.2
+Back to one step
+DEF_VAR A
+TIP_SPEED_UP 2.9
+TIP_SPEED_UP 1
+A = 1
+A = 2
+END

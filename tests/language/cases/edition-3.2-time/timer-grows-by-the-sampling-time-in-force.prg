@@ -1,0 +1,9 @@
+3.2
+A sampling time that changes
+DEF_VAR A
+START_TIMER 3
+SET_SAMPLING_TIME 10
+A = @TIMER3
+START_TIMER 3
+A = @TIMER3
+END

@@ -1,0 +1,13 @@
+3.2
+A timer is started, stopped, goes on and is reset
+DEF_VAR A
+START_TIMER 0
+A = @TIMER0
+STOP_TIMER 0
+REM
+A = @TIMER0
+RESTART_TIMER 0
+A = @TIMER0
+RESET_TIMER 0
+A = @TIMER0
+END

@@ -1,0 +1,9 @@
+3.2
+Timers that never ran
+DEF_VAR A
+STOP_TIMER 1
+RESET_TIMER 1
+RESTART_TIMER 2
+A = @TIMER1
+A = @TIMER2
+END

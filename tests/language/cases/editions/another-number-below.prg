@@ -1,0 +1,3 @@
+3.0
+Another number below
+END

@@ -1,0 +1,3 @@
+3.3
+Another number
+END

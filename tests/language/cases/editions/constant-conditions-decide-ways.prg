@@ -1,0 +1,18 @@
+3.2
+Constant conditions decide ways
+DEF_VAR A B
+DEFINE DEBUG 0
+IF DEBUG == 1 THEN
+A = B
+ENDIF
+IF 1 == 1 GOTO L:
+A = B
+L: WHILE 1 > 2
+A = B
+WEND
+FOR A = 5 TO 1
+SLEEP B
+NEXT
+B = A
+SLEEP B
+END

@@ -1,0 +1,4 @@
+3.2
+Demanded first edition
+LOCK F1
+END

@@ -1,0 +1,3 @@
+3.1
+Demanded second edition
+END

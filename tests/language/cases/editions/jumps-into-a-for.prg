@@ -1,0 +1,12 @@
+3.2
+Jumps into a for
+DEF_VAR I
+KEY_IN I
+GOTO L:
+IF I == 1 GOTO L:
+IF I == 1 GOSUB L:
+GOSUB L:
+FOR I = 1 TO 3
+L: REM
+NEXT
+END

@@ -1,0 +1,10 @@
+3.2
+Jumps out of a for and in it
+DEF_VAR I
+FOR I = 1 TO 3
+IF KB_HIT GOTO L:
+IF HALT_REQUEST GOTO OUT:
+L: REM
+NEXT
+OUT: SLEEP I
+END

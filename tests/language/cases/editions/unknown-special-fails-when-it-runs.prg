@@ -1,0 +1,5 @@
+3.2
+Unknown special fails when it runs
+REM
+SPECIAL 99
+END

@@ -1,0 +1,14 @@
+3.2
+What a call assigns
+DEF_VAR A B C
+CALL SET:
+B = A
+GOSUB SKIP:
+C = B
+SLEEP C
+EXIT
+SUBROUTINE SET:
+A = 2
+SUBEND
+SKIP: RETURN
+END

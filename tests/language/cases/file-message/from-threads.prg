@@ -1,0 +1,10 @@
+3.2
+From threads
+START_THREAD T:
+F_MESSAGE main\n
+F_MESSAGE main\n
+EXIT
+THREAD T:
+F_MESSAGE thread\n
+THREADEND
+END

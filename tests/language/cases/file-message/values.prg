@@ -1,0 +1,8 @@
+3.2
+Values
+DEF_POS P
+DEFINE RATE 0.5
+P.X = 1; P.Y = 2; P.Z = 3
+F_MESSAGE %P.1%\t%RATE.1%\t%P.Z%\t%@AGL_J13%\n
+F_MESSAGE %P.J1% %RATE.X% 100%
+END

@@ -1,0 +1,4 @@
+3.2
+Yen sign
+F_MESSAGE a¥tb¥n
+END

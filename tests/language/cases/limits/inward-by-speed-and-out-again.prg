@@ -1,0 +1,6 @@
+3.2
+Inward by speed and out again
+SET_LIMIT J11 5 10
+OMEGA_CONTROL J11 20
+SLEEP 10000
+END

@@ -1,0 +1,7 @@
+3.2
+Motion under way leads out
+PTP_ANGLE J11 40
+SLEEP 100
+SET_LIMIT J11 -20 20
+SLEEP 10000
+END

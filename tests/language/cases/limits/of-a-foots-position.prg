@@ -1,0 +1,7 @@
+3.2
+Of a foots position
+SET_LIMIT J11 -10 10
+PTP F1 -391 241 -200
+PTP F2 391 301 -200
+PTP F1 -391 301 -200
+END

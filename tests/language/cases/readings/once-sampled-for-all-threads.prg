@@ -1,0 +1,19 @@
+3.2
+Once sampled for all threads
+DEF_VAR A B C
+PTP F1 -391 241 -190
+SLEEP 200
+START_THREAD T:
+A = @AGL_J11
+A = @AGL_J11
+C = A - B
+MESSAGE %C.7%
+A = @AGL_J11
+C = A - B
+IF C == 0 GOTO BAD:
+EXIT
+BAD: EXIT
+THREAD T:
+B = @AGL_J11
+THREADEND
+END

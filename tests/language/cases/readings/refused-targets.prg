@@ -1,0 +1,26 @@
+3.2
+Refused targets
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = @AGL_J51
+V = @AGL_J14
+V = @AGL_J10
+Q = @AGL_F5
+P = @POS_F5
+V = @TIMER8
+V = @TIMER
+V = @NOPE
+V = @TRQ_J11
+Q = @TRQ_F1
+P = @FORCE_F1
+P = @POS_J11
+V = @AGL_F1
+V = @AGL_J11.X
+V = @POS_F1.J1
+MESSAGE %@AGL_J51% %@TRQ_J11%
+MESSAGE %@NOPE% %@TIMER8% %@POS_F1.J1%
+V = P.X
+P.X = Q.J1
+SLEEP V
+END

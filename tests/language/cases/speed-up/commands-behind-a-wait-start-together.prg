@@ -1,0 +1,10 @@
+3.2
+Commands behind a wait start together
+TIP_SPEED_UP 4
+SLEEP 20
+PTP F1 -391 201 -190
+PTP F2 391 201 -190
+PTP F3 -391 -201 -190
+PTP F4 391 -201 -190
+SET_V_MAX ALL 100
+END

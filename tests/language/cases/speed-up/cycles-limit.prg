@@ -1,0 +1,9 @@
+3.2
+Cycles limit
+DEF_VAR A
+A = 0
+TIP_SPEED_UP 3
+LOOP:
+A += 1
+GOTO
+END

@@ -1,0 +1,6 @@
+3.2
+Sampling time and sleep
+TIP_SPEED_UP 2
+SET_SAMPLING_TIME 40
+SLEEP 100
+END

@@ -1,0 +1,19 @@
+3.2
+Thread steps
+DEF_VAR A B
+A = 0; B = 0
+START_THREAD T:
+TIP_SPEED_UP 2
+A += 1
+A += 1
+A += 1
+SLEEP 0
+A += 1
+EXIT
+THREAD T:
+B += 1
+B += 1
+SLEEP 40
+B += 1
+THREADEND
+END

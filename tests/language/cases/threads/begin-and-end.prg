@@ -1,0 +1,13 @@
+3.2
+Begin and end
+DEF_VAR A
+START_THREAD T:
+A = 1
+A = 2
+A = 3
+A = 4
+EXIT
+THREAD T:
+A = 10
+THREADEND
+END

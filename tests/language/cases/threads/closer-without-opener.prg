@@ -1,0 +1,5 @@
+3.2
+Closer without opener
+EXIT
+THREADEND
+END

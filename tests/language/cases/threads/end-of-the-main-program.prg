@@ -1,0 +1,11 @@
+3.2
+End of the main program
+START_THREAD T:
+REM
+EXIT
+THREAD T:
+REM
+REM
+REM
+THREADEND
+END

@@ -1,0 +1,17 @@
+3.2
+Fault in a thread
+DEF_VAR A B
+B = 0
+START_THREAD T1:
+START_THREAD T2:
+A = 1
+A = 2
+A = 3
+EXIT
+THREAD T1:
+A = 1 / B
+THREADEND
+THREAD T2:
+A = 20
+THREADEND
+END

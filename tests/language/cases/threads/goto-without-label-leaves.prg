@@ -1,0 +1,9 @@
+3.2
+Goto without label leaves
+START_THREAD T:
+LOOP: REM
+EXIT
+THREAD T:
+GOTO
+THREADEND
+END

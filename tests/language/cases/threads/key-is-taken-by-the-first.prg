@@ -1,0 +1,11 @@
+3.2
+Key is taken by the first
+DEF_VAR A B
+START_THREAD T:
+KEY_IN A
+REM
+EXIT
+THREAD T:
+KEY_IN B
+THREADEND
+END

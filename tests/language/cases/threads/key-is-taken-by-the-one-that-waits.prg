@@ -1,0 +1,11 @@
+3.2
+Key is taken by the one that waits
+DEF_VAR A B
+START_THREAD T:
+SLEEP 100
+KEY_IN A
+EXIT
+THREAD T:
+KEY_IN B
+THREADEND
+END

@@ -1,0 +1,9 @@
+3.2
+One posture at a time in a thread
+START_THREAD T:
+STAND_UP 30
+EXIT
+THREAD T:
+INITIAL_POSTURE
+THREADEND
+END

@@ -1,0 +1,9 @@
+3.2
+Out of reach is of its step
+START_THREAD T:
+SLEEP 2000
+EXIT
+THREAD T:
+PTP F1 100 -100 0
+THREADEND
+END

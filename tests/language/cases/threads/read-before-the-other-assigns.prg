@@ -1,0 +1,14 @@
+3.2
+Read before the other assigns
+DEF_VAR A B
+START_THREAD T:
+REM
+B = 1
+A = 1
+SLEEP A
+EXIT
+THREAD T:
+A = B
+SLEEP B
+THREADEND
+END

@@ -1,0 +1,15 @@
+3.2
+Return at depth zero
+DEF_VAR A
+A = 0
+START_THREAD T:
+WAIT_THREAD T:
+EXIT
+THREAD T:
+GOSUB L:
+A += 10
+RETURN
+L: A += 1
+RETURN
+THREADEND
+END

@@ -1,0 +1,11 @@
+3.2
+Return of the main program
+START_THREAD T:
+REM
+RETURN
+EXIT
+THREAD T:
+REM
+REM
+THREADEND
+END

@@ -1,0 +1,10 @@
+3.2
+Robot faults are of the main program
+START_THREAD T:
+SLEEP 2000
+EXIT
+THREAD T:
+OMEGA_CONTROL J11 60
+SLEEP 3000
+THREADEND
+END

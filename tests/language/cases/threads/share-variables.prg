@@ -1,0 +1,14 @@
+3.2
+Share variables
+DEF_VAR A
+A = 0
+START_THREAD T:
+A += 1
+A += 1
+MESSAGE %A%
+EXIT
+THREAD T:
+A *= 10
+MESSAGE T %A%
+THREADEND
+END

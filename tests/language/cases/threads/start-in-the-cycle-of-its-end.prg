@@ -1,0 +1,9 @@
+3.2
+Start in the cycle of its end
+START_THREAD T:
+REM
+START_THREAD T:
+EXIT
+THREAD T:
+THREADEND
+END

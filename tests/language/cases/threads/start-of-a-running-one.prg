@@ -1,0 +1,11 @@
+3.2
+Start of a running one
+START_THREAD T:
+REM
+START_THREAD T:
+EXIT
+THREAD T:
+REM
+REM
+THREADEND
+END

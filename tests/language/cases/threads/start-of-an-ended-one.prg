@@ -1,0 +1,17 @@
+3.2
+Start of an ended one
+DEF_VAR A
+A = 0
+START_THREAD T:
+REM
+REM
+REM
+START_THREAD T:
+REM
+REM
+REM
+EXIT
+THREAD T:
+A += 1
+THREADEND
+END

@@ -1,0 +1,9 @@
+3.2
+Start twice before it begins
+TIP_SPEED_UP 2
+START_THREAD T:
+START_THREAD T:
+EXIT
+THREAD T:
+THREADEND
+END

@@ -1,0 +1,17 @@
+3.2
+Stop leaves the turn to come
+DEF_VAR A
+A = 0
+START_THREAD T:
+REM
+REM
+STOP_THREAD T:
+REM
+EXIT
+THREAD T:
+A += 1
+A += 1
+A += 1
+A += 1
+THREADEND
+END

@@ -1,0 +1,12 @@
+3.2
+Stop of one that does not run
+STOP_THREAD T:
+START_THREAD T:
+REM
+REM
+REM
+STOP_THREAD T:
+EXIT
+THREAD T:
+THREADEND
+END

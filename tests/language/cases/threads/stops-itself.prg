@@ -1,0 +1,16 @@
+3.2
+Stops itself
+DEF_VAR A
+A = 0
+TIP_SPEED_UP 4
+START_THREAD T:
+SLEEP 60
+EXIT
+THREAD T:
+A += 1
+STOP_THREAD T:
+A += 1
+A += 1
+A += 1
+THREADEND
+END

@@ -1,0 +1,29 @@
+3.2
+Taken of its own
+DEF_VAR A B
+A = 0; B = 0
+START_THREAD T:
+IF A == 1 THEN
+A = 2
+ELSEIF A == 0 THEN
+A = 3
+ENDIF
+IF A == 3 THEN
+A = 4
+ELSEIF A == 4 THEN
+A = 5
+ENDIF
+EXIT
+THREAD T:
+IF B == 0 THEN
+B = 1
+ELSEIF B == 1 THEN
+B = 2
+ENDIF
+IF B == 5 THEN
+B = 3
+ELSEIF B == 1 THEN
+B = 6
+ENDIF
+THREADEND
+END

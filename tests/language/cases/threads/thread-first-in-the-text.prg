@@ -1,0 +1,9 @@
+3.2
+Thread first in the text
+GOTO MAIN:
+THREAD T:
+REM
+THREADEND
+MAIN: START_THREAD T:
+WAIT_THREAD T:
+END

@@ -1,0 +1,19 @@
+3.2
+Turn order
+DEF_VAR A
+A = 0
+START_THREAD T2:
+START_THREAD T1:
+A = 1
+A = 1
+A = 1
+EXIT
+THREAD T1:
+A += 1
+A *= 2
+THREADEND
+THREAD T2:
+A += 5
+A *= 3
+THREADEND
+END

@@ -1,0 +1,9 @@
+3.2
+Wait of one never started
+TIP_SPEED_UP 3
+WAIT_THREAD T:
+REM
+EXIT
+THREAD T:
+THREADEND
+END

@@ -1,0 +1,9 @@
+3.2
+Wait of one that begins
+TIP_SPEED_UP 2
+START_THREAD T:
+WAIT_THREAD T:
+EXIT
+THREAD T:
+THREADEND
+END

@@ -1,0 +1,9 @@
+3.2
+No command of the robot resets them
+DEF_VAR A
+START_TIMER 0
+INITIAL_POSTURE
+ALL_STOP
+ALL_STOP_RELEASE
+A = @TIMER0
+END

@@ -1,0 +1,12 @@
+3.2
+Number is truncated
+DEF_VAR A N
+N = 2.9
+START_TIMER N
+START_TIMER -0.5
+A = @TIMER2
+A = @TIMER0
+STOP_TIMER 2.1
+A = @TIMER2
+A = @TIMER2
+END

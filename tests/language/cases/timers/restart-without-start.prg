@@ -1,0 +1,10 @@
+3.2
+Restart without start
+DEF_VAR A
+RESTART_TIMER 7
+A = @TIMER7
+STOP_TIMER 6
+RESET_TIMER 5
+A = @TIMER6
+A = @TIMER5
+END

@@ -1,0 +1,9 @@
+3.2
+Sampling time in force
+DEF_VAR A
+START_TIMER 0
+A = @TIMER0
+SET_SAMPLING_TIME 50
+A = @TIMER0
+A = @TIMER0
+END

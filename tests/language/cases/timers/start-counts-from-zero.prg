@@ -1,0 +1,11 @@
+3.2
+Start counts from zero
+DEF_VAR A
+A = @TIMER0
+START_TIMER 0
+A = @TIMER0
+A = @TIMER0
+START_TIMER 0
+A = @TIMER0
+A = @TIMER1
+END

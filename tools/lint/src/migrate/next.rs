@@ -1,0 +1,197 @@
+//! A program of version 3.1 to edition 3.2: line 1, names that 3.2 reserves, and what the text leaves open, since 3.2
+//! refuses what 3.1 warns of, and shows more values in a MESSAGE.
+
+use super::edits::Edits;
+use super::{Note, NoteKind};
+use crate::message::Migrating;
+use std::collections::HashSet;
+use tipc::code::Level;
+use tipc::diagnostic::Diagnostic;
+use tipc::language::Edition;
+use tipc::language::names::LIMIT;
+use tipc::language::reserved::is_reserved;
+use tipc::parse::header::{version_number, version_word};
+use tipc::program::{Action, MessagePart, Program};
+use tipc::source::{Encoding, Source, Span};
+use tipc::symbols::DefinitionKind;
+use tipc::{Loaded, Options, Robot};
+
+/// Text of line 1 afterwards.
+const NEXT: &str = "3.2";
+
+/// Turns a program of version 3.1 into one of 3.2; returns its bytes, and what was changed or is open. A program that
+/// says 3.2 already stays as it is.
+pub(super) fn to_3_2(name: &str, bytes: &[u8], encoding: Encoding) -> (Vec<u8>, Vec<Note>) {
+    let before = best(name, bytes, encoding);
+    let source = &before.source;
+    let version = version_word(source);
+    if version_number(source.slice(version)) == Some(Edition::V3_2.number()) {
+        return (bytes.to_vec(), Vec::new());
+    }
+    let mut notes = Vec::new();
+    if before.program.is_none() {
+        let errors = before.errors();
+        notes.extend(errors.map(|error| question(source, error.span, refused(error))));
+        return (bytes.to_vec(), notes);
+    }
+    let mut edits = Edits::default();
+    edits.replace(version, NEXT);
+    notes.push(note(
+        NoteKind::Change,
+        source,
+        version,
+        Migrating::ToVersion { to: NEXT },
+    ));
+    rename(&before, &mut edits, &mut notes);
+    let result = edits.apply(source);
+    for robot in robots(name, bytes, encoding) {
+        let after = load(name, &result, encoding, robot);
+        // Line 1 and the names have changed, the lines and the statements have not.
+        let place = |span: Span| {
+            let (line, column) = after.source.line_column(span.start);
+            (line, column)
+        };
+        let errors = after
+            .errors()
+            .map(|error| (place(error.span), refused(error)));
+        let shown = after.program.iter().flat_map(|program| {
+            let before = before.program.iter();
+            before.flat_map(|before| shown(before, program))
+        });
+        for ((line, column), text) in errors.chain(shown) {
+            let is_known =
+                |it: &Note| (it.line, it.column, it.kind) == (line, column, NoteKind::Question);
+            if !notes.iter().any(is_known) {
+                notes.push(Note {
+                    kind: NoteKind::Question,
+                    line,
+                    column,
+                    text,
+                });
+            }
+        }
+    }
+    (result, notes)
+}
+
+fn load(name: &str, bytes: &[u8], encoding: Encoding, robot: Robot) -> Loaded {
+    let options = Options {
+        robot,
+        encoding,
+        ..Options::default()
+    };
+    tipc::load(name, bytes, &options)
+}
+
+/// Returns the robots that a program loads for.
+fn robots(name: &str, bytes: &[u8], encoding: Encoding) -> Vec<Robot> {
+    let loads = |robot: &Robot| load(name, bytes, encoding, *robot).program.is_some();
+    Robot::ALL.iter().copied().filter(loads).collect()
+}
+
+/// Loads a program for the robot on which it has the fewest errors.
+fn best(name: &str, bytes: &[u8], encoding: Encoding) -> Loaded {
+    let all = Robot::ALL.iter();
+    let all = all.map(|robot| load(name, bytes, encoding, *robot));
+    let best = all.min_by_key(|loaded| loaded.errors().count());
+    best.unwrap_or_else(|| load(name, bytes, encoding, Robot::default()))
+}
+
+/// Gives names that 3.2 reserves other ones, wherever they are.
+fn rename(before: &Loaded, edits: &mut Edits, notes: &mut Vec<Note>) {
+    let symbols = &before.symbols;
+    let definitions = symbols.definitions();
+    let mut taken: HashSet<String> = definitions.iter().map(|it| it.name.to_string()).collect();
+    let renamed: Vec<Option<String>> = definitions
+        .iter()
+        .map(|definition| {
+            let name = definition.name.as_str();
+            let clashes = is_reserved(name, Edition::V3_2) && !is_reserved(name, Edition::V3_1);
+            clashes.then(|| {
+                let new = free_name(name, &taken);
+                taken.insert(new.clone());
+                new
+            })
+        })
+        .collect();
+    for used in symbols
+        .all_uses()
+        .iter()
+        .filter(|it| it.span.start < it.span.end)
+    {
+        let Some(new) = &renamed[used.definition.index()] else {
+            continue;
+        };
+        let written = before.source.slice(used.span);
+        let is_small = !written.contains(|c: char| c.is_ascii_uppercase());
+        let new_word = match is_small {
+            true => new.to_ascii_lowercase(),
+            false => new.clone(),
+        };
+        edits.replace(used.span, new_word);
+        let definition = symbols.definition(used.definition);
+        if definition.span == Some(used.span) {
+            let name = definition.name.to_string();
+            let new = new.clone();
+            let text = match definition.kind {
+                DefinitionKind::Variable(_) => Migrating::VariableIn3_2 { name, new },
+                _ => Migrating::LabelIn3_2 { name, new },
+            };
+            notes.push(note(NoteKind::Change, &before.source, used.span, text));
+        }
+    }
+}
+
+/// Returns a name that nothing has.
+fn free_name(name: &str, taken: &HashSet<String>) -> String {
+    let candidates = (1..).map(|number| {
+        let ending = format!("_{number}");
+        format!("{}{ending}", &name[..name.len().min(LIMIT - ending.len())])
+    });
+    let mut free = candidates.filter(|candidate| !taken.contains(candidate));
+    free.next().unwrap_or_default()
+}
+
+/// Returns where a MESSAGE shows another text than before.
+fn shown(before: &Program, after: &Program) -> Vec<((u32, u32), Migrating)> {
+    let steps = before.steps().iter().zip(after.steps());
+    let differing = steps.filter(|(before, after)| match (&before.action, &after.action) {
+        (Action::Message { parts: before }, Action::Message { parts: after }) => {
+            !before.iter().map(form).eq(after.iter().map(form))
+        }
+        _ => false,
+    });
+    differing
+        .map(|(_, after)| ((after.line, after.column), Migrating::ShowsMore))
+        .collect()
+}
+
+/// Returns the text of a part, or the decimals of a value.
+fn form(part: &MessagePart) -> (Option<&str>, u8) {
+    match part {
+        MessagePart::Text(text) => (Some(text), 0),
+        MessagePart::Value { decimals, .. } => (None, *decimals),
+    }
+}
+
+fn question(source: &Source, span: Span, text: Migrating) -> Note {
+    note(NoteKind::Question, source, span, text)
+}
+
+fn note(kind: NoteKind, source: &Source, span: Span, text: Migrating) -> Note {
+    let (line, column) = source.line_column(span.start);
+    Note {
+        kind,
+        line,
+        column,
+        text,
+    }
+}
+
+fn refused(diagnostic: &Diagnostic) -> Migrating {
+    debug_assert_eq!(diagnostic.level(), Level::Error);
+    Migrating::RefusedIn3_2 {
+        title: diagnostic.message().into(),
+        reason: Box::new(diagnostic.reason.clone()),
+    }
+}
