@@ -8,7 +8,7 @@ pub use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, by_location};
 use crate::language::Edition;
 use crate::lower::lower;
-use crate::message::{ForeignWord, Message, Parsing};
+use crate::message::{Message, Parsing, Suggestion};
 use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
@@ -218,7 +218,7 @@ fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
     if let Some(first) = unreadable.next()
         && let Some(encoding) = looks_like(bytes)
     {
-        first.help = Some(ForeignWord::OtherEncoding { encoding }.into());
+        first.help = Some(Suggestion::OtherEncoding { encoding }.into());
     }
 }
 

@@ -4,7 +4,7 @@ use super::reader::Parsed;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{BLANKS, split_comment};
-use crate::message::{Decimal, ForeignWord, Message, Parsing, Suggestion};
+use crate::message::{Decimal, Message, Parsing, Suggestion};
 use crate::source::{Source, Span};
 
 /// The versions that `migrate` reads; some programs of the time of 2.1 say 4.0 (T.I.P. 3.1 §1-1).
@@ -26,7 +26,7 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     let first = word.split(BLANKS).next().and_then(version_number);
     let is_title_behind = first == Some(wanted);
     let help: Message = match (is_older, is_title_behind) {
-        (true, _) => ForeignWord::Migrate.into(),
+        (true, _) => Suggestion::Migrate.into(),
         (_, true) => Suggestion::TitleInLineTwo {
             wanted: Decimal(wanted),
         }
