@@ -4,9 +4,7 @@
 
 mod arguments;
 mod blocks;
-mod cascading;
 mod conditions;
-mod did_you_mean;
 mod equations;
 mod inputs;
 mod jumps;
@@ -35,6 +33,7 @@ use resolve::Known;
 pub(crate) use resolved::{
     Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
 };
+use title::Title;
 
 /// Results of the passes over a module.
 #[derive(Debug)]
@@ -54,10 +53,11 @@ pub(crate) fn check<'m>(
     robot: Robot,
     mut found: Diagnostics,
 ) -> Checked<'m> {
+    let title = Title::of(source, module);
     let names = Names::collect(source, module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);
-    let blocks = structure::blocks(source, module, &mut found);
-    let jumps = jumps::resolve(module, &labels, &blocks, &mut found);
+    let blocks = structure::blocks(source, module, &names, &title, &mut found);
+    let jumps = jumps::resolve(source, module, &names, &labels, &blocks, &title, &mut found);
     let known = Known {
         source,
         module,
@@ -66,6 +66,7 @@ pub(crate) fn check<'m>(
         labels: &labels,
         blocks: &blocks,
         jumps: &jumps,
+        title: &title,
     };
     let (statements, named) = resolve::statements(&known, &mut found);
     // What a variable is used for shows only where the blocks are whole.
@@ -75,10 +76,9 @@ pub(crate) fn check<'m>(
     {
         uses::report(source, &names, &named, &mut found);
         if !module.edition.is_strict() {
-            jumps::warn_of_entries(module, &mut found);
+            jumps::warn_of_entries(module, &labels, &mut found);
         }
     }
-    cascading::merge(source, module, &mut found);
     let resolved = statements.map(|statements| ResolvedModule {
         variables: names.variables,
         labels: labels.all,

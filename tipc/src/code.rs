@@ -1,10 +1,6 @@
 //! The table of diagnostic codes: the classical message and level of each. A code that covers several kinds of mistakes,
 //! as `E205`, is their class, and each [`Mistake`] has a finer code of its own, as `E205-03`.
 
-mod mistake;
-
-pub use mistake::Mistake;
-
 use crate::language::Edition;
 use crate::message::Lang;
 use tip_runtime::fault::{Fault, Kind, UNASSIGNED};
@@ -300,6 +296,154 @@ impl Code {
             Fault::EmergencyKey => Code::EmergencyKey,
             // Whatever else may fail is part of the robot.
             _ => Code::Hardware,
+        }
+    }
+}
+
+/// One kind of mistake, of several that a code covers. The messages that are reasons of one have its code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Mistake {
+    /// The code that it is part of.
+    pub class: Code,
+    /// The stable finer code: that of the class, a dash and two digits.
+    pub id: &'static str,
+    english: &'static str,
+    japanese: &'static str,
+}
+
+impl Mistake {
+    /// Returns a title of a few words.
+    pub const fn title(&self, lang: Lang) -> &'static str {
+        lang.pick(self.english, self.japanese)
+    }
+
+    /// Returns the kinds that a code covers; none of a code that covers one kind only.
+    pub fn of_class(class: Code) -> impl Iterator<Item = &'static Mistake> {
+        Self::ALL
+            .iter()
+            .filter(move |mistake| mistake.class == class)
+    }
+}
+
+const fn mistake(
+    class: Code,
+    id: &'static str,
+    english: &'static str,
+    japanese: &'static str,
+) -> Mistake {
+    Mistake {
+        class,
+        id,
+        english,
+        japanese,
+    }
+}
+
+// A number is chosen once: a kind that is new takes the next one of its class.
+#[rustfmt::skip]
+impl Mistake {
+    /// Every kind, in order of the codes.
+    pub const ALL: &'static [Mistake] = &[
+        mistake(Code::Format, "E105-01", "a character that cannot stand there", "そこには書けない文字"),
+        mistake(Code::Format, "E105-02", "a line or a name that is too long", "長すぎる行や名前"),
+        mistake(Code::Format, "E105-03", "a word that must be alone on its line", "1行に単独で書く語"),
+        mistake(Code::Format, "E105-04", "ELSE IF in two words", "2語に分かれたELSE IF"),
+        mistake(Code::Format, "E105-05", "a line break in a MESSAGE", "MESSAGEの中の改行"),
+        mistake(Code::Format, "E105-06", "bytes that are not text", "文字として読めないバイト"),
+        mistake(Code::Equation, "E107-01", "a left side that is not one variable", "1つの変数ではない左辺"),
+        mistake(Code::Equation, "E107-02", "more than one operation or function", "2つ以上の演算や関数"),
+        mistake(Code::Equation, "E107-03", "a missing operand", "足りない数値や変数"),
+        mistake(Code::Equation, "E107-04", "a sign that stands apart", "離れた符号"),
+        mistake(Code::Equation, "E107-05", "neither a number nor a name nor a member", "数値でも変数名でもメンバでもない語"),
+        mistake(Code::Equation, "E107-06", "types that do not go together", "一緒に計算できない型"),
+        mistake(Code::Equation, "E107-07", "a function with too many or too few operands", "関数に渡す値の過不足"),
+        mistake(Code::Equation, "E107-08", "an operator of another language", "ほかの言語の演算子"),
+        mistake(Code::UnknownCommand, "E204-01", "a word that is not a command", "コマンドではない語"),
+        mistake(Code::UnknownCommand, "E204-02", "a command that the robot lacks", "ロボットにないコマンド"),
+        mistake(Code::UnknownCommand, "E204-03", "a variable without an operator", "演算子のない変数"),
+        mistake(Code::UnknownCommand, "E204-04", "a label without its colon", "コロンのないラベル"),
+        mistake(Code::UnknownCommand, "E204-05", "an equation of another language", "ほかの言語の式"),
+        mistake(Code::Argument, "E205-01", "too few arguments", "引数の不足"),
+        mistake(Code::Argument, "E205-02", "too many arguments", "多すぎる引数"),
+        mistake(Code::Argument, "E205-03", "a missing target", "対象の書き忘れ"),
+        mistake(Code::Argument, "E205-04", "a target that the robot lacks", "ロボットにない対象"),
+        mistake(Code::Argument, "E205-05", "a joint after a command for feet", "足先のコマンドに書いた関節"),
+        mistake(Code::Argument, "E205-06", "a target that the command does not take", "そのコマンドでは使えない対象"),
+        mistake(Code::Argument, "E205-07", "R, A or HS where it cannot stand", "R、A、HSを書けないところ"),
+        mistake(Code::Argument, "E205-08", "a value of another type", "型の合わない値"),
+        mistake(Code::Argument, "E205-09", "no variable to fill", "値を受け取る変数でないもの"),
+        mistake(Code::Argument, "E205-10", "a number that nothing has", "存在しない番号"),
+        mistake(Code::Argument, "E205-11", "a variable in the place of a constant", "定数のところにある変数"),
+        mistake(Code::Argument, "E205-12", "an input that the robot lacks", "ロボットにない入力"),
+        mistake(Code::Argument, "E205-13", "an event flag that the robot lacks", "ロボットにないイベントフラグ"),
+        mistake(Code::Argument, "E205-14", "a condition that compares nothing", "何も比較しない条件式"),
+        mistake(Code::Argument, "E205-15", "a wrong relation", "関係演算子の誤り"),
+        mistake(Code::Argument, "E205-16", "more than a condition can say", "条件式に書けないこと"),
+        mistake(Code::Argument, "E205-17", "THEN, GOTO and GOSUB of an IF", "IFのTHEN、GOTO、GOSUB"),
+        mistake(Code::Argument, "E205-18", "a FOR or NEXT of another form", "FORとNEXTの形の誤り"),
+        mistake(Code::Argument, "E205-19", "an incomplete label", "不完全なラベル"),
+        mistake(Code::Argument, "E205-20", "a call that does not fit its label", "ラベルに合わない呼び出し"),
+        mistake(Code::Argument, "E205-21", "a name that cannot be used", "使えない名前"),
+        mistake(Code::Argument, "E205-22", "a variable declared twice", "二重に宣言した変数"),
+        mistake(Code::Argument, "E205-23", "a declaration of anything but names", "変数名だけではない宣言"),
+        mistake(Code::Argument, "E205-24", "a sign that stands apart", "離れた符号"),
+        mistake(Code::Argument, "E205-25", "neither a number nor a name nor a member", "数値でも変数名でもメンバでもない語"),
+        mistake(Code::Argument, "E205-26", "words after the end of a statement", "文の終わりの後に続く語"),
+        mistake(Code::Argument, "E205-27", "a MESSAGE without a blank", "空白のないMESSAGE"),
+        mistake(Code::Argument, "E205-28", "more threads than a program may have", "多すぎるスレッド"),
+        mistake(Code::Structure, "E207-01", "a block that is not closed", "閉じていないブロック"),
+        mistake(Code::Structure, "E207-02", "a word without its block", "対応するブロックのない語"),
+        mistake(Code::Structure, "E207-03", "a SUBROUTINE inside a block", "ブロックの中のSUBROUTINE"),
+        mistake(Code::Structure, "E207-04", "a branch after ELSE", "ELSEより後の分岐"),
+        mistake(Code::Structure, "E207-05", "a NEXT with another variable", "変数の違うNEXT"),
+        mistake(Code::Structure, "E207-06", "a jump into a block", "ブロックの中へのジャンプ"),
+        mistake(Code::Structure, "E207-07", "a GOTO out of a SUBROUTINE", "SUBROUTINEの外へのGOTO"),
+        mistake(Code::Structure, "E207-08", "END and a word in the place of one", "2語に分かれた終わりの語"),
+        mistake(Code::Structure, "E207-09", "a way that runs into a SUBROUTINE or THREAD", "SUBROUTINEやTHREADに上から入る経路"),
+    ];
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Code, Mistake};
+    use crate::message;
+    use std::collections::HashSet;
+
+    #[test]
+    fn a_finer_code_is_its_class_and_two_digits() {
+        let ids: Vec<&str> = Mistake::ALL.iter().map(|mistake| mistake.id).collect();
+        assert!(ids.is_sorted_by(|first, second| first < second), "{ids:?}");
+        for Mistake { class, id, .. } in Mistake::ALL {
+            let digits = id
+                .strip_prefix(class.id())
+                .and_then(|rest| rest.strip_prefix('-'));
+            let digits = digits.unwrap_or_else(|| panic!("{id} is not part of {}", class.id()));
+            assert!(
+                digits.len() == 2 && digits.bytes().all(|digit| digit.is_ascii_digit()),
+                "{id}"
+            );
+        }
+        for class in Code::ALL {
+            assert_ne!(Mistake::of_class(*class).count(), 1, "{}", class.id());
+        }
+    }
+
+    #[test]
+    fn the_codes_of_reasons_are_those_of_mistakes_each_of_another_class() {
+        let mut used = HashSet::new();
+        for reason in message::each(0) {
+            let mut classes = HashSet::new();
+            for code in reason.codes() {
+                let mut mistakes = Mistake::ALL.iter();
+                let mistake = mistakes.find(|mistake| mistake.id == *code);
+                let mistake = mistake.unwrap_or_else(|| panic!("{reason}: there is no {code}"));
+                assert!(classes.insert(mistake.class), "{reason}: {code}");
+                used.insert(mistake.id);
+            }
+        }
+        for mistake in Mistake::ALL {
+            assert!(used.contains(mistake.id), "no reason has {}", mistake.id);
         }
     }
 }

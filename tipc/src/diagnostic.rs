@@ -1,6 +1,6 @@
 //! One diagnostic, as every pass makes it.
 
-use crate::code::{Code, Level, Mistake};
+use crate::code::{Code, Level};
 use crate::language::Edition;
 use crate::message::{Cut, Lang, Message, Naming, Reading, Structuring};
 use crate::source::{Span, Undecodable};
@@ -47,10 +47,14 @@ pub struct Diagnostic {
     pub labels: Vec<Label>,
     /// The help: what to do about it.
     pub help: Option<Message>,
+    /// True if a word is unknown, and the help is no more than a guess. Who knows the word may replace the help.
+    pub is_guess: bool,
     /// Ways to put it right, the best first.
     pub fixes: Vec<Fix>,
     /// Whose rules it is judged by.
     pub edition: Edition,
+    /// Its finest code.
+    id: &'static str,
     /// The mistake, if it is one mistake wherever it shows: the first diagnostic of it is reported, the others are its labels.
     pub(crate) once: Option<SmolStr>,
 }
@@ -58,13 +62,18 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// Creates a diagnostic of `code` at `span`, with the reason in this case.
     pub fn new(code: Code, span: Span, reason: impl Into<Message>) -> Self {
+        let reason = reason.into();
+        let mut finer = reason.codes().iter().copied();
+        let id = finer.find(|finer| finer.starts_with(code.id()));
         Diagnostic {
             code,
+            id: id.unwrap_or(code.id()),
             subject: None,
             span,
-            reason: reason.into(),
+            reason,
             labels: Vec::new(),
             help: None,
+            is_guess: false,
             fixes: Vec::new(),
             edition: Edition::default(),
             once: None,
@@ -88,11 +97,14 @@ impl Diagnostic {
     /// Points at a second location.
     #[must_use]
     pub fn label(mut self, span: Span, text: impl Into<Message>) -> Self {
-        self.labels.push(Label {
-            span,
-            text: text.into(),
-        });
+        self.point(span, text);
         self
+    }
+
+    /// Points at one more location.
+    pub fn point(&mut self, span: Span, text: impl Into<Message>) {
+        let text = text.into();
+        self.labels.push(Label { span, text });
     }
 
     /// Adds the help: what to do about it.
@@ -102,11 +114,17 @@ impl Diagnostic {
         self
     }
 
+    /// Adds a help that is a guess, since a word is unknown.
+    #[must_use]
+    pub(crate) fn guess(mut self, help: impl Into<Message>) -> Self {
+        self.is_guess = true;
+        self.help(help)
+    }
+
     /// Returns its finest code: that of its kind of mistake, as `E205-03`, or that of its class if this covers one
     /// kind only.
     pub fn id(&self) -> &'static str {
-        let mistake = Mistake::of(self.code, &self.reason);
-        mistake.map_or(self.code.id(), |mistake| mistake.id)
+        self.id
     }
 
     /// Returns its severity.

@@ -14,7 +14,6 @@ pub mod emit;
 #[cfg(test)]
 pub(crate) mod fixture;
 #[doc(hidden)]
-pub mod foreign;
 #[cfg(feature = "build")]
 pub mod generate;
 pub mod language;

@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, by_location};
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::phrase::Assign;
-use crate::message::{ForeignWord, Message, Naming, Parsing, Structuring};
+use crate::message::{Message, Naming, Parsing, Structuring, Suggestion};
 use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
@@ -272,7 +272,7 @@ fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
     if let Some(first) = unreadable.next()
         && let Some(encoding) = looks_like(bytes)
     {
-        first.help = Some(ForeignWord::OtherEncoding { encoding }.into());
+        first.help = Some(Suggestion::OtherEncoding { encoding }.into());
     }
 }
 

@@ -18,21 +18,21 @@ mod building;
 mod checking;
 #[cfg(feature = "robot-files")]
 mod describing;
-mod foreign_words;
 pub mod list;
 mod parsing;
 pub mod phrase;
 #[doc(hidden)]
 pub mod say;
+mod suggesting;
 
 #[cfg(feature = "build")]
 pub use building::Building;
 pub use checking::{Calculating, Commanding, Naming, Structuring};
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
-pub use foreign_words::{ForeignWord, Suggestion};
 pub use parsing::{Parsing, Reading};
 pub use say::{Decimal, Lang, Letter};
+pub use suggesting::Suggestion;
 
 tables! {
     Reading,
@@ -41,7 +41,6 @@ tables! {
     Calculating,
     Naming,
     Structuring,
-    ForeignWord,
     Suggestion,
     #[cfg(feature = "robot-files")]
     Describing,

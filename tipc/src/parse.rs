@@ -2,30 +2,34 @@
 
 mod arguments;
 mod braces;
+mod comment;
 mod condition;
 mod control;
 mod declaration;
 mod equation;
-mod foreign;
 pub mod header;
 mod jump;
 mod line;
 mod operand;
 mod reader;
 mod statement;
+mod unknown;
 
+pub use comment::{comment_after, comment_mark, is_comment};
 pub use jump::glued;
-pub(crate) use jump::label_of;
-pub use line::{LONG_VOWEL, narrow};
+pub use line::{LONG_VOWEL, narrow, plain};
+pub(crate) use operand::is_unit;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::Edition;
-use crate::language::commands;
+use crate::language::Keyword;
+use crate::language::commands::{self, COMMANDS};
 use crate::lex::Token;
-use crate::message::Parsing;
+use crate::message::{Commanding, Parsing, Suggestion};
 use crate::source::{Line, Source, Span, first_beyond};
-use crate::syntax::{Module, Statement, StatementKind, StepId};
+use crate::suggest::{is_near, nearest};
+use crate::syntax::{Module, Shape, Statement, StatementKind, StepId};
 
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
 pub const LINE_LIMIT: usize = 1023;
@@ -80,7 +84,7 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
         }
         parser.module.after_end = None;
         parser.diagnostics.clear();
-        parser.numbered = None;
+        parser.is_numbered = false;
     }
     None
 }
@@ -110,8 +114,12 @@ struct Parser<'a> {
     braces: Vec<bool>,
     /// Names with a `-`, as written in declarations, which are reported.
     hyphened: Vec<String>,
-    /// The diagnostic about lines with numbers.
-    numbered: Option<usize>,
+    /// True if lines have numbers, which is reported.
+    is_numbered: bool,
+    /// The last line on which the rest of an unknown statement was passed over.
+    unknown_line: u32,
+    /// True if a text on this line is too long, which is reported.
+    is_text_too_long: bool,
     module: Module,
     diagnostics: Diagnostics,
 }
@@ -128,7 +136,9 @@ impl<'a> Parser<'a> {
             in_comment: None,
             braces: Vec::new(),
             hyphened: Vec::new(),
-            numbered: None,
+            is_numbered: false,
+            unknown_line: 0,
+            is_text_too_long: false,
             module: Module {
                 edition,
                 title: header::title(source),
@@ -144,9 +154,16 @@ impl Parser<'_> {
     fn lines(&mut self, take: &mut dyn FnMut(&mut Vec<Statement>)) {
         for line in self.source.lines() {
             self.line = line;
-            self.check_length();
-            if line.number > 2 && !self.is_in_comment() {
-                let flow = self.statements_of_line();
+            let mut flow = Flow::Continue;
+            let is_read = line.number > 2 && !self.is_in_comment();
+            if is_read {
+                self.is_text_too_long = false;
+                flow = self.statements_of_line();
+            }
+            if !is_read || !self.is_text_too_long {
+                self.check_length();
+            }
+            if is_read {
                 take(&mut self.module.statements);
                 if flow == Flow::End {
                     return;
@@ -157,17 +174,6 @@ impl Parser<'_> {
         if self.in_comment.is_none() && !self.ends_with_number() {
             self.report_missing_end();
         }
-    }
-
-    /// Returns true if the line belongs to a comment of another language, `/* … */`, whose start is reported.
-    fn is_in_comment(&mut self) -> bool {
-        let Some(closes) = self.in_comment else {
-            return false;
-        };
-        if self.source.slice(self.line.span).contains(closes) {
-            self.in_comment = None;
-        }
-        true
     }
 
     fn check_length(&mut self) {
@@ -184,8 +190,51 @@ impl Parser<'_> {
     fn report_missing_end(&mut self) {
         // All lines are read, so this is the last one.
         let location = self.trim(self.line.span, char::is_whitespace);
+        if self.last_word_was_end(location) {
+            return;
+        }
         let missing = Diagnostic::new(Code::NoEnd, location, Parsing::ProgramEndsHere);
-        self.report(missing.help(Parsing::PutEnd));
+        let is_title = self
+            .module
+            .title
+            .trim()
+            .eq_ignore_ascii_case(Keyword::End.word());
+        self.report(match is_title {
+            true => missing
+                .label(self.source.line(2).span, Suggestion::TitleHere)
+                .help(Suggestion::Title),
+            false => missing.help(Parsing::PutEnd),
+        });
+    }
+
+    /// Reads the unknown word at the end of the text as the END that is missing: `EDN`, `STOP`. Returns true if that
+    /// is reported.
+    fn last_word_was_end(&mut self, location: Span) -> bool {
+        let Some(last) = self.module.statements.last() else {
+            return false;
+        };
+        let StatementKind::Command { name, .. } = &last.kind else {
+            return false;
+        };
+        if last.span != location || name.span != location || self.is_command(&name.node) {
+            return false;
+        }
+        let word = name.node.clone();
+        let end = Keyword::End.word();
+        let near = nearest(&word, COMMANDS.iter().map(|command| command.name));
+        if near.is_some() && !is_near(&word, end) {
+            return false;
+        }
+        self.module.statements.pop();
+        if is_near(&word, end) {
+            self.push(StatementKind::End, location);
+            let reason = Commanding::NoCommand { word: word.clone() };
+            let help = Suggestion::DidYouMean { near: end.into() };
+            self.report_unknown(location, &word, reason, help);
+            return true;
+        }
+        self.push(StatementKind::Broken(Shape::Plain), location);
+        false
     }
 
     /// Returns true if a statement after END, on the line that was read last, is more than the words of a note.

@@ -8,6 +8,28 @@ const LONGEST: usize = 80;
 
 /// Returns the candidate nearest to `word`, if it is near enough to be meant.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    nearest_of(word, candidates, 0)
+}
+
+/// Returns the label nearest to `word`. Labels are few, so that one with the same two first letters may differ more.
+pub(crate) fn nearest_label<'a>(
+    word: &str,
+    labels: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    let labels: Vec<&str> = labels.into_iter().take(CANDIDATES).collect();
+    nearest(word, labels.iter().copied()).or_else(|| {
+        let start = word.get(..2).filter(|_| word.len() > 3)?;
+        let alike = labels.into_iter().filter(|label| label.starts_with(start));
+        nearest_of(word, alike, 1)
+    })
+}
+
+/// Returns the candidate nearest to `word`, which may differ in some letters `more` than others.
+fn nearest_of<'a>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+    more: usize,
+) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().take(CANDIDATES).collect();
     let mut alike = candidates.iter().copied().filter(|it| looks_like(word, it));
     if let Some(alike) = alike.next() {
@@ -17,7 +39,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     if word.len() < 3 || word.len() > LONGEST {
         return None;
     }
-    let allowed = 1 + word.len() / 5;
+    let allowed = 1 + word.len() / 5 + more;
     candidates
         .into_iter()
         .filter(|candidate| candidate.len().abs_diff(word.len()) <= allowed)
@@ -77,7 +99,7 @@ fn distance(a: &[u8], b: &[u8]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{differing, distance, nearest};
+    use super::{differing, distance, nearest, nearest_label};
 
     #[test]
     fn suggests_the_nearest_name() {
@@ -97,6 +119,15 @@ mod tests {
         let long = |letters: usize| "N".repeat(letters);
         assert!(nearest(&long(80), [long(79).as_str()]).is_some());
         assert_eq!(nearest(&long(81), [long(80).as_str()]), None);
+    }
+
+    #[test]
+    fn a_label_with_the_same_start_may_differ_in_another_letter() {
+        assert_eq!(nearest("LOPE", ["LOOP"]), None);
+        assert_eq!(nearest_label("LOPE", ["LOOP"]), Some("LOOP"));
+        assert_eq!(nearest_label("ROPE", ["LOOP"]), None);
+        assert_eq!(nearest_label("LOST", ["LOOP"]), Some("LOOP"));
+        assert_eq!(nearest_label("L12", ["L34"]), None);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Arguments of commands against their forms in the command table.
+//! Arguments of commands against their forms in the command table, and first words that are no command.
 
 use super::resolve::Resolver;
 use super::resolved;
@@ -7,15 +7,20 @@ use super::targets::word;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::{Arguments, Command, Form, Limit, Meaning};
-use crate::language::{Keyword, commands, keywords};
+use crate::language::{Edition, Keyword, commands, flags, keywords, names};
+use crate::lex::DELIMITERS;
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
-use crate::message::{Commanding, ForeignWord, Message, Parsing};
-use crate::parse::label_of;
+use crate::message::{Commanding, Message, Parsing, Structuring, Suggestion};
 use crate::robot::Robot;
 use crate::source::Span;
-use crate::syntax::{Operand, Word};
-use tip_runtime::command::{FAST, Op, Target};
+use crate::suggest::nearest;
+use crate::syntax::{Operand, Word, upper_case};
+use smol_str::SmolStr;
+use tip_runtime::command::{FAST, Flag, Op, Target};
+
+/// The most words that a command may have been taken apart into.
+const PARTS: usize = 4;
 
 impl Resolver<'_> {
     pub(super) fn command(
@@ -24,7 +29,7 @@ impl Resolver<'_> {
         arguments: &[Operand],
         malformed: Option<&Diagnostic>,
     ) -> Option<Resolved> {
-        let command = self.known(name)?;
+        let command = self.known(name, malformed)?;
         if let Some(fault) = malformed {
             self.report(fault.clone());
             return None;
@@ -65,15 +70,15 @@ impl Resolver<'_> {
             }
             (Form::AdIn, _) => self.ad_in(name, arguments),
             (Form::KeyIn, _) => self.key_in(name, arguments),
-            (Form::Words(_) | Form::Teach(_), _) => self.unknown_command(name),
+            (Form::Words(_) | Form::Teach(_), _) => self.unknown_command(name, None),
         }
     }
 
-    fn known(&mut self, name: &Word) -> Option<&'static Command> {
+    fn known(&mut self, name: &Word, malformed: Option<&Diagnostic>) -> Option<&'static Command> {
         let command = commands::find_in(&name.node, self.names.edition);
         let command = command.filter(|command| !matches!(command.meaning, Meaning::Keyword(_)));
         let Some(command) = command else {
-            return self.unknown_command(name);
+            return self.unknown_command(name, malformed);
         };
         if !command.robots.contains(self.robot) {
             let robot = self.robot.name();
@@ -106,31 +111,58 @@ impl Resolver<'_> {
         }
     }
 
-    fn unknown_command<T>(&mut self, name: &Word) -> Option<T> {
+    fn unknown_command<T>(&mut self, name: &Word, malformed: Option<&Diagnostic>) -> Option<T> {
         let word = name.node.as_str();
+        if let Some(jumps) = self.jumps_here() {
+            let name_of = word.trim_end_matches(['.', '-']).into();
+            let mut fault =
+                Diagnostic::new(Code::UnknownCommand, name.span, Parsing::LabelColonMissing);
+            for jump in jumps {
+                fault = fault.label(*jump, Structuring::JumpsHere);
+            }
+            self.report(
+                fault
+                    .about(word)
+                    .help(Parsing::WriteLabel { name: name_of }),
+            );
+            return None;
+        }
+        if self.goes_on(name) {
+            return None;
+        }
         let (reason, help) = match self.names.find(word) {
             Some(_) => {
                 let name = name.node.clone();
                 let help = Commanding::OperatorBehindVariable { name: name.clone() };
-                (Commanding::VariableNotCommand { name }, help.into())
+                (Commanding::VariableNotCommand { name }, help)
             }
             None => {
-                let command = name.node.clone();
-                let help = match self.is_after_text(name.span) {
-                    true => ForeignWord::SemicolonEndsText.into(),
-                    false => self.suggest_for(name),
+                let reason = Commanding::NoCommand {
+                    word: name.node.clone(),
                 };
-                (Commanding::NoCommand { word: command }, help)
+                let mut fault =
+                    Diagnostic::new(Code::UnknownCommand, name.span, reason).about(word);
+                // `DIM A(3)`: that there are no arrays is no second mistake.
+                fault.once = malformed.and_then(|malformed| malformed.once.clone());
+                if let Some(block) = self.closes_here() {
+                    let (opener, closer) = (block.kind.opener(), block.kind.closer());
+                    let location = self.keyword_of(block.opener);
+                    self.report(
+                        fault
+                            .label(location, Structuring::Open { opener })
+                            .guess(Suggestion::Closes { opener, closer }),
+                    );
+                    return None;
+                }
+                let (help, is_known) = self.suggest_for(name);
+                self.report(match is_known {
+                    true => fault.help(help),
+                    false => fault.guess(help),
+                });
+                return None;
             }
         };
-        let mut fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
-        match &help {
-            Message::ForeignWord(ForeignWord::NoParameters { name }) => {
-                fault = fault.once(name.clone())
-            }
-            Message::Parsing(Parsing::WriteLabel { name }) => fault = fault.once(label_of(name)),
-            _ => {}
-        }
+        let fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
         self.report(fault.about(word).help(help));
         None
     }
@@ -182,4 +214,145 @@ impl Resolver<'_> {
     pub(super) fn missing<T>(&mut self, location: Span, what: Lacking) -> Option<T> {
         self.refuse(Code::Argument, location, Commanding::Missing { what })
     }
+}
+
+impl Resolver<'_> {
+    /// Suggests what to write in the place of an unknown first word; false if that is a guess.
+    fn suggest_for(&self, name: &Word) -> (Message, bool) {
+        match self.known_mistake(name) {
+            Some(help) => (help, true),
+            None => (self.near_command(&name.node), false),
+        }
+    }
+
+    fn known_mistake(&self, name: &Word) -> Option<Message> {
+        if self.found.are_many() {
+            return None;
+        }
+        let word = name.node.as_str();
+        if self.is_after_text(name.span) {
+            return Some(Suggestion::SemicolonEndsText.into());
+        }
+        if let Some(command) = self.in_one_word(name) {
+            let word = command.into();
+            return Some(Suggestion::InOneWord { word }.into());
+        }
+        if let Some(help) = self.call_of(word) {
+            return Some(help);
+        }
+        if let Some(command) = commands::renamed(word) {
+            return Some(Commanding::CalledNow { command }.into());
+        }
+        if let Ok(target) = word.parse::<Target>() {
+            let target = target.to_string().into();
+            return Some(Suggestion::TargetFirst { target }.into());
+        }
+        if flags::find(word, self.names.edition).is_some() {
+            return Some(Suggestion::FlagAlone { flag: word.into() }.into());
+        }
+        if let Some(command) = called(word, self.names.edition) {
+            return Some(Suggestion::Glued { command }.into());
+        }
+        glued(word, self.names.edition).map(|command| Suggestion::BlankAfter { command }.into())
+    }
+
+    /// Returns the command that an unknown word is near to, or what such a word may be.
+    fn near_command(&self, word: &str) -> Message {
+        let edition = self.names.edition;
+        let names = || commands::names(edition);
+        let is_searched = !self.found.are_many();
+        let near = || {
+            let near = nearest(word, names()).or_else(|| turned(word, edition));
+            near.or_else(|| begun(word, edition))
+                .or_else(|| cut_short(word, edition))
+        };
+        match is_searched.then(near).flatten() {
+            Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
+            None => match word.split_once('(') {
+                Some((name, rest)) if names::is_variable(name) && !rest.is_empty() => {
+                    Suggestion::NoParameters { name: name.into() }.into()
+                }
+                _ => Commanding::LabelOrEquation.into(),
+            },
+        }
+    }
+
+    /// `ALL STOP`: the command whose name is in several words.
+    pub(super) fn in_one_word(&self, first: &Word) -> Option<&'static str> {
+        let rest = self.rest_of_statement(first.span);
+        let rest = rest.split(DELIMITERS).filter(|word| !word.is_empty());
+        let words: Vec<&str> = rest.take(PARTS - 1).collect();
+        let mut counts = (1..=words.len()).rev();
+        counts.find_map(|count| {
+            let parts = [first.node.as_str()].into_iter();
+            let whole: Vec<&str> = parts.chain(words[..count].iter().copied()).collect();
+            let command = commands::find_in(&upper_case(&whole.join("_")), self.names.edition)?;
+            Some(command.name)
+        })
+    }
+
+    /// Suggests a CALL or GOTO to a SUBROUTINE or label of that name.
+    fn call_of(&self, word: &str) -> Option<Message> {
+        let (name, rest) = word.split_once('(').unwrap_or((word, ")"));
+        let is_subroutine = self.is_subroutine(name)?;
+        let name = name.into();
+        if rest != ")" {
+            return Some(Suggestion::NoParameters { name }.into());
+        }
+        Some(match is_subroutine {
+            true => Suggestion::Call { name }.into(),
+            false => Suggestion::JumpTo { name }.into(),
+        })
+    }
+}
+
+/// Returns the command that a word calls as another language does: `PTP(F1`, `MESSAGE"…"`, `robot.ptp(1`.
+fn called(word: &str, edition: Edition) -> Option<&'static str> {
+    let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
+    let name = &word[..end.unwrap_or(word.len())];
+    let last = name.rsplit('.').next().unwrap_or(name);
+    let command = commands::find_in(last, edition).filter(|_| last.len() < word.len())?;
+    Some(command.name)
+}
+
+/// Returns the command whose parts stand in another order: `PTP_REL`.
+fn turned(word: &str, edition: Edition) -> Option<&'static str> {
+    let parts = |name: &str| {
+        let mut parts: Vec<SmolStr> = name.split('_').take(PARTS + 1).map(SmolStr::from).collect();
+        parts.sort_unstable();
+        parts
+    };
+    let wanted = parts(word);
+    let mut names = commands::names(edition);
+    names.find(|name| name.len() == word.len() && parts(name) == wanted)
+}
+
+/// Returns the command that the first parts of a word are: `TORQUE_CONTROL`.
+fn begun(word: &str, edition: Edition) -> Option<&'static str> {
+    let ends = word.match_indices('_').map(|(at, _)| at);
+    let mut parts = ends
+        .rev()
+        .filter_map(|end| commands::find_in(&word[..end], edition));
+    parts.next().map(|command| command.name)
+}
+
+/// Returns the only command that a word is the first part of: `SIT`.
+fn cut_short(word: &str, edition: Edition) -> Option<&'static str> {
+    let goes_on = |name: &&str| {
+        name.strip_prefix(word)
+            .is_some_and(|rest| rest.starts_with('_'))
+    };
+    let mut longer = commands::names(edition).filter(goes_on);
+    longer.next().filter(|_| longer.next().is_none())
+}
+
+/// Returns the command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.
+fn glued(word: &str, edition: Edition) -> Option<&'static str> {
+    let is_argument = |rest: &str| {
+        let is_number = !rest.is_empty() && rest.bytes().all(|it| it.is_ascii_digit());
+        is_number || rest == FAST || rest.parse::<Target>().is_ok() || rest.parse::<Flag>().is_ok()
+    };
+    let begins = |name: &&str| word.strip_prefix(*name).is_some_and(is_argument);
+    let names = commands::names(edition);
+    names.filter(begins).max_by_key(|name| name.len())
 }

@@ -1,6 +1,7 @@
 //! The blocks of a program and what ties their ends.
 
 use crate::language::Keyword;
+use std::collections::HashMap;
 
 /// Kind of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,6 +86,8 @@ pub(crate) struct Blocks {
     pub(crate) around: Vec<Option<usize>>,
     /// The ties of each statement.
     pub(crate) links: Vec<Link>,
+    /// The blocks that unknown words were to close, by the statements of these.
+    pub(super) closed_by: HashMap<usize, usize>,
 }
 
 /// The blocks as a tree, in which the way up is searched in steps that grow: a jump may lead out of any number of them.

@@ -4,7 +4,7 @@ use super::resolve::Resolver;
 use super::targets::word;
 use crate::code::Code;
 use crate::language::flags;
-use crate::message::ForeignWord;
+use crate::message::Suggestion;
 use crate::program::Condition;
 use crate::syntax;
 use tip_runtime::command::CONSTANT;
@@ -18,10 +18,11 @@ impl Resolver<'_> {
                 right,
             } => {
                 let is_flag = word(left).is_some_and(|name| self.is_flag(name));
+                let told = self.found.len();
                 let left = self.number(left, Code::Argument);
                 if left.is_none() && is_flag {
                     // What it is compared with is not wrong for itself.
-                    self.suggest_reading(right);
+                    self.suggest_reading(right, told);
                     return None;
                 }
                 let told = self.found.len();
@@ -45,10 +46,10 @@ impl Resolver<'_> {
     }
 
     /// Suggests reading the key for a flag that is compared with one.
-    fn suggest_reading(&mut self, right: &syntax::Operand) {
+    fn suggest_reading(&mut self, right: &syntax::Operand, told: usize) {
         let key = word(right).filter(|word| word.starts_with(CONSTANT));
-        if let (Some(fault), Some(key)) = (self.found.last_mut(), key) {
-            fault.help = Some(ForeignWord::KeyFirst { key: key.into() }.into());
+        if let (Some(fault), Some(key)) = (self.found.get_mut(told), key) {
+            fault.help = Some(Suggestion::KeyFirst { key: key.into() }.into());
         }
     }
 
@@ -59,7 +60,7 @@ impl Resolver<'_> {
             let is_key = name.len() == 1 && name.starts_with(|c: char| c.is_ascii_uppercase());
             if fault.code == Code::UnknownVariable && is_key {
                 let character = name.into();
-                fault.help = Some(ForeignWord::CharacterOrVariable { character }.into());
+                fault.help = Some(Suggestion::CharacterOrVariable { character }.into());
             }
         }
     }

@@ -1,31 +1,54 @@
 //! Targets of jumps, and targets that are not allowed (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
 use super::blocks::{BlockKind, Blocks, Tree};
-use super::labels::Labels;
+use super::labels::{Labels, SUBROUTINE_LOOP};
+use super::names::Names;
+use super::title::Title;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::language::Keyword;
 use crate::language::reserved::LOOP;
+use crate::lex::{Kind, Token, lex, split_comment};
 use crate::message::phrase::Entered;
 use crate::message::{Message, Naming, Structuring, Suggestion};
-use crate::source::Span;
-use crate::suggest::nearest;
-use crate::syntax::{Jump, JumpKind, Module, StatementKind};
+use crate::source::{Source, Span};
+use crate::suggest::{nearest, nearest_label};
+use crate::syntax::{Jump, JumpKind, Module, StatementKind, upper_case};
+use std::cell::OnceCell;
+use std::collections::HashMap;
+
+/// Targets of jumps.
+#[derive(Debug)]
+pub(crate) struct Resolved {
+    /// The statement that each jump leads to.
+    pub(crate) targets: Vec<Option<usize>>,
+    /// Labels without their colon, by their statements, and the jumps to each.
+    pub(crate) bare: HashMap<usize, Vec<Span>>,
+}
 
 /// Finds the statement that each jump leads to.
 pub(crate) fn resolve(
+    source: &Source,
     module: &Module,
+    names: &Names,
     labels: &Labels<'_>,
     blocks: &Blocks,
+    title: &Title,
     found: &mut Diagnostics,
-) -> Vec<Option<usize>> {
+) -> Resolved {
     let mut jumps = Jumps {
+        source,
         module,
+        names,
         labels,
         blocks,
+        title,
         tree: Tree::of(&blocks.blocks),
+        after_end: OnceCell::new(),
+        bare: HashMap::new(),
         found,
     };
-    module
+    let targets = module
         .statements
         .iter()
         .enumerate()
@@ -38,14 +61,24 @@ pub(crate) fn resolve(
             }
             Some(to)
         })
-        .collect()
+        .collect();
+    Resolved {
+        targets,
+        bare: jumps.bare,
+    }
 }
 
 struct Jumps<'a> {
+    source: &'a Source,
     module: &'a Module,
+    names: &'a Names,
     labels: &'a Labels<'a>,
     blocks: &'a Blocks,
+    title: &'a Title,
     tree: Tree<'a>,
+    /// Labels and SUBROUTINEs that stand after END.
+    after_end: OnceCell<HashMap<String, Span>>,
+    bare: HashMap<usize, Vec<Span>>,
     found: &'a mut Diagnostics,
 }
 
@@ -65,9 +98,12 @@ impl Jumps<'_> {
             return self.loop_target(index, kind, jump, location);
         }
         let Some(to) = self.statement_of(self.labels.find(name)) else {
+            if self.is_known_otherwise(name, jump, location) {
+                return None;
+            }
             let near = match self.found.are_many() {
                 true => None,
-                false => nearest(name, self.labels.names()),
+                false => nearest_label(name, self.labels.names()),
             };
             let help = match near {
                 Some(near) => Structuring::DidYouMean { near: near.into() },
@@ -76,13 +112,17 @@ impl Jumps<'_> {
             let reason = Structuring::NoSuchLabel { name: name.into() };
             let fault = Diagnostic::new(Code::UnknownLabel, location, reason);
             let fault = fault.once(format!("label {name}"));
-            self.found.push(fault.about(name).help(help));
+            let fault = fault.about(name).help(help);
+            self.found.push(self.title.labels(name, fault));
             return None;
         };
         if self.refuses_kind(kind, to, name, location) {
             return None;
         }
         if kind == JumpKind::Call && !self.is_subroutine(to) {
+            if self.labels.is_again(name) {
+                return None;
+            }
             let reason = Structuring::PlainLabel { name: name.into() };
             let fault = Diagnostic::new(Code::Argument, location, reason)
                 .label(self.module.statements[to].span, Naming::DeclaredHere)
@@ -101,12 +141,16 @@ impl Jumps<'_> {
         location: Span,
     ) -> Option<usize> {
         if kind != JumpKind::Goto {
+            if let Some(fault) = self.found.of_mistake(SUBROUTINE_LOOP) {
+                fault.point(location, Naming::AlsoHere);
+                return None;
+            }
             let fault = Diagnostic::new(Code::Argument, location, Structuring::LoopForGoto);
             self.found.push(fault.help(Structuring::OwnLabel));
             return None;
         }
         let to = self.statement_of(self.labels.loop_above(index));
-        if to.is_none() {
+        if to.is_none() && !self.is_known_otherwise(LOOP, jump, location) {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(LOOP);
             let fault = fault.once(format!("label {LOOP}"));
@@ -119,9 +163,45 @@ impl Jumps<'_> {
                 (Some(_), Some(near)) => Structuring::DidYouMean { near: near.into() }.into(),
                 (Some(_), None) => Structuring::PutLoop.into(),
             };
-            self.found.push(fault.help(help));
+            self.found.push(self.title.labels(LOOP, fault.help(help)));
         }
         to
+    }
+
+    /// Returns true if a missing label is not the mistake of this jump: it stands there without its colon, or after
+    /// END, or the jump itself is wrong.
+    fn is_known_otherwise(&mut self, name: &str, jump: &Jump, location: Span) -> bool {
+        if let Some(label) = self.labels.bare(name) {
+            let jumps = self.bare.entry(label).or_default();
+            // A jump without its colon is another mistake.
+            jumps.extend(Some(location).filter(|_| !jump.broken));
+            return true;
+        }
+        if jump.broken || self.names.may_declare(name) {
+            return true;
+        }
+        let Some((end, label)) = self.label_after_end(name) else {
+            return false;
+        };
+        let reason = Structuring::NoSuchLabel { name: name.into() };
+        let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(name);
+        let fault = fault
+            .once("labels after END")
+            .label(end, Suggestion::EndsTheText)
+            .label(label, Suggestion::StandsAfterEnd);
+        self.found.push(fault.help(Suggestion::AfterEnd));
+        true
+    }
+
+    /// Returns the locations of END and of the label of that name after it.
+    fn label_after_end(&self, name: &str) -> Option<(Span, Span)> {
+        let end = self.module.statements.last()?;
+        if end.kind != StatementKind::End {
+            return None;
+        }
+        let after = Span::new(end.span.end, self.source.text().len());
+        let labels = self.after_end.get_or_init(|| labels_in(self.source, after));
+        labels.get(name).map(|label| (end.span, *label))
     }
 
     fn statement_of(&self, label: Option<usize>) -> Option<usize> {
@@ -243,8 +323,28 @@ impl Jumps<'_> {
     }
 }
 
+/// Returns the labels and the names of SUBROUTINEs in a part of the text, each at its first location.
+fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
+    let mut all = HashMap::new();
+    let mut tokens = Vec::new();
+    let lines = source.lines().map(|line| line.span);
+    for line in lines.filter(|line| line.start >= span.start) {
+        tokens.clear();
+        let (code, _) = split_comment(source.text(), line);
+        lex(source.text(), code, &mut tokens);
+        let word = |token: &Token| upper_case(source.slice(token.span));
+        let name = match tokens.as_slice() {
+            [name, colon, ..] if colon.kind == Kind::Colon => name,
+            [first, name, ..] if word(first) == Keyword::Subroutine.word() => name,
+            _ => continue,
+        };
+        all.entry(word(name).to_string()).or_insert(name.span);
+    }
+    all
+}
+
 /// Warns of each SUBROUTINE that the step above it runs into.
-pub(crate) fn warn_of_entries(module: &Module, found: &mut Diagnostics) {
+pub(crate) fn warn_of_entries(module: &Module, labels: &Labels<'_>, found: &mut Diagnostics) {
     let mut open_above = true;
     for statement in &module.statements {
         if !statement.is_step() {
@@ -253,6 +353,7 @@ pub(crate) fn warn_of_entries(module: &Module, found: &mut Diagnostics) {
         let is_reported = |location: Span| found.iter().any(|it| it.span == location);
         if let StatementKind::Subroutine { keyword, name } = &statement.kind
             && open_above
+            && !labels.is_again(&name.node)
             && !is_reported(*keyword)
         {
             let reason = Structuring::RunsInto;

@@ -3,10 +3,13 @@
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::reserved::{LOOP, is_reserved};
-use crate::language::{Edition, names};
+use crate::language::{Edition, commands, names};
 use crate::message::{Message, Naming, Suggestion};
-use crate::syntax::{Jump, LabelKind, Module, Word};
-use std::collections::HashMap;
+use crate::syntax::{Jump, LabelKind, Module, OperandKind, StatementKind, Word};
+use std::collections::{HashMap, HashSet};
+
+/// The mistake of a SUBROUTINE with the name of a label; its calls show it as well.
+pub(super) const SUBROUTINE_LOOP: &str = "SUBROUTINE LOOP";
 
 /// The most threads of a program.
 const THREADS: usize = 7;
@@ -20,6 +23,10 @@ pub(crate) struct Labels<'m> {
     loops: Vec<usize>,
     /// Number of THREADs so far.
     threads: usize,
+    /// Words that are no command and alone in their statement: labels without their colon, perhaps.
+    bare: HashMap<&'m str, usize>,
+    /// Names that are declared again, which is reported: nothing more is said of them.
+    again: HashSet<&'m str>,
     /// Whose words no label may bear.
     edition: Edition,
 }
@@ -45,6 +52,8 @@ impl<'m> Labels<'m> {
         for (index, statement) in module.statements.iter().enumerate() {
             if let Some((name, kind)) = statement.kind.label() {
                 labels.declare(index, name, kind, found);
+            } else if let Some(name) = bare(&statement.kind, module.edition) {
+                labels.bare.entry(name).or_insert(index);
             }
         }
         labels
@@ -93,6 +102,7 @@ impl<'m> Labels<'m> {
                 .help(help)
                 .label(self.all[*first].name.span, Naming::FirstDeclared);
             found.push(fault);
+            self.again.insert(&name.node);
             return;
         }
         self.by_name.insert(&name.node, id);
@@ -102,6 +112,16 @@ impl<'m> Labels<'m> {
     /// Returns the index of a label other than LOOP.
     pub(crate) fn find(&self, name: &str) -> Option<usize> {
         self.by_name.get(name).copied()
+    }
+
+    /// Returns the first statement that is a label of that name without its colon, perhaps.
+    pub(crate) fn bare(&self, name: &str) -> Option<usize> {
+        self.bare.get(name).copied()
+    }
+
+    /// Returns true if a name is declared again, which is reported.
+    pub(crate) fn is_again(&self, name: &str) -> bool {
+        self.again.contains(name)
     }
 
     /// Returns the index of the nearest LOOP above a statement.
@@ -123,6 +143,25 @@ impl<'m> Labels<'m> {
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.all.iter().map(|label| label.name.node.as_str())
     }
+}
+
+/// Returns the word of a statement that is no command, alone or before a command: `START`, `START SLEEP 100`.
+fn bare(kind: &StatementKind, edition: Edition) -> Option<&str> {
+    let StatementKind::Command {
+        name, arguments, ..
+    } = kind
+    else {
+        return None;
+    };
+    let next = arguments.first().map(|argument| &argument.kind);
+    let is_alone = match next {
+        None => true,
+        Some(OperandKind::Name(word)) => commands::find_in(word, edition).is_some(),
+        Some(_) => false,
+    };
+    // `L1.`
+    let word = name.node.trim_end_matches(['.', '-']);
+    (is_alone && commands::find_in(&name.node, edition).is_none()).then_some(word)
 }
 
 fn refusal(name: &Word, kind: LabelKind, edition: Edition) -> Option<Diagnostic> {
@@ -152,5 +191,8 @@ fn refusal(name: &Word, kind: LabelKind, edition: Edition) -> Option<Diagnostic>
         LabelKind::Subroutine => Naming::SubroutineLoop,
         LabelKind::Thread => Naming::ThreadLoop,
     };
-    (word == LOOP).then(|| fault(reason).help(Naming::ChooseAnother))
+    (word == LOOP).then(|| {
+        let fault = fault(reason).once(SUBROUTINE_LOOP);
+        fault.help(Naming::ChooseAnother)
+    })
 }

@@ -4,16 +4,17 @@ use super::targets::inventory;
 use crate::code::Code;
 use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::foreign;
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
-use crate::language::{Edition, Keyword, flags, functions, inputs, names};
-use crate::message::{Commanding, ForeignWord, Message, Naming, Suggestion};
+use crate::language::{Edition, Keyword, flags, functions, inputs, keywords, names};
+use crate::message::{Commanding, Message, Naming, Suggestion};
 use crate::program::{self, Scalar, StructOperand, Variable, VariableId};
 use crate::robot::Robot;
 use crate::source::{Source, Span};
 use crate::suggest::nearest;
-use crate::syntax::{Module, Operand, OperandKind, Statement, StatementKind, VariableKind, Word};
+use crate::syntax::{
+    Module, Operand, OperandKind, Statement, StatementKind, VariableKind, Word, upper_case,
+};
 use smol_str::SmolStr;
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -39,6 +40,8 @@ pub(crate) struct Names {
     near: RefCell<HashMap<String, Option<String>>>,
     /// Names whose declaration was refused: their uses are not reported again.
     refused: HashSet<String>,
+    /// Names in statements that could not be read, and may declare them: their uses are not reported.
+    perhaps: HashSet<SmolStr>,
     joints: usize,
     robot: Robot,
     /// Whose words are reserved.
@@ -152,8 +155,8 @@ impl Names {
             }
             false => Vec::new(),
         };
-        let names = Names::with(module, robot, &shared, found);
-        names.warn_of_flags(module, found);
+        let mut names = Names::with(module, robot, &shared, found);
+        names.perhaps = declared_perhaps(source, module);
         names
     }
 
@@ -223,15 +226,24 @@ impl Names {
         used
     }
 
-    /// Warns of variables called `R`, `A` or `HS`; a motion that has the word means its flag.
-    fn warn_of_flags(&self, module: &Module, found: &mut Diagnostics) {
+    /// Warns of variables called `R`, `A` or `HS`; a motion that has the word means its flag. Those that a fault
+    /// explains are known.
+    pub(crate) fn warn_of_flags(
+        &self,
+        module: &Module,
+        known: &HashMap<VariableId, Span>,
+        found: &mut Diagnostics,
+    ) {
         let variables = self.variables.iter().map(|variable| variable.name.as_str());
         let variables = variables.zip(self.declared.iter().copied());
+        let variables = variables.enumerate().map(|(id, it)| (known.get(&id), it));
         let constants = self.constants.iter();
         let constants = constants.map(|constant| (constant.name.as_str(), Some(constant.span)));
-        for (name, declared) in variables.chain(constants) {
+        let constants = constants.map(|it| (None, it));
+        for (explained, (name, declared)) in variables.chain(constants) {
             let is_flag = is_motion_flag(name, self.edition);
             let used = is_flag.then(|| used_in_motion(module, name)).flatten();
+            let used = used.filter(|used| explained != Some(used));
             if let (Some(declared), Some(used)) = (declared, used) {
                 let warning = Diagnostic::new(Code::FlagName, declared, Naming::ReadAsFlag)
                     .about(name)
@@ -268,6 +280,7 @@ impl Names {
         let name = word.node.as_str();
         if let Some(fault) = self.refusal(word) {
             found.push(fault);
+            // Of a name that is declared again the type is not known.
             let array = name.split_once(['(', '[', '.']);
             self.refused
                 .insert(array.map_or(name, |(name, _)| name).to_owned());
@@ -336,9 +349,9 @@ impl Names {
         let fault = |reason: Naming| Diagnostic::new(Code::Argument, word.span, reason);
         if !names::is_variable(name) {
             let (mistake, help): (_, Message) = match name.split_once(['(', '[']) {
-                None if name.ends_with('$') => (name, ForeignWord::NoText.into()),
+                None if name.ends_with('$') => (name, Suggestion::NoText.into()),
                 Some((array, _)) if names::is_variable(array) => {
-                    (array, ForeignWord::NoArray { name: array.into() }.into())
+                    (array, Suggestion::NoArray { name: array.into() }.into())
                 }
                 _ => (name, Naming::VariableCharacters.into()),
             };
@@ -365,6 +378,23 @@ impl Names {
     pub(crate) fn predeclared(&self) -> usize {
         let mut all = self.declared.iter();
         all.position(Option::is_some).unwrap_or(self.declared.len())
+    }
+
+    /// Returns true if the declaration of a name was refused, which is reported.
+    pub(crate) fn is_refused(&self, name: &str) -> bool {
+        self.refused.contains(name)
+    }
+
+    /// Returns true if a statement that could not be read may declare a name.
+    pub(crate) fn may_declare(&self, name: &str) -> bool {
+        self.perhaps.contains(name)
+    }
+
+    /// Returns true if a name was suggested in the place of one that is not declared.
+    pub(crate) fn was_suggested(&self) -> impl Fn(&str) -> bool {
+        let near = self.near.borrow();
+        let suggested: HashSet<String> = near.values().flatten().cloned().collect();
+        move |name| suggested.contains(name)
     }
 
     /// Returns the variable of that name.
@@ -421,6 +451,9 @@ impl Names {
             let value = if operand.negative { -value } else { value };
             return Ok(Some(ResolvedOperand::Constant(value)));
         }
+        if self.is_refused(name) {
+            return Ok(None);
+        }
         if name.starts_with(READING) {
             return self.reading(operand, name, member, shape).map(Some);
         }
@@ -443,7 +476,7 @@ impl Names {
             };
         }
         let Some(variable) = self.find(name) else {
-            if self.refused.contains(name.as_str()) {
+            if self.may_declare(name) {
                 return Ok(None);
             }
             let guess = member.map_or(guess, type_with);
@@ -594,11 +627,11 @@ impl Names {
     /// Returns what to write in place of a word of the language where a number belongs.
     fn suggest_for_word(&self, word: &str) -> Message {
         if flags::find(word, self.edition).is_some() {
-            return ForeignWord::FlagAlone { flag: word.into() }.into();
+            return Suggestion::FlagAlone { flag: word.into() }.into();
         }
         if functions::find(word, self.edition).is_some() {
             let function = word.into();
-            return ForeignWord::FunctionInEquation { function }.into();
+            return Suggestion::FunctionInEquation { function }.into();
         }
         let target = SmolStr::from(word);
         match word.parse() {
@@ -611,8 +644,8 @@ impl Names {
         }
         let command = commands::find_in(word, self.edition);
         match command.map(|command| (command.meaning, command.name)) {
-            Some((Meaning::KeyIn, _)) => ForeignWord::KeyIn.into(),
-            Some((Meaning::AdIn, _)) => ForeignWord::AdIn.into(),
+            Some((Meaning::KeyIn, _)) => Suggestion::KeyIn.into(),
+            Some((Meaning::AdIn, _)) => Suggestion::AdIn.into(),
             Some((Meaning::Robot(_), command)) => Suggestion::CommandFirst { command }.into(),
             _ => Naming::NumberBelongsHere.into(),
         }
@@ -647,30 +680,27 @@ impl Names {
             _ if name.starts_with(CONSTANT) => Suggestion::Keys.into(),
             Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
             None if is_reserved(name, self.edition) => self.suggest_for_word(name),
-            None => match foreign::constant(name) {
-                Some(value) => ForeignWord::Number {
-                    word: name.into(),
-                    value,
+            None => match digits(name).filter(|_| guess == Some(VariableKind::Var)) {
+                Some(number) => Suggestion::NumberOrVariable {
+                    name: name.into(),
+                    number,
                 }
                 .into(),
-                None => match number_in(name).filter(|_| guess == Some(VariableKind::Var)) {
-                    Some(number) => Suggestion::NumberOrVariable {
-                        name: name.into(),
-                        number,
-                    }
-                    .into(),
-                    None => declare(name, guess).into(),
-                },
+                None => declare(name, guess).into(),
             },
         };
         let reason = match is_reserved(name, self.edition) {
             true => Naming::NoNumber { word: name.into() },
             false => Naming::NotDeclared { name: name.into() },
         };
-        Diagnostic::new(Code::UnknownVariable, span, reason)
+        let is_guess = help == declare(name, guess).into();
+        let fault = Diagnostic::new(Code::UnknownVariable, span, reason)
             .about(name)
-            .once(format!("variable {name}"))
-            .help(help)
+            .once(format!("variable {name}"));
+        match is_guess {
+            true => fault.guess(help),
+            false => fault.help(help),
+        }
     }
 }
 
@@ -693,9 +723,37 @@ fn shared_variables(is_used: impl Fn(&str) -> bool) -> Vec<(String, VariableKind
     all.filter(|(name, ..)| is_used(name)).collect()
 }
 
-/// `L00`, `X100`: the number that was meant, if there is one.
-fn number_in(name: &str) -> Option<SmolStr> {
-    foreign::axis_value(name).map_or_else(|| digits(name), |value| Some(value.into()))
+/// Returns the names in statements whose first word the language lacks: `INT N`, `VAR A, B`.
+fn declared_perhaps(source: &Source, module: &Module) -> HashSet<SmolStr> {
+    let mut compared = 0;
+    let mut all = HashSet::new();
+    for statement in &module.statements {
+        let StatementKind::Command { name, .. } = &statement.kind else {
+            continue;
+        };
+        if commands::find_in(&name.node, module.edition).is_some() {
+            continue;
+        }
+        // A misspelt command declares nothing, unless it is that of a declaration.
+        compared += 1;
+        let near = || nearest(&name.node, commands::names(module.edition));
+        let keyword = |near: &str| keywords::find(near, module.edition);
+        let declares = |near: &str| {
+            let declarations = [Keyword::DefVar, Keyword::DefPos, Keyword::DefJoint];
+            keyword(near).is_some_and(|it| declarations.contains(&it))
+        };
+        if compared > COMPARED || near().is_none_or(declares) {
+            // Also the first word: `DEF_VAR A; B`.
+            let is_outside = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
+            let words = source.slice(statement.span).split(is_outside);
+            all.extend(
+                words
+                    .map(upper_case)
+                    .filter(|word| names::is_variable(word)),
+            );
+        }
+    }
+    all
 }
 
 /// `L00`: the number, if letters were typed that look like its digits.

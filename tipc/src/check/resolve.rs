@@ -1,22 +1,25 @@
 //! Resolution of the operands of every statement.
 
-use super::blocks::Blocks;
+use super::blocks::{Block, Blocks};
+use super::jumps;
 use super::labels::Labels;
 use super::names::{Names, ResolvedOperand};
 use super::resolved::{Counting, Resolved, StatementId};
+use super::structure::named_by;
 use super::texts::Text;
+use super::title::Title;
 use super::uses::{Named, Uses};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::lex::split_comment;
-use crate::message::{Commanding, Message};
-use crate::program::{self, Scalar};
+use crate::message::{Commanding, Message, Naming, Structuring, Suggestion};
+use crate::program::{self, Scalar, VariableId};
 use crate::robot::Robot;
 use crate::source::{Source, Span};
 use crate::symbols::Access;
 use crate::syntax::{
     self, Condition, Jump, LabelKind, Module, Operand, OperandKind, Statement, StatementKind, Then,
-    VariableKind,
+    VariableKind, Word,
 };
 use std::collections::HashMap;
 
@@ -29,8 +32,8 @@ pub(super) struct Known<'a> {
     pub(super) names: &'a Names,
     pub(super) labels: &'a Labels<'a>,
     pub(super) blocks: &'a Blocks,
-    /// Target of each jump.
-    pub(super) jumps: &'a [Option<StatementId>],
+    pub(super) jumps: &'a jumps::Resolved,
+    pub(super) title: &'a Title,
 }
 
 /// Reasons why a statement is not resolved.
@@ -53,11 +56,16 @@ pub(super) fn statements(
         known,
         uses: Uses::new(known.names, known.labels),
         counted: HashMap::new(),
+        at: 0,
+        last_wrong: None,
+        flags: HashMap::new(),
         found,
     };
     let mut all = Some(Vec::with_capacity(statements.len()));
     for (index, statement) in statements.iter().enumerate() {
         resolver.uses.enter();
+        resolver.at = index;
+        let told = resolver.found.len();
         match (resolver.statement(index, statement), &mut all) {
             (Ok(resolved), Some(all)) => all.push(resolved),
             (Ok(_), None) => {}
@@ -65,11 +73,19 @@ pub(super) fn statements(
                 all = None;
                 if let Unresolved::Wrong = why {
                     resolver.uses.excuse(known.source, statement.span);
+                    resolver.uses.may_assign(&statement.kind);
                 }
             }
         }
+        if resolver.found.len() > told {
+            resolver.last_wrong = Some((index, told));
+        }
     }
-    (all, resolver.uses.finish())
+    let Resolver {
+        uses, flags, found, ..
+    } = resolver;
+    known.names.warn_of_flags(known.module, &flags, found);
+    (all, uses.finish())
 }
 
 /// One pass over the statements. Its methods answer `None` once they have reported why.
@@ -80,6 +96,12 @@ pub(super) struct Resolver<'a> {
     pub(super) uses: Uses<'a>,
     /// Counter of each FOR.
     counted: HashMap<StatementId, Counting>,
+    /// The statement that is being resolved.
+    at: StatementId,
+    /// The last statement before with a diagnostic, and the index of that.
+    last_wrong: Option<(StatementId, usize)>,
+    /// Variables with the name of a flag, and where a fault tells of each.
+    pub(super) flags: HashMap<VariableId, Span>,
     pub(super) found: &'a mut Diagnostics,
 }
 
@@ -218,7 +240,12 @@ impl Resolver<'_> {
         let counting = counting.copied();
         match (variable, counting) {
             (Some(named), _) => {
-                whole(self.loop_variable(named, Access::Count))?;
+                let told = self.found.len();
+                let variable = self.loop_variable(named, Access::Count);
+                if let (None, Ok(opener)) = (variable, &opener) {
+                    self.suggest_variable_of(*opener, told);
+                }
+                whole(variable)?;
             }
             (None, Some(Counting { variable, .. })) => {
                 let left_out = Span::new(keyword.end, keyword.end);
@@ -228,6 +255,26 @@ impl Resolver<'_> {
             (None, None) => {}
         }
         Ok(Resolved::Next(counting.ok_or(Unresolved::Untied)?, opener?))
+    }
+
+    /// Suggests the variable of a FOR to a NEXT that names none.
+    fn suggest_variable_of(&mut self, opener: StatementId, told: usize) {
+        let StatementKind::For { counting, .. } = &self.known.module.statements[opener].kind else {
+            return;
+        };
+        let variable = &counting.variable;
+        let OperandKind::Name(name) = &variable.kind else {
+            return;
+        };
+        if let Some(fault) = self
+            .found
+            .get_mut(told)
+            .filter(|_| self.names.find(name).is_some())
+        {
+            fault.point(variable.span, Structuring::VariableOfFor);
+            fault.help = Some(named_by(name).into());
+            fault.is_guess = false;
+        }
     }
 
     /// Returns the statement that a control word is tied to.
@@ -244,7 +291,7 @@ impl Resolver<'_> {
         access: Access,
     ) -> Result<StatementId, Unresolved> {
         self.uses.jump(index, jump, access);
-        self.known.jumps[index].ok_or(Unresolved::Untied)
+        self.known.jumps.targets[index].ok_or(Unresolved::Untied)
     }
 
     fn counting(&mut self, counting: &syntax::Counting) -> Option<Counting> {
@@ -312,10 +359,68 @@ impl Resolver<'_> {
         match self.names.operand(operand, shape, guess) {
             Ok(meant) => meant,
             Err(fault) => {
-                self.report(*fault);
+                let fault = match fault.code {
+                    Code::UnknownVariable => self.unknown_variable(*fault),
+                    _ => *fault,
+                };
+                self.report(fault);
                 None
             }
         }
+    }
+
+    /// Blames the title for a variable that is not declared, or names its type, if this use is the first that tells.
+    fn unknown_variable(&mut self, fault: Diagnostic) -> Diagnostic {
+        let name = fault.subject.clone().unwrap_or_default();
+        let fault = self.known.title.declares(&name, fault);
+        let mistake = fault.once.as_deref().unwrap_or_default();
+        let is_open =
+            |help: &Option<Message>| matches!(help, Some(Message::Naming(Naming::Declare { .. })));
+        let is_typed = matches!(fault.help, Some(Message::Naming(Naming::DeclareAs { .. })));
+        if let Some(first) = self.found.of_mistake(mistake)
+            && is_open(&first.help)
+            && is_typed
+        {
+            first.help.clone_from(&fault.help);
+        }
+        fault
+    }
+
+    /// Adds the first word of this statement to the fault of the line before, if it goes on there: `PTP F1` and
+    /// `391 201 -150` are one mistake.
+    pub(super) fn goes_on(&mut self, name: &Word) -> bool {
+        let starts = |c: char| c.is_ascii_digit() || c == '-';
+        let Some((before, fault)) = self.last_wrong.filter(|_| name.node.starts_with(starts))
+        else {
+            return false;
+        };
+        let statements = &self.known.module.statements;
+        let is_next =
+            before + 1 == self.at && statements[before].line + 1 == statements[self.at].line;
+        let breaks_off =
+            |it: &&mut Diagnostic| matches!(it.code, Code::Argument | Code::UnknownVariable);
+        let fault = self.found.get_mut(fault).filter(|_| is_next);
+        let Some(fault) = fault.filter(breaks_off) else {
+            return false;
+        };
+        let label = Label {
+            span: name.span,
+            text: Suggestion::GoesOnHere.into(),
+        };
+        fault.labels.push(label);
+        fault.help = Some(Suggestion::OneLine.into());
+        true
+    }
+
+    /// Returns the opener of the block that the unknown statement that is being resolved was to close.
+    pub(super) fn closes_here(&self) -> Option<Block> {
+        let block = self.known.blocks.closed_by.get(&self.at)?;
+        self.known.blocks.blocks.get(*block).copied()
+    }
+
+    /// Returns the jumps to the statement that is being resolved, if it is a label without its colon.
+    pub(super) fn jumps_here(&self) -> Option<&[Span]> {
+        self.known.jumps.bare.get(&self.at).map(Vec::as_slice)
     }
 
     /// Resolves a number that the statement reads. `shape` is the code of a struct in its place.
@@ -331,6 +436,11 @@ impl Resolver<'_> {
         let fault = fault.once(format!("statement {statement:?}"));
         self.report(fault.help(Commanding::NameMember));
         None
+    }
+
+    /// Returns the location of the first word of a statement.
+    pub(super) fn keyword_of(&self, statement: StatementId) -> Span {
+        self.known.module.statements[statement].keyword()
     }
 
     /// Returns the text at a span.

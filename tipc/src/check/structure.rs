@@ -1,13 +1,17 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
 
 use super::blocks::{Block, BlockKind, Blocks, Link};
+use super::names::Names;
+use super::title::Title;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::language::Keyword;
-use crate::message::{ForeignWord, Message, Parsing, Structuring};
+use crate::language::commands;
+use crate::message::{Structuring, Suggestion};
 use crate::source::{Source, Span};
+use crate::suggest::nearest;
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::ops::Deref;
 
 mod other;
@@ -16,35 +20,35 @@ mod other;
 const FAR: usize = 1_000;
 
 /// Ties every control word to its partner and reports those without one.
-pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Diagnostics) -> Blocks {
+pub(super) fn blocks(
+    source: &Source,
+    module: &Module,
+    names: &Names,
+    title: &Title,
+    found: &mut Diagnostics,
+) -> Blocks {
     let count = module.statements.len();
     let mut matcher = Matcher {
         module,
+        names,
+        title,
         result: Blocks {
             blocks: Vec::new(),
             around: vec![None; count],
             links: vec![Link::default(); count],
+            closed_by: HashMap::new(),
         },
         open: Stack::default(),
         owed: Default::default(),
-        closes_more: HashSet::new(),
-        foreign: foreign_statements(module, found),
+        unknown: Vec::new(),
+        crossed: HashMap::new(),
         found,
     };
     for index in 0..count {
         matcher.statement(index);
     }
     matcher.close_rest(source);
-    let Matcher {
-        result,
-        closes_more,
-        found,
-        ..
-    } = matcher;
-    let is_alone =
-        |it: &Diagnostic| matches!(it.reason, Message::Parsing(Parsing::NotAlone { .. }));
-    found.retain(|it| !is_alone(it) || !closes_more.contains(&it.span.start));
-    result
+    matcher.result
 }
 
 struct Open {
@@ -59,6 +63,8 @@ struct Open {
     block: usize,
     /// The SUBROUTINEs and THREADs directly inside, which are not allowed.
     nested: Vec<usize>,
+    /// Number of unknown statements before it.
+    unknown: usize,
 }
 
 /// The constructs that are open, outermost first, and where among them those of each kind are.
@@ -117,22 +123,27 @@ struct Owed {
 
 struct Matcher<'a> {
     module: &'a Module,
+    names: &'a Names,
+    title: &'a Title,
     result: Blocks,
     open: Stack,
     /// By the kinds of the constructs.
     owed: [AllOwed; BlockKind::COUNT],
-    /// Starts of words that were to close another block: that they are not alone on their lines does not matter.
-    closes_more: HashSet<usize>,
-    /// Starts of statements of another language, which is reported.
-    foreign: HashSet<usize>,
+    /// Statements whose first word is unknown. Each of them may be the opener or closer that is missing.
+    unknown: Vec<usize>,
+    /// Variables that a NEXT names and of its FOR, as often as they differ, and where.
+    crossed: HashMap<(&'a str, &'a str), usize>,
     found: &'a mut Diagnostics,
 }
 
 impl Matcher<'_> {
     fn statement(&mut self, index: usize) {
         match self.module.statements[index].kind.shape() {
-            Shape::Plain if self.ends_in_foreign_word(index) => {}
-            Shape::Plain => self.result.around[index] = self.current(),
+            Shape::Plain => {
+                self.result.around[index] = self.current();
+                self.unknown
+                    .extend(Some(index).filter(|_| self.is_unknown(index)));
+            }
             Shape::If => self.open(BlockKind::If, index),
             Shape::OneLineIf => self.one_line_if(index),
             Shape::ElseIf => self.branch(index, Keyword::ElseIf),
@@ -204,7 +215,37 @@ impl Matcher<'_> {
             has_else: false,
             block,
             nested: Vec::new(),
+            unknown: self.unknown.len(),
         });
+    }
+
+    /// Returns true if the first word of a statement is none of the language.
+    fn is_unknown(&self, index: usize) -> bool {
+        match &self.module.statements[index].kind {
+            StatementKind::Command { name, .. } => {
+                commands::find_in(&name.node, self.module.edition).is_none()
+            }
+            _ => false,
+        }
+    }
+
+    /// Takes the last unknown statement after the first `before` of them that may be the word of a block: a closer
+    /// is alone in its statement, and neither is near to a command.
+    fn takes_unknown(&mut self, before: usize, is_closer: bool) -> Option<usize> {
+        while self.unknown.len() > before {
+            let index = self.unknown.pop()?;
+            let StatementKind::Command {
+                name, arguments, ..
+            } = &self.module.statements[index].kind
+            else {
+                continue;
+            };
+            let known = commands::names(self.module.edition);
+            if (!is_closer || arguments.is_empty()) && nearest(&name.node, known).is_none() {
+                return Some(index);
+            }
+        }
+        None
     }
 
     /// Reports the SUBROUTINEs and THREADs inside a construct that is closed.
@@ -279,7 +320,14 @@ impl Matcher<'_> {
             // A word that was to be this one is reported.
             let is_reported =
                 matches!(self.module.statements[index].kind, StatementKind::Broken(_));
+            let before = self.open.last().map_or(0, |open| open.unknown);
             if self.is_owed(index, kind, name) || is_reported {
+                return None;
+            }
+            if self.takes_unknown(before, false).is_some() {
+                if name != kind.closer() {
+                    self.owes(kind, None, true);
+                }
                 return None;
             }
             let (opener, closer) = (kind.opener(), kind.closer());
@@ -301,7 +349,7 @@ impl Matcher<'_> {
                 let text = Structuring::Open { opener };
                 fault = fault.label(self.location(open.first), text);
             }
-            self.found.push(fault);
+            self.found.push(self.title.opens(opener, fault));
             return None;
         };
         while self.open.len() > depth + 1 {
@@ -343,13 +391,26 @@ impl Matcher<'_> {
         if self.is_reported(open.first) {
             return self.owes(open.kind, None, true);
         }
+        if let Some(word) = self.takes_unknown(open.unknown, true) {
+            self.result.closed_by.insert(word, open.block);
+            return self.owes(open.kind, None, true);
+        }
+        // `DO` … `WHILE A < 3` ends what an unknown word before it began, unless another one has ended that.
+        let outer = self.open.last().map_or(0, |outer| outer.unknown);
+        let is_begun = (self.unknown.len() - outer.min(self.unknown.len())) % 2 == 1;
+        if open.kind == BlockKind::While && is_begun && self.takes_unknown(outer, true).is_some() {
+            return self.owes(open.kind, None, true);
+        }
+        if open.kind == BlockKind::While && met.is_none() && self.closes_repeat(open.first) {
+            return;
+        }
         let reason = Structuring::NotClosed { opener };
         let mut fault = Diagnostic::new(Code::Structure, self.location(open.first), reason)
             .help(Structuring::CloseWith { closer });
         if let Some(location) = self.return_in(&open) {
             fault = fault
                 .label(location, Structuring::ReturnOfGosub)
-                .help(ForeignWord::SubEnd);
+                .help(Suggestion::SubEnd);
         }
         if let Some(nested) = open.nested.first() {
             let text = Structuring::SubroutineBefore { closer };
@@ -370,6 +431,26 @@ impl Matcher<'_> {
             self.owes(open.kind, Some(self.found.len()), true);
         }
         self.found.push(fault);
+    }
+
+    /// `REPEAT` … `WHILE A < 3`: reports a WHILE that nothing closes as the end of the REPEAT around it.
+    fn closes_repeat(&mut self, index: usize) -> bool {
+        let Some(repeat) = self.open.last().filter(|it| it.kind == BlockKind::Repeat) else {
+            return false;
+        };
+        let (opener, word) = (Keyword::While, Keyword::Repeat);
+        let location = self.location(repeat.first);
+        let fault = Diagnostic::new(
+            Code::Structure,
+            self.location(index),
+            Structuring::NotClosed { opener },
+        );
+        let fault = fault.label(location, Structuring::StandsHere { word });
+        self.found.push(fault.help(Suggestion::UntilCloses));
+        if let Some(repeat) = self.open.pop() {
+            self.result.blocks[repeat.block].broken = true;
+        }
+        true
     }
 
     /// Returns the RETURN that was to close a SUBROUTINE.
@@ -394,32 +475,12 @@ impl Matcher<'_> {
     /// Returns true if a statement is wrong in itself, which is reported.
     fn is_reported(&self, index: usize) -> bool {
         let statement = &self.module.statements[index];
-        matches!(statement.kind, StatementKind::Broken(_)) || self.is_foreign(index)
-    }
-
-    /// Returns true if a statement is one of another language, which is reported.
-    fn is_foreign(&self, index: usize) -> bool {
-        let start = self.module.statements[index].span.start;
-        self.foreign.contains(&start)
+        matches!(statement.kind, StatementKind::Broken(_))
     }
 
     fn location(&self, index: usize) -> Span {
         self.module.statements[index].keyword()
     }
-}
-
-/// Finds the starts of statements whose first word the language lacks, or that open a block as another one does.
-fn foreign_statements(module: &Module, found: &[Diagnostic]) -> HashSet<usize> {
-    let starts = found.iter().filter_map(|it| {
-        let opens = [ForeignWord::NoColon, ForeignWord::NoBraces].map(Message::from);
-        match opens.contains(&it.reason) {
-            true => module
-                .statement_at(it.span.start)
-                .map(|at| module.statements[at].span.start),
-            false => (it.code == Code::UnknownCommand).then_some(it.span.start),
-        }
-    });
-    starts.collect()
 }
 
 impl Matcher<'_> {
@@ -467,19 +528,34 @@ impl Matcher<'_> {
         else {
             return;
         };
-        let variable = &counting.variable;
-        if name_of(variable) != name_of(named) {
-            let reason = match name_of(named) {
-                Some(name) => Structuring::NextNames { name: name.into() },
-                None => Structuring::NextNamesAnother,
-            };
-            let help = Parsing::NextNamesItsVariable;
-            let fault = Diagnostic::new(Code::Structure, named.span, reason)
-                .label(variable.span, Structuring::VariableOfFor)
-                .help(help);
-            self.found.push(fault);
+        // The variable of another type, or that is not declared, is refused for itself.
+        let (Some(name), Some(of)) = (name_of(named), name_of(&counting.variable)) else {
+            return;
+        };
+        if name == of || self.names.find(name).is_none() {
+            return;
         }
+        // `FOR A`, `FOR B`, `NEXT A`, `NEXT B` is one mistake.
+        let start = match self.crossed.remove(&(of, name)) {
+            Some(first) => first,
+            None => {
+                self.crossed.insert((name, of), closer);
+                closer
+            }
+        };
+        let reason = Structuring::NextNames { name: name.into() };
+        let fault = Diagnostic::new(Code::Structure, named.span, reason)
+            .once(format!("{} {start}", Keyword::Next))
+            .label(counting.variable.span, Structuring::VariableOfFor)
+            .help(named_by(of));
+        self.found.push(fault);
     }
+}
+
+/// Returns the help for a NEXT that names another variable than its FOR.
+pub(super) fn named_by(variable: &str) -> Suggestion {
+    let text = format!("{} {variable}", Keyword::Next).into();
+    Suggestion::Write { text }
 }
 
 fn name_of(operand: &Operand) -> Option<&str> {

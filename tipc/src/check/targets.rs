@@ -3,13 +3,12 @@
 use super::resolve::Resolver;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
 use crate::language::commands::{Joints, Targets};
 use crate::language::reserved::JOINT;
 use crate::language::{commands, flags};
 use crate::message::list::{Alternatives, List};
 use crate::message::phrase::Inventory;
-use crate::message::{Commanding, ForeignWord, Message, Suggestion};
+use crate::message::{Commanding, Message, Suggestion};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::suggest::nearest;
@@ -69,13 +68,13 @@ impl Resolver<'_> {
                 None => self.refuse(Code::Argument, first.span, reason),
                 Some(word) if is_joint_of_no_leg(word) => {
                     let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(ForeignWord::JointName));
+                    self.report(fault.help(Suggestion::JointName));
                     None
                 }
                 Some(_) if self.in_one_word(command).is_some() => {
                     let word = self.in_one_word(command).unwrap_or_default().into();
                     let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(ForeignWord::InOneWord { word }));
+                    self.report(fault.help(Suggestion::InOneWord { word }));
                     None
                 }
                 Some(word) if self.looks_like_target(word).is_some() => {
@@ -113,7 +112,7 @@ impl Resolver<'_> {
             if target == Target::All {
                 let command = command.node.clone();
                 let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                self.report(fault.help(ForeignWord::OneTarget { command }));
+                self.report(fault.help(Suggestion::OneTarget { command }));
                 return None;
             }
             return self.refuse_target(first.span, reason);
@@ -151,7 +150,7 @@ impl Resolver<'_> {
             .ok()
             .filter(is_target)?;
         let written = format!("{} {second} {}", command.node, upper_case(number)).into();
-        (rest.len() == 1).then(|| ForeignWord::TargetBefore { written }.into())
+        (rest.len() == 1).then(|| Suggestion::TargetBefore { written }.into())
     }
 
     /// `Fl`, `J1l`: the target, if letters were typed that look like digits.
@@ -195,25 +194,23 @@ impl Resolver<'_> {
                 let name = &name.node;
                 let help = Commanding::Compare { name: name.clone() };
                 let reason = Commanding::VariableNoCondition { name: name.clone() };
-                (reason, help.into())
+                (reason, help)
             }
             None => {
+                let location = name.span;
                 let name = name.node.clone();
-                (
-                    Commanding::NoEventFlag { robot, name },
-                    self.flag_help(word),
-                )
+                let reason = Commanding::NoEventFlag { robot, name };
+                let fault = Diagnostic::new(Code::Argument, location, reason);
+                self.report(fault.guess(self.flag_help(word)));
+                return;
             }
         };
         self.report(Diagnostic::new(Code::Argument, name.span, reason).help(help));
     }
 
     fn flag_help(&self, word: &str) -> Message {
-        if foreign::constant(word).is_some() {
-            return ForeignWord::Forever.into();
-        }
         if word.starts_with(CONSTANT) {
-            return ForeignWord::KeyFirst { key: word.into() }.into();
+            return Suggestion::KeyFirst { key: word.into() }.into();
         }
         match nearest(word, flags::words()).filter(|near| *near != word) {
             Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),

@@ -4,14 +4,17 @@ use super::labels::Labels;
 use super::names::{Names, ResolvedOperand};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::language::commands::{self, Meaning};
 use crate::language::names::LIMIT;
-use crate::message::phrase::{Assign, Lacking};
-use crate::message::{Commanding, Message, Naming, Parsing, Suggestion};
+use crate::message::Naming;
+use crate::message::phrase::Assign;
 use crate::parse::narrow;
 use crate::program::VariableId;
 use crate::source::{Source, Span};
 use crate::symbols::{Access, Definition, DefinitionId, DefinitionKind, Symbols, Use};
-use crate::syntax::{Jump, LabelKind, Operand, OperandKind, VariableKind, Word};
+use crate::syntax::{
+    Jump, LabelKind, Operand, OperandKind, Shape, StatementKind, VariableKind, Word,
+};
 use std::collections::HashSet;
 
 /// Names that the statements use, so far.
@@ -27,6 +30,7 @@ pub(super) struct Uses<'a> {
     excused: Vec<bool>,
     to_be_shown: Vec<bool>,
     dumped: bool,
+    may_assign: Vec<VariableKind>,
 }
 
 /// The names of a whole program, and what each is used for.
@@ -40,6 +44,8 @@ pub(super) struct Named {
     pub(super) to_be_shown: Vec<bool>,
     /// OUTPUT_VARIABLES reads them all.
     pub(super) dumped: bool,
+    /// Types of which a wrong statement may assign any variable: that one is never assigned follows from it.
+    may_assign: Vec<VariableKind>,
 }
 
 impl<'a> Uses<'a> {
@@ -53,6 +59,7 @@ impl<'a> Uses<'a> {
             excused: vec![false; names.variables.len()],
             to_be_shown: vec![false; names.variables.len()],
             dumped: false,
+            may_assign: Vec::new(),
         }
     }
 
@@ -69,6 +76,7 @@ impl<'a> Uses<'a> {
             excused: self.excused,
             to_be_shown: self.to_be_shown,
             dumped: self.dumped,
+            may_assign: self.may_assign,
         }
     }
 
@@ -229,6 +237,41 @@ impl<'a> Uses<'a> {
         }
     }
 
+    /// Records what a wrong statement was to assign, if it names no variable that is declared: its name may be that of
+    /// any variable.
+    pub(super) fn may_assign(&mut self, kind: &StatementKind) {
+        let unknown = |operand: Option<&Operand>| match operand.map(|operand| &operand.kind) {
+            Some(OperandKind::Name(name)) => self.names.find(name).is_none(),
+            Some(OperandKind::Member(words)) => self.names.find(&words.0).is_none(),
+            Some(OperandKind::Number(_)) | None => true,
+        };
+        let kinds: &[VariableKind] = match kind {
+            StatementKind::Broken(Shape::For) => &[VariableKind::Var],
+            StatementKind::For { counting, .. } if unknown(Some(&counting.variable)) => {
+                &[VariableKind::Var]
+            }
+            StatementKind::Equation(equation) if unknown(Some(&equation.target)) => {
+                match &equation.target.kind {
+                    OperandKind::Member(_) => &[VariableKind::Pos, VariableKind::Joint],
+                    _ => &[VariableKind::Var, VariableKind::Pos, VariableKind::Joint],
+                }
+            }
+            StatementKind::Command {
+                name, arguments, ..
+            } if unknown(arguments.last()) => {
+                match commands::find(&name.node).map(|command| command.meaning) {
+                    Some(Meaning::AdIn | Meaning::KeyIn) => &[VariableKind::Var],
+                    Some(Meaning::Teach(_)) => &[VariableKind::Pos, VariableKind::Joint],
+                    _ => &[],
+                }
+            }
+            _ => &[],
+        };
+        let new = kinds.iter().filter(|kind| !self.may_assign.contains(kind));
+        let new: Vec<VariableKind> = new.copied().collect();
+        self.may_assign.extend(new);
+    }
+
     /// Records that a MESSAGE was to show the variable, and does not.
     pub(super) fn was_to_be_shown(&mut self, variable: VariableId) {
         self.to_be_shown[variable] = true;
@@ -298,14 +341,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         }
     }
     // A misspelled name was to use the one that it is near to.
-    let meant = found
-        .iter()
-        .filter_map(|diagnostic| match &diagnostic.help {
-            Some(Message::Suggestion(Suggestion::DidYouMean { near })) => Some(near.to_string()),
-            _ => None,
-        });
-    let meant: HashSet<String> = meant.collect();
-    let lacks_name = found.iter().any(lacks_name);
+    let is_meant = names.was_suggested();
     let first = serves.len() + named.labels;
     let mut used = vec![false; names.constants.len()];
     for one in named.symbols.all_uses() {
@@ -319,7 +355,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         // What is wrong with its definition is reported.
         let line = |location: Span| source.line_column(location.start).0;
         let is_wrong = |it: &Diagnostic| line(it.span) == line(constant.span);
-        if !used && !meant.contains(constant.name.as_str()) && !found.iter().any(is_wrong) {
+        if !used && !is_meant(&constant.name) && !found.iter().any(is_wrong) {
             let reason = Naming::NothingUsesConstant;
             let warning = Diagnostic::new(Code::UnusedConstant, constant.span, reason);
             found.push(warning.about(constant.name.as_str()));
@@ -328,13 +364,13 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
     for (id, variable) in names.variables.iter().enumerate() {
         let is_refused = variable.name.len() > LIMIT;
         let is_shared = variable.special.is_some();
-        if named.excused[id] || is_refused || is_shared || meant.contains(&variable.name) {
+        if named.excused[id] || is_refused || is_shared || is_meant(&variable.name) {
             continue;
         }
         let name = &variable.name;
         let Service { read, assigned } = serves[id];
-        // The name that is missing may be this one.
-        if lacks_name && !assigned && variable.kind == VariableKind::Var {
+        // A name that is missing or not declared may be this one.
+        if !assigned && named.may_assign.contains(&variable.kind) {
             continue;
         }
         let diagnostic = match (read, assigned, names.declared[id]) {
@@ -354,15 +390,6 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         };
         found.extend(diagnostic);
     }
-}
-
-/// Returns true if a statement lacks the variable that it assigns: `FOR 1 TO 4`, `AD_IN VR1`.
-fn lacks_name(diagnostic: &Diagnostic) -> bool {
-    let missing = |what| Message::from(Commanding::Missing { what });
-    diagnostic.reason == Parsing::VariableBelongsHere.into()
-        || [Lacking::Volts, Lacking::Measured]
-            .into_iter()
-            .any(|what| diagnostic.reason == missing(what))
 }
 
 /// Use of a variable by a program.

@@ -7,12 +7,12 @@ use super::resolved;
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
 use crate::language::commands::{self, Arguments, Form, Targets, Values};
 use crate::language::{Edition, reserved};
 use crate::message::phrase::Numbers;
-use crate::message::{Commanding, ForeignWord};
-use crate::program::{self, Argument, Mark, StructOperand};
+use crate::message::{Commanding, Suggestion};
+use crate::parse::is_unit;
+use crate::program::{self, Argument, Mark, StructOperand, VariableId};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Operand, OperandKind, VariableKind, Word};
@@ -120,6 +120,9 @@ impl Resolver<'_> {
             .get(flagged)
             .and_then(word)
             .filter(|name| !is_flag(form, name));
+        if whole.is_some_and(|name| self.names.is_refused(name)) {
+            return None;
+        }
         let named = whole.and_then(|_| self.struct_named(&operands[flagged]));
         if let (None, Some(_), [operand]) = (named, whole, &operands[flagged..]) {
             // The only operand can only be meant as a struct.
@@ -167,7 +170,9 @@ impl Resolver<'_> {
                     return None;
                 }
                 let location = flag.map_or(name.span, |flag| flag.span);
-                return self.too_few(name, form, location, count, values.len());
+                let used = self.used_as_flag(form, operands);
+                let used = used.filter(|(used, _)| *used != location);
+                return self.too_few(name, form, location, [count, values.len()], used);
             };
             if let Some(flag) = flag_name(form, operand) {
                 let reason = Commanding::FlagBeforeNumber { flag: flag.into() };
@@ -201,7 +206,7 @@ impl Resolver<'_> {
         };
         let advice = if text.parse::<Target>().is_ok() {
             let command = name.node.clone();
-            Some(ForeignWord::OneTarget { command })
+            Some(Suggestion::OneTarget { command })
         } else {
             glued_flag(form, text)
         };
@@ -240,17 +245,27 @@ impl Resolver<'_> {
         {
             let command = name.node.clone();
             let help = match takes_target(&command) {
-                true => ForeignWord::OneTarget { command },
-                false => ForeignWord::NoTarget { command },
+                true => Suggestion::OneTarget { command },
+                false => Suggestion::NoTarget { command },
             };
             fault.help = Some(help.into());
         }
         let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
         if values.len() < count {
-            return self.too_few(name, Arguments::BARE, name.span, count, values.len());
+            let numbers = [count, values.len()];
+            return self.too_few(name, Arguments::BARE, name.span, numbers, None);
         }
         self.no_more(name, &operands[count..])?;
         Some(values)
+    }
+
+    /// `PTP F1 R 0 0` with a variable R: where it stands, and the variable.
+    fn used_as_flag(&self, form: Arguments, operands: &[Operand]) -> Option<(Span, VariableId)> {
+        let used = operands
+            .iter()
+            .filter(|operand| flag_name(form, operand).is_some());
+        let mut used = used.filter_map(|it| Some((it.span, self.names.find(word(it)?)?)));
+        used.next()
     }
 
     fn too_few<T>(
@@ -258,8 +273,8 @@ impl Resolver<'_> {
         name: &Word,
         form: Arguments,
         location: Span,
-        wanted: usize,
-        found: usize,
+        [wanted, found]: [usize; 2],
+        used_as_flag: Option<(Span, VariableId)>,
     ) -> Option<T> {
         let whole = match form.values {
             Values::Position | Values::ThreeOrPos => Some(VariableKind::Pos),
@@ -273,7 +288,16 @@ impl Resolver<'_> {
             wanted: Numbers::new(wanted, whole.map(|kind| type_of(Some(kind)))),
             found: found.into(),
         };
-        self.refuse(Code::Argument, location, reason)
+        let mut fault = Diagnostic::new(Code::Argument, location, reason);
+        if let Some((used, variable)) = used_as_flag {
+            // That the word is a flag there explains the missing number.
+            self.flags.insert(variable, used);
+            let name = self.names.variables[variable].name.as_str().into();
+            fault = fault.label(used, Suggestion::FlagHere);
+            fault = fault.help(Suggestion::OtherName { name });
+        }
+        self.report(fault);
+        None
     }
 
     /// Resolves a constant or VAR; a member is neither.
@@ -300,11 +324,13 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
-                if let Some(advice) = self.extra_word(name, operand, extra.len() > 1) {
+                let extra = self.extra_word(name, operand);
+                let advice = extra.map(|advice| (operand.span, advice));
+                if let Some((location, advice)) = advice.or_else(|| self.decimal_comma(name)) {
                     let reason = Commanding::TooMany {
                         command: name.node.clone(),
                     };
-                    let fault = Diagnostic::new(Code::Argument, operand.span, reason);
+                    let fault = Diagnostic::new(Code::Argument, location, reason);
                     self.report(fault.help(advice));
                     return None;
                 }
@@ -321,41 +347,50 @@ impl Resolver<'_> {
     }
 
     /// Returns the foreign spelling that an argument too many is, if it is one.
-    fn extra_word(&self, name: &Word, operand: &Operand, has_more: bool) -> Option<ForeignWord> {
+    fn extra_word(&self, name: &Word, operand: &Operand) -> Option<Suggestion> {
         match word(operand) {
-            Some(word)
-                if has_more && foreign::is_speed(word) && self.names.find(word).is_none() =>
-            {
-                Some(ForeignWord::Speed)
-            }
-            Some(FAST) => Some(ForeignWord::FastFirst {
+            Some(FAST) => Some(Suggestion::FastFirst {
                 command: name.node.clone(),
             }),
             Some(word) if word.parse::<Target>().is_ok() => {
                 let command = name.node.clone();
                 Some(match takes_target(&command) {
-                    true => ForeignWord::OneTarget { command },
-                    false => ForeignWord::NoTarget { command },
+                    true => Suggestion::OneTarget { command },
+                    false => Suggestion::NoTarget { command },
                 })
             }
             Some(word) if commands::find_in(word, self.names.edition).is_some() => {
-                Some(ForeignWord::NextStatement)
+                Some(Suggestion::NextStatement)
             }
-            Some(unit) if foreign::is_unit(unit) && self.names.find(unit).is_none() => {
-                Some(ForeignWord::NoUnit)
+            Some(unit) if is_unit(unit) && self.names.find(unit).is_none() => {
+                Some(Suggestion::NoUnit)
             }
-            _ => self.comma_in_number(operand),
+            _ => self.comma_in_number(operand.span),
         }
     }
 
+    /// `PTP F1 100,5 200 300`: the digits after the only comma, if blanks separate the other arguments.
+    fn decimal_comma(&self, name: &Word) -> Option<(Span, Suggestion)> {
+        let rest = self.rest_of_statement(name.span);
+        let (before, after) = rest
+            .split_once(',')
+            .filter(|(_, after)| !after.contains(','))?;
+        let digits = after
+            .find(|c: char| !c.is_ascii_digit())
+            .unwrap_or(after.len());
+        let start = name.span.end + before.len() + 1;
+        let location = Span::new(start, start + digits);
+        Some((location, self.comma_in_number(location)?))
+    }
+
     /// `1,000` or `4,5`: digits right after a comma that digits precede.
-    fn comma_in_number(&self, operand: &Operand) -> Option<ForeignWord> {
-        let text = self.source_before(operand.span)?.strip_suffix(',')?;
+    fn comma_in_number(&self, location: Span) -> Option<Suggestion> {
+        let text = self.source_before(location)?.strip_suffix(',')?;
         let digits = |c: char| c.is_ascii_digit();
         let before = &text[text.trim_end_matches(digits).len()..];
-        let after = self.slice(operand.span);
-        let is_number = !before.is_empty() && after.chars().all(digits);
-        is_number.then(|| ForeignWord::Comma {
+        let after = self.slice(location);
+        let is_number = !before.is_empty() && !after.is_empty() && after.chars().all(digits);
+        is_number.then(|| Suggestion::Comma {
             whole: format!("{before}{after}").into(),
             point: format!("{before}.{after}").into(),
         })
@@ -393,12 +428,12 @@ fn takes_target(command: &str) -> bool {
 }
 
 /// `R50`, where `R 50` was meant.
-fn glued_flag(form: Arguments, word: &str) -> Option<ForeignWord> {
+fn glued_flag(form: Arguments, word: &str) -> Option<Suggestion> {
     let flag = [RELATIVE, ABSOLUTE].into_iter().find(|flag| {
         let number = word.strip_prefix(*flag).unwrap_or_default();
         form.motion && !number.is_empty() && number.chars().all(|c| c.is_ascii_digit())
     })?;
-    Some(ForeignWord::FlagApart {
+    Some(Suggestion::FlagApart {
         flag,
         number: word[flag.len()..].into(),
     })

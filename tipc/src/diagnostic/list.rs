@@ -1,9 +1,11 @@
 //! The diagnostics of a pass, of which only so many are kept.
 
-use super::Diagnostic;
+use super::{Diagnostic, Label};
 use crate::code::{Code, Level};
 use crate::language::Edition;
-use std::collections::BTreeMap;
+use crate::message::Naming;
+use smol_str::SmolStr;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::{Deref, DerefMut};
 
 /// The most diagnostics of a file that are reported: nobody reads more, and what shows and tries them takes a while for each.
@@ -16,16 +18,32 @@ const KEPT: usize = 10_000;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnostics {
     kept: Vec<Diagnostic>,
+    /// The index of the diagnostic of each mistake that is one mistake wherever it shows.
+    once: HashMap<SmolStr, usize>,
     omitted: Omitted,
 }
 
 impl Diagnostics {
-    /// Adds a diagnostic.
+    /// Adds a diagnostic. One of a mistake that is reported already becomes a label of that one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
+        if let Some(mistake) = &diagnostic.once {
+            let first = self.once.get(mistake).and_then(|at| self.kept.get_mut(*at));
+            if let Some(first) = first.filter(|first| first.once == diagnostic.once) {
+                return also_here(first, diagnostic);
+            }
+            self.once.insert(mistake.clone(), self.kept.len());
+        }
         match self.is_full() {
             true => self.omitted.add(diagnostic.code),
             false => self.kept.push(diagnostic),
         }
+    }
+
+    /// Returns the diagnostic of a mistake that is reported once, if it is.
+    pub(crate) fn of_mistake(&mut self, mistake: &str) -> Option<&mut Diagnostic> {
+        let at = *self.once.get(mistake)?;
+        let first = self.kept.get_mut(at)?;
+        (first.once.as_deref() == Some(mistake)).then_some(first)
     }
 
     /// Returns true if no more are kept.
@@ -140,6 +158,20 @@ impl Omitted {
         for (code, count) in others.0 {
             *self.0.entry(code).or_default() += count;
         }
+    }
+}
+
+/// Adds the location of a mistake to its diagnostic, which stands at the first one.
+fn also_here(first: &mut Diagnostic, mut other: Diagnostic) {
+    if other.span < first.span {
+        std::mem::swap(first, &mut other);
+        first.labels.append(&mut other.labels);
+    }
+    if first.labels.len() < KEPT && first.span != other.span {
+        first.labels.push(Label {
+            span: other.span,
+            text: Naming::AlsoHere.into(),
+        });
     }
 }
 

@@ -13,7 +13,7 @@ messages! {
     Commanding;
 
     // Which command.
-    RobotLacks { robot: &'static str, command: &'static str }
+    RobotLacks { robot: &'static str, command: &'static str } ["E204-02"]
         "{robot} has no {command}",
         "{robot}に{command}はありません";
     NeedsForces { command: &'static str }
@@ -22,13 +22,13 @@ messages! {
     CommandOf { command: &'static str, robots: Both }
         "{command} is a command of {robots}, which `--robot` or tip.toml chooses",
         "{command}は{robots}のコマンドです。ロボットは `--robot` か tip.toml で指定します";
-    VariableNotCommand { name: SmolStr }
+    VariableNotCommand { name: SmolStr } ["E204-03"]
         "`{name}` is a variable, not a command",
         "`{name}` は変数で、コマンドではありません";
     OperatorBehindVariable { name: SmolStr }
         "an equation has an operator after its variable: `{name} = 0`",
         "式では変数の後に演算子を書きます: `{name} = 0`";
-    NoCommand { word: SmolStr }
+    NoCommand { word: SmolStr } ["E204-01"]
         "`{word}` is not a command",
         "`{word}` というコマンドはありません";
     CalledNow { command: &'static str }
@@ -42,37 +42,37 @@ messages! {
     Write { forms: Alternatives }
         "write {forms}",
         "{forms} のように書いてください";
-    OtherType { command: SmolStr, wanted: Numbers, found: Type }
+    OtherType { command: SmolStr, wanted: Numbers, found: Type } ["E205-08"]
         "{command} wants {wanted} here, not {found}",
         "{command}のここには{wanted}が必要ですが、{found}があります";
-    TooFew { command: SmolStr, wanted: Numbers, found: Standing }
+    TooFew { command: SmolStr, wanted: Numbers, found: Standing } ["E205-01"]
         "{command} wants {wanted}; {found} here",
         "{command}には{wanted}が必要ですが、{found}";
-    WantsTwoJoints { command: SmolStr }
+    WantsTwoJoints { command: SmolStr } ["E205-08"]
         "{command} wants two JOINTs for a leg: the lowest and the highest angles",
         "脚を指定した{command}には、下限と上限のJOINT型変数が2個必要です";
-    TooMany { command: SmolStr }
+    TooMany { command: SmolStr } ["E205-02"]
         "one argument too many for {command}",
         "{command}の引数が多すぎます";
-    ToleranceElsewhere
+    ToleranceElsewhere ["E205-02"]
         "SET_NEAR_POSITION and SET_NEAR_ANGLE set the tolerance",
         "許容範囲はSET_NEAR_POSITIONかSET_NEAR_ANGLEで設定します";
-    Missing { what: Lacking }
+    Missing { what: Lacking } ["E205-01"]
         "{what} is missing",
         "{what}がありません";
-    FlagBeforeNumber { flag: SmolStr }
+    FlagBeforeNumber { flag: SmolStr } ["E205-07"]
         "{flag} is a flag here: it stands before a number, and once",
         "ここでは{flag}はフラグです。数値の前に一度だけ書きます";
-    NoFlag { flag: SmolStr }
+    NoFlag { flag: SmolStr } ["E205-07"]
         "this command takes no {flag}",
         "このコマンドに{flag}は付けられません";
-    StructForNumber
+    StructForNumber ["E107-06" "E205-08"]
         "a struct stands where one number belongs",
         "数値1個のところに構造体の変数があります";
     NameMember
         "name a member, as `P.X` or `Q.J2`",
         "`P.X` や `Q.J2` のようにメンバを書いてください";
-    ConstantOrVar
+    ConstantOrVar ["E107-06" "E205-08"]
         "only a constant or a VAR can stand here",
         "ここに書けるのは定数かVAR型変数だけです";
     CopyIntoVar
@@ -86,46 +86,46 @@ messages! {
         "{robot}の{command}に使える値は{bounds}です";
 
     // Targets.
-    WantsTarget { command: SmolStr, targets: List }
+    WantsTarget { command: SmolStr, targets: List } ["E205-03"]
         "{command} wants a target, as {targets}",
         "{command}には対象({targets}など)が必要です";
-    TargetBelongsHere { targets: List }
+    TargetBelongsHere { targets: List } ["E205-03"]
         "a target belongs here, as {targets}",
         "ここには対象({targets}など)を書きます";
-    RobotHasNo { robot: &'static str, target: Target }
+    RobotHasNo { robot: &'static str, target: Target } ["E205-04"]
         "{robot} has no {target}",
         "{robot}に{target}はありません";
-    OtherTargets { command: SmolStr, target: Target, targets: List }
+    OtherTargets { command: SmolStr, target: Target, targets: List } ["E205-06"]
         "{command} takes no {target}; its targets are such as {targets}",
         "{command}の対象に{target}は使えません。使えるのは{targets}などです";
     RobotHas { inventory: Inventory } "{inventory}", "{inventory}";
-    MovesFeet { command: SmolStr, other: &'static str }
+    MovesFeet { command: SmolStr, other: &'static str } ["E205-05"]
         "{command} is for feet; for a joint write {other}",
         "{command}は足先のコマンドです。関節には{other}を使ってください";
 
     // Variables to fill, inputs, native commands.
-    PosVariable
+    PosVariable ["E205-09"]
         "a POS variable belongs here",
         "ここにはPOS型変数を書きます";
-    JointVariable
+    JointVariable ["E205-09"]
         "a JOINT variable belongs here",
         "ここにはJOINT型変数を書きます";
-    VarOrJointMember
+    VarOrJointMember ["E205-09"]
         "a VAR or a member of a JOINT belongs here",
         "ここにはVAR型変数かJOINT型変数のメンバを書きます";
-    VarBelongsHere
+    VarBelongsHere ["E205-09"]
         "a VAR belongs here",
         "ここにはVAR型変数を書きます";
-    ConstantBelongsHere
+    ConstantBelongsHere ["E205-11"]
         "a constant belongs here",
         "ここには定数を書きます";
-    OneBoard
+    OneBoard ["E205-10"]
         "there is one A/D board: number 0",
         "A/Dボードは0番の1枚だけです";
-    Channels
+    Channels ["E205-10"]
         "the board has the channels 0…15",
         "ボードのチャンネルは0…15です";
-    NoInput { robot: &'static str, name: SmolStr }
+    NoInput { robot: &'static str, name: SmolStr } ["E205-12"]
         "{robot} has no input `{name}`",
         "{robot}に `{name}` という入力はありません";
     Inputs { inventory: Inventory }
@@ -134,7 +134,7 @@ messages! {
     InputsWith { others: List, inventory: Inventory }
         "inputs are VR1…VR3, joints, {others}; {inventory}",
         "入力はVR1…VR3、関節、{others}です。{inventory}";
-    NativeCommands
+    NativeCommands ["E205-10"]
         "native commands have the numbers 0…255",
         "ネイティブコマンドの番号は0…255です";
 
@@ -145,7 +145,7 @@ messages! {
     CountOtherwise
         "count by another number, or leave STEP out to count by 1",
         "0以外の刻みにするか、STEPを省いて1ずつ数えてください";
-    CountsVar
+    CountsVar ["E205-18"]
         "the variable of a FOR is a VAR",
         "FORの変数はVAR型です";
     CountVar
@@ -153,13 +153,13 @@ messages! {
         "`FOR I = 1 TO 10` のように、VAR型変数で数えてください";
 
     // Event flags.
-    VariableNoCondition { name: SmolStr }
+    VariableNoCondition { name: SmolStr } ["E205-14"]
         "`{name}` is a variable; alone it is not a condition",
         "`{name}` は変数です。それだけでは条件式になりません";
     Compare { name: SmolStr }
         "compare it with something: `{name} <> 0`",
         "`{name} <> 0` のように何かと比較してください";
-    NoEventFlag { robot: &'static str, name: SmolStr }
+    NoEventFlag { robot: &'static str, name: SmolStr } ["E205-13"]
         "{robot} has no event flag `{name}`",
         "{robot}に `{name}` というイベントフラグはありません";
     Flags { inventory: Inventory }
@@ -178,7 +178,7 @@ messages! {
     LeftSideIs
         "the left side is a variable or a member",
         "左辺に書けるのは変数かメンバです";
-    LeftSideSign
+    LeftSideSign ["E107-01"]
         "the left side has no sign",
         "左辺に符号は付けられません";
     LeftSide
@@ -186,22 +186,22 @@ messages! {
         "左辺はここです";
 
     // Types.
-    SidesDiffer { left: Type, right: Type }
+    SidesDiffer { left: Type, right: Type } ["E107-06"]
         "the left side is {left}, the right side {right}",
         "左辺は{left}、右辺は{right}です";
-    NotTogether { first: Type, second: Type }
+    NotTogether { first: Type, second: Type } ["E107-06"]
         "{first} and {second} do not go together",
         "{first}と{second}は一緒に計算できません";
     OneType
         "an equation is all numbers, all POS or all JOINT; members, as `P.X`, are numbers",
         "式の全体を、数値だけ、POSだけ、JOINTだけのどれかにします。`P.X` のようなメンバは数値です";
-    BelongsHere { wanted: Type }
+    BelongsHere { wanted: Type } ["E107-06"]
         "{wanted} belongs here",
         "ここには{wanted}を書きます";
     WholeVariable
         "a whole variable, as `P`; a member is a number",
         "`P` のように変数全体を書きます。メンバは数値です";
-    StructSign
+    StructSign ["E107-06"]
         "a struct has no sign",
         "構造体の変数に符号は付けられません";
     ChangeMembers
@@ -209,7 +209,7 @@ messages! {
         "`P.X = -P.X` のように、メンバごとに符号を変えてください";
 
     // Functions.
-    OtherOperands { function: SmolStr, wanted: Operands, found: usize }
+    OtherOperands { function: SmolStr, wanted: Operands, found: usize } ["E107-07"]
         "{function} takes {wanted}, not {found}",
         "{function}には{wanted}が必要ですが、{found}個あります";
     WriteOfTwo { function: &'static str }
@@ -263,13 +263,13 @@ messages! {
     Naming;
 
     // Labels and variables.
-    WordOfLanguage { word: SmolStr }
+    WordOfLanguage { word: SmolStr } ["E205-21"]
         "`{word}` is a word of the language",
         "`{word}` はこの言語の予約語です";
     ChooseAnother
         "choose another name",
         "別の名前にしてください";
-    DeclaredAgain { name: SmolStr }
+    DeclaredAgain { name: SmolStr } ["E205-22"]
         "`{name}` is declared again",
         "`{name}` が二重に宣言されています";
     FirstDeclared
@@ -280,7 +280,7 @@ messages! {
         "宣言はここです";
 
     // Labels.
-    NoLabelName { word: SmolStr }
+    NoLabelName { word: SmolStr } ["E205-21"]
         "`{word}` cannot name a label",
         "`{word}` はラベル名に使えません";
     LabelCharacters
@@ -289,18 +289,18 @@ messages! {
     OwnName
         "give each label a name of its own; only LOOP may stand more than once",
         "ラベルには別々の名前を付けてください。何度も使えるのはLOOPだけです";
-    SubroutineLoop
+    SubroutineLoop ["E205-21"]
         "a SUBROUTINE cannot be named LOOP",
         "SUBROUTINEにLOOPという名前は付けられません";
-    ThreadLoop
+    ThreadLoop ["E205-21"]
         "a THREAD cannot be named LOOP",
         "THREADにLOOPという名前は付けられません";
-    TooManyThreads { most: usize }
+    TooManyThreads { most: usize } ["E205-28"]
         "a program has at most {most} threads",
         "1つのプログラムのスレッドは{most}本までです";
 
     // Constants.
-    NotConstant { name: SmolStr }
+    NotConstant { name: SmolStr } ["E205-11"]
         "`{name}` is not a constant",
         "`{name}` は定数ではありません";
     ConstantIs
@@ -326,10 +326,10 @@ messages! {
     Readings
         "the special variables are @AGL_Jnm, @TRQ_Jnm, @AGL_Fn, @TRQ_Fn, @POS_Fn, @FORCE_Fn and @TIMER0…@TIMER7",
         "特殊変数は@AGL_Jnm、@TRQ_Jnm、@AGL_Fn、@TRQ_Fn、@POS_Fn、@FORCE_Fn、@TIMER0…@TIMER7です";
-    NotSensed { robot: &'static str, word: SmolStr }
+    NotSensed { robot: &'static str, word: SmolStr } ["E205-12"]
         "{robot} cannot measure `{word}`",
         "{robot}は `{word}` を測れません";
-    ReadingAssigned { word: SmolStr }
+    ReadingAssigned { word: SmolStr } ["E107-01"]
         "`{word}` can only be read",
         "`{word}` は読み出し専用です";
     ReadingMembers { word: SmolStr }
@@ -337,7 +337,7 @@ messages! {
         "位置のメンバはX、Y、Z、関節の値のメンバはJ1、J2…です。数値にメンバはありません。`{word}` を確かめてください";
 
     // Variables.
-    NoNames
+    NoNames ["E205-23"]
         "this declaration names no variable",
         "宣言に変数名がありません";
     WriteNames
@@ -349,7 +349,7 @@ messages! {
     FlagHere
         "the flag, not the variable",
         "変数ではなくフラグです";
-    NoVariableName { word: SmolStr }
+    NoVariableName { word: SmolStr } ["E205-21"]
         "`{word}` cannot name a variable",
         "`{word}` は変数名に使えません";
     VariableCharacters
@@ -376,7 +376,7 @@ messages! {
     AlsoHere
         "used here too",
         "ここでも使われています";
-    NoMember { name: SmolStr, member: SmolStr }
+    NoMember { name: SmolStr, member: SmolStr } ["E107-05" "E205-25"]
         "`{name}` has no member `{member}`",
         "`{name}` に `{member}` というメンバはありません";
     VarMembers { name: SmolStr }
@@ -410,10 +410,10 @@ messages! {
     Structuring;
 
     // Openers and closers.
-    SubroutineInside { opener: Keyword }
+    SubroutineInside { opener: Keyword } ["E207-03"]
         "this SUBROUTINE stands inside {opener}",
         "このSUBROUTINEは{opener}の中にあります";
-    ThreadInside { opener: Keyword }
+    ThreadInside { opener: Keyword } ["E207-03"]
         "this THREAD stands inside {opener}",
         "このTHREADは{opener}の中にあります";
     StillOpen { opener: Keyword }
@@ -422,7 +422,7 @@ messages! {
     CloseBefore { opener: Keyword, closer: Keyword }
         "close {opener} with {closer} before it",
         "その前で{opener}を{closer}で閉じてください";
-    BehindElse { word: Keyword }
+    BehindElse { word: Keyword } ["E207-04"]
         "{word} stands after the ELSE of its IF",
         "{word}が、そのIFのELSEより後にあります";
     Else
@@ -431,7 +431,7 @@ messages! {
     ElseIsLast
         "ELSE is the last branch of an IF",
         "ELSEはIFの最後の分岐です";
-    NothingOpen { opener: Keyword, word: Keyword }
+    NothingOpen { opener: Keyword, word: Keyword } ["E207-02"]
         "no {opener} is open for this {word}",
         "この{word}に対応する{opener}がありません";
     Opens { opener: Keyword, closer: Keyword }
@@ -452,7 +452,7 @@ messages! {
     StandsHere { word: Keyword }
         "its {word} stands here",
         "対応する{word}はここにあります";
-    NotClosed { opener: Keyword }
+    NotClosed { opener: Keyword } ["E207-01"]
         "this {opener} is not closed",
         "この{opener}が閉じていません";
     CloseWith { closer: Keyword }
@@ -470,12 +470,9 @@ messages! {
     EndsBefore { closer: Keyword }
         "the program ends before {closer}",
         "{closer}がないままプログラムが終わっています";
-    NextNames { name: SmolStr }
+    NextNames { name: SmolStr } ["E207-05"]
         "this NEXT names {name}",
         "このNEXTの変数は{name}です";
-    NextNamesAnother
-        "this NEXT names another variable",
-        "このNEXTの変数が違います";
     VariableOfFor
         "the variable of its FOR",
         "対応するFORの変数はこれです";
@@ -493,16 +490,16 @@ messages! {
     DeclareLabel { name: SmolStr }
         "put `{name}:` before the statement that is meant",
         "飛び先の文の前に `{name}:` を書いてください";
-    PlainLabel { name: SmolStr }
+    PlainLabel { name: SmolStr } ["E205-20"]
         "`{name}` is a plain label, not a SUBROUTINE",
         "`{name}` は普通のラベルで、SUBROUTINEではありません";
-    NoThread { name: SmolStr }
+    NoThread { name: SmolStr } ["E205-20"]
         "`{name}` is not a THREAD",
         "`{name}` はTHREADではありません";
     OnlyThreads
         "START_THREAD, STOP_THREAD and WAIT_THREAD name a THREAD",
         "START_THREAD、STOP_THREAD、WAIT_THREADにはTHREADの名前を書きます";
-    CalledThread { name: SmolStr }
+    CalledThread { name: SmolStr } ["E205-20"]
         "`{name}` is a THREAD, which cannot be called",
         "`{name}` はTHREADなので、呼び出せません";
     StartIt
@@ -511,7 +508,7 @@ messages! {
     GosubCalls
         "GOSUB calls plain labels",
         "普通のラベルはGOSUBで呼びます";
-    LoopForGoto
+    LoopForGoto ["E205-20"]
         "LOOP is a label for GOTO only",
         "LOOPはGOTO専用のラベルです";
     OwnLabel
@@ -523,7 +520,7 @@ messages! {
     PutLoop
         "put `LOOP:` where the repetition starts",
         "繰り返しの始まりに `LOOP:` を置いてください";
-    Enters { block: Entered }
+    Enters { block: Entered } ["E207-06"]
         "this jump enters {block} from outside",
         "このジャンプは外から{block}の中に入ります";
     MoveOut
@@ -541,10 +538,10 @@ messages! {
     Label
         "the label",
         "ラベルはここです";
-    LeavesSubroutine
+    LeavesSubroutine ["E207-07"]
         "GOTO leaves its SUBROUTINE",
         "GOTOでSUBROUTINEの外に出ています";
-    LeavesThread
+    LeavesThread ["E207-07"]
         "GOTO leaves its THREAD",
         "GOTOでTHREADの外に出ています";
     ThreadStarts
@@ -568,10 +565,10 @@ messages! {
     RunsInto
         "its SUBEND stops a program that comes this way",
         "ここを通って入ると、SUBENDで緊急停止します";
-    RunsIntoSubroutine
+    RunsIntoSubroutine ["E207-09"]
         "only a call leads into a SUBROUTINE, and a way comes here without one",
         "SUBROUTINEには呼び出しで入りますが、呼び出しなしでここに来る経路があります";
-    RunsIntoThread
+    RunsIntoThread ["E207-09"]
         "a thread begins only where START_THREAD starts it",
         "スレッドはSTART_THREADで動かしたときだけ始まります";
     PutJumpAbove

@@ -24,7 +24,7 @@ messages! {
         "ファイルの1行目を `{wanted}` にしてください";
 
     // Lines.
-    LineTooLong { limit: usize }
+    LineTooLong { limit: usize } ["E105-02"]
         "this line has more than {limit} bytes",
         "この行は{limit}バイトを超えています";
     BreakTheLine
@@ -36,10 +36,10 @@ messages! {
     PutEnd
         "put END on a line of its own after the last statement",
         "最後の文の後に、ENDだけの行を置いてください";
-    ControlCharacter
+    ControlCharacter ["E105-01"]
         "a control character cannot stand here",
         "ここに制御文字は書けません";
-    ForeignCharacters
+    ForeignCharacters ["E105-01"]
         "only comments, MESSAGE and REM may hold such characters",
         "このような文字を書けるのは、コメント、MESSAGE、REMの中だけです";
     WriteHalfWidth { narrow: String }
@@ -51,7 +51,7 @@ messages! {
     PlainNames
         "names and words are made of A-Z, 0-9 and `_`",
         "名前や語に使えるのはA-Z、0-9、`_` です";
-    NotAlone { word: SmolStr }
+    NotAlone { word: SmolStr } ["E105-03"]
         "{word} must be alone on its line",
         "{word}は1行に単独で書きます";
     WantsOwnLine
@@ -60,7 +60,7 @@ messages! {
     LabelBeforeCommentBehind
         "only a label may stand before it, and a comment after it",
         "前に書けるのはラベルだけ、後に書けるのはコメントだけです";
-    NothingBehind { end: End }
+    NothingBehind { end: End } ["E205-26"]
         "nothing may stand after {end}",
         "{end}の後には何も書けません";
     NextStatementElsewhere
@@ -68,31 +68,31 @@ messages! {
         "次の文は新しい行か `;` の後に書いてください";
 
     // Labels, names and jumps.
-    NameTooLong { limit: usize, length: usize }
+    NameTooLong { limit: usize, length: usize } ["E105-02"]
         "a name has at most {limit} bytes, this one {length}",
         "名前は{limit}バイトまでですが、これは{length}バイトあります";
-    LabelNameMissing
+    LabelNameMissing ["E205-19"]
         "the label's name is missing before this colon",
         "このコロンの前にラベル名がありません";
-    LabelBelongsHere
+    LabelBelongsHere ["E205-19"]
         "a label belongs here",
         "ここにはラベルを書きます";
-    LabelMissing
+    LabelMissing ["E205-19"]
         "a label is missing here",
         "ここにラベルがありません";
     WriteJump { jump: SmolStr }
         "write `{jump} L1:`",
         "`{jump} L1:` のように書いてください";
-    BlankBeforeColon
+    BlankBeforeColon ["E205-19"]
         "no blank may stand before this colon",
         "コロンの前に空白は置けません";
-    LabelColonMissing
+    LabelColonMissing ["E204-04" "E205-19"]
         "the label's colon is missing",
         "ラベルの後のコロンがありません";
     WriteLabel { name: SmolStr }
         "write `{name}:`",
         "`{name}:` と書いてください";
-    OnlyNames
+    OnlyNames ["E205-23"]
         "only names can be declared",
         "宣言できるのは変数名だけです";
     SeparateNames
@@ -100,7 +100,7 @@ messages! {
         "変数名は空白かコンマで区切ります。初期値は書けません。宣言の後で代入してください";
 
     // MESSAGE.
-    BlankBehindMessage
+    BlankBehindMessage ["E205-27"]
         "a blank must stand between MESSAGE and its text",
         "MESSAGEと文字列の間には空白が必要です";
     TextEndsHere
@@ -109,7 +109,7 @@ messages! {
     CommentElsewhere
         "put the comment on a line of its own",
         "コメントは別の行に書いてください";
-    LineBreak
+    LineBreak ["E105-05"]
         "the message line is one line: it cannot be broken",
         "メッセージは1行です。改行はできません";
     Escapes
@@ -126,46 +126,46 @@ messages! {
         "全角文字は1文字2バイトと数えます";
 
     // Control structure.
-    IfCannotCall
+    IfCannotCall ["E205-17"]
         "IF cannot CALL",
         "IFからCALLはできません";
     GosubCalls
         "GOSUB calls a SUBROUTINE as well: `IF … GOSUB NAME:`",
         "GOSUBでもSUBROUTINEを呼べます: `IF … GOSUB NAME:`";
-    ThenOrJumpBelongsHere
+    ThenOrJumpBelongsHere ["E205-17"]
         "THEN, GOTO or GOSUB belongs here",
         "ここにはTHEN、GOTO、GOSUBのどれかを書きます";
     WriteThenOrJump
         "write THEN for a block, or GOTO or GOSUB and a label",
         "ブロックにするならTHEN、ジャンプするならGOTOかGOSUBとラベルを書いてください";
-    ThenBelongsHere
+    ThenBelongsHere ["E205-17"]
         "THEN belongs here",
         "ここにはTHENを書きます";
-    ToBelongsHere
+    ToBelongsHere ["E205-18"]
         "TO belongs here",
         "ここにはTOを書きます";
-    ForEnds
+    ForEnds ["E205-18"]
         "FOR ends before this",
         "FORの文はこの前で終わりです";
-    VariableBelongsHere
+    VariableBelongsHere ["E205-18"]
         "a variable belongs here",
         "ここには変数を書きます";
-    AssignmentBelongsHere
+    AssignmentBelongsHere ["E205-18"]
         "`=` belongs here",
         "ここには `=` を書きます";
     WriteFor
         "write `FOR I = 1 TO 10`, or `FOR I = 10 TO 0 STEP -2`",
         "`FOR I = 1 TO 10` や `FOR I = 10 TO 0 STEP -2` のように書いてください";
-    NextNamesItsVariable
+    NextNamesItsVariable ["E205-18"]
         "NEXT names the variable of its FOR, or nothing",
         "NEXTには対応するFORの変数を書くか、何も書きません";
-    NameBelongsHere
+    NameBelongsHere ["E205-19"]
         "a name belongs here",
         "ここには名前を書きます";
-    NameMissing
+    NameMissing ["E205-19"]
         "the name is missing here",
         "ここに名前がありません";
-    NameColonMissing
+    NameColonMissing ["E205-19"]
         "the name's colon is missing",
         "名前の後のコロンがありません";
     WriteSubroutine { name: SmolStr }
@@ -179,28 +179,28 @@ messages! {
         "DEFINEは `DEFINE STEP_LENGTH 90` のように、名前一つと定数一つを書きます";
 
     // Conditions.
-    ConditionMissing
+    ConditionMissing ["E205-14"]
         "a condition is missing here",
         "ここに条件式がありません";
-    NotStandsBeforeFlag
+    NotStandsBeforeFlag ["E205-16"]
         "`!` stands right before an event flag, without a blank",
         "`!` はイベントフラグの直前に、空白なしで書きます";
-    NoRelation
+    NoRelation ["E205-15"]
         "this is not a relation",
         "このような関係演算子はありません";
-    CannotStandHere { text: SmolStr }
+    CannotStandHere { text: SmolStr } ["E205-16"]
         "`{text}` cannot stand here",
         "ここに `{text}` は書けません";
-    AssignsComparesNothing
+    AssignsComparesNothing ["E205-15"]
         "`=` assigns; `==` compares",
         "`=` は代入です。比較は `==` です";
-    ConditionCannotCalculate
+    ConditionCannotCalculate ["E205-16"]
         "a condition cannot calculate",
         "条件式の中では計算できません";
-    RelationBelongsHere
+    RelationBelongsHere ["E205-15"]
         "a relation belongs here",
         "ここには関係演算子を書きます";
-    ComparedWithNothing
+    ComparedWithNothing ["E205-14"]
         "this is compared with nothing",
         "比較する相手がありません";
     Conditions
@@ -211,28 +211,28 @@ messages! {
         "関係演算子は `==` (等しい)、`<>` (等しくない)、`<`、`>`、`<=`、`>=` です";
 
     // Equations.
-    OneVariableLeft
+    OneVariableLeft ["E107-01"]
         "one variable stands left of the `=`",
         "`=` の左に書けるのは変数1つだけです";
-    ConstantAssigned
+    ConstantAssigned ["E107-01"]
         "a constant cannot be assigned",
         "定数には代入できません";
-    StartsWithVariable
+    StartsWithVariable ["E107-01"]
         "an equation starts with a variable",
         "式は変数で始まります";
     LeftSide
         "the left side is a variable or a member, as `A` or `P.X`, without a sign",
         "左辺は `A` や `P.X` のような、符号のない変数かメンバです";
-    OperatorOrNothing
+    OperatorOrNothing ["E107-02"]
         "`+`, `-`, `*`, `/` or nothing can stand here",
         "ここに書けるのは `+`、`-`、`*`、`/` だけです";
-    EquationEnds
+    EquationEnds ["E107-02"]
         "the equation ends before this",
         "式はこの前で終わりです";
-    NoSuchFunction { word: SmolStr }
+    NoSuchFunction { word: SmolStr } ["E107-05"]
         "there is no function {word}",
         "{word}という関数はありません";
-    FunctionCannotStandHere { function: SmolStr }
+    FunctionCannotStandHere { function: SmolStr } ["E107-02"]
         "{function} cannot stand here",
         "ここに{function}は書けません";
     OneOperation
@@ -240,49 +240,49 @@ messages! {
         "1つの式に書けるのは演算1つか関数1つです。途中の値は変数に入れてください";
 
     // Operands.
-    NoOperand { text: SmolStr }
+    NoOperand { text: SmolStr } ["E107-05" "E205-25"]
         "`{text}` stands where an operand belongs",
         "数値か変数を書くところに `{text}` があります";
-    OperandMissing
+    OperandMissing ["E107-03" "E205-01"]
         "an operand is missing here",
         "ここに数値か変数がありません";
     WriteEquation
         "write `A = B`, `A = B + C` or `A = SIN B`",
         "`A = B`、`A = B + C`、`A = SIN B` のように書いてください";
-    OperandMissingBefore { word: SmolStr }
+    OperandMissingBefore { word: SmolStr } ["E205-01"]
         "an operand is missing before {word}",
         "{word}の前に数値か変数がありません";
-    BetweenArguments { text: SmolStr }
+    BetweenArguments { text: SmolStr } ["E107-04" "E205-24"]
         "`{text}` stands between two arguments",
         "2つの引数の間に `{text}` があります";
     SeparateArguments
         "arguments are separated by blanks or commas; a sign stands right before its number or name",
         "引数は空白かコンマで区切ります。符号は数値や変数名の直前に書きます";
-    SignStandsBefore
+    SignStandsBefore ["E107-04" "E205-24"]
         "a sign stands right before its number or name, without a blank",
         "符号は数値や変数名の直前に、空白なしで書きます";
-    PlusBeforeConstants
+    PlusBeforeConstants ["E107-04" "E205-24"]
         "`+` stands only before constants",
         "`+` を付けられるのは定数だけです";
     LeavePlusOut
         "leave the `+` out",
         "`+` を取ってください";
-    ConstantTooLarge
+    ConstantTooLarge ["E107-05" "E205-25"]
         "this constant is too large",
         "この定数は大きすぎます";
-    NoNumber { word: SmolStr }
+    NoNumber { word: SmolStr } ["E107-05" "E205-25"]
         "`{word}` is not a number",
         "`{word}` は数値ではありません";
     Constants
         "a constant is decimal, as `12`, `-0.5` or `1.5E3`; a name starts with a letter or `_`",
         "定数は `12`、`-0.5`、`1.5E3` のような10進数です。名前は英字か `_` で始まります";
-    NoMember { word: SmolStr }
+    NoMember { word: SmolStr } ["E107-05" "E205-25"]
         "`{word}` is not a member",
         "`{word}` というメンバはありません";
     Members
         "a member is written `P.X` or `Q.J2`",
         "メンバは `P.X` や `Q.J2` のように書きます";
-    ForeignInName { character: SmolStr }
+    ForeignInName { character: SmolStr } ["E107-05" "E205-25"]
         "`{character}` cannot be part of a name or a number",
         "名前や数値の中に `{character}` は書けません";
     NoParentheses
@@ -322,7 +322,7 @@ messages! {
     Linked
         "a link to another file has taken the place of the file, and is not followed",
         "ファイルが別のファイルへのリンクに置き換わっています。リンクはたどりません";
-    NotValid { byte: usize, encoding: &'static str }
+    NotValid { byte: usize, encoding: &'static str } ["E105-06"]
         "byte {byte} of the file is not valid {encoding}",
         "ファイルの{byte}バイト目が{encoding}として正しくありません";
     NotTheOtherEither { encoding: &'static str, byte: usize }

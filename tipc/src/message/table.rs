@@ -114,25 +114,33 @@ macro_rules! count_table {
     };
 }
 
-/// A table of this crate: its rows are tried with sample arguments.
+/// A table of this crate: its rows are tried with sample arguments. A reason has the finer codes of its diagnostics, one
+/// for each class that it may be of.
 macro_rules! messages {
     (
         $( #[$meta:meta] )* $table:ident;
-        $( $name:ident $( { $( $argument:ident: $type:ty ),* } )? $english:literal, $japanese:literal; )*
+        $(
+            $name:ident $( { $( $argument:ident: $type:ty ),* } )? $( [ $( $code:literal )+ ] )?
+            $english:literal, $japanese:literal;
+        )*
     ) => {
         $crate::message_table! {
             @enum $( #[$meta] )* $table;
             $( $name $( { $( $argument: $type ),* } )? $english, $japanese; )*
         }
 
+        impl $table {
+            /// Returns the finer codes of diagnostics with this reason.
+            #[allow(dead_code, reason = "parts of messages have no codes")]
+            pub(crate) const fn codes(&self) -> &'static [&'static str] {
+                match self {
+                    $( $table::$name { .. } => &[$( $( $code, )+ )?], )*
+                }
+            }
+        }
+
         #[cfg(test)]
         impl $table {
-            /// Table and row of each message.
-            #[allow(dead_code, reason = "parts of messages have no codes")]
-            pub(crate) const ROWS: &'static [crate::message::tests::Row] = &[$( crate::message::tests::Row {
-                table: stringify!($table),
-                row: stringify!($name),
-            }, )*];
 
             /// Returns each message once, with the arguments of a turn.
             pub(crate) fn each(turn: usize) -> Vec<$table> {
@@ -211,13 +219,19 @@ macro_rules! tables {
             }
         }
 
-        /// The rows of every table.
-        #[cfg(test)]
-        pub(crate) const ROWS: &[&[tests::Row]] = &[$( $( #[$meta] )* $table::ROWS, )*];
+        impl Message {
+            /// Returns the finer codes of diagnostics with this reason.
+            pub(crate) const fn codes(&self) -> &'static [&'static str] {
+                match self {
+                    $( $( #[$meta] )* Message::$table(message) => message.codes(), )*
+                    Message::Other(_) => &[],
+                }
+            }
+        }
 
         /// Returns the messages of every table, with the arguments of a turn.
         #[cfg(test)]
-        fn each(turn: usize) -> Vec<Message> {
+        pub(crate) fn each(turn: usize) -> Vec<Message> {
             let mut messages = Vec::new();
             $(
                 $( #[$meta] )*

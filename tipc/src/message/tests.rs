@@ -9,12 +9,6 @@ use super::phrase::{Joints, Numbers, Standing, Type};
 use super::say::{Said, Say};
 use super::{Lang, Message, Parsing, each};
 
-/// A row of a table.
-pub(crate) struct Row {
-    pub(crate) table: &'static str,
-    pub(crate) row: &'static str,
-}
-
 #[track_caller]
 fn check(message: impl Say, expected: &str) {
     assert_eq!(english(&message), expected);

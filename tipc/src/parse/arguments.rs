@@ -1,13 +1,13 @@
 //! Operands in a row, as commands have them.
 
 use super::Parser;
+use super::operand::is_unit;
 use super::reader::{Fault, Parsed, Reader};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
 use crate::language::Keyword;
-use crate::lex::{BLANKS, DELIMITERS, Kind, Token, delimiter};
-use crate::message::{ForeignWord, Message, Parsing};
+use crate::lex::{BLANKS, Kind, Token, delimiter};
+use crate::message::{Message, Parsing, Suggestion};
 use crate::source::{Span, first_beyond};
 use crate::syntax::{Operand, Shape, Spanned, StatementKind, Word, upper_case};
 
@@ -35,26 +35,14 @@ impl Reader<'_> {
         let reason = Parsing::BetweenArguments { text };
         let help: Message = match token.kind {
             // `50 mm/s`
-            Kind::Arithmetic(_)
-                if self
-                    .before()
-                    .is_some_and(|it| foreign::is_unit(self.slice(it.span))) =>
-            {
-                ForeignWord::NoUnit.into()
+            Kind::Arithmetic(_) if self.before().is_some_and(|it| is_unit(self.slice(it.span))) => {
+                Suggestion::NoUnit.into()
             }
-            Kind::Arithmetic(_) if self.names_axes() => ForeignWord::ArgumentNames.into(),
-            Kind::Arithmetic(_) => ForeignWord::CalculateArgument.into(),
-            Kind::Assign(_) => ForeignWord::ArgumentNames.into(),
-            Kind::Colon if self.names_axes() => ForeignWord::ArgumentNames.into(),
+            Kind::Arithmetic(_) => Suggestion::CalculateArgument.into(),
+            Kind::Assign(_) => Suggestion::ArgumentNames.into(),
             _ => Parsing::SeparateArguments.into(),
         };
         self.fault_with_help(token.span, reason, help)
-    }
-
-    /// `X100 Y200 Z-50`, as in G-code, or `X:100`.
-    fn names_axes(&self) -> bool {
-        let mut words = self.slice(self.whole()).split(DELIMITERS);
-        words.any(|word| foreign::axis_value(&upper_case(word).replace(':', "")).is_some())
     }
 }
 
@@ -151,6 +139,7 @@ impl Parser<'_> {
         }
         let limit = if is_file { FILE_TEXT_LIMIT } else { TEXT_LIMIT };
         if let Some(at) = first_beyond(text, limit) {
+            self.is_text_too_long = true;
             let rest = Span::new(location.start + at, location.end);
             let reason = match is_file {
                 true => Parsing::FileTextTooLong { limit },

@@ -3,13 +3,11 @@
 use super::{Flow, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
-use crate::language::reserved::LOOP;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token};
-use crate::message::{Commanding, ForeignWord, Parsing};
+use crate::message::{Commanding, Parsing, Suggestion};
 use crate::source::Span;
-use crate::syntax::{Shape, StatementKind, upper_case};
+use crate::syntax::{Shape, StatementKind};
 
 const OPEN: &str = "{";
 const CLOSE: &str = "}";
@@ -49,25 +47,28 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports what opened the block of a statement unless its words are reported, which `before` tells.
-    pub(super) fn opened_block(&mut self, location: Span, opening: Token, before: usize) {
-        let word = upper_case(self.source.slice(location));
+    /// Reports what opened the block of a statement unless its words are reported, which `before` tells. Nothing else
+    /// is wrong with such a statement, or with the end of its block.
+    pub(super) fn opened_block(
+        &mut self,
+        location: Span,
+        opening: Token,
+        before: usize,
+        kind: StatementKind,
+    ) -> StatementKind {
+        let word = self.source.slice(location);
         let (reason, help) = match opening.kind {
-            Kind::Colon => (ForeignWord::NoColon, ForeignWord::WriteThen),
+            Kind::Colon => (Suggestion::NoColon, Suggestion::WriteThen),
             // That closes and opens a block, which is reported: `} ELSE {`.
-            _ if word == CLOSE => return,
-            // All of the statement is of another language: `SWITCH (A) {`.
-            _ if !self.is_command(&word) && foreign::statement(&word).is_some() => {
-                let is_routine = self.diagnostics.len() > before;
-                if word == LOOP {
-                    let reason = Commanding::NoCommand { word: LOOP.into() };
-                    self.report_unknown(location, LOOP, reason, ForeignWord::Forever);
-                }
-                return self.braces.push(is_routine);
+            _ if word == CLOSE => return kind,
+            // All of the statement is unknown: `SWITCH (A) {`.
+            _ if !self.is_command(word) => {
+                self.braces.push(self.diagnostics.len() > before);
+                return kind;
             }
             _ => {
                 self.braces.push(true);
-                (ForeignWord::NoBraces, ForeignWord::Braces)
+                (Suggestion::NoBraces, Suggestion::Braces)
             }
         };
         let lacks_then = |fault: &Diagnostic| {
@@ -80,6 +81,10 @@ impl Parser<'_> {
             self.diagnostics.truncate(before);
             let fault = Diagnostic::new(Code::Argument, opening.span, reason);
             self.report(fault.help(help));
+        }
+        match kind.shape() {
+            Shape::Plain => kind,
+            shape => StatementKind::Broken(shape),
         }
     }
 
@@ -95,7 +100,7 @@ impl Parser<'_> {
                     // The block that ends here began without a brace.
                     (None, Some(Keyword::Else)) => {
                         let reason = Commanding::NoCommand { word: CLOSE.into() };
-                        self.report_unknown(word, CLOSE, reason, ForeignWord::Braces);
+                        self.report_unknown(word, CLOSE, reason, Suggestion::Braces);
                         true
                     }
                     (None, _) => return None,
@@ -132,7 +137,7 @@ impl Parser<'_> {
         // Its IF lacks THEN, which is reported.
         if !matches!(before, Some(StatementKind::Broken(_))) {
             let reason = Commanding::NoCommand { word: OPEN.into() };
-            self.report_unknown(word, OPEN, reason, ForeignWord::Braces);
+            self.report_unknown(word, OPEN, reason, Suggestion::Braces);
         }
         Shape::Plain
     }
@@ -146,7 +151,7 @@ impl Parser<'_> {
         if self.source.slice(line).trim_end().ends_with(OPEN) {
             self.braces.push(true);
         }
-        let fault = Diagnostic::new(Code::Argument, location, ForeignWord::ForCounts);
+        let fault = Diagnostic::new(Code::Argument, location, Suggestion::ForCounts);
         self.report(fault.help(Parsing::WriteFor));
         self.push(StatementKind::Broken(Shape::For), span);
         Flow::NextLine

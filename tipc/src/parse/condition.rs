@@ -2,11 +2,10 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
 use crate::language::{Edition, Keyword, flags, functions, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{ForeignWord, Message, Parsing, Suggestion};
+use crate::message::{Message, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Condition, Operand, OperandKind, Relation, Word, upper_case};
 
@@ -37,12 +36,7 @@ impl Reader<'_> {
             Some(token) if self.calls_function(&left) => {
                 let location = left.span.to(token.span);
                 let reason = Parsing::ConditionCannotCalculate;
-                Err(self.fault_with_help(location, reason, ForeignWord::CalculateBefore))
-            }
-            Some(token) if self.foreign_relation(token).is_some() => {
-                let (location, relation) = self.foreign_relation(token).unwrap_or_default();
-                let help = ForeignWord::WriteRelation { relation };
-                Err(self.fault_with_help(location, Parsing::NoRelation, help))
+                Err(self.fault_with_help(location, reason, Suggestion::CalculateBefore))
             }
             Some(token) if token.kind != Kind::Word => Err(self.no_relation(&left, token)),
             _ => self.flag(left),
@@ -56,23 +50,10 @@ impl Reader<'_> {
         is_word && is_function(self.slice(left.span))
     }
 
-    /// `A EQ 3`, `A ~= 3`: where the relation stands, and what is written for it.
-    fn foreign_relation(&self, token: Token) -> Option<(Span, &'static str)> {
-        let relation = foreign::relation(&upper_case(self.slice(token.span)))?;
-        let next = self.peek_second().filter(|next| !next.spaced);
-        match next {
-            Some(next) if next.kind == Kind::Assign(None) => {
-                Some((token.span.to(next.span), relation))
-            }
-            _ => Some((token.span, relation)),
-        }
-        .filter(|_| token.kind == Kind::Word)
-    }
-
     fn negated_flag(&mut self, not: Token) -> Parsed<Condition> {
         match self.peek() {
             Some(word) if self.slice(word.span).starts_with('(') => {
-                Err(self.fault_with_help(not.span, ForeignWord::Not, ForeignWord::WriteNot))
+                Err(self.fault_with_help(not.span, Suggestion::Not, Suggestion::WriteNot))
             }
             Some(word) if word.kind == Kind::Word && !word.spaced => {
                 self.take();
@@ -97,16 +78,16 @@ impl Reader<'_> {
     fn comparison(&mut self, left: Operand, relation: Relation, sign: Span) -> Parsed<Condition> {
         if let Some((token, whole)) = self.split_relation(relation) {
             let location = sign.to(token.span);
-            let reason = ForeignWord::SplitOperator { sign: whole.into() };
-            let help = ForeignWord::WriteRelation { relation: whole };
+            let reason = Suggestion::SplitOperator { sign: whole.into() };
+            let help = Suggestion::WriteRelation { relation: whole };
             return Err(self.fault_with_help(location, reason, help));
         }
         if let Some(token) = self.peek().filter(is_part_of_relation) {
             let reason = Parsing::NoRelation;
             let help: Message = match (relation, token.kind) {
-                (Relation::Gt, Kind::Relation(Relation::Lt)) => ForeignWord::WriteNotEqual.into(),
+                (Relation::Gt, Kind::Relation(Relation::Lt)) => Suggestion::WriteNotEqual.into(),
                 (Relation::Eq, Kind::Assign(None)) => {
-                    ForeignWord::WriteRelation { relation: "==" }.into()
+                    Suggestion::WriteRelation { relation: "==" }.into()
                 }
                 _ => Parsing::Relations.into(),
             };
@@ -120,8 +101,8 @@ impl Reader<'_> {
                 };
                 let help: Message = match token.kind {
                     // `1 < A < 3`
-                    Kind::Relation(_) => ForeignWord::Nest.into(),
-                    Kind::Arithmetic(_) => ForeignWord::CalculateBefore.into(),
+                    Kind::Relation(_) => Suggestion::Nest.into(),
+                    Kind::Arithmetic(_) => Suggestion::CalculateBefore.into(),
                     _ => Parsing::Conditions.into(),
                 };
                 Err(self.fault_with_help(token.span, reason, help))
@@ -149,16 +130,14 @@ impl Reader<'_> {
     /// Returns the fault after a condition that goes on as in another language.
     pub(super) fn joined(&self) -> Option<Fault> {
         let next = self.peek()?;
-        let before = self
-            .before()
-            .filter(|it| foreign::negates(self.slice(it.span)));
+        let before = self.before().filter(|it| negates(self.slice(it.span)));
         if let Some(not) = before {
-            return Some(self.fault_with_help(not.span, ForeignWord::Not, ForeignWord::WriteNot));
+            return Some(self.fault_with_help(not.span, Suggestion::Not, Suggestion::WriteNot));
         }
         let word = self.slice(next.span);
-        foreign::joins_conditions(word).then(|| {
-            let reason = ForeignWord::AndOr { word: word.into() };
-            self.fault_with_help(next.span, reason, ForeignWord::Nest)
+        joins_conditions(word).then(|| {
+            let reason = Suggestion::AndOr { word: word.into() };
+            self.fault_with_help(next.span, reason, Suggestion::Nest)
         })
     }
 
@@ -166,8 +145,8 @@ impl Reader<'_> {
         if token.kind == Kind::Not {
             return self.fault_with_help(
                 token.span,
-                ForeignWord::NotEqual,
-                ForeignWord::WriteNotEqual,
+                Suggestion::NotEqual,
+                Suggestion::WriteNotEqual,
             );
         }
         let turned = match self.peek_second().filter(|next| !next.spaced) {
@@ -181,21 +160,21 @@ impl Reader<'_> {
         match (token.kind, turned) {
             (Kind::Assign(None), Some((relation, location))) => {
                 let relation = if relation == Relation::Gt { ">=" } else { "<=" };
-                let help = ForeignWord::WriteRelation { relation };
+                let help = Suggestion::WriteRelation { relation };
                 self.fault_with_help(location, Parsing::NoRelation, help)
             }
             (Kind::Assign(None), None) => {
                 let reason = Parsing::AssignsComparesNothing;
                 let word = upper_case(self.slice(left.span));
                 let help: Message = match flags::find(&word, Edition::default()) {
-                    Some(_) => ForeignWord::FlagAlone { flag: word }.into(),
+                    Some(_) => Suggestion::FlagAlone { flag: word }.into(),
                     None => Parsing::Relations.into(),
                 };
                 self.fault_with_help(token.span, reason, help)
             }
             (Kind::Arithmetic(_), _) => {
                 let reason = Parsing::ConditionCannotCalculate;
-                self.fault_with_help(token.span, reason, ForeignWord::CalculateBefore)
+                self.fault_with_help(token.span, reason, Suggestion::CalculateBefore)
             }
             _ => self.fault_with_help(token.span, Parsing::RelationBelongsHere, Parsing::Relations),
         }
@@ -208,27 +187,18 @@ impl Reader<'_> {
         let (inside, rest) = rest.rsplit_once(')')?;
         let keyword = keywords::find(keyword.trim(), Edition::default())?;
         let mut words = inside.split_whitespace();
-        if words.any(foreign::joins_conditions) {
+        if words.any(joins_conditions) {
             return Some(Suggestion::NestWithoutParentheses.into());
         }
-        let joins = |word: &str| foreign::joins_conditions(word) || foreign::negates(word);
-        let is_constant = foreign::constant(&upper_case(inside.trim())).is_some();
-        if keyword == Keyword::While && (is_constant || inside.trim() == "1") {
-            return Some(ForeignWord::Forever.into());
+        let joins = |word: &str| joins_conditions(word) || negates(word);
+        let is_constant = ["1", "TRUE"].contains(&&*upper_case(inside.trim()));
+        if keyword == Keyword::While && is_constant {
+            return Some(Suggestion::Forever.into());
         }
-        let flag = foreign::flag(inside.trim()).map(|(flag, is_negated)| match is_negated {
-            true => format!("!{flag}"),
-            false => flag.to_owned(),
-        });
-        let inside = flag.as_deref().unwrap_or(inside);
-        let inside = inside
-            .strip_prefix('!')
-            .filter(|_| flag.is_some())
-            .unwrap_or(inside);
         if inside.contains(['(', ')', '&', '|', '!']) || inside.split(' ').any(joins) {
             return None;
         }
-        let condition = flag.as_deref().unwrap_or(inside).trim();
+        let condition = inside.trim();
         let rest = rest.trim();
         let word = keyword.word();
         let closer = match keyword {
@@ -255,10 +225,10 @@ impl Reader<'_> {
     pub(super) fn opened(&self) -> Option<Fault> {
         let word = self.peek().filter(|_| self.left() == 1)?;
         let text = self.slice(word.span);
-        let opens = foreign::opens_block(text) || self.at_word(Keyword::Then);
+        let opens = text.eq_ignore_ascii_case("DO") || text == ":" || self.at_word(Keyword::Then);
         opens.then(|| {
             let end = End::Condition;
-            let help = ForeignWord::BlockBegins;
+            let help = Suggestion::BlockBegins;
             self.fault_with_help(word.span, Parsing::NothingBehind { end }, help)
         })
     }
@@ -271,11 +241,23 @@ impl Reader<'_> {
                 negated: false,
             }),
             OperandKind::Number(_) => {
-                Err(self.fault_with_help(span, Parsing::ComparedWithNothing, ForeignWord::Forever))
+                Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Suggestion::Forever))
             }
             _ => Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Parsing::Conditions)),
         }
     }
+}
+
+/// Returns true if a word joins two conditions in another language.
+fn joins_conditions(word: &str) -> bool {
+    ["AND", "OR", "XOR", "&&", "||", "&", "|"]
+        .iter()
+        .any(|one| one.eq_ignore_ascii_case(word))
+}
+
+/// Returns true if a word negates in another language.
+fn negates(word: &str) -> bool {
+    word.eq_ignore_ascii_case("NOT")
 }
 
 /// Adds the forms of conditions to the fault of an operand.
@@ -308,8 +290,8 @@ pub(super) fn with_intended_relation(fault: &Diagnostic, tokens: &[Token]) -> Op
             Message::Parsing(Parsing::AssignsComparesNothing),
             Message::Parsing(Parsing::Relations),
         ) => Relation::Eq,
-        (_, Message::ForeignWord(ForeignWord::WriteRelation { relation })) => of_sign(relation)?,
-        (Message::ForeignWord(ForeignWord::NotEqual), _) => Relation::Ne,
+        (_, Message::Suggestion(Suggestion::WriteRelation { relation })) => of_sign(relation)?,
+        (Message::Suggestion(Suggestion::NotEqual), _) => Relation::Ne,
         _ => return None,
     };
     let first = tokens

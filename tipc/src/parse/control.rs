@@ -2,11 +2,10 @@
 
 use super::jump::{bare, glued, with_parameters};
 use super::reader::{Fault, Parsed, Reader};
-use crate::foreign::{self, Means};
 use crate::language::{Keyword, commands, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{ForeignWord, Message, Parsing, Suggestion};
+use crate::message::{Message, Parsing, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{
@@ -38,12 +37,14 @@ impl Reader<'_> {
             return self.after_then();
         }
         if let Some(keyword) = self.take_word(Keyword::Goto) {
-            let jump = self.goto(keyword)?;
-            return Ok((Then::Goto(jump), self.end_of_jump(Keyword::Goto)));
+            let (jump, colon) = self.goto(keyword)?;
+            let end = colon.and_then(|()| self.end_of_jump(Keyword::Goto));
+            return Ok((Then::Goto(jump), end));
         }
         if let Some(keyword) = self.take_word(Keyword::Gosub) {
-            let jump = self.jump(keyword, Keyword::Gosub)?;
-            return Ok((Then::Gosub(jump), self.end_of_jump(Keyword::Gosub)));
+            let (jump, colon) = self.jump(keyword, Keyword::Gosub)?;
+            let end = colon.and_then(|()| self.end_of_jump(Keyword::Gosub));
+            return Ok((Then::Gosub(jump), end));
         }
         Err(self.missing_then())
     }
@@ -53,12 +54,12 @@ impl Reader<'_> {
         let location = self.rest();
         for word in [Keyword::Goto, Keyword::Gosub] {
             if let Some(keyword) = self.take_word(word) {
-                let (jump, then): (_, fn(Jump) -> Then) = match word {
+                let ((jump, _), then): (_, fn(Jump) -> Then) = match word {
                     Keyword::Goto => (self.goto(keyword)?, Then::Goto),
                     _ => (self.jump(keyword, word)?, Then::Gosub),
                 };
-                let reason = ForeignWord::ThenJumps { jump: word.into() };
-                let help = ForeignWord::LeaveThenOut { jump: word.into() };
+                let reason = Suggestion::ThenJumps { jump: word.into() };
+                let help = Suggestion::LeaveThenOut { jump: word.into() };
                 let fault = self.fault_with_help(location, reason, help);
                 return Ok((then(jump), Err(fault)));
             }
@@ -69,14 +70,14 @@ impl Reader<'_> {
                 let jump = Keyword::Goto.into();
                 Err(self.fault_with_help(
                     location,
-                    ForeignWord::OneLineIf,
-                    ForeignWord::LeaveThenOut { jump },
+                    Suggestion::OneLineIf,
+                    Suggestion::LeaveThenOut { jump },
                 ))
             }
             _ => Err(self.fault_with_help(
                 location,
-                ForeignWord::OneLineIf,
-                ForeignWord::CloseOneLineIf,
+                Suggestion::OneLineIf,
+                Suggestion::CloseOneLineIf,
             )),
         }
     }
@@ -107,8 +108,8 @@ impl Reader<'_> {
             return Err(self.fault_with_help(self.rest(), reason, help));
         }
         if self.at_word(Keyword::Then) && self.left() == 1 {
-            let reason = ForeignWord::ThenJumps { jump: jump.into() };
-            let help = ForeignWord::LeaveThenOut { jump: jump.into() };
+            let reason = Suggestion::ThenJumps { jump: jump.into() };
+            let help = Suggestion::LeaveThenOut { jump: jump.into() };
             return Err(self.fault_with_help(self.here(), reason, help));
         }
         self.expect_end(End::Label)
@@ -128,6 +129,17 @@ impl Reader<'_> {
         if let Some(text) = self.glued_jump() {
             let help = Suggestion::Write { text };
             return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help);
+        }
+        // `IF A EQ 3 THEN`
+        let goes_on = |token: &Token| {
+            let word = self.slice(token.span);
+            AFTER_IF
+                .iter()
+                .any(|it| word.eq_ignore_ascii_case(it.word()))
+        };
+        if self.left_tokens().iter().skip(2).any(goes_on) {
+            let help = Parsing::Relations;
+            return self.fault_with_help(self.here(), Parsing::RelationBelongsHere, help);
         }
         let word = self.peek().map(|token| upper_case(self.slice(token.span)));
         let near = word.and_then(|word| nearest(&word, AFTER_IF.map(Keyword::word)));
@@ -154,7 +166,7 @@ impl Reader<'_> {
     }
 
     /// `INPOS F1` for `INPOS_F1`, or a command in the place of a condition.
-    fn flag_or_command(&self) -> Option<ForeignWord> {
+    fn flag_or_command(&self) -> Option<Suggestion> {
         let before = self
             .before()
             .map(|token| upper_case(self.slice(token.span)))?;
@@ -162,14 +174,14 @@ impl Reader<'_> {
             .peek()
             .map(|token| upper_case(self.slice(token.span)))?;
         if before.parse::<Flag>().is_ok() && next.parse::<Flag>().is_ok() {
-            return Some(ForeignWord::Nest);
+            return Some(Suggestion::Nest);
         }
         let flag = format!("{before}_{next}");
         if flag.parse::<Flag>().is_ok() {
-            return Some(ForeignWord::FlagOfTarget { flag: flag.into() });
+            return Some(Suggestion::FlagOfTarget { flag: flag.into() });
         }
         let command = commands::find_in(&before, self.edition())?;
-        Some(ForeignWord::CommandNoCondition {
+        Some(Suggestion::CommandNoCondition {
             command: command.name,
         })
     }
@@ -181,7 +193,7 @@ impl Reader<'_> {
                 word: Keyword::Then.into(),
             }),
             None => Err(self.joined().unwrap_or_else(|| {
-                let help = ForeignWord::ElseIf;
+                let help = Suggestion::ElseIf;
                 self.fault_with_help(self.here(), Parsing::ThenBelongsHere, help)
             })),
         };
@@ -224,6 +236,10 @@ impl Reader<'_> {
         self.expect_assignment()?;
         let from = self.operand_before_keyword().map_err(as_in_for)?;
         if self.take_word(Keyword::To).is_none() {
+            if let Some(text) = self.peek().and_then(|to| self.glued_to(to.span)) {
+                let help = Suggestion::Write { text };
+                return Err(self.fault_with_help(self.here(), Parsing::ToBelongsHere, help));
+            }
             return Err(self.fault_with_help(
                 self.here(),
                 Parsing::ToBelongsHere,
@@ -256,6 +272,13 @@ impl Reader<'_> {
             }),
         };
         Ok((kind, end))
+    }
+
+    /// `TO3`: the word and what follows it, with the blank between them.
+    fn glued_to(&self, location: Span) -> Option<SmolStr> {
+        let word = upper_case(self.slice(location));
+        let rest = word.strip_prefix(Keyword::To.word())?;
+        Some(format!("{} {rest}", Keyword::To).into())
     }
 
     fn loop_variable(&mut self) -> Parsed<Operand> {
@@ -339,7 +362,7 @@ impl Reader<'_> {
                 name.node = alone.unwrap_or_else(|| bare(&name.node));
                 let alone = name.node.clone();
                 let help: Message = match takes_some {
-                    true => ForeignWord::NoParameters { name: alone }.into(),
+                    true => Suggestion::NoParameters { name: alone }.into(),
                     false => written(alone).into(),
                 };
                 let mut fault = self.fault_with_help(name.span, Parsing::NameColonMissing, help);
@@ -386,17 +409,18 @@ impl Reader<'_> {
         name: Keyword,
         make: fn(Jump) -> StatementKind,
     ) -> Read {
-        let jump = self.jump(keyword, name)?;
-        let end = match name {
+        let (jump, colon) = self.jump(keyword, name)?;
+        let end = colon.and_then(|()| match name {
             Keyword::Call => self.expect_end_or(End::Label, Suggestion::NoValues),
             _ => self.expect_end(End::Label),
-        };
+        });
         Ok((make(jump), end))
     }
 
     pub(super) fn goto_statement(&mut self, keyword: Span) -> Read {
-        let jump = self.goto(keyword)?;
-        Ok((StatementKind::Goto(jump), self.expect_end(End::Label)))
+        let (jump, colon) = self.goto(keyword)?;
+        let end = colon.and_then(|()| self.expect_end(End::Label));
+        Ok((StatementKind::Goto(jump), end))
     }
 
     /// Reads a word that is alone in its statement.
@@ -413,18 +437,14 @@ impl Reader<'_> {
     fn alone_help(&self, name: Keyword) -> Option<Message> {
         let next = upper_case(self.slice(self.here()));
         let keyword = keywords::find(&next, self.edition());
-        let foreign = foreign::statement(&next).map(|row| (row.means, &row.advice));
-        Some(match (name, keyword, foreign) {
-            (Keyword::Exit, Some(Keyword::For | Keyword::While | Keyword::Repeat), _)
-            | (Keyword::Exit, _, Some((_, ForeignWord::Loops | ForeignWord::LoopLabel))) => {
-                ForeignWord::Break.into()
+        Some(match (name, keyword) {
+            (Keyword::Exit, Some(Keyword::For | Keyword::While | Keyword::Repeat)) => {
+                Suggestion::Break.into()
             }
-            (Keyword::Exit, Some(Keyword::Subroutine), _)
-            | (Keyword::Exit, _, Some((Means::Keyword(Keyword::Subroutine), _))) => {
-                Suggestion::LeaveSubroutine.into()
-            }
+            (Keyword::Exit, Some(Keyword::Subroutine)) => Suggestion::LeaveSubroutine.into(),
+            (Keyword::Exit, None) if next == "SUB" => Suggestion::LeaveSubroutine.into(),
             _ if commands::find_in(&next, self.edition()).is_some() => return None,
-            (Keyword::Return, ..) => Suggestion::NoResult.into(),
+            (Keyword::Return, _) => Suggestion::NoResult.into(),
             _ => Suggestion::Alone { word: name.into() }.into(),
         })
     }

@@ -4,10 +4,9 @@ use super::reader::{Fault, Reader};
 use super::{Parser, narrow};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run};
-use crate::message::{ForeignWord, Naming, Parsing, Suggestion};
+use crate::message::{Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, StatementKind, VariableKind, Word};
 
@@ -33,11 +32,6 @@ impl Parser<'_> {
         if let Some(at) = self.declares_again(tokens) {
             return self.two_declarations(kind, keyword, tokens, at, reported);
         }
-        let types = self.types(tokens);
-        if let (Some(first), false) = (types.first(), reported) {
-            let fault = Diagnostic::new(Code::Argument, *first, Parsing::OnlyNames);
-            self.report(fault.help(Suggestion::TypeLeftOut));
-        }
         let reader = Reader::new(self.text, tokens, 0, Code::Argument, self.module.edition);
         let glued = hyphened(tokens);
         for location in &glued {
@@ -54,7 +48,7 @@ impl Parser<'_> {
         let is_apart = |token: &&Token| {
             let location = token.span;
             let inside = |run: &Span| run.start <= location.start && location.end <= run.end;
-            !glued.iter().chain(&types).any(inside)
+            !glued.iter().any(inside)
         };
         let names: Vec<Word> = names_in(self.text, tokens, reported)
             .filter(is_apart)
@@ -95,26 +89,11 @@ impl Parser<'_> {
         let first = self.define(kind, keyword, &tokens[..at], reported);
         self.push(first, keyword);
         let fault = Diagnostic::new(Code::Argument, second, Parsing::OnlyNames);
-        self.report(fault.help(ForeignWord::NextStatement));
+        self.report(fault.help(Suggestion::NextStatement));
         let kind = keywords::find(self.source.slice(second), self.module.edition)
             .and_then(declared_kind)
             .unwrap_or(kind);
         self.define(kind, second, &tokens[at..], true)
-    }
-
-    /// Returns the types of other languages among names: `DEF_VAR INT N`, `DEF_VAR N AS INT`.
-    fn types(&self, tokens: &[Token]) -> Vec<Span> {
-        let words = tokens.get(1..).unwrap_or_default();
-        let text = |token: &Token| self.source.slice(token.span);
-        let types = words.iter().enumerate().filter_map(|(at, token)| {
-            let next = words.get(at + 1).map(text).unwrap_or_default();
-            let is_as = text(token).eq_ignore_ascii_case("AS") && foreign::is_type(next);
-            (is_as || foreign::is_type(text(token))).then_some(token.span)
-        });
-        match words.len() {
-            0 | 1 => Vec::new(),
-            _ => types.collect(),
-        }
     }
 
     /// Returns the names of a word, which full-width commas may separate: those are reported.
@@ -142,7 +121,7 @@ impl Parser<'_> {
         let reason = Naming::NoVariableName {
             word: written.as_str().into(),
         };
-        let help = ForeignWord::NoHyphen {
+        let help = Suggestion::NoHyphen {
             name: written.replace('-', "_").into(),
         };
         let fault = Diagnostic::new(Code::Argument, location, reason);
@@ -166,7 +145,7 @@ impl Parser<'_> {
 }
 
 /// Returns the type of variables that a keyword declares.
-fn declared_kind(keyword: Keyword) -> Option<VariableKind> {
+pub(super) fn declared_kind(keyword: Keyword) -> Option<VariableKind> {
     match keyword {
         Keyword::DefVar => Some(VariableKind::Var),
         Keyword::DefPos => Some(VariableKind::Pos),
@@ -222,8 +201,8 @@ fn odd_in_declaration(
             };
             reader.fault_with_help(
                 location.span,
-                ForeignWord::NoInitial,
-                ForeignWord::Initial { name },
+                Suggestion::NoInitial,
+                Suggestion::Initial { name },
             )
         }
         _ => reader.fault_with_help(location.span, Parsing::OnlyNames, Parsing::SeparateNames),

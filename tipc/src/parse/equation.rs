@@ -1,13 +1,13 @@
 //! `LHS op RHS` (T.I.P. 3.1 §5).
 
-use super::operand::no_function;
+use super::operand::{is_unit, no_function};
 use super::reader::{Fault, Parsed, Reader};
 use crate::code::Code;
-use crate::foreign;
+use crate::diagnostic::Diagnostic;
 use crate::language::commands::{self, Meaning};
 use crate::language::{Edition, functions};
 use crate::lex::{Kind, Token};
-use crate::message::{ForeignWord, Message, Parsing, Suggestion};
+use crate::message::{Message, Parsing, Suggestion};
 use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, upper_case};
 
@@ -97,7 +97,7 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
     {
         let text = reader.slice(second.span).into();
         let reason = Parsing::NoOperand { text };
-        return Err(reader.fault_with_help(second.span, reason, ForeignWord::Power));
+        return Err(reader.fault_with_help(second.span, reason, Suggestion::Power));
     }
     let right = reader.operand()?;
     refuse_function(reader, &right, edition)?;
@@ -108,9 +108,9 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
             right,
         }),
         left => {
-            let is_unit = left == 1 && foreign::is_unit(reader.slice(reader.here()));
-            let help: Message = match is_unit {
-                true => ForeignWord::NoUnit.into(),
+            let ends_in_unit = left == 1 && is_unit(reader.slice(reader.here()));
+            let help: Message = match ends_in_unit {
+                true => Suggestion::NoUnit.into(),
                 false => Parsing::OneOperation.into(),
             };
             Err(reader.fault_with_help(reader.rest(), Parsing::EquationEnds, help))
@@ -124,8 +124,7 @@ fn unknown_function(reader: &Reader<'_>, left: &Operand, next: Token) -> Option<
     let is_name = matches!(left.kind, OperandKind::Name(_)) && next.kind == Kind::Word;
     let is_near =
         || nearest(&word, functions::words()).is_some() && commands::find(&word).is_none();
-    let is_known = || foreign::is_function(&word) || foreign::function(&word).is_some();
-    let is_one = is_name && next.spaced && (is_known() || is_near());
+    let is_one = is_name && next.spaced && is_near();
     is_one.then(|| {
         let (reason, help) = no_function(&word);
         reader.fault_with_help(left.span, reason, help)
@@ -138,47 +137,54 @@ fn suggest(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     let first = upper_case(reader.slice(left.span));
     let next = reader.peek();
     match word.as_str() {
-        "^" => return ForeignWord::Power.into(),
-        "%" | "MOD" => return ForeignWord::Remainder.into(),
-        "!" => return ForeignWord::Comment.into(),
+        "^" => return Suggestion::Power.into(),
+        "%" | "MOD" => return Suggestion::Remainder.into(),
+        "!" => return Suggestion::Comment.into(),
         _ => {}
     }
     if let Some(number) = reader.comma_number(left.span, token.span) {
         return number.into();
     }
     match commands::find(&first).map(|command| command.meaning) {
-        Some(Meaning::AdIn) => return ForeignWord::AdIn.into(),
-        Some(Meaning::KeyIn) => return ForeignWord::KeyIn.into(),
+        Some(Meaning::AdIn) => return Suggestion::AdIn.into(),
+        Some(Meaning::KeyIn) => return Suggestion::KeyIn.into(),
         _ => {}
     }
     if let Some(command) = commands::find(&first).map(|command| command.name) {
         return Suggestion::CommandFirst { command }.into();
     }
-    if foreign::is_unit(&word) {
-        return ForeignWord::NoUnit.into();
+    if is_unit(&word) {
+        return Suggestion::NoUnit.into();
     }
     if token.kind == Kind::Colon && next.is_some() {
         return Suggestion::ColonSeparates.into();
     }
     if token.kind == Kind::Assign(None) {
         let name = reader.first_word();
-        return ForeignWord::AssignEach { name }.into();
+        return Suggestion::AssignEach { name }.into();
     }
     if matches!(token.kind, Kind::Relation(_)) {
-        return ForeignWord::ChooseByIf.into();
+        return Suggestion::ChooseByIf.into();
     }
     match next.map(|next| next.kind) {
         Some(Kind::Assign(_)) => Parsing::NextStatementElsewhere.into(),
-        Some(_) if word.starts_with(|c: char| c.is_ascii_digit()) => ForeignWord::EachMember.into(),
+        Some(_) if is_number(&first) && is_number(&word) => Suggestion::EachMember.into(),
         _ => Parsing::OneOperation.into(),
     }
+}
+
+fn is_number(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_ascii_digit() || c == '-')
 }
 
 /// Adds a help to a fault among the operands of a function: what looks like a sign there was to be a second operation.
 fn with_help(mut fault: Fault) -> Fault {
     if fault.reason == Parsing::SignStandsBefore.into() {
-        fault.reason = Parsing::EquationEnds.into();
-        fault.help = None;
+        fault = Box::new(Diagnostic::new(
+            Code::Equation,
+            fault.span,
+            Parsing::EquationEnds,
+        ));
     }
     fault
         .help

@@ -5,7 +5,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::lex::{BLANKS, split_comment};
-use crate::message::{Decimal, ForeignWord, Message, Parsing, Suggestion};
+use crate::message::{Decimal, Message, Parsing, Suggestion};
 use crate::source::{Source, Span};
 
 /// The versions that `migrate` reads; some programs of the time of 2.1 say 4.0 (T.I.P. 3.1 §1-1).
@@ -31,7 +31,7 @@ pub(super) fn version(source: &Source, demanded: Option<f64>) -> Parsed<Edition>
     let is_title_behind = first.is_some_and(is_right);
     let wanted = first.filter(|_| is_title_behind).unwrap_or(wanted);
     let help: Message = match (is_older, is_title_behind) {
-        (true, _) => ForeignWord::Migrate.into(),
+        (true, _) => Suggestion::Migrate.into(),
         (_, true) => Suggestion::TitleInLineTwo {
             wanted: Decimal(wanted),
         }

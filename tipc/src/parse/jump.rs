@@ -2,12 +2,10 @@
 
 use super::Parser;
 use super::reader::{Parsed, Reader};
-use crate::foreign;
-use crate::foreign::Means;
 use crate::language::reserved::LOOP;
 use crate::language::{Keyword, commands, names};
 use crate::lex::{Kind, Token};
-use crate::message::{ForeignWord, Message, Naming, Parsing};
+use crate::message::{Message, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Jump, Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
@@ -93,26 +91,31 @@ impl Reader<'_> {
     }
 
     /// `GOTO [NAME:]`; the jump's word is already taken.
-    pub(super) fn goto(&mut self, keyword: Span) -> Parsed<Jump> {
+    pub(super) fn goto(&mut self, keyword: Span) -> Parsed<(Jump, Parsed<()>)> {
         if self.left() == 0 {
-            return Ok(Jump {
+            let jump = Jump {
                 keyword,
                 label: None,
-            });
+                broken: false,
+            };
+            return Ok((jump, Ok(())));
         }
         self.jump(keyword, Keyword::Goto)
     }
 
-    /// `GOSUB NAME:` or `CALL NAME:`; the jump's word is already taken.
-    pub(super) fn jump(&mut self, keyword: Span, name: Keyword) -> Parsed<Jump> {
-        let label = self.jump_label(name)?;
-        Ok(Jump {
+    /// `GOSUB NAME:` or `CALL NAME:`; the jump's word is already taken. One without its colon leads there, too.
+    pub(super) fn jump(&mut self, keyword: Span, name: Keyword) -> Parsed<(Jump, Parsed<()>)> {
+        let (label, colon) = self.jump_label(name)?;
+        let jump = Jump {
             keyword,
             label: Some(label),
-        })
+            broken: colon.is_err(),
+        };
+        Ok((jump, colon))
     }
 
-    fn jump_label(&mut self, jump: Keyword) -> Parsed<Word> {
+    /// Reads a label, and what is wrong with its colon.
+    fn jump_label(&mut self, jump: Keyword) -> Parsed<(Word, Parsed<()>)> {
         // `GOTO *L1`
         if let Some((location, name)) = marked(self.text(), self.left_tokens()) {
             let reason = Naming::NoLabelName {
@@ -142,52 +145,40 @@ impl Reader<'_> {
         match self.peek() {
             Some(token) if token.kind == Kind::Colon && !token.spaced => {
                 self.take();
-                Ok(word)
+                Ok((word, Ok(())))
             }
             Some(token) if token.kind == Kind::Colon => {
                 let gap = Span::new(word.span.end, token.span.end);
-                let help = Parsing::WriteLabel { name: word.node };
-                Err(self.fault_with_help(gap, Parsing::BlankBeforeColon, help))
+                let name = word.node.clone();
+                let help = Parsing::WriteLabel { name };
+                let fault = self.fault_with_help(gap, Parsing::BlankBeforeColon, help);
+                Ok((word, Err(fault)))
             }
             _ => {
                 if let Some(name) = with_parameters(&word.node) {
                     let fault = self.fault(word.span, Parsing::LabelColonMissing);
                     let fault = fault.once(name.clone());
-                    return Err(fault.help(ForeignWord::NoParameters { name }).into());
+                    return Err(fault.help(Suggestion::NoParameters { name }).into());
                 }
                 let name = bare(&word.node);
                 let is_number = name.chars().all(|c| c.is_ascii_digit());
                 let help: Message = match is_number {
-                    true => ForeignWord::NoLineNumbers { name }.into(),
-                    false => Parsing::WriteLabel { name }.into(),
+                    true => Suggestion::NoLineNumbers { name: name.clone() }.into(),
+                    false => Parsing::WriteLabel { name: name.clone() }.into(),
                 };
-                Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help))
+                let fault = self.fault_with_help(word.span, Parsing::LabelColonMissing, help);
+                match is_number || !names::is_label(&name) {
+                    true => Err(fault),
+                    false => Ok((Word { node: name, ..word }, Err(fault))),
+                }
             }
         }
     }
 }
 
 impl Parser<'_> {
-    /// `DEF WALK()`, `INT MAIN(VOID) {`: a routine, not a variable.
-    pub(super) fn is_routine(&self, means: Means, tokens: &[Token]) -> bool {
-        let word = |at: usize| tokens.get(at).map_or("", |it| self.source.slice(it.span));
-        let name = word(1);
-        let is_def = word(0).eq_ignore_ascii_case("DEF") && name.contains('(');
-        means == Means::Keyword(Keyword::Subroutine)
-            || is_def
-            || name.contains("()")
-            || name.contains('(') && self.names_main(tokens)
-    }
-
-    /// Returns true if a routine is the program itself in another language.
-    pub(super) fn names_main(&self, tokens: &[Token]) -> bool {
-        let name = tokens.get(1).map_or("", |it| self.source.slice(it.span));
-        let (name, called) = name.split_once('(').unwrap_or((name, ""));
-        foreign::is_main(name) && (!called.is_empty() || name.eq_ignore_ascii_case("MAIN"))
-    }
-
-    /// Reads a routine that begins with another word: what calls it is not wrong.
-    pub(super) fn subroutine_named(&self, word: Span, tokens: &[Token]) -> StatementKind {
+    /// Reads a SUBROUTINE whose line is reported: what calls it is not wrong.
+    pub(super) fn broken_subroutine(&self, word: Span, tokens: &[Token]) -> StatementKind {
         let name = tokens.get(1).filter(|token| token.kind == Kind::Word);
         let Some(name) = name.map(|name| self.narrow_word(name.span)) else {
             return StatementKind::Broken(Shape::Subroutine);

@@ -1,13 +1,14 @@
 //! One line: its comment, its statements, their labels, and the words that need a line of their own.
 
+use super::comment::{comment_after, comment_mark, ends_in_mark, is_comment};
+use super::operand::{is_range, is_unit};
 use super::{Flow, LINE_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
 use crate::language::commands::Meaning;
 use crate::language::{Keyword, commands, keywords, names};
 use crate::lex::{DELIMITERS, Piece, Pieces, foreign_run, split_comment, word_end};
-use crate::message::{ForeignWord, Message, Naming, Parsing, Suggestion};
+use crate::message::{Message, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
@@ -65,7 +66,7 @@ impl Parser<'_> {
         let reason = Naming::WordOfLanguage {
             word: word_of.clone(),
         };
-        let help = ForeignWord::WithoutColon { word: word_of };
+        let help = Suggestion::WithoutColon { word: word_of };
         self.report(Diagnostic::new(Code::Argument, word, reason).help(help));
         self.push(StatementKind::Broken(shape), span);
         flow
@@ -92,7 +93,7 @@ impl Parser<'_> {
             }
             Meaning::Keyword(_) => None,
             _ if is_apart => Some(Suggestion::ColonSeparates.into()),
-            _ => Some(ForeignWord::WithoutColon { word }.into()),
+            _ => Some(Suggestion::WithoutColon { word }.into()),
         }
     }
 
@@ -166,32 +167,32 @@ impl Parser<'_> {
         };
         let mut diagnostic = Diagnostic::new(Code::Format, location, reason);
         let before = &self.text[self.line.span.start..location.start];
-        if let Some(plain) = text.chars().next().and_then(foreign::plain) {
-            diagnostic = diagnostic.help(ForeignWord::Plain { plain });
+        if let Some(plain) = text.chars().next().and_then(plain) {
+            diagnostic = diagnostic.help(Suggestion::Plain { plain });
         } else if text == LONG_VOWEL && self.text[location.end..].starts_with(is_digit) {
-            diagnostic = diagnostic.help(ForeignWord::Plain { plain: "-" });
-        } else if foreign::is_range(text) && is_between_digits(before, &self.text[location.end..]) {
+            diagnostic = diagnostic.help(Suggestion::Plain { plain: "-" });
+        } else if is_range(text) && is_between_digits(before, &self.text[location.end..]) {
             diagnostic = diagnostic.help(Suggestion::CountTo);
         } else if text == "。" && is_between_digits(before, &self.text[location.end..]) {
-            diagnostic = diagnostic.help(ForeignWord::Plain { plain: "." });
-        } else if text.chars().all(foreign::is_invisible) {
+            diagnostic = diagnostic.help(Suggestion::Plain { plain: "." });
+        } else if text.chars().all(is_invisible) {
             diagnostic = diagnostic.help(Suggestion::Invisible);
         } else if self.is_unit(location) {
-            diagnostic = diagnostic.help(ForeignWord::NoUnit);
+            diagnostic = diagnostic.help(Suggestion::NoUnit);
         } else if let Some(character) = self.quoted_key(location) {
-            diagnostic = diagnostic.help(ForeignWord::Character { character });
+            diagnostic = diagnostic.help(Suggestion::Character { character });
         } else if text.chars().all(char::is_whitespace) {
-            diagnostic = diagnostic.help(ForeignWord::PlainBlank);
-        } else if foreign::ends_in_comment_mark(before)
-            || foreign::comment_mark(text).is_some_and(|mark| !text[mark.len()..].is_ascii())
+            diagnostic = diagnostic.help(Suggestion::PlainBlank);
+        } else if ends_in_mark(before)
+            || comment_mark(text).is_some_and(|mark| !text[mark.len()..].is_ascii())
         {
-            diagnostic = diagnostic.help(ForeignWord::Comment);
+            diagnostic = diagnostic.help(Suggestion::Comment);
         } else if let Some(narrow) = half_width(text) {
             diagnostic = diagnostic.once(wide_name(&narrow));
             let narrow = self.narrow_statement(location).unwrap_or(narrow);
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if self.is_in_foreign_comment(location) {
-            diagnostic = diagnostic.help(ForeignWord::Comment);
+            diagnostic = diagnostic.help(Suggestion::Comment);
         } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(location) {
             diagnostic = diagnostic.help(Suggestion::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
@@ -219,7 +220,7 @@ impl Parser<'_> {
     /// `30°`, `100ミリ`: whether a location is a unit right after a number.
     fn is_unit(&self, location: Span) -> bool {
         let before = &self.text[self.line.span.start..location.start];
-        before.ends_with(is_digit) && foreign::is_unit(self.source.slice(location))
+        before.ends_with(is_digit) && is_unit(self.source.slice(location))
     }
 
     /// Returns true if a colon or `=` follows: the name is a label, or is assigned.
@@ -242,8 +243,8 @@ impl Parser<'_> {
         let line = self.line.span;
         let before = self.source.slice(Span::new(line.start, location.start));
         // Of a line that is too long it does not matter.
-        let is_after = || before.len() <= LINE_LIMIT && foreign::comment_after(before).is_some();
-        foreign::is_comment(self.source.slice(line).trim()) || is_after()
+        let is_after = || before.len() <= LINE_LIMIT && comment_after(before).is_some();
+        is_comment(self.source.slice(line).trim()) || is_after()
     }
 
     /// Checks that ELSE, ENDIF, WEND and REPEAT are alone on their line.
@@ -306,6 +307,32 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
         | Shape::ThreadEnd
         | Shape::Close => None,
     }
+}
+
+/// Returns the plain spelling of a typographic character.
+pub fn plain(typeset: char) -> Option<&'static str> {
+    Some(match typeset {
+        '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
+        '×' => "*",
+        '÷' => "/",
+        '≠' => "<>",
+        '≧' | '≥' => ">=",
+        '≦' | '≤' => "<=",
+        '、' => ",",
+        '←' => "=",
+        _ => return None,
+    })
+}
+
+/// Returns true if a character is a full-width or typographic operator.
+pub(super) fn is_sign(char: char) -> bool {
+    let half = narrow_char(char).is_some_and(|it| "=+-*/<>:!".contains(it));
+    half || plain(char).is_some_and(|it| it != ",")
+}
+
+/// Returns true if a character has no width, so that nobody sees it.
+fn is_invisible(char: char) -> bool {
+    matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
 }
 
 /// Returns the mistake of a full-width name, with or without its colon.

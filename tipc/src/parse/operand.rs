@@ -1,17 +1,16 @@
 //! Operands: constants, names, members, and their signs.
 
+use super::comment::is_comment;
 use super::reader::{Fault, Parsed, Reader};
-use crate::foreign;
-use crate::foreign::Means;
 use crate::language::commands::Meaning;
 use crate::language::functions::Operation;
 use crate::language::{Keyword, commands, functions};
 use crate::lex::{Kind, Token};
 use crate::message::list::List;
-use crate::message::{ForeignWord, Message, Parsing, Suggestion};
+use crate::message::{Message, Parsing, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::syntax::{Arithmetic, Operand, OperandKind, VariableKind, upper_case};
+use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
 use smol_str::SmolStr;
 use tip_runtime::function::Function;
 
@@ -63,12 +62,18 @@ impl Reader<'_> {
     fn with_argument_help(&self, mut fault: Fault, token: Token) -> Fault {
         let calculates = matches!(token.kind, Kind::Arithmetic(_)) && !self.is_equation();
         let rest = self.slice(self.rest());
-        if foreign::is_comment(rest) && rest.len() > token.span.end - token.span.start {
-            fault.help = Some(ForeignWord::Comment.into());
+        if is_comment(rest) && rest.len() > token.span.end - token.span.start {
+            fault.help = Some(Suggestion::Comment.into());
         } else if calculates {
-            fault.help = Some(ForeignWord::CalculateArgument.into());
+            fault.help = Some(Suggestion::CalculateArgument.into());
         } else if token.kind == Kind::Colon {
-            fault.help = Some(ForeignWord::NextStatement.into());
+            fault.help = Some(Suggestion::NextStatement.into());
+        } else if token.kind == Kind::Assign(None) && self.is_equation() {
+            // `N = = 1`
+            let (name, rest) = self.slice(self.whole()).split_once('=').unwrap_or_default();
+            let rest = rest.trim_start_matches([' ', '\t', '=']);
+            let text = upper_case(&format!("{} = {rest}", name.trim()));
+            fault.help = Some(Suggestion::Write { text }.into());
         } else if matches!(token.kind, Kind::Assign(_)) {
             fault.help = Some(self.without_equals().into());
         } else if self.is_equation() {
@@ -78,10 +83,10 @@ impl Reader<'_> {
     }
 
     /// `AD_IN VR1 = V`
-    fn without_equals(&self) -> ForeignWord {
+    fn without_equals(&self) -> Suggestion {
         let parts: Vec<&str> = self.slice(self.whole()).split('=').map(str::trim).collect();
         let written = parts.join(" ").into();
-        ForeignWord::WithoutEquals { written }
+        Suggestion::WithoutEquals { written }
     }
 
     /// Reads an operand of a condition or of FOR.
@@ -110,7 +115,7 @@ impl Reader<'_> {
                 return Err(self.fault_with_help(
                     location,
                     reason,
-                    ForeignWord::WriteSigned { text },
+                    Suggestion::WriteSigned { text },
                 ));
             }
             Some(Token {
@@ -222,23 +227,36 @@ impl Reader<'_> {
             [b'(' | b'{', b'0'..=b'9' | b'-', ..]
                 if self.is_equation() && self.peek().is_some_and(|it| it.kind == Kind::Word) =>
             {
-                ForeignWord::EachMember.into()
+                Suggestion::EachMember.into()
             }
-            [b'~', _, ..] if !self.is_equation() => ForeignWord::WriteNot.into(),
+            [b'~', _, ..] if !self.is_equation() => Suggestion::WriteNot.into(),
             _ if help == Parsing::NoParentheses.into() && !is_calculation => self
                 .condition_in_parentheses()
                 .unwrap_or_else(|| Suggestion::NoParentheses.into()),
-            _ if help == ForeignWord::NoBrackets.into() && !self.is_equation() => {
+            _ if help == Suggestion::NoBrackets.into() && !self.is_equation() => {
                 self.condition_in_parentheses().unwrap_or(help)
             }
             _ => help,
         };
         let mut fault = self.fault_with_help(location, reason, help);
-        if let Some(Message::ForeignWord(ForeignWord::NoArray { name })) = &fault.help {
-            fault.once = Some(name.clone());
+        let name = word.split(['(', '[']).next().unwrap_or_default();
+        if !name.is_empty() && (name.len() < word.len() || word.ends_with('$')) {
+            fault.once = Some(upper_case(name));
         }
         fault
     }
+}
+
+/// Returns true if a word is a unit, which no number has.
+pub(crate) fn is_unit(word: &str) -> bool {
+    const UNITS: &str =
+        "% MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ ° 度 ㎜ ㎝ 秒 ミリ ミリ秒 ℃ ％";
+    UNITS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
+}
+
+/// Returns true if a text stands between the ends of a range: `1〜10`.
+pub(super) fn is_range(text: &str) -> bool {
+    matches!(text, "〜" | "～" | "~")
 }
 
 /// Suggests a replacement for a word that starts as a number.
@@ -246,8 +264,16 @@ fn suggest_for_number(word: &str) -> Message {
     let digits = word.find(|c: char| !(c.is_ascii_digit() || c == '.'));
     let (number, unit) = word.split_at(digits.unwrap_or(word.len()));
     let sign = unit.trim_end_matches(|c: char| c.is_ascii_digit());
-    if foreign::is_range(sign) && sign.len() < unit.len() {
+    if is_range(sign) && sign.len() < unit.len() {
         return Suggestion::CountTo.into();
+    }
+    // `1TO 3`
+    if let Some(stop) = STOPS
+        .iter()
+        .find(|stop| unit.eq_ignore_ascii_case(stop.word()))
+    {
+        let text = format!("{number} {stop}").into();
+        return Suggestion::Write { text }.into();
     }
     let hex = word.strip_prefix("0x").or_else(|| word.strip_prefix("0X"));
     let binary = word.strip_prefix("0b").or_else(|| word.strip_prefix("0B"));
@@ -257,8 +283,8 @@ fn suggest_for_number(word: &str) -> Message {
         return Suggestion::Digits { number }.into();
     }
     match value {
-        Some(value) => ForeignWord::NoHex { value }.into(),
-        None if foreign::is_unit(unit) && !number.is_empty() => ForeignWord::NoUnit.into(),
+        Some(value) => Suggestion::NoHex { value }.into(),
+        None if is_unit(unit) && !number.is_empty() => Suggestion::NoUnit.into(),
         None => Parsing::Constants.into(),
     }
 }
@@ -280,27 +306,23 @@ fn misread(word: &str) -> Option<SmolStr> {
 fn suggest_for_name(word: &str) -> Message {
     let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
     if word.strip_prefix(['(', '[']).is_some_and(is_number) || word.starts_with('{') {
-        return ForeignWord::NoBrackets.into();
+        return Suggestion::NoBrackets.into();
     }
     let quotes = ['\'', '"'];
     let within = word.trim_matches(quotes);
     let is_char = word.starts_with(quotes) && within.len() == 1 && word.len() == 3;
     if is_char && within.chars().all(|c| c.is_ascii_alphanumeric()) {
         let character = within.to_ascii_uppercase().into();
-        return ForeignWord::Character { character }.into();
+        return Suggestion::Character { character }.into();
     }
-    if foreign::is_comment(word) {
-        return ForeignWord::Comment.into();
+    if is_comment(word) {
+        return Suggestion::Comment.into();
     }
     if word.starts_with('"') {
-        return ForeignWord::NoText.into();
-    }
-    // `$SPEED`
-    if let Some(row) = word.strip_prefix('$').and_then(foreign::statement) {
-        return row.advice.clone().into();
+        return Suggestion::NoText.into();
     }
     if word.contains('^') {
-        return ForeignWord::Power.into();
+        return Suggestion::Power.into();
     }
     if let Some(inside) = word.strip_prefix('|').and_then(|it| it.strip_suffix('|')) {
         let text = upper_case(&format!(
@@ -310,7 +332,7 @@ fn suggest_for_name(word: &str) -> Message {
         return Suggestion::Write { text }.into();
     }
     if word.ends_with('$') {
-        return ForeignWord::NoText.into();
+        return Suggestion::NoText.into();
     }
     if let Some((name, inside)) = word
         .split_once(['(', '['])
@@ -324,31 +346,17 @@ fn suggest_for_name(word: &str) -> Message {
         let name = upper_case(name);
         match commands::find(&name).map(|command| (command.meaning, command.name)) {
             // `V = AD_IN(VR1)`
-            Some((Meaning::AdIn, _)) => return ForeignWord::AdIn.into(),
-            Some((Meaning::KeyIn, _)) => return ForeignWord::KeyIn.into(),
+            Some((Meaning::AdIn, _)) => return Suggestion::AdIn.into(),
+            Some((Meaning::KeyIn, _)) => return Suggestion::KeyIn.into(),
             Some((_, command)) => return Suggestion::CommandFirst { command }.into(),
             None => {}
         }
-        if let Some(row) = foreign::statement(&name) {
-            return match row.means {
-                // `P = POS(391, 201, -150)`
-                Means::Declaration(VariableKind::Pos | VariableKind::Joint) => {
-                    ForeignWord::EachMember.into()
-                }
-                Means::Declaration(_) => no_function(&name).1,
-                _ => row.advice.clone().into(),
-            };
-        }
-        if foreign::is_function(&name) || foreign::function(&name).is_some() {
-            return no_function(&name).1;
-        }
-        if foreign::tells_time(&name) {
-            return Suggestion::NoClock.into();
-        }
-        if inside == ")" {
-            return no_function(&name).1;
-        }
-        return ForeignWord::NoArray { name }.into();
+        // `MAX(A, B)`; what stands alone in parentheses is rather the number of an array.
+        let is_index = inside.len() > 1 && inside.ends_with([')', ']']);
+        return match is_index {
+            true => Suggestion::NoArray { name }.into(),
+            false => no_function(&name).1,
+        };
     }
     match word.contains(['(', ')']) {
         true => Parsing::NoParentheses.into(),
@@ -358,8 +366,7 @@ fn suggest_for_name(word: &str) -> Message {
 
 /// Returns reason and help for a function that the language lacks.
 pub(super) fn no_function(word: &str) -> (Message, Message) {
-    let near = foreign::function(word).or_else(|| nearest(word, functions::words()));
-    let help = match near {
+    let help = match nearest(word, functions::words()) {
         Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
         None => {
             let functions = List(functions::words().map(str::to_owned).collect());
@@ -381,7 +388,7 @@ impl Reader<'_> {
         let name = self.slice(self.whole()).split('=').next()?.trim();
         let text = format!("{name} {}= {}", self.slice(sign), self.slice(operand));
         let both = equals.span.to(sign);
-        let reason = ForeignWord::NoOperator {
+        let reason = Suggestion::NoOperator {
             sign: self.slice(both).into(),
         };
         let text = upper_case(&text);
@@ -394,7 +401,7 @@ impl Reader<'_> {
         let third = self.left_tokens().get(2);
         let operand = third.map_or("", |it| self.slice(it.span));
         let text = format!("{}{operand}", self.slice(second)).into();
-        let reason = ForeignWord::NoOperator {
+        let reason = Suggestion::NoOperator {
             sign: self.slice(both).into(),
         };
         self.fault_with_help(both, reason, Suggestion::Write { text })

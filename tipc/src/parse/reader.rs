@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Edition, Keyword, commands};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{ForeignWord, Message, Parsing};
+use crate::message::{Message, Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{Word, upper_case};
 use smol_str::SmolStr;
@@ -153,11 +153,11 @@ impl<'a> Reader<'a> {
     }
 
     /// `1,000` or `4,5`: two numbers with nothing but a comma between them.
-    pub(super) fn comma_number(&self, before: Span, after: Span) -> Option<ForeignWord> {
+    pub(super) fn comma_number(&self, before: Span, after: Span) -> Option<Suggestion> {
         let is_glued = self.text.get(before.end..after.start) == Some(",");
         let (before, after) = (self.slice(before), self.slice(after));
         let is_number = |text: &str| text.chars().all(|c| c.is_ascii_digit());
-        (is_glued && is_number(before) && is_number(after)).then(|| ForeignWord::Comma {
+        (is_glued && is_number(before) && is_number(after)).then(|| Suggestion::Comma {
             whole: format!("{before}{after}").into(),
             point: format!("{before}.{after}").into(),
         })

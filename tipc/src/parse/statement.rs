@@ -1,12 +1,12 @@
 //! One statement: which family it is of.
 
+use super::comment::is_comment;
 use super::control::Read;
-use super::line::not_alone;
+use super::line::{is_sign, not_alone};
 use super::reader::Reader;
 use super::{Flow, Parser, condition, equation};
 use crate::code::Code;
-use crate::foreign;
-use crate::language::{Keyword, keywords};
+use crate::language::{Keyword, commands, keywords};
 use crate::lex::{Kind, Token, lex};
 use crate::message::Suggestion;
 use crate::source::Span;
@@ -36,7 +36,7 @@ impl Parser<'_> {
                 self.message(keyword, word, text_end, comment);
             }
             Some(Keyword::Rem) => self.push(StatementKind::Rem, span),
-            None if foreign::is_comment(self.source.slice(span)) => {
+            None if is_comment(self.source.slice(span)) => {
                 self.foreign_comment(span);
                 return Flow::NextLine;
             }
@@ -60,9 +60,12 @@ impl Parser<'_> {
         let mut tokens = std::mem::take(&mut self.tokens);
         tokens.clear();
         let foreign = lex(self.text, span, &mut tokens);
-        // In what is to be shown, any character may stand.
-        let shows = || keyword.is_none() && foreign::shows_text(self.source.slice(word));
-        let foreign = foreign.filter(|_| !shows());
+        // Of a statement whose first word is unknown the characters after it do not matter.
+        let foreign = foreign.filter(|foreign| {
+            keyword.is_some()
+                || equation::looks_like_one(&tokens)
+                || !self.is_unknown(word, *foreign)
+        });
         if let Some(foreign) = foreign {
             self.report_foreign(foreign);
         }
@@ -70,9 +73,10 @@ impl Parser<'_> {
         let before = self.diagnostics.len();
         let opening = self.take_brace(keyword, &mut tokens);
         let kind = self.kind(keyword, word, &tokens, foreign.is_some());
-        if let Some(opening) = opening {
-            self.opened_block(word, opening, before);
-        }
+        let kind = match opening {
+            Some(opening) => self.opened_block(word, opening, before, kind),
+            None => kind,
+        };
         if let StatementKind::Subroutine { name, .. }
         | StatementKind::Thread { name, .. }
         | StatementKind::Constant { name, .. } = &kind
@@ -91,6 +95,24 @@ impl Parser<'_> {
             self.push(kind, span);
         }
         self.tokens = tokens;
+    }
+
+    /// Returns true if a first word is none of the language, as far as it is plain, and such a character follows it. A
+    /// wide sign may be that of an equation.
+    fn is_unknown(&self, word: Span, foreign: Span) -> bool {
+        let first = self.source.slice(foreign).chars().next();
+        if first.is_some_and(is_sign) {
+            return false;
+        }
+        let before = self
+            .source
+            .slice(Span::new(word.start, foreign.start.max(word.start)));
+        let is_end = |c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.');
+        let (name, rest) = before.split_at(before.find(is_end).unwrap_or(before.len()));
+        !name.is_empty()
+            && !rest.is_empty()
+            && (word.end < foreign.start || rest.starts_with('('))
+            && (commands::find(name).is_none() || rest.starts_with('('))
     }
 
     /// Returns true if more than one name follows a word, and nothing else.
@@ -120,6 +142,8 @@ impl Parser<'_> {
                 return match keyword {
                     // What closes it may stand on its line.
                     Keyword::Repeat if !is_alone => StatementKind::Broken(Shape::Repeat),
+                    // `WEND KB_HIT` was to close another block.
+                    Keyword::Wend if !is_alone && !reported => StatementKind::Broken(Shape::Wend),
                     _ => kind,
                 };
             }
@@ -132,7 +156,7 @@ impl Parser<'_> {
             Some((_, Start::Define(_) | Start::Other)) | None => {}
         }
         if reported && keyword == Some(Keyword::Subroutine) {
-            return self.subroutine_named(word, tokens);
+            return self.broken_subroutine(word, tokens);
         }
         if reported || self.names_hyphened(tokens) {
             return StatementKind::Broken(shape(keyword, self.text, tokens));

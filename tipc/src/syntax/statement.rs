@@ -200,6 +200,8 @@ pub struct Jump {
     pub keyword: Span,
     /// The label without its colon; `None` if omitted.
     pub label: Option<Word>,
+    /// True if the jump is wrong in itself, which is reported.
+    pub broken: bool,
 }
 
 /// Kind of jump to a label.

@@ -180,20 +180,20 @@ fn wrong_statements_name_what_they_name() {
         "1:9 V defines
          1:12 v defines
          2:9 P defines
-         3:1 V assigns
+         3:1 V unclear
          3:5 P reads
-         4:8 V reads
-         5:4 V reads
+         4:8 V unclear
+         5:4 V unclear
          5:17 L1 jumps
          6:1 P unclear
-         6:7 V reads
+         6:7 V unclear
          7:1 V unclear
          7:6 V unclear
          7:10 P unclear
          8:1 L1 defines
          9:1 L1 defines
          10:6 L1 calls
-         11:6 L1 unclear
+         11:6 L1 jumps
          12:5 L1 unclear
          12:10 v unclear",
     );

@@ -7,16 +7,19 @@ mod declarations;
 mod jumps;
 mod operators;
 mod site;
-mod texts;
-mod words;
+pub(crate) mod texts;
+pub(crate) mod words;
 
 use site::{Shared, Site};
 use tipc::diagnostic::{Diagnostic, Edit, Fix};
 use tipc::source::Source;
 use tipc::syntax::Module;
 
+/// What knows the changes for a diagnostic.
+pub(crate) type Fixer = fn(&Site<'_>) -> Option<Fix>;
+
 /// Sources of fixes, asked in this order. The first answer counts.
-const FIXERS: &[fn(&Site<'_>) -> Option<Fix>] = &[
+const FIXERS: &[Fixer] = &[
     characters::fix,
     texts::fix,
     words::fix,
@@ -26,12 +29,20 @@ const FIXERS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     declarations::fix,
 ];
 
-/// Gives each diagnostic the fix that is known for it.
-pub(crate) fn attach(source: &Source, module: &Module, diagnostics: &mut [Diagnostic]) {
+/// Gives each diagnostic the fix that is known for it; `of_word` knows that of a word of another language.
+pub(crate) fn attach(
+    source: &Source,
+    module: &Module,
+    diagnostics: &mut [Diagnostic],
+    of_word: fn(&Diagnostic, &Source) -> Option<Fixer>,
+) {
     let shared = Shared::default();
     for diagnostic in diagnostics {
         let site = Site::new(source, module, &shared, diagnostic);
-        let fix = FIXERS.iter().find_map(|fixer| fixer(&site));
+        let fix = match of_word(diagnostic, source) {
+            Some(fixer) => fixer(&site),
+            None => FIXERS.iter().find_map(|fixer| fixer(&site)),
+        };
         diagnostic.fixes = fix
             .filter(|fix| is_sound(source, fix))
             .into_iter()

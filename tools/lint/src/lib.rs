@@ -14,6 +14,7 @@ pub mod message;
 pub mod migrate;
 pub mod query;
 pub mod repair;
+mod words;
 
 pub use tipc::{Loaded, Options};
 
@@ -25,7 +26,13 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (mut loaded, found) = lowered(name, bytes, options);
     let found = lints::find(&loaded, found, bytes, options);
     loaded.report(found);
-    fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);
+    words::advise(&mut loaded);
+    fix::attach(
+        &loaded.source,
+        &loaded.module,
+        &mut loaded.diagnostics,
+        words::fixer,
+    );
     loaded
 }
 

@@ -9,10 +9,12 @@
 use tipc::message::list::List;
 
 mod fixing;
+mod foreign;
 mod linting;
 mod migrating;
 
 pub use fixing::Fixing;
+pub use foreign::Foreign;
 pub use linting::{Allowing, Lack, Linting, Stretch};
 pub use migrating::Migrating;
 

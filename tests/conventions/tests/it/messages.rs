@@ -75,6 +75,9 @@ fn table(body: TokenStream, found: &mut Vec<Row>) {
         if let Some(TokenTree::Group(arguments)) = tokens.next_if(braces) {
             words(arguments.stream(), &mut types);
         }
+        // The codes of a reason.
+        let codes = |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket);
+        tokens.next_if(codes);
         let english = text(&mut tokens);
         let japanese = text(&mut tokens);
         found.push(Row {

@@ -4,7 +4,7 @@ use tip_lint::load;
 use tip_lint::repair::{Applied, confirm, render_json, render_short, repair};
 use tipc::code::{Code, Level};
 use tipc::diagnostic::{Applicability, Diagnostic};
-use tipc::message::{ForeignWord, Lang, Message};
+use tipc::message::{Lang, Message, Suggestion};
 use tipc::{Loaded, Options};
 
 /// Puts right what is certain in the bytes, then what is likely.
@@ -81,6 +81,6 @@ fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
 fn shows_more(applied: &Applied) -> bool {
     matches!(
         applied.diagnostic.reason,
-        Message::ForeignWord(ForeignWord::EndInTwo { .. })
+        Message::Suggestion(Suggestion::EndInTwo { .. })
     )
 }

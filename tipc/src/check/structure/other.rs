@@ -4,10 +4,9 @@ use super::{FAR, Matcher};
 use crate::check::blocks::BlockKind;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
-use crate::language::Keyword;
+use crate::language::{Keyword, keywords};
 use crate::lex::BLANKS;
-use crate::message::{Commanding, ForeignWord, Message, Structuring, Suggestion};
+use crate::message::{Message, Structuring, Suggestion};
 use crate::source::Source;
 use crate::syntax::{Shape, StatementKind};
 
@@ -29,14 +28,11 @@ impl Matcher<'_> {
             && !kind.is_routine()
             && inner != kind
             && name == kind.closer()
-            && !self.is_reported(index)
             && !self.is_reported(first);
         let is_needed = || other_open && self.later(index, kind) < self.open.within(kind).len();
         if !may_be || self.later(index, inner) > 0 || is_needed() {
             return false;
         }
-        // That it is alone on its line would not help.
-        self.closes_more.insert(self.location(index).start);
         self.open.pop();
         self.result.blocks[block].end = index;
         self.result.blocks[block].broken = true;
@@ -48,43 +44,9 @@ impl Matcher<'_> {
         let fault = Diagnostic::new(Code::Structure, self.location(index), reason)
             .label(self.location(first), Structuring::Open { opener })
             .help(Suggestion::Closes { opener, closer });
-        self.found.push(fault);
-        true
-    }
-
-    /// `WHILE … LOOP`: the word of another language where the innermost block never gets its own end.
-    pub(super) fn ends_in_foreign_word(&mut self, index: usize) -> bool {
-        let statement = &self.module.statements[index];
-        let StatementKind::Command {
-            name, arguments, ..
-        } = &statement.kind
-        else {
-            return false;
-        };
-        let Some(open) = self.open.last().filter(|_| foreign::ends_loop(&name.node)) else {
-            return false;
-        };
-        let (kind, first, block) = (open.kind, open.first, open.block);
-        let is_loop = matches!(kind, BlockKind::While | BlockKind::Repeat | BlockKind::For);
-        if !is_loop || !arguments.is_empty() || self.later(index, kind) > 0 {
-            return false;
+        if !self.is_reported(index) {
+            self.found.push(fault);
         }
-        self.open.pop();
-        self.result.around[index] = self.current();
-        self.result.blocks[block].end = index;
-        self.result.blocks[block].broken = true;
-        let (opener, closer) = (kind.opener(), kind.closer());
-        let word = name.node.clone();
-        let fault = Diagnostic::new(
-            Code::UnknownCommand,
-            name.span,
-            Commanding::NoCommand { word },
-        );
-        let fault = fault
-            .about(name.node.as_str())
-            .label(self.location(first), Structuring::Open { opener })
-            .help(Suggestion::Closes { opener, closer });
-        self.found.push(fault);
         true
     }
 
@@ -124,11 +86,11 @@ impl Matcher<'_> {
             words.iter().any(is_it)
         };
         let help: Message = match (has(closer), has(Keyword::End)) {
-            (true, _) => ForeignWord::Exit.into(),
+            (true, _) => Suggestion::Exit.into(),
             (false, true) => Suggestion::Closes { opener, closer }.into(),
             (false, false) => return None,
         };
-        let reason = ForeignWord::EndInTwo {
+        let reason = Suggestion::EndInTwo {
             word: opener.into(),
         };
         let fault = Diagnostic::new(Code::Structure, last.span, reason)
@@ -146,27 +108,30 @@ impl Matcher<'_> {
         let second = self.module.after_end.as_ref()?;
         let innermost = self.open.last()?;
         let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
-        if second.node != opener.word() && foreign::ends(&second.node) != Some(closer) {
+        // `END SUB`, `END FUNCTION`
+        let is_routine = || {
+            keywords::find(&second.node, self.module.edition).is_none() && closer == Keyword::SubEnd
+        };
+        if second.node != opener.word() && !is_routine() {
             return None;
         }
         let end = self.module.statements.last()?.span;
-        let reason = ForeignWord::EndInTwo {
+        let reason = Suggestion::EndInTwo {
             word: opener.into(),
         };
         let help = match closer {
-            Keyword::Wend => ForeignWord::Wend,
-            Keyword::Next => ForeignWord::Next,
-            Keyword::SubEnd => ForeignWord::SubEnd,
-            _ => ForeignWord::InOneWord {
+            Keyword::Wend => Suggestion::Wend,
+            Keyword::Next => Suggestion::Next,
+            Keyword::SubEnd => Suggestion::SubEnd,
+            _ => Suggestion::InOneWord {
                 word: closer.into(),
             },
         };
         let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
             .label(self.location(innermost.first), Structuring::Open { opener })
             .help(help);
-        // `SUB WALK` … `END SUB` is one mistake, and so is `REPEAT 5` … `END REPEAT`.
-        let is_one = self.is_foreign(innermost.first)
-            || innermost.kind == BlockKind::Repeat && self.is_reported(innermost.first);
+        // `REPEAT 5` … `END REPEAT` is one mistake.
+        let is_one = innermost.kind == BlockKind::Repeat && self.is_reported(innermost.first);
         self.found.extend(Some(fault).filter(|_| !is_one));
         while let Some(open) = self.open.pop() {
             self.result.blocks[open.block].broken = true;

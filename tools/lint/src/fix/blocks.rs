@@ -6,7 +6,7 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::language::Keyword;
 use tipc::lex::Token;
 use tipc::message::phrase::End;
-use tipc::message::{ForeignWord, Message, Parsing};
+use tipc::message::{Message, Parsing, Suggestion};
 use tipc::source::Span;
 use tipc::syntax::{Shape, StatementKind};
 
@@ -15,14 +15,14 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
         (Message::Parsing(Parsing::ThenOrJumpBelongsHere | Parsing::ThenBelongsHere), _) => {
             then(site)
         }
-        (Message::ForeignWord(ForeignWord::NoColon), _) => colon(site),
+        (Message::Suggestion(Suggestion::NoColon), _) => colon(site),
         (
             Message::Parsing(Parsing::NothingBehind {
                 end: End::Condition,
             }),
             _,
         ) => after_condition(site),
-        (Message::ForeignWord(ForeignWord::OneLineIf), _) => one_line_if(site),
+        (Message::Suggestion(Suggestion::OneLineIf), _) => one_line_if(site),
         (Message::Parsing(Parsing::NotAlone { .. }), _) => alone(site),
         (Message::Parsing(Parsing::ProgramEndsHere), _) => end(site),
         _ => None,

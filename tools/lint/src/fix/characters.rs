@@ -3,11 +3,10 @@
 use super::site::Site;
 use crate::message::Fixing;
 use tipc::diagnostic::{Edit, Fix, Label};
-use tipc::foreign;
 use tipc::language::{Keyword, keywords};
 use tipc::lex::{BLANKS, foreign_run, word_end};
-use tipc::message::{ForeignWord, Message, Naming, Parsing, Suggestion};
-use tipc::parse::{LONG_VOWEL, narrow};
+use tipc::message::{Message, Naming, Parsing, Suggestion};
+use tipc::parse::{self, LONG_VOWEL, comment_after, comment_mark, is_comment, narrow};
 use tipc::source::Span;
 
 /// Start of a comment in this language.
@@ -20,14 +19,14 @@ const CLOSES: &str = "*/";
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()?) {
         (_, Message::Parsing(Parsing::WriteHalfWidth { .. }))
-        | (_, Message::ForeignWord(ForeignWord::Plain { .. } | ForeignWord::PlainBlank)) => {
+        | (_, Message::Suggestion(Suggestion::Plain { .. } | Suggestion::PlainBlank)) => {
             half_width(site)
         }
         (_, Message::Suggestion(Suggestion::Invisible)) => {
             let title = Fixing::RemoveInvisible;
             Some(Fix::certain(title, [Edit::remove(site.span())]))
         }
-        (_, Message::ForeignWord(ForeignWord::Comment)) => comment(site),
+        (_, Message::Suggestion(Suggestion::Comment)) => comment(site),
         _ => None,
     }
 }
@@ -82,7 +81,7 @@ fn plain(text: &str) -> String {
     }
     let mut out = String::new();
     for char in text.chars() {
-        match foreign::plain(char) {
+        match parse::plain(char) {
             Some(plain) => out += plain,
             None if char.is_whitespace() => out.push(' '),
             None => out.push(char),
@@ -97,13 +96,13 @@ fn comment(site: &Site<'_>) -> Option<Fix> {
     let before = site.slice(Span::new(line.start, site.span().end));
     let starts = site.statement().map(|it| it.span.start);
     // Of a comment after a statement the mark stands before its text.
-    let start = match starts.filter(|start| foreign::is_comment(&before[start - line.start..])) {
+    let start = match starts.filter(|start| is_comment(&before[start - line.start..])) {
         Some(start) => start,
-        None => line.start + foreign::comment_after(before)?,
+        None => line.start + comment_after(before)?,
     };
     let rest = Span::new(start, line.end);
     let text = site.slice(rest);
-    let mark = foreign::comment_mark(text)?;
+    let mark = comment_mark(text)?;
     let mut edits = vec![Edit::replace(Span::new(start, start + mark.len()), COMMENT)];
     let kept = text.trim_end_matches(BLANKS);
     if let Some(at) = kept.find(CLOSES).filter(|_| mark == OPENS) {
@@ -123,7 +122,7 @@ fn comment(site: &Site<'_>) -> Option<Fix> {
 fn surely_comments(comment: &str) -> bool {
     let directives = ["define", "if", "else", "endif", "undef", "pragma"];
     let rest = comment.trim_start_matches('#');
-    match foreign::comment_mark(comment) {
+    match comment_mark(comment) {
         Some("#") => !directives.iter().any(|word| rest.starts_with(word)),
         Some(mark @ "--") => comment[mark.len()..].starts_with(' '),
         mark => mark.is_some(),

@@ -5,17 +5,17 @@ use crate::message::Fixing;
 use tipc::code::Code;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::lex::{Kind, Token};
-use tipc::message::{ForeignWord, Message, Naming};
+use tipc::message::{Message, Naming, Suggestion};
 use tipc::source::Span;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
-        (_, Some(Message::ForeignWord(ForeignWord::Title))) => {
+        (_, Some(Message::Suggestion(Suggestion::Title))) => {
             let title = site.source.line(2).span.start;
             let edit = Edit::insert(title, site.line_end());
             Some(Fix::certain(Fixing::TitleLine, [edit]))
         }
-        (_, Some(Message::ForeignWord(ForeignWord::Initial { .. }))) => {
+        (_, Some(Message::Suggestion(Suggestion::Initial { .. }))) => {
             let (name, edit) = initial(site, &site.tokens())?;
             Some(Fix::certain(Fixing::OwnLine { name: name.into() }, [edit]))
         }

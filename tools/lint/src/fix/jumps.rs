@@ -5,7 +5,7 @@ use crate::message::Fixing;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::language::Keyword;
 use tipc::lex::BLANKS;
-use tipc::message::{Commanding, ForeignWord, Message, Parsing};
+use tipc::message::{Commanding, Message, Parsing, Suggestion};
 use tipc::source::Span;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
@@ -13,19 +13,21 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
         (Message::Parsing(Parsing::LabelColonMissing | Parsing::NameColonMissing), _) => {
             Some(colon(site))
         }
-        (_, Some(Message::ForeignWord(ForeignWord::LoopLabel)))
-        | (_, Some(Message::Commanding(Commanding::LabelOrEquation))) => {
-            let is_alone = site.statement()?.span == site.span();
-            (is_alone && site.is_target(site.text())).then(|| colon(site))
-        }
+        (_, Some(Message::Commanding(Commanding::LabelOrEquation))) => bare_label(site),
         (Message::Parsing(Parsing::BlankBeforeColon), _) => {
             let edits = [Edit::replace(site.span(), ":")];
             Some(Fix::certain(Fixing::RemoveBlanks, edits))
         }
-        (Message::ForeignWord(ForeignWord::ThenJumps { .. }), _) => without_then(site),
-        (_, Some(Message::ForeignWord(ForeignWord::WithoutColon { .. }))) => without_colon(site),
+        (Message::Suggestion(Suggestion::ThenJumps { .. }), _) => without_then(site),
+        (_, Some(Message::Suggestion(Suggestion::WithoutColon { .. }))) => without_colon(site),
         _ => None,
     }
+}
+
+/// `START` where something jumps to `START:`.
+pub(super) fn bare_label(site: &Site<'_>) -> Option<Fix> {
+    let is_alone = site.statement()?.span == site.span();
+    (is_alone && site.is_target(site.text())).then(|| colon(site))
 }
 
 /// `GOTO L1`, `START`, `L1.`

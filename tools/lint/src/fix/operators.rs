@@ -4,29 +4,27 @@ use super::site::Site;
 use crate::message::Fixing;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::lex::{Kind, Token};
-use tipc::message::{ForeignWord, Message, Parsing, Suggestion};
+use tipc::message::{Message, Parsing, Suggestion};
 use tipc::source::Span;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (
             Message::Parsing(Parsing::AssignsComparesNothing | Parsing::NoRelation)
-            | Message::ForeignWord(ForeignWord::NotEqual),
+            | Message::Suggestion(Suggestion::NotEqual),
             _,
         ) => relation(site),
-        (Message::ForeignWord(ForeignWord::CompareAsStatement), _) => {
+        (Message::Suggestion(Suggestion::CompareAsStatement), _) => {
             let operator = site.tokens().get(1)?.span;
             Some(certain(site, operator, "="))
         }
-        (_, Some(Message::ForeignWord(ForeignWord::Increment { sign, .. }))) => {
-            increment(site, sign)
-        }
-        (_, Some(Message::ForeignWord(ForeignWord::WriteNot))) => not(site),
+        (_, Some(Message::Suggestion(Suggestion::Increment { sign, .. }))) => increment(site, sign),
+        (_, Some(Message::Suggestion(Suggestion::WriteNot))) => not(site),
         (
-            Message::ForeignWord(ForeignWord::NoOperator { .. }),
-            Some(Message::ForeignWord(ForeignWord::Assign { .. })),
+            Message::Suggestion(Suggestion::NoOperator { .. }),
+            Some(Message::Suggestion(Suggestion::Assign { .. })),
         ) => Some(certain(site, site.span(), "=")),
-        (_, Some(Message::ForeignWord(ForeignWord::Comma { whole, point }))) => {
+        (_, Some(Message::Suggestion(Suggestion::Comma { whole, point }))) => {
             comma(site, whole, point)
         }
         (_, Some(Message::Suggestion(Suggestion::BlankAfter { command }))) => {
@@ -43,7 +41,7 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
                     | Suggestion::WithoutParentheses { .. }
                     | Suggestion::OpenBlock { .. },
                 )
-                | Message::ForeignWord(ForeignWord::Glued { .. } | ForeignWord::NoBrackets),
+                | Message::Suggestion(Suggestion::Glued { .. } | Suggestion::NoBrackets),
             ),
         ) => parentheses(site),
         _ => None,

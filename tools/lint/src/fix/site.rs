@@ -25,7 +25,7 @@ pub(super) struct Shared {
 
 /// A diagnostic in its file.
 #[derive(Clone, Copy)]
-pub(super) struct Site<'a> {
+pub(crate) struct Site<'a> {
     pub(super) source: &'a Source,
     pub(super) module: &'a Module,
     shared: &'a Shared,
@@ -167,7 +167,7 @@ impl<'a> Site<'a> {
             let label = jump.label.as_ref().map(|label| label.node.clone());
             return vec![label.unwrap_or(SmolStr::new_static(LOOP))];
         }
-        // A jump that is broken, most often for its colon.
+        // A jump that is broken.
         if statement.kind != StatementKind::Broken(Shape::Plain) {
             return Vec::new();
         }

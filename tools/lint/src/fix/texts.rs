@@ -3,10 +3,9 @@
 use super::site::Site;
 use crate::message::{Fixing, Linting};
 use tipc::diagnostic::{Edit, Fix};
-use tipc::foreign;
 use tipc::language::Keyword;
 use tipc::lex::DELIMITERS;
-use tipc::message::{ForeignWord, Message, Parsing};
+use tipc::message::{Message, Parsing, Suggestion};
 use tipc::source::Span;
 use tipc::syntax::StatementKind;
 
@@ -17,8 +16,7 @@ const SPECIAL: &[char] = &['%', '\\', '\u{A5}', '{'];
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
-        (_, Some(Message::ForeignWord(ForeignWord::ShowText))) => print(site),
-        (_, Some(Message::ForeignWord(ForeignWord::Glued { command })))
+        (_, Some(Message::Suggestion(Suggestion::Glued { command })))
             if *command == Keyword::Message.word() =>
         {
             glued(site)
@@ -33,9 +31,9 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
 }
 
 /// `PRINT "text"`.
-fn print(site: &Site<'_>) -> Option<Fix> {
+pub(super) fn print(site: &Site<'_>) -> Option<Fix> {
     let start = site.span().start;
-    let word = Span::new(start, start + foreign::name(site.text()).len());
+    let word = Span::new(start, start + name(site.text()).len());
     let rest = Span::new(word.end, site.statement()?.span.end);
     let [opening, closing] = quotes(site, rest)?;
     let gap = if opening.start == word.end { " " } else { "" };
@@ -112,4 +110,10 @@ fn last_break(site: &Site<'_>) -> Option<Fix> {
         text: site.text().into(),
     };
     is_last.then(|| Fix::certain(title, [Edit::remove(site.span())]))
+}
+
+/// Returns the name that a word begins with: `PRINT` of `PRINT("…")`, `time.sleep` of `time.sleep(1)`.
+pub(crate) fn name(word: &str) -> &str {
+    let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
+    &word[..end.unwrap_or(word.len())]
 }

@@ -2,21 +2,23 @@
 
 use super::declarations::initial;
 use super::site::Site;
+use super::texts;
 use crate::message::Fixing;
 use tip_runtime::command::Op;
 use tipc::diagnostic::{Edit, Fix};
-use tipc::foreign::{self, Means};
 use tipc::language::{Keyword, commands};
 use tipc::lex::{Kind, Token};
-use tipc::message::{Commanding, ForeignWord, Message, Naming, Parsing, Structuring, Suggestion};
+use tipc::message::{Commanding, Message, Naming, Parsing, Structuring, Suggestion};
 use tipc::source::Span;
-use tipc::syntax::VariableKind;
+
+/// No change is known.
+pub(crate) fn none(_: &Site<'_>) -> Option<Fix> {
+    None
+}
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()?) {
-        (_, Message::ForeignWord(advice)) => foreign_word(site, advice),
-        (_, Message::Suggestion(Suggestion::DidYouMean { near }))
-        | (_, Message::Structuring(Structuring::DidYouMean { near })) => replace_by(site, near),
+        (_, Message::Structuring(Structuring::DidYouMean { near })) => replace_by(site, near),
         (_, Message::Commanding(Commanding::CalledNow { command })) => {
             Some(certain(site, site.span(), command))
         }
@@ -32,46 +34,26 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
         (Message::Parsing(Parsing::IfCannotCall), _) => {
             Some(certain(site, site.span(), Keyword::Gosub.word()))
         }
+        (_, Message::Suggestion(help)) => suggested(site, help),
         _ => None,
     }
 }
 
-fn foreign_word(site: &Site<'_>, advice: &ForeignWord) -> Option<Fix> {
-    let tokens = site.tokens();
-    match advice {
-        ForeignWord::ElseIf if !stands_for_it(site) => None,
-        ForeignWord::ElseIf => Some(branch(site, &tokens)),
-        ForeignWord::EndIf => closer(site, Keyword::EndIf),
-        ForeignWord::Wend => closer(site, Keyword::Wend),
-        ForeignWord::Next => closer(site, Keyword::Next),
-        ForeignWord::SubEnd => closer(site, Keyword::SubEnd),
-        ForeignWord::InOneWord { word } if word == Keyword::ElseIf.word() => {
-            Some(branch(site, &tokens))
-        }
-        ForeignWord::InOneWord { word } => {
+fn suggested(site: &Site<'_>, help: &Suggestion) -> Option<Fix> {
+    match help {
+        Suggestion::DidYouMean { near } => replace_by(site, near),
+        Suggestion::Wend => ended(site, Keyword::Wend),
+        Suggestion::Next => ended(site, Keyword::Next),
+        Suggestion::SubEnd => ended(site, Keyword::SubEnd),
+        Suggestion::InOneWord { word } if word == Keyword::ElseIf.word() => branch(site),
+        Suggestion::InOneWord { word } => {
             let location = match site.reason() {
                 // Of `DEF VAR N` the first word is what is unknown, of `PTP ANGLE` the second one.
-                Message::Commanding(_) => in_pieces(site, &tokens, word)?,
+                Message::Commanding(_) => in_pieces(site, &site.tokens(), word)?,
                 _ => site.span(),
             };
             Some(certain(site, location, word))
         }
-        ForeignWord::Return if tokens.len() == 1 => {
-            Some(certain(site, site.span(), Keyword::Return.word()))
-        }
-        ForeignWord::Exit if tokens.len() == 1 => {
-            Some(likely(site, site.span(), Keyword::Exit.word()))
-        }
-        ForeignWord::Subroutine => subroutine(site, &tokens),
-        ForeignWord::Goto => goto(site, &tokens),
-        ForeignWord::Let => assignment(&tokens),
-        ForeignWord::Wait => wait(site, &tokens),
-        ForeignWord::Declare => declaration(site, &tokens),
-        // `#define N 3` has no sign between.
-        ForeignWord::Constant if tokens.iter().any(|it| it.kind != Kind::Word) => {
-            declaration(site, &tokens)
-        }
-        ForeignWord::Number { value, .. } => Some(everywhere(site, value)),
         _ => None,
     }
 }
@@ -87,25 +69,35 @@ fn in_pieces(site: &Site<'_>, tokens: &[Token], whole: &str) -> Option<Span> {
     })
 }
 
-/// `ENDWHILE`, `END WHILE`.
-fn closer(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
-    stands_for_it(site).then(|| certain(site, site.span(), keyword.word()))
+/// `END WHILE`.
+fn ended(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
+    let is_end = matches!(
+        site.reason(),
+        Message::Suggestion(Suggestion::EndInTwo { .. })
+    );
+    is_end.then(|| certain(site, site.span(), keyword.word()))
 }
 
-/// Returns true if the location of the diagnostic is the word itself in another spelling.
-fn stands_for_it(site: &Site<'_>) -> bool {
-    matches!(
-        site.reason(),
-        Message::Commanding(Commanding::NoCommand { .. })
-            | Message::ForeignWord(ForeignWord::EndInTwo { .. })
-    )
+/// `ENDWHILE`.
+pub(crate) fn closer(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
+    Some(certain(site, site.span(), keyword.word()))
+}
+
+/// `RET`, `QUIT`.
+pub(crate) fn alone(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
+    (site.tokens().len() == 1).then(|| likely(site, site.span(), keyword.word()))
+}
+
+/// `PRINT "text"`.
+pub(crate) fn print(site: &Site<'_>) -> Option<Fix> {
+    texts::print(site)
 }
 
 /// `ELIF c`, `ELSE IF c`.
-fn branch(site: &Site<'_>, tokens: &[Token]) -> Fix {
+pub(crate) fn branch(site: &Site<'_>) -> Option<Fix> {
     let mut fix = certain(site, site.span(), Keyword::ElseIf.word());
-    fix.edits.extend(then(site, tokens));
-    fix
+    fix.edits.extend(then(site, &site.tokens()));
+    Some(fix)
 }
 
 /// Adds THEN where an ELSEIF of another language has none, or a colon.
@@ -142,13 +134,13 @@ fn replace_by(site: &Site<'_>, near: &str) -> Option<Fix> {
             | Message::Structuring(Structuring::NoSuchLabel { .. })
     );
     match is_name {
-        true => Some(everywhere(site, near)),
+        true => everywhere(site, near),
         false => Some(likely(site, site.span(), near)),
     }
 }
 
 /// Returns another word for a name that is not declared, at each location that the diagnostic lists.
-fn everywhere(site: &Site<'_>, word: &str) -> Fix {
+pub(crate) fn everywhere(site: &Site<'_>, word: &str) -> Option<Fix> {
     let name = site.diagnostic.subject.as_deref().unwrap_or_default();
     let locations = [site.span()].into_iter();
     let locations = locations.chain(site.diagnostic.labels.iter().map(|label| label.span));
@@ -165,13 +157,14 @@ fn everywhere(site: &Site<'_>, word: &str) -> Fix {
         old: name.into(),
         new: word.into(),
     };
-    Fix::likely(title, edits.collect::<Vec<_>>())
+    Some(Fix::likely(title, edits.collect::<Vec<_>>()))
 }
 
 /// `SUB WALK`, its colon forgotten as well.
-fn subroutine(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
+pub(crate) fn subroutine(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
     let mut fix = certain(site, site.span(), Keyword::Subroutine.word());
-    match tokens {
+    match tokens.as_slice() {
         [_, name] if name.kind == Kind::Word => fix.edits.push(Edit::insert(name.span.end, ":")),
         [_, name, colon] if name.kind == Kind::Word && colon.kind == Kind::Colon => {}
         _ => return None,
@@ -180,7 +173,8 @@ fn subroutine(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
 }
 
 /// `JUMP L1`, `GO TO L1:`.
-fn goto(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
+pub(crate) fn goto(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
     let second = tokens.get(1).filter(|second| site.is(second, Keyword::To));
     let (location, rest) = match second {
         Some(second) => (site.span().to(second.span), &tokens[2..]),
@@ -196,8 +190,8 @@ fn goto(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
 }
 
 /// `LET A = 1`.
-fn assignment(tokens: &[Token]) -> Option<Fix> {
-    let [word, name, operator, ..] = tokens else {
+pub(crate) fn assignment(site: &Site<'_>) -> Option<Fix> {
+    let [word, name, operator, ..] = *site.tokens() else {
         return None;
     };
     let is_equation = name.kind == Kind::Word && matches!(operator.kind, Kind::Assign(_));
@@ -207,8 +201,9 @@ fn assignment(tokens: &[Token]) -> Option<Fix> {
 }
 
 /// `WAIT INPOS ALL`, `WAIT 200`.
-fn wait(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
-    let [word, second, rest @ ..] = tokens else {
+pub(crate) fn wait(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let [word, second, rest @ ..] = tokens.as_slice() else {
         return None;
     };
     let joined = format!("{}_{}", site.slice(word.span), site.slice(second.span));
@@ -222,19 +217,21 @@ fn wait(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
 }
 
 /// `VAR N`, `DIM N = 0`.
-fn declaration(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
-    let Means::Declaration(kind) = foreign::statement(site.text())?.means else {
+pub(crate) fn declaration(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
+    let tokens = site.tokens();
+    if site.slice(site.statement()?.span).contains('(') {
         return None;
-    };
-    let keyword = match kind {
-        VariableKind::Var => Keyword::DefVar,
-        VariableKind::Pos => Keyword::DefPos,
-        VariableKind::Joint => Keyword::DefJoint,
-    };
+    }
     let mut fix = certain(site, site.span(), keyword.word());
     let are_names = tokens.iter().all(|token| token.kind == Kind::Word);
     if !are_names {
-        fix.edits.push(initial(site, tokens)?.1);
+        fix.edits.push(initial(site, &tokens)?.1);
     }
     Some(fix)
+}
+
+/// `CONST N = 3`; `DEFINE N 3` has no sign between.
+pub(crate) fn constant(site: &Site<'_>) -> Option<Fix> {
+    let has_sign = site.tokens().iter().any(|it| it.kind != Kind::Word);
+    has_sign.then(|| declaration(site, Keyword::DefVar))?
 }

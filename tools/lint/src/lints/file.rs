@@ -1,5 +1,6 @@
 //! Lints about a file as a whole: its title, its encoding, and what stands after END.
 
+use crate::message::Foreign;
 use crate::{Loaded, Options};
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
@@ -7,7 +8,7 @@ use tipc::language::Keyword;
 use tipc::language::commands::{self, Meaning};
 use tipc::lex::{Kind, Token, lex};
 use tipc::load::lowered;
-use tipc::message::{ForeignWord, Reading};
+use tipc::message::{Reading, Suggestion};
 use tipc::parse;
 use tipc::source::{Encoding, Source, Span, looks_like};
 use tipc::syntax::Module;
@@ -15,12 +16,12 @@ use tipc::syntax::Module;
 /// Warns of the first statement after END.
 pub(super) fn after_end(source: &Source, module: &Module) -> Option<Diagnostic> {
     let location = parse::after_end(source, module)?;
-    let diagnostic = Diagnostic::new(Code::AfterEnd, location, ForeignWord::StandsAfterEnd);
+    let diagnostic = Diagnostic::new(Code::AfterEnd, location, Suggestion::StandsAfterEnd);
     let end = module.statements.last()?;
     Some(
         diagnostic
-            .label(end.span, ForeignWord::EndsTheText)
-            .help(ForeignWord::MoveEndOrComment),
+            .label(end.span, Suggestion::EndsTheText)
+            .help(Foreign::MoveEndOrComment),
     )
 }
 
@@ -39,7 +40,7 @@ pub(super) fn other_encoding(
     let length = text[at..].find(['\n', '\r']).unwrap_or(text.len() - at);
     let location = Span::new(at, at + length);
     let diagnostic = Diagnostic::new(Code::OtherEncoding, location, Reading::OtherCharacters);
-    Some(diagnostic.help(ForeignWord::OtherEncoding { encoding }))
+    Some(diagnostic.help(Suggestion::OtherEncoding { encoding }))
 }
 
 /// Warns if line 2 is a statement that the program would load with, had it a title before.
@@ -61,8 +62,8 @@ pub(super) fn title(loaded: &Loaded, options: &Options) -> Option<Diagnostic> {
         return None;
     }
     let location = tokens.first()?.span.to(tokens.last()?.span);
-    let diagnostic = Diagnostic::new(Code::StatementAsTitle, location, ForeignWord::TitleHere);
-    Some(diagnostic.help(ForeignWord::Title))
+    let diagnostic = Diagnostic::new(Code::StatementAsTitle, location, Suggestion::TitleHere);
+    Some(diagnostic.help(Suggestion::Title))
 }
 
 /// Returns true if these words begin a statement, and no title of one word.

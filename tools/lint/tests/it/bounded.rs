@@ -300,7 +300,7 @@ fn no_suggestion_is_searched_for_a_mistake_that_is_not_shown() {
             declared.clone() + &undeclared(count)
         }),
         ("unknown labels", &|count| {
-            labels.clone() + &"GOTO ELSEWHERE:\n".repeat(count)
+            labels.clone() + &lines(count, |n| format!("GOTO ELSEWHERE{n}:"))
         }),
     ];
     for (kind, text) in kinds {

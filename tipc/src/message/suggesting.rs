@@ -1,4 +1,4 @@
-//! Messages about words and spellings of other languages.
+//! Helps: what to write in the place of what stands there.
 
 use super::list::List;
 use super::say::Decimal;
@@ -6,19 +6,13 @@ use crate::language::Keyword;
 use smol_str::SmolStr;
 
 messages! {
-    /// The way of T.I.P. to say what another language says otherwise.
-    ForeignWord;
+    /// A replacement for what was written.
+    Suggestion;
 
-    // First words.
-    ShowText
-        "show a text with `MESSAGE text`, without quotes; `%A%` in it shows the value of A",
-        "文字の表示は `MESSAGE 文字列` です。引用符は不要で、`%A%` と書くとAの値が出ます";
+    // Words of blocks.
     ElseIf
         "write `ELSEIF condition THEN`, in one word",
         "`ELSEIF 条件式 THEN` と、1語で書いてください";
-    EndIf
-        "ENDIF closes an IF, in one word",
-        "IFを閉じるのは `ENDIF` (1語)です";
     Wend
         "WEND closes a WHILE",
         "WHILEを閉じるのは `WEND` です";
@@ -28,42 +22,9 @@ messages! {
     SubEnd
         "SUBEND closes a SUBROUTINE",
         "SUBROUTINEを閉じるのは `SUBEND` です";
-    Return
-        "write `RETURN`",
-        "`RETURN` と書いてください";
-    Loops
-        "a loop is `REPEAT` … `UNTIL condition`, or `WHILE condition` … `WEND`",
-        "繰り返しは `REPEAT` … `UNTIL 条件式` か `WHILE 条件式` … `WEND` です";
     Break
         "leave a loop with `GOTO L1:`, and put `L1:` after it",
         "ループから抜けるには `GOTO L1:` と書き、ループの後に `L1:` を置きます";
-    Continue
-        "go on with `GOTO L1:`, and put `L1:` before the WEND, UNTIL or NEXT",
-        "次の回に進むには `GOTO L1:` と書き、WEND、UNTIL、NEXTの前に `L1:` を置きます";
-    Wait
-        "`SLEEP 200` waits 200 ms, `WAIT_INPOS ALL` until all motions have ended, `REPEAT` … `UNTIL KB_HIT` until a flag is set",
-        "200 ms待つのは `SLEEP 200`、全ての動作の終わりを待つのは `WAIT_INPOS ALL`、フラグを待つのは `REPEAT` … `UNTIL KB_HIT` です";
-    Declare
-        "declare variables with `DEF_VAR A` (a number), `DEF_POS P` or `DEF_JOINT Q`",
-        "変数の宣言は `DEF_VAR A` (数値)、`DEF_POS P`、`DEF_JOINT Q` です";
-    Constant
-        "a constant is a variable: declare it with `DEF_VAR A`, and assign it on the next line: `A = 100`",
-        "定数も変数で表します。`DEF_VAR A` で宣言し、次の行で `A = 100` のように代入してください";
-    Let
-        "no word stands before an assignment: `A = 1`",
-        "代入の前に語は要りません: `A = 1`";
-    Subroutine
-        "write `SUBROUTINE NAME:` … `SUBEND`, and `CALL NAME:`",
-        "`SUBROUTINE NAME:` … `SUBEND` と書き、`CALL NAME:` で呼びます";
-    Goto
-        "write `GOTO L1:`",
-        "`GOTO L1:` と書いてください";
-    Move
-        "`PTP F1 x y z` moves a foot (mm), `PTP_ANGLE J11 30` turns a joint (deg)",
-        "足先を動かすのは `PTP F1 x y z` (mm)、関節を回すのは `PTP_ANGLE J11 30` (deg)です";
-    Stop
-        "`ALL_STOP` stops the robot, `EXIT` ends the program",
-        "ロボットを止めるのは `ALL_STOP`、プログラムを終えるのは `EXIT` です";
     Exit
         "`EXIT` ends the program where it stands",
         "その場でプログラムを終えるのは `EXIT` です";
@@ -73,66 +34,12 @@ messages! {
     AdIn
         "read an input with `AD_IN VR1 A`",
         "入力を読むのは `AD_IN VR1 A` です";
-    Lamp
-        "switch a lamp with `LAMP_ON 0` and `LAMP_OFF 0`",
-        "ランプは `LAMP_ON 0` と `LAMP_OFF 0` で切り替えます";
-    Cases
-        "write `IF A == 1 THEN` … `ELSEIF A == 2 THEN` … `ELSE` … `ENDIF`",
-        "`IF A == 1 THEN` … `ELSEIF A == 2 THEN` … `ELSE` … `ENDIF` と書いてください";
-    Speed
-        "set the speed with `SET_V_MAX F1 200` (feet) or `SET_OMEGA_MAX J11 90` (joints)",
-        "速度は `SET_V_MAX F1 200` (足先)か `SET_OMEGA_MAX J11 90` (関節)で設定します";
-    Acceleration
-        "set the acceleration with `SET_A_MAX F1 1200`",
-        "加速度は `SET_A_MAX F1 1200` で設定します";
-    Teach
-        "`TEACH_POSITION F1 P` stores where a foot is, `TEACH_ANGLE F1 Q` the angles of its joints",
-        "足先の位置を読み取るのは `TEACH_POSITION F1 P`、関節角は `TEACH_ANGLE F1 Q` です";
-    Home
-        "`INITIAL_POSTURE` goes to the initial posture",
-        "初期姿勢に戻るのは `INITIAL_POSTURE` です";
-    ClearText
-        "clear the message with `MESSAGE_CLEAR`",
-        "メッセージを消すのは `MESSAGE_CLEAR` です";
-    Motors
-        "leave it out: the motors hold the robot from the start",
-        "不要です。モータは最初から入っていて、ロボットを保持しています";
-    NoSetup
-        "leave it out: inputs, lamps and joints need no setting up",
-        "不要です。入力、ランプ、関節の初期設定はありません";
-    NoCatch
-        "leave it out: a fault stops the program, and nothing can catch it; test before, as `IF A > 0 THEN`",
-        "例外処理はありません。エラーが起きるとプログラムは止まります。`IF A > 0 THEN` のように前もって調べてください";
-    RelativeMark
-        "`PTP F1 x y z` is absolute, `REL_PTP F1 x y z` relative; `R` before one number makes that one relative",
-        "絶対値は `PTP F1 x y z`、相対値は `REL_PTP F1 x y z` です。数値の前に `R` を付けると、その値だけ相対値になります";
-    Count
-        "count with `N += 1` or `N -= 1`",
-        "数を増減するのは `N += 1` や `N -= 1` です";
-    FromTheTop
-        "a program runs from line 3 to END: leave it out, and repeat for ever with `LOOP:` … `GOTO LOOP:`",
-        "プログラムは3行目からENDまで実行されます。これは取り、ずっと繰り返すなら `LOOP:` … `GOTO LOOP:` と書いてください";
-    Nothing
-        "leave it out: a block may be empty, and `REM` passes one control cycle",
-        "消してください。ブロックは空でもかまいません。1制御周期だけ待つなら `REM` です";
-    Ask
-        "test with `IF condition GOTO L1:`, or wait with `REPEAT` … `UNTIL condition`",
-        "調べるのは `IF 条件式 GOTO L1:`、待つのは `REPEAT` … `UNTIL 条件式` です";
-    NoBraces
+    NoBraces ["E205-26"]
         "there are no braces",
         "波括弧は使えません";
     Braces
         "blocks have no braces: IF ends with ENDIF, WHILE with WEND, FOR with NEXT",
         "ブロックに波括弧は使いません。IFはENDIF、WHILEはWEND、FORはNEXTで閉じます";
-    LoopLabel
-        "a label ends with a colon: `LOOP:`",
-        "ラベルの後にはコロンが必要です: `LOOP:`";
-    GoesOn
-        "this belongs to it",
-        "これもその一部です";
-    OneFile
-        "a program is one file: put the statements here",
-        "プログラムは1つのファイルです。ここに直接書いてください";
     TargetFirst { target: SmolStr }
         "the command stands first: `PTP {target} x y z`",
         "コマンドを先に書きます: `PTP {target} x y z`";
@@ -188,9 +95,6 @@ messages! {
     AfterEnd
         "END ends the text of the program: move it below the last SUBROUTINE, and write EXIT here",
         "ENDより後は読まれません。ENDは最後のSUBROUTINEの後に移し、ここはEXITにしてください";
-    MoveEndOrComment
-        "to run it, move END below it; write notes as comments, `// …`",
-        "実行するなら、ENDをこの文より下に移してください。メモなら `// …` のようにコメントにしてください";
     EndsTheText
         "the text of the program ends here",
         "プログラムはここで終わりです";
@@ -217,7 +121,7 @@ messages! {
     Increment { name: SmolStr, sign: SmolStr }
         "write `{name} {sign}= 1`",
         "`{name} {sign}= 1` と書いてください";
-    NoOperator { sign: SmolStr }
+    NoOperator { sign: SmolStr } ["E107-08" "E204-05" "E205-24"]
         "there is no `{sign}`",
         "`{sign}` という演算子はありません";
     WriteSigned { text: SmolStr }
@@ -226,7 +130,7 @@ messages! {
     Update { name: SmolStr }
         "write it in one piece, as `{name} += 1`",
         "`{name} += 1` のように続けて書いてください";
-    SplitOperator { sign: SmolStr }
+    SplitOperator { sign: SmolStr } ["E204-05" "E205-15"]
         "no blank stands inside `{sign}`",
         "`{sign}` の途中に空白は入れられません";
     Power
@@ -250,7 +154,7 @@ messages! {
     CalculateArgument
         "calculate in an equation on the line before; a sign has a blank before it: `100 -20`",
         "計算は前の行の式で行います。符号なら前に空白を入れてください: `100 -20`";
-    CompareAsStatement
+    CompareAsStatement ["E204-05"]
         "`==` compares; `=` assigns",
         "`==` は比較です。代入は `=` です";
     Assign { name: SmolStr }
@@ -259,7 +163,7 @@ messages! {
     Initial { name: SmolStr }
         "assign after the declaration, on a line of its own: `{name} = 0`",
         "宣言の後で、別の行で代入してください: `{name} = 0`";
-    NoInitial
+    NoInitial ["E205-23"]
         "a declaration assigns no value",
         "宣言と同時に代入はできません";
 
@@ -275,9 +179,6 @@ messages! {
     TargetBefore { written: SmolStr }
         "the target stands first: `{written}`",
         "対象を先に書きます: `{written}`";
-    InnerFirst { inner: SmolStr, outer: SmolStr }
-        "the inner loop ends first: `NEXT {inner}`, then `NEXT {outer}`",
-        "内側のループを先に閉じます: `NEXT {inner}`、次に `NEXT {outer}`";
     NoParameters { name: SmolStr }
         "a SUBROUTINE takes no arguments: assign variables, and write `CALL {name}:`",
         "SUBROUTINEに引数はありません。変数に代入してから `CALL {name}:` と書いてください";
@@ -304,7 +205,7 @@ messages! {
     CommandNoCondition { command: &'static str }
         "{command} is a command and stands on a line of its own; a condition compares, or names a flag as `KB_HIT`",
         "{command}はコマンドなので、別の行に書きます。条件式は比較か、`KB_HIT` のようなフラグです";
-    NoColon
+    NoColon ["E205-26"]
         "no colon opens a block",
         "ブロックの始まりにコロンは書きません";
     WriteThen
@@ -322,22 +223,22 @@ messages! {
     CharacterOrVariable { character: SmolStr }
         "declare it with `DEF_VAR {character}`; the key is `CHAR_{character}`",
         "変数なら `DEF_VAR {character}` と宣言します。キーなら `CHAR_{character}` です";
-    ForCounts
+    ForCounts ["E205-18"]
         "FOR counts a variable from one number TO another",
         "FORでは変数をある値からある値まで(TO)数えます";
-    AndOr { word: SmolStr }
+    AndOr { word: SmolStr } ["E205-16"]
         "a condition is one comparison or one flag: there is no {word}",
         "条件式は比較1つかフラグ1つです。{word}は使えません";
     Nest
         "put one IF inside the other for AND; for OR, write two `IF … GOTO L1:` with the same label",
         "ANDはIFの中にIFを入れます。ORは同じラベルへの `IF … GOTO L1:` を2つ書きます";
-    Not
+    Not ["E205-16"]
         "there is no NOT",
         "NOTは使えません";
     WriteNot
         "write `!` right before a flag, as `!KB_HIT`; reverse a comparison, as `<>` for `==`",
         "フラグは `!KB_HIT` のように直前に `!` を付け、比較は `==` を `<>` にするように逆にします";
-    NotEqual
+    NotEqual ["E205-15"]
         "not equal is written `<>`",
         "等しくないことは `<>` と書きます";
     WriteNotEqual
@@ -346,22 +247,22 @@ messages! {
     Forever
         "repeat for ever with `LOOP:` … `GOTO LOOP:`",
         "ずっと繰り返すには `LOOP:` … `GOTO LOOP:` と書きます";
-    ThenJumps { jump: SmolStr }
+    ThenJumps { jump: SmolStr } ["E205-17"]
         "THEN opens a block; {jump} directly follows the condition",
         "THENはブロックの始まりです。{jump}は条件式のすぐ後に書きます";
     LeaveThenOut { jump: SmolStr }
         "leave THEN out: `IF condition {jump} L1:`",
         "THENを取ってください: `IF 条件式 {jump} L1:`";
-    OneLineIf
+    OneLineIf ["E205-17"]
         "an IF with THEN is a block: its statements stand on lines of their own",
         "THENの付いたIFはブロックです。中の文は別の行に書きます";
     CloseOneLineIf
         "put the statement on the next line, and ENDIF after it",
         "文を次の行に移し、その後にENDIFを置いてください";
-    ElseIfInTwo
+    ElseIfInTwo ["E105-04"]
         "`ELSE IF` would be two statements",
         "`ELSE IF` では2つの文になります";
-    EndInTwo { word: SmolStr }
+    EndInTwo { word: SmolStr } ["E207-08"]
         "END ends the program, and this {word} is still open",
         "ENDはプログラムの終わりですが、この{word}がまだ閉じていません";
     InOneWord { word: SmolStr }
@@ -369,9 +270,6 @@ messages! {
         "`{word}` と1語で書いてください";
 
     // Numbers and constants.
-    Number { word: SmolStr, value: &'static str }
-        "there is no {word}: write `{value}`",
-        "{word}はありません。`{value}` と書いてください";
     Comma { whole: SmolStr, point: SmolStr }
         "a comma separates two arguments: write `{whole}`, or `{point}` with a decimal point",
         "コンマは引数の区切りです。`{whole}` か、小数なら `{point}` と書いてください";
@@ -389,11 +287,6 @@ messages! {
     OtherEncoding { encoding: &'static str }
         "the file looks like {encoding}: save it as UTF-8 or Shift_JIS",
         "ファイルは{encoding}のようです。UTF-8かShift_JISで保存してください";
-}
-
-messages! {
-    /// A replacement for what was written.
-    Suggestion;
 
     DidYouMean { near: SmolStr }
         "did you mean `{near}`?",
@@ -415,9 +308,6 @@ messages! {
     NoNumbers
         "lines have no numbers: leave them out, and jump to labels, as `GOTO L1:` to `L1:`",
         "行番号は付けません。番号を取り、飛び先には `L1:` のようなラベルを置いて `GOTO L1:` と書いてください";
-    NumberedToo
-        "this line has a number, too",
-        "この行にも番号が付いています";
     Digits { number: SmolStr }
         "did you mean the number `{number}`?",
         "数値の `{number}` の間違いではありませんか?";
@@ -437,9 +327,6 @@ messages! {
     LargestNumber
         "the largest number is about 1.8E308",
         "書ける最大の数は約1.8E308です";
-    NoClock
-        "there is no clock: each step takes one control cycle, so count with `N += 1`",
-        "時計はありません。1ステップが1制御周期なので、`N += 1` で数えてください";
     TitleInLineTwo { wanted: Decimal }
         "write `{wanted}` alone on line 1; the title goes on line 2",
         "1行目は `{wanted}` だけにし、題名は2行目に書いてください";
@@ -494,9 +381,6 @@ messages! {
     MemberByMember
         "calculate member by member, as `P.Z = P.Z + 10`",
         "`P.Z = P.Z + 10` のように、メンバごとに計算してください";
-    TypeLeftOut
-        "leave it out: `DEF_VAR` declares numbers",
-        "これは要りません。`DEF_VAR` で数値の変数になります";
     ShorterName
         "choose a shorter name",
         "もっと短い名前にしてください";

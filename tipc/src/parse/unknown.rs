@@ -1,56 +1,44 @@
-//! Statements as other languages write them: each is one diagnostic, and what it opens or closes counts as what was meant.
+//! Statements whose first word is none of the language: what can be told of each of them all the same, so that it is
+//! one mistake. A misspelt keyword of a block opens and closes as the keyword does.
 
+use super::declaration::declared_kind;
 use super::jump::{joined, label_of, marked, spread};
 use super::statement::intended_shape;
 use super::{Parser, narrow};
 use crate::code::Code;
-use crate::diagnostic::MOST;
-use crate::diagnostic::{Diagnostic, Label};
-use crate::foreign;
-use crate::foreign::Means;
+use crate::diagnostic::Diagnostic;
 use crate::language::commands::Meaning;
-use crate::language::reserved::{JOINT, LOOP, POSITION};
+use crate::language::reserved::{JOINT, POSITION};
 use crate::language::{Edition, Keyword, commands, keywords, names};
-use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Commanding, ForeignWord, Message, Naming, Parsing, Suggestion};
+use crate::lex::{Kind, Token, lex};
+use crate::message::{Commanding, Message, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::syntax::{
-    Arithmetic, Relation, Shape, Statement, StatementKind, VariableKind, Word, upper_case,
-};
-use smol_str::SmolStr;
+use crate::syntax::{Arithmetic, Relation, Shape, StatementKind, VariableKind, Word, upper_case};
 
-/// The most statements of a line that may show parts of one text.
-const SHOWN: usize = 16;
-
-/// Returns the role of a misspelt word for the statements around it, if it has one.
-fn means(command: &str) -> Option<Means> {
+/// Returns the keyword of a block that a command is, if it is one.
+fn of_block(command: &str) -> Option<Keyword> {
     let keyword = keywords::find(command, Edition::default())?;
-    Some(match keyword {
-        Keyword::DefVar => Means::Declaration(VariableKind::Var),
-        Keyword::DefPos => Means::Declaration(VariableKind::Pos),
-        Keyword::DefJoint => Means::Declaration(VariableKind::Joint),
+    let is_of_block = matches!(
+        keyword,
         Keyword::If
-        | Keyword::ElseIf
-        | Keyword::Else
-        | Keyword::EndIf
-        | Keyword::While
-        | Keyword::Wend
-        | Keyword::Repeat
-        | Keyword::Until
-        | Keyword::For
-        | Keyword::Next
-        | Keyword::Subroutine
-        | Keyword::SubEnd => Means::Keyword(keyword),
-        _ => return None,
-    })
+            | Keyword::ElseIf
+            | Keyword::Else
+            | Keyword::EndIf
+            | Keyword::While
+            | Keyword::Wend
+            | Keyword::Repeat
+            | Keyword::Until
+            | Keyword::For
+            | Keyword::Next
+            | Keyword::Subroutine
+            | Keyword::SubEnd
+    );
+    is_of_block.then_some(keyword)
 }
 
 /// Returns true if the rest of a statement is that of its misspelt keyword.
-fn fits(means: &Means, text: &str, tokens: &[Token]) -> bool {
-    let Means::Keyword(keyword) = means else {
-        return true;
-    };
+fn fits(keyword: Keyword, text: &str, tokens: &[Token]) -> bool {
     let has = |word: Keyword| {
         let is_it = |token: &Token| {
             let text = &text[token.span.start..token.span.end];
@@ -78,99 +66,88 @@ impl Parser<'_> {
         is_searched.then(|| nearest(word, names))?
     }
 
-    /// `# …`, `' …`, `/* … */`: the rest of the line is part of it.
-    pub(super) fn foreign_comment(&mut self, span: Span) {
-        let text = self.source.slice(span);
-        // A `;` and a `//` are part of it, too.
-        let line = self.source.slice(Span::new(span.start, self.line.span.end));
-        self.in_comment = foreign::comment_of_lines(text)
-            .filter(|[opens, closes]| !line[opens.len()..].contains(closes))
-            .map(|[_, closes]| closes);
-        if let Some(foreign) = foreign_run(self.text, span) {
-            self.report_foreign(foreign);
-            return self.push(StatementKind::Broken(Shape::Plain), span);
-        }
-        let first = text.split_whitespace().next().unwrap_or_default();
-        let location = Span::new(span.start, span.start + first.len());
-        let help = if self.in_comment.is_some() {
-            ForeignWord::EachLine
-        } else {
-            ForeignWord::Comment
-        };
-        let reason = Commanding::NoCommand { word: first.into() };
-        self.report_unknown(location, first, reason, help);
-        self.push(StatementKind::Broken(Shape::Plain), span);
-    }
-
-    /// Reads a statement that begins with no word of the language, if it is known from other languages.
+    /// Reads a statement that begins with no word of the language, if its form tells what it was to be.
     pub(super) fn unknown(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         let other = self.assignment(tokens).or_else(|| self.brace(word, tokens));
-        // Nearly all statements begin with a command: for those no other language is searched.
+        // Nearly all statements begin with a command.
         if other.is_some() || self.is_command(self.source.slice(word)) {
             return other;
         }
         self.line_number(word, tokens)
-            .or_else(|| self.goes_on_declaring(word, tokens))
-            .or_else(|| self.goes_on_showing(word))
-            .or_else(|| self.foreign_word(word, tokens))
+            .or_else(|| self.goes_on(word))
+            .or_else(|| self.intended(word, tokens))
             .or_else(|| self.label_in_pieces(tokens))
             .or_else(|| self.marked_label(tokens))
             .or_else(|| self.after_semicolon(word))
     }
 
-    /// `DEF_VAR A; B`: the name after the `;` was to be declared, too.
-    fn goes_on_declaring(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+    /// `PRINT "N="; N`: what follows an unknown statement on its line is part of it.
+    fn goes_on(&mut self, word: Span) -> Option<StatementKind> {
         let before = self.module.statements.last()?;
-        let StatementKind::Define { kind, .. } = before.kind else {
-            return None;
+        let is_unknown = match &before.kind {
+            StatementKind::Command { name, .. } => {
+                name.span != before.span
+                    && !self.is_command(&name.node)
+                    && self.misspelt(&name.node).is_none()
+            }
+            // Of several the first one is known to be unknown.
+            StatementKind::Broken(Shape::Plain) => self.unknown_line == before.line,
+            _ => false,
         };
-        let text = upper_case(self.source.slice(word));
-        let is_name = tokens.len() == 1 && !self.is_command(&text);
-        if !is_name || before.line != self.line.number {
-            return None;
+        let is_rest = is_unknown && before.line == self.line.number;
+        let is_known = || {
+            self.misspelt(&upper_case(self.source.slice(word)))
+                .is_some()
+        };
+        let goes_on = is_rest && !is_known();
+        if goes_on {
+            self.unknown_line = self.line.number;
         }
-        let reason = Commanding::NoCommand { word: text.clone() };
-        self.report_unknown(word, &text, reason, Parsing::SeparateNames);
-        let names = vec![Word {
-            node: text,
-            span: word,
-        }];
-        Some(StatementKind::Define {
-            kind,
-            keyword: word,
-            names,
-        })
-    }
-
-    /// `PRINT "N="; N`: what follows the `;` was to be shown, too.
-    fn goes_on_showing(&mut self, word: Span) -> Option<StatementKind> {
-        let before = self.module.statements.iter().rev().take(SHOWN);
-        let mut line = before.take_while(|it| it.line == self.line.number);
-        let shows = |statement: Span| {
-            let row = foreign::statement(foreign::name(self.source.slice(statement)));
-            row.is_some_and(|row| matches!(row.advice, ForeignWord::ShowText | ForeignWord::KeyIn))
-        };
-        let is_known = foreign::statement(self.source.slice(word)).is_some();
-        // A label or an equation may begin with such a word.
-        let is_wrong = |it: &Statement| {
-            matches!(
-                it.kind,
-                StatementKind::Command { .. } | StatementKind::Broken(_)
-            )
-        };
-        let goes_on = !is_known && line.any(|it| is_wrong(it) && shows(it.keyword()));
         goes_on.then_some(StatementKind::Broken(Shape::Plain))
     }
 
-    /// `MAIN-LOOP:`, `MAIN LOOP:`
+    /// Reads a statement whose first word is a misspelt keyword, or one in two words or before a parenthesis, as that
+    /// of the keyword.
+    fn intended(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+        let text = upper_case(self.source.slice(word));
+        let reason = Commanding::NoCommand { word: text.clone() };
+        if let Some((keyword, kind)) = self.second_of_two(tokens) {
+            let help = Suggestion::InOneWord {
+                word: keyword.into(),
+            };
+            self.report_unknown(word, &text, reason, help);
+            return Some(self.define(kind, word, &tokens[1..], true));
+        }
+        let called = text
+            .split_once('(')
+            .and_then(|(name, _)| commands::find_in(name, self.module.edition));
+        let (near, help): (_, Message) = match called.map(|command| command.name) {
+            Some(command) => (command, Suggestion::Glued { command }.into()),
+            None => {
+                let near = self.misspelt(&text)?;
+                (near, Suggestion::DidYouMean { near: near.into() }.into())
+            }
+        };
+        let keyword = of_block(near).filter(|it| fits(*it, self.text, tokens))?;
+        let fault = Diagnostic::new(Code::UnknownCommand, word, reason).about(&*text);
+        self.report(match called {
+            Some(_) => fault.help(help),
+            None => fault.guess(help),
+        });
+        Some(match keyword {
+            Keyword::Subroutine => self.broken_subroutine(word, tokens),
+            keyword => StatementKind::Broken(intended_shape(keyword, self.text, tokens)),
+        })
+    }
+
+    /// `MAIN-LOOP:`
     fn label_in_pieces(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let (first, rest) = tokens.split_first()?;
         let word = upper_case(self.source.slice(first.span));
-        let is_loop = word == LOOP;
-        let is_known = foreign::statement(&word).is_some_and(|_| !is_loop)
-            || self.is_command(&word)
-            || self.misspelt(&word).is_some();
-        if is_known || first.kind != Kind::Word {
+        let is_known = self.is_command(&word) || self.misspelt(&word).is_some();
+        // `SUB WALK:` is rather a statement of another language.
+        let is_apart = rest.first().is_none_or(|next| next.kind == Kind::Word);
+        if is_known || is_apart || first.kind != Kind::Word {
             return None;
         }
         let location = spread(self.text, first.span, rest)?;
@@ -182,9 +159,9 @@ impl Parser<'_> {
         Some(StatementKind::Broken(Shape::Plain))
     }
 
-    /// `*L1`, `LABEL L1` where a label stands.
+    /// `*L1` where a label stands.
     fn marked_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
-        let (location, name) = marked(self.text, tokens).or_else(|| self.label_said(tokens))?;
+        let (location, name) = marked(self.text, tokens)?;
         let node = name.clone();
         let span = Span::new(location.end - node.len(), location.end);
         let first = tokens.first()?.span;
@@ -197,21 +174,6 @@ impl Parser<'_> {
         Some(StatementKind::Label(Word { node, span }))
     }
 
-    /// `LABEL L1`: where it stands, and the name.
-    fn label_said(&self, tokens: &[Token]) -> Option<(Span, SmolStr)> {
-        let [word, name] = tokens else {
-            return None;
-        };
-        let said = foreign::begins_label(self.source.slice(word.span));
-        let is_name = name.kind == Kind::Word && said;
-        is_name.then(|| {
-            (
-                word.span.to(name.span),
-                upper_case(self.source.slice(name.span)),
-            )
-        })
-    }
-
     /// `; a comment`: nothing but the mark stands before a word that is none of the language.
     fn after_semicolon(&mut self, word: Span) -> Option<StatementKind> {
         let start = self.line.span.start;
@@ -221,60 +183,8 @@ impl Parser<'_> {
             return None;
         }
         let reason = Commanding::NoCommand { word: text.clone() };
-        self.report_unknown(word, &text, reason, ForeignWord::Comment);
+        self.report_unknown(word, &text, reason, Suggestion::Comment);
         Some(StatementKind::Broken(Shape::Plain))
-    }
-
-    fn foreign_word(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
-        let text = upper_case(self.source.slice(word));
-        if self.is_command(&text) {
-            return None;
-        }
-        let (means, help): (_, Message) = match foreign::statement(&text) {
-            Some(row) => (row.means, row.advice.clone().into()),
-            None => {
-                let near = self.misspelt(&text)?;
-                (
-                    means(near).filter(|means| fits(means, self.text, tokens))?,
-                    Suggestion::DidYouMean { near: near.into() }.into(),
-                )
-            }
-        };
-        let reason = Commanding::NoCommand { word: text.clone() };
-        let kind = match means {
-            // The checker knows whether it is a variable.
-            Means::Statement => return None,
-            // A label without its colon may be such a word, too.
-            Means::Declaration(_) if tokens.len() < 2 => return None,
-            Means::Keyword(Keyword::Subroutine) | Means::Declaration(_)
-                if self.is_routine(means, tokens) =>
-            {
-                let help = match self.names_main(tokens) {
-                    true => ForeignWord::FromTheTop.into(),
-                    false if matches!(means, Means::Declaration(_)) => {
-                        ForeignWord::Subroutine.into()
-                    }
-                    false => help,
-                };
-                self.report_unknown(word, &text, reason, help);
-                return Some(self.subroutine_named(word, tokens));
-            }
-            Means::Keyword(keyword) => {
-                StatementKind::Broken(intended_shape(keyword, self.text, tokens))
-            }
-            Means::Declaration(kind) => match self.second_of_two(tokens) {
-                Some((keyword, kind)) => {
-                    let help = ForeignWord::InOneWord {
-                        word: keyword.into(),
-                    };
-                    self.report_unknown(word, &text, reason, help);
-                    return Some(self.define(kind, word, &tokens[1..], true));
-                }
-                None => self.define(kind, word, tokens, true),
-            },
-        };
-        self.report_unknown(word, &text, reason, help);
-        Some(kind)
     }
 
     /// `DEF VAR`, which is one word.
@@ -287,10 +197,7 @@ impl Parser<'_> {
             self.source.slice(second.span),
         );
         let whole = keywords::find(&format!("{first}_{second}"), self.module.edition)?;
-        match means(whole.word())? {
-            Means::Declaration(kind) => Some((whole, kind)),
-            _ => None,
-        }
+        declared_kind(whole).map(|kind| (whole, kind))
     }
 
     /// `END.`
@@ -344,8 +251,8 @@ impl Parser<'_> {
             _ => return,
         };
         let word = Keyword::ElseIf;
-        let fault = Diagnostic::new(Code::Format, location, ForeignWord::ElseIfInTwo);
-        self.report(fault.help(ForeignWord::InOneWord { word: word.into() }));
+        let fault = Diagnostic::new(Code::Format, location, Suggestion::ElseIfInTwo);
+        self.report(fault.help(Suggestion::InOneWord { word: word.into() }));
     }
 
     /// Returns the word after END on its line.
@@ -387,35 +294,35 @@ impl Parser<'_> {
             return None;
         }
         let word = upper_case(self.source.slice(name.span));
-        let assign = ForeignWord::Assign { name: word.clone() };
-        let (reason, help): (ForeignWord, Message) =
+        let assign = Suggestion::Assign { name: word.clone() };
+        let (reason, help): (Suggestion, Message) =
             match (operator.kind, next.map(|next| next.kind)) {
                 (Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)), Some(second))
                     if second == operator.kind && rest.len() == 1 =>
                 {
                     let signs = self.source.slice(both).into();
                     let sign = if sign == Arithmetic::Add { "+" } else { "-" };
-                    let help = ForeignWord::Increment {
+                    let help = Suggestion::Increment {
                         name: word.clone(),
                         sign: sign.into(),
                     };
-                    (ForeignWord::NoOperator { sign: signs }, help.into())
+                    (Suggestion::NoOperator { sign: signs }, help.into())
                 }
                 (Kind::Relation(Relation::Eq), _) => {
-                    (ForeignWord::CompareAsStatement, assign.into())
+                    (Suggestion::CompareAsStatement, assign.into())
                 }
                 (Kind::Arithmetic(_), Some(Kind::Assign(None))) => {
                     let sign = format!("{}=", self.source.slice(operator.span)).into();
-                    let help = ForeignWord::Update { name: word.clone() };
-                    (ForeignWord::SplitOperator { sign }, help.into())
+                    let help = Suggestion::Update { name: word.clone() };
+                    (Suggestion::SplitOperator { sign }, help.into())
                 }
                 (Kind::Word, Some(Kind::Assign(None)))
                     if self.source.slice(operator.span) == "%" =>
                 {
                     let sign = self.source.slice(both).into();
                     (
-                        ForeignWord::NoOperator { sign },
-                        ForeignWord::Remainder.into(),
+                        Suggestion::NoOperator { sign },
+                        Suggestion::Remainder.into(),
                     )
                 }
                 (Kind::Arithmetic(Arithmetic::Sub), Some(Kind::Relation(Relation::Gt))) => {
@@ -423,14 +330,14 @@ impl Parser<'_> {
                     let text = upper_case(&format!("{word}.{}", member.unwrap_or_default()));
                     let sign = self.source.slice(both).into();
                     (
-                        ForeignWord::NoOperator { sign },
+                        Suggestion::NoOperator { sign },
                         Suggestion::Write { text }.into(),
                     )
                 }
                 (Kind::Colon, Some(Kind::Assign(None))) => {
                     let sign = self.source.slice(both).into();
                     let fault =
-                        Diagnostic::new(Code::Equation, both, ForeignWord::NoOperator { sign });
+                        Diagnostic::new(Code::Equation, both, Suggestion::NoOperator { sign });
                     self.report(fault.help(assign));
                     return Some(StatementKind::Broken(Shape::Plain));
                 }
@@ -453,8 +360,7 @@ impl Parser<'_> {
         let text = self.source.slice(location);
         let is_list = text.matches(',').count() + 1 == names.len();
         let name = upper_case(word(first));
-        let is_known = self.is_command(&name) || foreign::statement(&name).is_some();
-        if !are_names || !is_list || is_known {
+        if !are_names || !is_list || self.is_command(&name) {
             return None;
         }
         let fault = Diagnostic::new(Code::Equation, location, Parsing::OneVariableLeft);
@@ -465,7 +371,7 @@ impl Parser<'_> {
                 let text = format!("{name}.{member}").into();
                 Suggestion::Write { text }.into()
             }
-            _ => ForeignWord::AssignEach { name }.into(),
+            _ => Suggestion::AssignEach { name }.into(),
         };
         self.report(fault.help(help));
         Some(StatementKind::Broken(Shape::Plain))
@@ -485,10 +391,10 @@ impl Parser<'_> {
         }
         let sign = self.source.slice(first.span);
         let both = first.span.to(second.span);
-        let reason = ForeignWord::NoOperator {
+        let reason = Suggestion::NoOperator {
             sign: self.source.slice(both).into(),
         };
-        let help = ForeignWord::Increment {
+        let help = Suggestion::Increment {
             name: upper_case(self.source.slice(name.span)),
             sign: sign.into(),
         };
@@ -516,42 +422,28 @@ impl Parser<'_> {
         let digits = text.trim_end_matches('.').trim_start_matches(['N', 'n']);
         let is_number = !digits.is_empty() && digits.bytes().all(|it| it.is_ascii_digit());
         let second = self.source.slice(tokens.get(1)?.span);
-        let command = commands::find(second);
-        if !is_number || command.is_none() && !foreign::is_g_code(second) {
+        let command = commands::find_in(second, self.module.edition);
+        if !is_number || command.is_none() {
             return None;
         }
         let shape = match command.map(|command| command.meaning) {
             Some(Meaning::Keyword(keyword)) => intended_shape(keyword, self.text, &tokens[1..]),
             _ => Shape::Plain,
         };
-        match self.numbered {
-            Some(first) => {
-                let text = Suggestion::NumberedToo.into();
-                // Of too many diagnostics it is omitted.
-                if let Some(first) = self.diagnostics.get_mut(first)
-                    && first.labels.len() < MOST
-                {
-                    first.labels.push(Label { span: word, text });
-                }
-            }
-            None => {
-                self.numbered = Some(self.diagnostics.len());
-                let reason = Commanding::NoCommand { word: text.into() };
-                self.report_unknown(word, text, reason, Suggestion::NoNumbers);
-            }
-        }
+        self.is_numbered = true;
+        let reason = Commanding::NoCommand { word: text.into() };
+        let fault = Diagnostic::new(Code::UnknownCommand, word, reason).about(text);
+        self.report(fault.once("line numbers").help(Suggestion::NoNumbers));
         Some(StatementKind::Broken(shape))
     }
 
     /// `90 END` at the end of the file: its number is reported.
     pub(super) fn ends_with_number(&self) -> bool {
         let last = self.module.statements.last();
-        last.filter(|_| self.numbered.is_some())
-            .is_some_and(|last| {
-                let mut words = self.source.slice(last.span).split_whitespace();
-                let is_end = |word: &str| word.eq_ignore_ascii_case(Keyword::End.word());
-                matches!(last.kind, StatementKind::Broken(_))
-                    && words.next_back().is_some_and(is_end)
-            })
+        last.filter(|_| self.is_numbered).is_some_and(|last| {
+            let mut words = self.source.slice(last.span).split_whitespace();
+            let is_end = |word: &str| word.eq_ignore_ascii_case(Keyword::End.word());
+            matches!(last.kind, StatementKind::Broken(_)) && words.next_back().is_some_and(is_end)
+        })
     }
 }

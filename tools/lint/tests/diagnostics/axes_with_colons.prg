@@ -1,4 +1,0 @@
-3.1
-Axes as in JSON
-PTP F1 X:391 Y:201 Z:150
-END

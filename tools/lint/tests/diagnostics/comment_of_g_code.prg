@@ -1,5 +1,0 @@
-3.1
-A title
-(move to start)
-SLEEP 100
-END

@@ -1,7 +1,0 @@
-3.1
-A title
-DEF_VAR A1; B1
-A1 = 1
-B1 = A1
-SLEEP B1
-END

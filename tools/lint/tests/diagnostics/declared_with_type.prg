@@ -1,6 +1,0 @@
-3.1
-A title
-DEF_VAR INT N
-N = 1
-SLEEP N
-END

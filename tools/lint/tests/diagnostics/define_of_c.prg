@@ -1,5 +1,0 @@
-3.1
-A title
-#define PAUSE_TIME 100
-SLEEP PAUSE_TIME
-END

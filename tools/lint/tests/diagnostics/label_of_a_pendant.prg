@@ -1,5 +1,0 @@
-3.1
-A title
-LBL[1]
-ALL_STOP
-END

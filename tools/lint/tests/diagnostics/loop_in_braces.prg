@@ -1,6 +1,0 @@
-3.1
-A title
-loop {
-  SLEEP 100
-}
-END

@@ -1,7 +1,0 @@
-3.1
-A title
-DEF_VAR A
-A = 1
-PRINT_VARIABLES
-SLEEP A
-END

@@ -1,6 +1,0 @@
-3.1
-A title
-REPEAT
-SLEEP 100
-WEND KB_HIT
-END

@@ -1,5 +1,0 @@
-3.1
-A title
-$SPEED = 100
-PTP F1 R 0 R 0 R 20
-END

@@ -1,8 +1,0 @@
-3.1
-TITLE
-DEF_VAR N
-N = 0
-UNTIL N > 3
-N = N + 1
-REPEAT
-END
