@@ -118,18 +118,18 @@ impl Program for ProgramRunner {
     }
 
     fn thread(&self, n: u8) -> Option<(&str, u32)> {
-        self.0.thread(n)
+        self.program.thread(n)
     }
 
     fn select(&mut self, thread: u8) {
-        self.0.select(thread);
+        self.program.select(thread);
     }
 
     fn begin(&mut self, thread: u8) {
-        self.0.begin(thread);
+        self.program.begin(thread);
     }
 
     fn specials(&self) -> usize {
-        self.0.specials()
+        self.program.specials()
     }
 }
