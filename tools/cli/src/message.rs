@@ -64,7 +64,7 @@ tipc::message_table! {
     NotAFoot { text: String }
         "`{text}` is not a foot: write the name of a link, or `LINK=X,Y,Z` for a position in its frame in metres, such as `shank=0,0,-0.13`",
         "`{text}` は足先の指定ではありません。リンクの名前か、`shank=0,0,-0.13` のようにリンク座標系での位置(メートル)を付けて書いてください";
-    NotATime { text: String }
+    NotAPeriod { text: String }
         "`{text}` is not a time: write a number, 0.1 or more",
         "`{text}` は時間ではありません。0.1以上の数を指定してください";
     NotAHeight { text: String }

@@ -178,7 +178,7 @@ fn positive(text: &str) -> Result<f64, BadValue> {
     let number = text.parse().ok();
     let number = number.filter(|it: &f64| (0.1..=86_400_000.0).contains(it));
     number.ok_or_else(|| {
-        BadValue(Using::NotATime {
+        BadValue(Using::NotAPeriod {
             text: text.to_owned(),
         })
     })
