@@ -1,6 +1,5 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
-use super::targets::inventory;
 use crate::code::Code;
 use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -8,6 +7,8 @@ use crate::foreign;
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, names};
+use crate::message::list::List;
+use crate::message::phrase::Inventory;
 use crate::message::{Commanding, ForeignWord, Message, Naming, Suggestion};
 use crate::program::{self, Scalar, StructOperand, Variable, VariableId};
 use crate::robot::Robot;
@@ -671,6 +672,14 @@ impl Names {
             .about(name)
             .once(format!("variable {name}"))
             .help(help)
+    }
+}
+
+/// Returns the targets that a robot has.
+pub(super) fn inventory(robot: Robot) -> Inventory {
+    Inventory::Has {
+        robot: robot.name(),
+        targets: List(robot.inventory()),
     }
 }
 

@@ -121,7 +121,9 @@ fn stopped_timers(context: &LintContext<'_>, found: &mut Diagnostics) {
         if let Some((_, span)) = first.filter(|_| !started.contains(&timer)) {
             let warning = Diagnostic::new(Code::StoppedTimer, *span, Linting::TimerStands);
             let warning = warning.about(Reading::Timer(timer).to_string());
-            found.push(warning.help(Linting::StartTimer { timer: timer.into() }));
+            found.push(warning.help(Linting::StartTimer {
+                timer: timer.into(),
+            }));
         }
     }
 }
