@@ -1,9 +1,9 @@
 //! Commands that fill variables, and SPECIAL (T.I.P. 3.1 §7-5, §7-9-1, §7-9-2, §7-10-11).
 
-use super::names::{ResolvedOperand, VAR_KEY_ID};
+use super::names::{ResolvedOperand, VAR_KEY_ID, inventory};
 use super::resolve::Resolver;
 use super::resolved::{Receiver, Resolved};
-use super::targets::{inventory, word};
+use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::Targets;

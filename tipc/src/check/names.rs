@@ -1,12 +1,13 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
-use super::targets::inventory;
 use crate::code::Code;
 use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, keywords, names};
+use crate::message::list::List;
+use crate::message::phrase::Inventory;
 use crate::message::{Commanding, Message, Naming, Suggestion};
 use crate::program::{self, Scalar, StructOperand, Variable, VariableId};
 use crate::robot::Robot;
@@ -701,6 +702,14 @@ impl Names {
             true => fault.guess(help),
             false => fault.help(help),
         }
+    }
+}
+
+/// Returns the targets that a robot has.
+pub(super) fn inventory(robot: Robot) -> Inventory {
+    Inventory::Has {
+        robot: robot.name(),
+        targets: List(robot.inventory()),
     }
 }
 

@@ -6,11 +6,11 @@ use super::labels::Labels;
 use super::names::{Names, ResolvedOperand};
 use super::resolved::{Counting, Resolved, StatementId};
 use super::structure::named_by;
-use super::texts::Text;
 use super::title::Title;
 use super::uses::{Named, Uses};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};
+use crate::language::Keyword;
 use crate::lex::split_comment;
 use crate::message::{Commanding, Message, Naming, Structuring, Suggestion};
 use crate::program::{self, Scalar, VariableId};
@@ -193,11 +193,15 @@ impl Resolver<'_> {
             StatementKind::Rem => Resolved::Rem,
             StatementKind::Message { text } => {
                 let shown = self.known.source.slice(text.span);
-                Resolved::Message(whole(self.message(Text::Shown, shown, text.span))?)
+                Resolved::Message(whole(self.message(Keyword::Message, shown, text.span))?)
             }
             StatementKind::FileMessage { text } => {
                 let written = self.known.source.slice(text.span);
-                Resolved::FileMessage(whole(self.message(Text::Written, written, text.span))?)
+                Resolved::FileMessage(whole(self.message(
+                    Keyword::FileMessage,
+                    written,
+                    text.span,
+                ))?)
             }
             StatementKind::Command {
                 name,

@@ -1,5 +1,6 @@
 //! Targets and event flags of the robot at hand (T.I.P. 3.1 §6-2, §10-3-5).
 
+use super::names::inventory;
 use super::resolve::Resolver;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -7,7 +8,6 @@ use crate::language::commands::{Joints, Targets};
 use crate::language::reserved::JOINT;
 use crate::language::{commands, flags};
 use crate::message::list::{Alternatives, List};
-use crate::message::phrase::Inventory;
 use crate::message::{Commanding, Message, Suggestion};
 use crate::robot::Robot;
 use crate::source::Span;
@@ -242,14 +242,6 @@ fn flags_of(robot: Robot) -> Commanding {
             inventory,
         },
         false => Commanding::Flags { inventory },
-    }
-}
-
-/// Returns the targets that a robot has.
-pub(super) fn inventory(robot: Robot) -> Inventory {
-    Inventory::Has {
-        robot: robot.name(),
-        targets: List(robot.inventory()),
     }
 }
 

@@ -2,21 +2,12 @@
 
 use super::names::{Names, kind_of};
 use super::resolve::Resolver;
-use crate::language::{Edition, reserved};
+use crate::language::{Edition, Keyword, reserved};
 use crate::program::{MessagePart, Operand, StructOperand, VariableId};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::VariableKind;
 use tip_runtime::command::{READING, Reading};
-
-/// Kind of a text.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Text {
-    /// MESSAGE.
-    Shown,
-    /// F_MESSAGE.
-    Written,
-}
 
 /// Value that a placeholder stands for.
 #[derive(Clone, Copy)]
@@ -110,7 +101,7 @@ impl Resolver<'_> {
     /// Splits a text of the source at `location` into what is shown as it is and the values between.
     pub(super) fn message(
         &mut self,
-        of: Text,
+        of: Keyword,
         text: &str,
         location: Span,
     ) -> Option<Vec<MessagePart>> {
@@ -213,16 +204,16 @@ impl Resolver<'_> {
 /// Adds what the start of a text, whose first character is `first`, shows; returns its length in the source.
 ///
 /// In a MESSAGE a doubled backslash stays as it is, so that the second one escapes nothing.
-fn shown(of: Text, text: &str, first: char, plain: &mut String) -> usize {
+fn shown(of: Keyword, text: &str, first: char, plain: &mut String) -> usize {
     let length = first.len_utf8();
     match (first, text[length..].chars().next()) {
-        ('\\' | '\u{A5}', Some('a')) if of == Text::Shown => plain.push('\u{7}'),
-        ('\\' | '\u{A5}', Some('n')) if of == Text::Written => plain.push('\n'),
+        ('\\' | '\u{A5}', Some('a')) if of == Keyword::Message => plain.push('\u{7}'),
+        ('\\' | '\u{A5}', Some('n')) if of == Keyword::FileMessage => plain.push('\n'),
         ('\\' | '\u{A5}', Some('t')) => plain.push('\t'),
         ('\\' | '\u{A5}', Some(second @ ('\\' | '\u{A5}'))) => {
             match of {
-                Text::Shown => plain.extend([first, second]),
-                Text::Written => plain.push(second),
+                Keyword::Message => plain.extend([first, second]),
+                _ => plain.push(second),
             }
             return length + second.len_utf8();
         }

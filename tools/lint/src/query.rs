@@ -177,7 +177,7 @@ mod tests {
     use super::*;
     use tipc::Robot;
     use tipc::message::Lang;
-    use tipc::program::{Operand, Relation, Scalar};
+    use tipc::program::{Operand, Relation, Scalar, StructOperand};
 
     const TEXT: &str = "3.1\nAsked\nDEF_VAR A, TIME\nDEF_POS P\nDEF_JOINT Q\nA = 1\nEND\n";
 
@@ -223,7 +223,10 @@ mod tests {
         let value = queries.number("P.X");
         assert_eq!(value, Ok(ScalarExpression::Operand(scalar(3, 0))));
         assert!(queries.number("A + CYCLE").is_ok());
-        assert_eq!(queries.number("NORM P"), Ok(ScalarExpression::Norm(3)));
+        assert_eq!(
+            queries.number("NORM P"),
+            Ok(ScalarExpression::Norm(StructOperand::Variable(3)))
+        );
     }
 
     #[test]

@@ -47,37 +47,39 @@ impl Ways {
         let flow = Flow::of(program);
         let given = predeclared(program);
         let starts = flow.starts().iter();
+        // At first no read fails, so that this only ever takes ways and assignments away.
         let mut all: Vec<From> = starts
-            .map(|start| From::of(program, &flow, *start, &given))
+            .map(|start| From {
+                start: *start,
+                fails: BTreeMap::new(),
+                judged: judged(program, &flow, &[*start], &given),
+            })
             .collect();
-        if all.len() > 1 {
-            // Without what others assign more reads fail, so this only ever takes ways away.
-            for _ in 0..TURNS {
-                let assigned: Vec<Vec<bool>> = all
-                    .iter()
-                    .map(|from| from.assigned(program, &flow))
-                    .collect();
-                let next: Vec<From> = (0..all.len())
-                    .map(|this| {
-                        let others = assigned.iter().enumerate();
-                        let others = others.filter(|(other, _)| *other != this);
-                        let mut given = given.clone();
-                        for (_, assigned) in others {
-                            given
-                                .iter_mut()
-                                .zip(assigned)
-                                .for_each(|(it, set)| *it |= set);
-                        }
-                        From::of(program, &flow, all[this].start, &given)
-                    })
-                    .collect();
-                let is_same =
-                    |(one, other): (&From, &From)| one.judged.reached == other.judged.reached;
-                let is_done = all.iter().zip(&next).all(is_same);
-                all = next;
-                if is_done {
-                    break;
-                }
+        for _ in 0..TURNS {
+            let assigned: Vec<Vec<bool>> = all
+                .iter()
+                .map(|from| from.assigned(program, &flow))
+                .collect();
+            let next: Vec<From> = (0..all.len())
+                .map(|this| {
+                    let mut given = given.clone();
+                    let others = assigned.iter().enumerate();
+                    for (_, assigned) in others.filter(|(other, _)| *other != this) {
+                        given
+                            .iter_mut()
+                            .zip(assigned)
+                            .for_each(|(it, set)| *it |= set);
+                    }
+                    From::of(program, &flow, all[this].start, &given)
+                })
+                .collect();
+            let is_same = |(one, other): (&From, &From)| {
+                one.judged.reached == other.judged.reached && one.fails == other.fails
+            };
+            let is_done = all.iter().zip(&next).all(is_same);
+            all = next;
+            if is_done {
+                break;
             }
         }
         Ways {

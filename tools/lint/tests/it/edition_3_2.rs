@@ -188,9 +188,9 @@ fn a_part_counts_in_steps_of_its_own_thread() {
 // clauses: 15.1 13.1 17.2
 #[test]
 fn the_formatter_knows_the_new_statements() {
-    let text = "3.2\ntitle\ndefine  n   -char_a\nstart_thread t:\nsleep n\nexit\nthread  t :\n\
+    let text = "3.2\ntitle\ndefine  n   char_a\nstart_thread t:\nsleep n\nexit\nthread  t :\n\
                 f_message   a  b\\n\na = @agl_j11\ndef_var a\nsleep a\nthreadend\nend\n";
-    let expected = "3.2\ntitle\nDEFINE N -CHAR_A\nSTART_THREAD T:\nSLEEP N\nEXIT\nTHREAD T:\n  \
+    let expected = "3.2\ntitle\nDEFINE N CHAR_A\nSTART_THREAD T:\nSLEEP N\nEXIT\nTHREAD T:\n  \
                     F_MESSAGE a  b\\n\n  A = @AGL_J11\n  DEF_VAR A\n  SLEEP A\nTHREADEND\nEND\n";
     let formatted = format("next.prg", text.as_bytes(), &Options::default());
     let formatted = formatted.expect("it loads");

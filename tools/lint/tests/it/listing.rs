@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 use tip_lint::{listing, load};
 use tipc::program::{Program, VariableKind};
+use tipc::syntax::StatementKind;
 use tipc::{Loaded, Options, Robot};
 
 fn loaded(text: &str, robot: Robot) -> Loaded {
@@ -218,8 +219,15 @@ fn cases(folder: &Path, found: &mut Vec<PathBuf>) {
 
 /// Returns a program text from nothing but the listing and the variables.
 fn from_listing(loaded: &Loaded, program: &Program) -> String {
-    let mut text = String::from("3.1\nfrom its listing\n");
-    for variable in &program.variables()[1..] {
+    let mut text = format!("{}\nfrom its listing\n", program.edition());
+    // Texts keep the names of constants.
+    for statement in &loaded.module.statements {
+        if let StatementKind::Constant { .. } = statement.kind {
+            text += &format!("{}\n", loaded.source.slice(statement.span));
+        }
+    }
+    let declared = program.variables()[1..].iter();
+    for variable in declared.filter(|variable| variable.special.is_none()) {
         let keyword = match variable.kind {
             VariableKind::Var => "DEF_VAR",
             VariableKind::Pos => "DEF_POS",
