@@ -57,6 +57,8 @@ pub struct Diagnostic {
     id: &'static str,
     /// The mistake, if it is one mistake wherever it shows: the first diagnostic of it is reported, the others are its labels.
     pub(crate) once: Option<SmolStr>,
+    /// The text of those labels, if it is not the usual one.
+    again: Option<Message>,
 }
 
 impl Diagnostic {
@@ -77,6 +79,7 @@ impl Diagnostic {
             fixes: Vec::new(),
             edition: Edition::default(),
             once: None,
+            again: None,
         }
     }
 
@@ -91,6 +94,13 @@ impl Diagnostic {
     #[must_use]
     pub(crate) fn once(mut self, mistake: impl Into<SmolStr>) -> Self {
         self.once = Some(mistake.into());
+        self
+    }
+
+    /// Names the text of the labels of a mistake that is reported once.
+    #[must_use]
+    pub(crate) fn again(mut self, text: impl Into<Message>) -> Self {
+        self.again = Some(text.into());
         self
     }
 

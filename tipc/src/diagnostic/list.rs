@@ -168,9 +168,10 @@ fn also_here(first: &mut Diagnostic, mut other: Diagnostic) {
         first.labels.append(&mut other.labels);
     }
     if first.labels.len() < KEPT && first.span != other.span {
+        let text = other.again.unwrap_or(Naming::AlsoHere.into());
         first.labels.push(Label {
             span: other.span,
-            text: Naming::AlsoHere.into(),
+            text,
         });
     }
 }

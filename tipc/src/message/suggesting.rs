@@ -308,6 +308,9 @@ messages! {
     NoNumbers
         "lines have no numbers: leave them out, and jump to labels, as `GOTO L1:` to `L1:`",
         "行番号は付けません。番号を取り、飛び先には `L1:` のようなラベルを置いて `GOTO L1:` と書いてください";
+    NumberedToo
+        "this line has a number, too",
+        "この行にも番号が付いています";
     Digits { number: SmolStr }
         "did you mean the number `{number}`?",
         "数値の `{number}` の間違いではありませんか?";

@@ -433,7 +433,8 @@ impl Parser<'_> {
         self.is_numbered = true;
         let reason = Commanding::NoCommand { word: text.into() };
         let fault = Diagnostic::new(Code::UnknownCommand, word, reason).about(text);
-        self.report(fault.once("line numbers").help(Suggestion::NoNumbers));
+        let fault = fault.once("line numbers").again(Suggestion::NumberedToo);
+        self.report(fault.help(Suggestion::NoNumbers));
         Some(StatementKind::Broken(shape))
     }
 
