@@ -8,6 +8,7 @@ use tip_runtime::printable::Printable;
 use tipc::Robot;
 use tipc::message::Lang;
 use tipc::program::{Program, StepId};
+use tipc::published;
 use tipc::render::Style;
 use tipc::source::{Encoding, Source};
 
@@ -30,6 +31,15 @@ impl RobotName {
             RobotName::Generic => Robot::Generic,
         }
     }
+}
+
+/// Returns the names of robots, after those of a command.
+pub(super) fn robot_names(others: &[&'static str]) -> Vec<&'static str> {
+    let built_in = RobotName::value_variants().iter();
+    let built_in = built_in.map(|name| name.robot().name());
+    let published = published::ALL.iter().map(|robot| robot.name);
+    let others = others.iter().copied();
+    others.chain(built_in).chain(published).collect()
 }
 
 /// The names of plants for walking robots.

@@ -1,9 +1,8 @@
 //! Help of the command line: `--help` on one screen, `tip help COMMAND` with examples, their Japanese texts, `tip completions`
 //! and `tip man`. The English texts are in the commands.
 
-use crate::choices::LangName;
+use crate::choices::{LangName, robot_names};
 use crate::error::Error;
-use crate::setup::robot_names;
 use crate::{Arguments, Status, output};
 use clap::builder::{EnumValueParser, PossibleValue, StyledStr};
 use clap::{Arg, ArgAction, Args, Command, CommandFactory};

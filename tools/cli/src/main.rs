@@ -258,7 +258,7 @@ fn main() -> ExitCode {
         Verb::Robot(verb) => robot::robot(verb),
     };
     exit(outcome.unwrap_or_else(|error| {
-        report::error(&error);
+        report::error(&error, usage::lang());
         error.status()
     }))
 }

@@ -676,45 +676,45 @@ tipc::message_table! {
         "Keys (any key closes this)",
         "キー(どのキーでも閉じます)";
     KeysForward
-        "r  run to the next stop             R  back to the stop before",
-        "r  次の停止まで実行                 R  前の停止まで戻る";
+        "r: run to the next stop; R: back to the stop before",
+        "r: 次の停止まで実行、R: 前の停止まで戻る";
     KeysOver
-        "n  next step, over routines         N  the same backwards",
-        "n  次のステップ(ルーチンは越える)   N  その逆";
+        "n: next step, over routines; N: the same backwards",
+        "n: 次のステップ(ルーチンは越える)、N: その逆";
     KeysInto
-        "s  next step, into routines         S  the same backwards",
-        "s  次のステップ(ルーチンに入る)     S  その逆";
+        "s: next step, into routines; S: the same backwards",
+        "s: 次のステップ(ルーチンに入る)、S: その逆";
     KeysOut
-        "o  out of the routine               O  back to where it was called",
-        "o  ルーチンを出る                   O  呼び出し元まで戻る";
+        "o: out of the routine; O: back to where it was called",
+        "o: ルーチンを出る、O: 呼び出し元まで戻る";
     KeysCycle
-        "c  one control cycle                C  the same backwards",
-        "c  1サイクル                        C  その逆";
+        "c: one control cycle; C: the same backwards",
+        "c: 1サイクル、C: その逆";
     KeysLine
-        "l  to the line of the cursor        L  back to it",
-        "l  カーソルの行まで                 L  その行まで戻る";
+        "l: to the line of the cursor; L: back to it",
+        "l: カーソルの行まで、L: その行まで戻る";
     KeysGo
-        "g  to a cycle by its number         Esc  interrupt a run",
-        "g  サイクル番号へ                   Esc  実行を中断";
+        "g: to a cycle by its number; Esc: interrupt a run",
+        "g: サイクル番号へ、Esc: 実行を中断";
     KeysBreak
-        "b  breakpoint on the line           B  with a condition, or for some passes",
-        "b  行にブレークポイント             B  条件や通過回数を付ける";
+        "b: breakpoint on the line; B: with a condition, or for some passes",
+        "b: 行にブレークポイント、B: 条件や通過回数を付ける";
     KeysName
-        "f  stop before a command, label or routine of a name",
-        "f  この名前のコマンド、ラベル、ルーチンの直前で停止";
+        "f: stop before a command, label or routine of a name",
+        "f: この名前のコマンド、ラベル、ルーチンの直前で停止";
     KeysWatch
-        "w  watch a variable: a run stops where it is set, and the list shows it first",
-        "w  変数を監視: 代入された箇所で停止し、一覧の先頭に表示";
+        "w: watch a variable: a run stops where it is set, and the list begins with it",
+        "w: 変数を監視: 代入された箇所で停止し、一覧の先頭に表示";
     KeysLastSet
-        "W  back to the last assignment of a variable",
-        "W  変数に最後に代入した箇所へ戻る";
+        "W: back to the last assignment of a variable",
+        "W: 変数に最後に代入した箇所へ戻る";
     KeysChange
-        "i  event: key F, VR1=8, halt, or an assignment such as N = 5",
-        "i  イベント: key F、VR1=8、halt、または N = 5 のような代入";
+        "i: event: key F, VR1=8, halt, or an assignment such as N = 5",
+        "i: イベント: key F、VR1=8、halt、または N = 5 のような代入";
     KeysValue
-        "e  value of an expression           Tab  more variables",
-        "e  式の値                           Tab  ほかの変数";
+        "e: value of an expression; Tab: more variables",
+        "e: 式の値、Tab: ほかの変数";
     KeysCursor
-        "↑ ↓  move the cursor                .  to the running line     q  quit",
-        "↑ ↓  カーソルを移動                 .  実行中の行へ            q  終了";
+        "↑ ↓: move the cursor; `.`: to the running line; q: quit",
+        "↑ ↓: カーソルを移動、`.`: 実行中の行へ、q: 終了";
 }

@@ -4,8 +4,8 @@ use crate::choices::Format;
 use crate::choices::OutputOptions;
 use crate::error::Error;
 use crate::message::{Checking, Using, Weight};
+use crate::output;
 use crate::sarif::Document;
-use crate::{output, usage};
 use clap::Args;
 use std::io::{self, Write};
 use tip_lint::message::More;
@@ -142,11 +142,10 @@ fn shown(loaded: &Loaded) -> impl Iterator<Item = &'static str> {
 }
 
 /// Reports an error.
-pub(super) fn error(error: &Error) {
+pub(super) fn error(error: &Error, lang: Lang) {
     if let Error::Cargo { output, .. } = error {
         complain(output);
     }
-    let lang = usage::lang();
     let text = Printable::line(error.text(lang)).to_string();
     let weight = Weight::Error.in_lang(lang);
     complain(&match error {

@@ -1,6 +1,6 @@
 //! The setup of a run as options name it: `--robot`, `--scene` and `--plant`.
 
-use crate::choices::{PlantName, RobotName};
+use crate::choices::{PlantName, RobotName, robot_names};
 use crate::error::Error;
 use crate::message::Using;
 use crate::usage::BadValue;
@@ -59,15 +59,6 @@ impl fmt::Display for RobotChoice {
             RobotChoice::File(path) => path.display().fmt(f),
         }
     }
-}
-
-/// Returns the names of robots, after those of a command.
-pub(super) fn robot_names(others: &[&'static str]) -> Vec<&'static str> {
-    let built_in = RobotName::value_variants().iter();
-    let built_in = built_in.map(|name| name.robot().name());
-    let published = published::ALL.iter().map(|robot| robot.name);
-    let others = others.iter().copied();
-    others.chain(built_in).chain(published).collect()
 }
 
 /// The parser of values that may be the name of a robot. Shells complete the names; other values are files.

@@ -260,11 +260,9 @@ mod tests {
         let stage = Stage::new(&skeleton, &Scene::EMPTY);
         let feet = [[391.0, 201.0, 0.0]];
         let arrows = |loads: &[f64], forces: &[[f64; 3]]| {
-            let frame = Frame {
-                loads: loads.to_vec(),
-                forces: forces.to_vec(),
-                ..Frame::default()
-            };
+            let mut frame = Frame::default();
+            frame.loads = loads.to_vec();
+            frame.forces = forces.to_vec();
             stage.forces(0, &frame, &feet)
         };
         let upright = arrows(&[40.0], &[]);

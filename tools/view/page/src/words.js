@@ -51,7 +51,7 @@ const WORDS = {
   flags: ['Flags that are up', '立っているフラグ'],
   lamps: ['Lamps', 'ランプ'],
   inputs: ['Keys and inputs', 'キーと入力'],
-  setBy: ['{0} got its value in line {1}: go there', '{0} の値は {1} 行目で代入。そこへ移動'],
+  setBy: ['{0} got its value in line {1}: go there', '{0} の代入元、行 {1} へ移動'],
   plotIt: ['Plot {0}', '{0} をグラフに表示'],
   none: ['none', 'なし'],
   position6: ['Body', '胴体'],
