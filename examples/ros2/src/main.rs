@@ -161,8 +161,11 @@ impl Wires {
             velocity: rates.map(f64::to_radians).collect(),
             effort: Vec::new(),
         };
-        self.answers.open.push((stamp, Instant::now()));
-        self.answers.sent += 1;
+        // Before anyone has answered, and between two peers, no answer is expected.
+        if self.silence.is_some_and(|silence| silence < SILENCE) {
+            self.answers.open.push((stamp, Instant::now()));
+            self.answers.sent += 1;
+        }
         self.commands.write(state, None).is_ok()
     }
 }
