@@ -64,7 +64,9 @@ impl Graph {
 
     fn topic(&self, name: &str, kind: &str) -> Result<rustdds::Topic, Failure> {
         let (name, kind) = (name.to_owned(), kind.to_owned());
-        let topic = self.participant.create_topic(name, kind, &self.qos, TopicKind::NoKey);
+        let topic = self
+            .participant
+            .create_topic(name, kind, &self.qos, TopicKind::NoKey);
         Ok(topic?)
     }
 
@@ -99,7 +101,9 @@ fn names() -> Vec<String> {
 }
 
 fn now() -> Time {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    let since = SystemTime::now()
+        .duration_since(UNIX_EPOCH)
+        .unwrap_or_default();
     Time {
         sec: since.as_secs() as i32,
         nanosec: since.subsec_nanos(),
@@ -132,7 +136,8 @@ impl Wires {
     fn listen(&mut self) {
         while let Some(state) = take(&mut self.feedback) {
             for (name, position) in state.name.iter().zip(&state.position) {
-                let place = (0..LEGS * JOINTS).find(|it| *name == self::name(it / JOINTS, it % JOINTS));
+                let place =
+                    (0..LEGS * JOINTS).find(|it| *name == self::name(it / JOINTS, it % JOINTS));
                 if let Some(place) = place.filter(|_| position.is_finite()) {
                     self.angles[place / JOINTS][place % JOINTS] = position.to_degrees();
                 }
@@ -140,7 +145,10 @@ impl Wires {
             self.silence = Some(0);
             // Feedback has the time of the command that it answers.
             let open = &mut self.answers.open;
-            if let Some(place) = open.iter().position(|(time, _)| *time == state.header.stamp) {
+            if let Some(place) = open
+                .iter()
+                .position(|(time, _)| *time == state.header.stamp)
+            {
                 let (_, sent) = open.remove(place);
                 open.drain(..place);
                 self.answers.answered += 1;
@@ -149,7 +157,11 @@ impl Wires {
         }
     }
 
-    fn publish(&mut self, angles: impl Iterator<Item = f64>, rates: impl Iterator<Item = f64>) -> bool {
+    fn publish(
+        &mut self,
+        angles: impl Iterator<Item = f64>,
+        rates: impl Iterator<Item = f64>,
+    ) -> bool {
         let stamp = now();
         let state = JointState {
             header: Header {
@@ -161,8 +173,11 @@ impl Wires {
             velocity: rates.map(f64::to_radians).collect(),
             effort: Vec::new(),
         };
-        self.answers.open.push((stamp, Instant::now()));
-        self.answers.sent += 1;
+        // Before anyone has answered, and between two peers, no answer is expected.
+        if self.silence.is_some_and(|silence| silence < SILENCE) {
+            self.answers.open.push((stamp, Instant::now()));
+            self.answers.sent += 1;
+        }
         self.commands.write(state, None).is_ok()
     }
 }
@@ -180,10 +195,14 @@ impl Hardware<LEGS, JOINTS> for Wires {
     }
 
     fn write(&mut self, outputs: &Outputs<LEGS, JOINTS>) -> Result<(), HardwareFault> {
-        let parts = outputs.joints.as_flattened().iter().map(|command| match *command {
-            JointCommand::Angle { angle, rate } => (angle, rate),
-            JointCommand::Torque(_) => (0.0, 0.0),
-        });
+        let parts = outputs
+            .joints
+            .as_flattened()
+            .iter()
+            .map(|command| match *command {
+                JointCommand::Angle { angle, rate } => (angle, rate),
+                JointCommand::Torque(_) => (0.0, 0.0),
+            });
         let (angles, rates): (Vec<f64>, Vec<f64>) = parts.unzip();
         let sent = self.publish(angles.into_iter(), rates.into_iter());
         sent.then_some(()).ok_or(HardwareFault("joint_commands"))
@@ -260,7 +279,10 @@ fn main() -> Result<(), Failure> {
 
     let (mut pacer, mut is_started) = (Pacer::start(), false);
     for cycle in 0..cycles {
-        let has_feedback = robot.hardware().silence.is_some_and(|silence| silence < SILENCE);
+        let has_feedback = robot
+            .hardware()
+            .silence
+            .is_some_and(|silence| silence < SILENCE);
         start.serve(|| {
             is_started |= has_feedback;
             let reason = "no feedback on /joint_states".to_owned();
@@ -268,14 +290,23 @@ fn main() -> Result<(), Failure> {
         });
         halt.serve(|| {
             *keys.0.borrow_mut() = Some(ESCAPE);
-            is_started.then_some(()).ok_or_else(|| "not started".to_owned())
+            is_started
+                .then_some(())
+                .ok_or_else(|| "not started".to_owned())
         });
         while let Some(Text { data }) = take(&mut set) {
             let assigned = data.split_once('=').and_then(|(name, value)| {
                 let value = value.trim().parse().ok()?;
                 robot.program_mut().set(name.trim(), value).ok()
             });
-            println!("set {data}: {}", if assigned.is_some() { "done" } else { "refused" });
+            println!(
+                "set {data}: {}",
+                if assigned.is_some() {
+                    "done"
+                } else {
+                    "refused"
+                }
+            );
         }
         let goes_on = if is_started {
             robot.cycle().is_running()

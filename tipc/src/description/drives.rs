@@ -7,6 +7,7 @@ use super::keys::Part;
 use super::section::{Found, Section, Sign};
 use crate::message::{Describing, Message};
 use crate::source::Span;
+use tip_runtime::command::Target;
 use tip_runtime::model::Range;
 
 /// A servo model that a description can name.
@@ -130,7 +131,8 @@ pub(super) fn read(
     let complete = found.is_empty();
     for (place, _) in places.iter().enumerate().filter(|(_, it)| it.is_none()) {
         if complete {
-            let joint = format!("J{}{}", place / joints + 1, place % joints + 1);
+            let [leg, joint] = [place / joints, place % joints].map(|it| it as u8 + 1);
+            let joint = Target::Joint(leg, joint);
             let reason = Describing::NoDrive { joint };
             bus.refuse::<()>("servo", bus.location, reason, found);
         }
@@ -193,13 +195,10 @@ fn whole(
 
 /// Returns the place of a joint by its name, its working limits and its initial angle.
 fn joint_of(legs: &[Leg], name: &str) -> Option<(usize, Range, f64)> {
-    let digits = name.strip_prefix('J')?.as_bytes();
-    let [leg, joint] = digits else {
+    let Ok(Target::Joint(leg, joint)) = name.parse() else {
         return None;
     };
-    let number = |digit: &u8| usize::from(digit.checked_sub(b'1')?).into();
-    let (leg, joint): (Option<usize>, Option<usize>) = (number(leg), number(joint));
-    let (leg, joint) = (leg?, joint?);
+    let [leg, joint] = [leg, joint].map(|number| usize::from(number) - 1);
     let found = legs.get(leg)?;
     let limits = found.joints.get(joint)?.limits;
     Some((

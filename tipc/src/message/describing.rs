@@ -5,6 +5,7 @@ use super::list::List;
 use super::phrase::{Joints, Kind, Table};
 use super::say::Letter;
 use crate::language::Bilingual;
+use tip_runtime::command::Target;
 
 messages! {
     /// Messages of the reader of descriptions and scenes.
@@ -149,7 +150,7 @@ messages! {
     TwoDrives
         "this joint has a drive already",
         "この関節の駆動軸は既にあります";
-    NoDrive { joint: String }
+    NoDrive { joint: Target }
         "joint {joint} has no [[drive]]",
         "関節{joint}の[[drive]]がありません";
     SameIdentity { id: usize }

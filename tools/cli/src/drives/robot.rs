@@ -15,6 +15,7 @@ use tip_drives::drives::{Drives, Failure, Joint, Policy, Problem, Settings};
 use tip_drives::model::{MODELS, Model};
 use tip_drives::serial::Serial;
 use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
+use tip_runtime::command::Target;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
 use tip_runtime::model::Range;
@@ -223,7 +224,8 @@ impl Setup {
     /// Returns the name of a joint.
     pub(crate) fn name(&self, joint: usize) -> String {
         let of_leg = self.of_leg.max(1);
-        format!("J{}{}", joint / of_leg + 1, joint % of_leg + 1)
+        let [leg, joint] = [joint / of_leg, joint % of_leg].map(|it| it as u8 + 1);
+        Target::Joint(leg, joint).to_string()
     }
 
     /// Returns simulated servos a little beside the initial posture.
