@@ -1,0 +1,241 @@
+"""Judges the Python package in an empty folder with the example programs; packages that are missing are named."""
+
+import concurrent.futures
+import importlib.util
+import json
+import multiprocessing
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from pathlib import Path
+
+import numpy as np
+import pyarrow.csv
+
+import tip_motion as tip
+from tip_motion import _native
+
+LIFT = "3.1\nLifts a foot\nDEF_VAR Z\nZ = 20\nREL_PTP F1 0 0 Z\nWAIT_INPOS F1\nEND\n"
+OPTIONS = {"vary": {"Z": [10, 20, 30], "friction": tip.uniform(0.4, 1.0)}, "repeat": 100, "seed": 7, "plant": "dynamic", "until": 0.4, "record": ["Z"]}
+
+
+def has(*packages):
+    missing = [name for name in packages if not importlib.util.find_spec(name)]
+    if missing:
+        print(f"not judged: {', '.join(missing)}: pip install {' '.join(missing)}")
+    return not missing
+
+
+def raises(kind, function, *arguments, says="", **options):
+    try:
+        function(*arguments, **options)
+    except kind as error:
+        assert says in str(error), error
+    else:
+        raise AssertionError(f"{kind.__name__} expected")
+
+
+def kill_after_first(directory, pids):
+    """Kills a process of `pids` as soon as a chunk is there."""
+
+    def kill():
+        while not list(Path(directory).glob("part-*")):
+            time.sleep(0.01)
+        os.kill(pids()[0], signal.SIGKILL)
+
+    thread = threading.Thread(target=kill)
+    thread.start()
+    return thread
+
+
+def sweeps():
+    serial = tip.sweep(LIFT, executor=ThreadPoolExecutor(1), **OPTIONS)
+    expected = tip.table_hash(serial)
+    assert serial.num_rows == 300 and len(set(serial["hash"].to_pylist())) > 250
+    assert serial.schema.field("forward").metadata == {b"unit": b"mm"}
+    assert tip.table_hash(tip.sweep(LIFT, chunk=7, **OPTIONS)) == expected
+
+    document = tip.spec(LIFT, **OPTIONS)
+    alone = dict((name, values) for name, _, _, values in _native.run_chunk(document, 117, 1))
+    assert alone["hash"] == [serial["hash"][117].as_py()]
+    assert np.frombuffer(alone["energy"])[0] == serial["energy"][117].as_py()
+
+    return expected
+
+
+def processes(expected):
+    pool = ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn"))
+    killer = kill_after_first("processes", lambda: list(pool._processes))
+    raises(BrokenProcessPool, tip.sweep, LIFT, executor=pool, directory="processes", chunk=10, **OPTIONS)
+    killer.join()
+    kept = {part: part.stat().st_mtime_ns for part in Path("processes").glob("part-*")}
+    assert 0 < len(kept) < 30
+    again = ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn"))
+    runs = tip.sweep(LIFT, executor=again, directory="processes", chunk=10, **OPTIONS)
+    assert tip.table_hash(runs) == expected
+    assert all(part.stat().st_mtime_ns == then for part, then in kept.items()), "finished chunks are not run again"
+    raises(ValueError, tip.sweep, LIFT, directory="processes", says="another sweep", **{**OPTIONS, "seed": 8})
+    print(f"2 processes, one killed after {len(kept)} of 30 chunks: equal")
+
+    # A worker without the package says so.
+    task = pickle.dumps(tip._sweep._write)
+    bare = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    worker = subprocess.run([sys.executable, "-c", "import pickle, sys; pickle.load(sys.stdin.buffer)"], input=task, env=bare, capture_output=True)
+    assert b"No module named 'tip_motion'" in worker.stderr, worker.stderr
+
+
+def on_dask(expected):
+    if not has("distributed"):
+        return
+    import dask
+    from distributed import Client, LocalCluster
+
+    dask.config.set({"distributed.scheduler.allowed-failures": 10})
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        killer = kill_after_first("dask", lambda: list(client.run(os.getpid).values()))
+        runs = tip.sweep(LIFT, executor=client.get_executor(), directory="dask", chunk=10, **OPTIONS)
+        killer.join()
+        assert tip.table_hash(runs) == expected
+    print("Dask, one of 2 workers killed: equal")
+
+
+def on_ray(expected):
+    if not has("ray"):
+        return
+    import ray
+
+    class RayExecutor(concurrent.futures.Executor):
+        def submit(self, function, *arguments, **options):
+            return ray.remote(function).options(max_retries=5).remote(*arguments, **options).future()
+
+    os.environ.setdefault("RAY_AUTH_MODE", "disabled")
+    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False, configure_logging=False)
+    pid = ray.get(ray.remote(lambda: os.getpid()).remote())
+    killer = kill_after_first("ray", lambda: [pid])
+    runs = tip.sweep(LIFT, executor=RayExecutor(), directory="ray", chunk=10, **OPTIONS)
+    killer.join()
+    assert tip.table_hash(runs) == expected
+    ray.shutdown()
+    print("Ray, one worker killed: equal")
+
+
+def command():
+    """`tip sweep` writes the same rows; `tip view` takes a table of this package."""
+    command = ["tip", "sweep", "walk.prg", "--vary", "STRIDE=160,200", "--vary", "friction=uniform(0.4,1)", "--repeat", "2", "--seed", "3", "-q", "-o", "-"]
+    printed = subprocess.run(command, check=True, capture_output=True).stdout
+    table = tip.sweep("walk.prg", vary={"STRIDE": [160, 200], "friction": tip.uniform(0.4, 1)}, repeat=2, seed=3)
+    tip.save(table, "runs.csv")
+    assert Path("runs.csv").read_bytes() == printed
+    read = pyarrow.csv.read_csv("runs.csv")
+    assert np.array_equal(read["forward [mm]"].to_numpy(), table["forward"].to_numpy())
+    subprocess.run(["tip", "view", "runs.csv", "-q"], check=True)
+    subprocess.run(["tip", "view", "runs.csv", "--case", "3", "-q"], check=True)
+    print("tip sweep: equal; tip view takes the table")
+
+
+def robots():
+    grasps = tip.sweep("grasp.prg", robot="hand", scene="scene.toml", vary={"scene.object.1.size.1": [96, 104], "scene.object.1.friction": [0.1, 0.8]}, until=9)
+    lifted = grasps["object1_highest"].to_pylist()
+    assert lifted[1] > 1 and lifted[3] > 1, lifted
+    tripod = tip.sweep("tripod.prg", robot="hexapod.toml", vary={"robot.body.mass": [8, 16]}, plant="dynamic", until=1)
+    torques = tripod["peak_torque"].to_pylist()
+    assert torques[1] > torques[0]
+    print(f"hand and described robot: lifted {np.round(lifted, 1)} mm, torques {np.round(torques, 2)} N·m")
+
+
+def runs():
+    run = tip.Run("walk.prg")
+    run.set("STRIDE", 160)
+    assert run.step(1000) and run.cycles == 1000
+    assert run.joints.shape == (4, 3) and run.pose.shape == (6,)
+    assert run.read("stride") == 160 and run.read("J11") == run.joints[0, 0]
+    mark = run.snapshot()
+    assert run.run_to_end() == "EXIT" and run.falls == 0
+    travel, trace = run.travel, run.trace()
+    assert abs(travel - 960) < 2, "six strides of 160 mm"
+    run.restore(mark)
+    assert run.cycles == 1000
+    run.run_to_end()
+    assert (run.travel, run.trace()) == (travel, trace)
+    assert json.loads(trace.splitlines()[1])["set"] == {"STRIDE": 160.0}
+    run = tip.Run("walk.prg", trace=False)
+    run.event("300:halt")
+    run.run_to_end()
+    assert run.travel < travel
+    raises(ValueError, run.set, "N0", 1)
+    raises(ValueError, run.event, "jump")
+    raises(KeyError, run.read, "N0")
+    raises(FileNotFoundError, tip.Run, "none.prg")
+    raises(ValueError, tip.Run, "3.1\nt\nPTPP F1\nEND\n", says="PTPP")
+    raises(IndexError, tip.Run, "walk.prg", case=1)
+    raises(ValueError, tip.sweep, "walk.prg", vary={"STRID": [1]}, says="did you mean STRIDE?")
+    raises(ValueError, tip.sweep, "walk.prg", vary={"STRIDE": []}, says="empty")
+    found = tip.check("3.1\nt\nPTPP F1\nEND\n")
+    assert [(one.level, one.line) for one in found] == [("error", 3)] and found[0].code.startswith("E2"), found
+    assert not tip.check("walk.prg")
+    assert tip.check("3.1\nt\nPTPP F1\nEND\n", lang="ja")[0].reason != found[0].reason
+    print("runs, checks and exceptions: as documented")
+
+
+def falsifier():
+    stand = "3.1\nStands\nSTAND_UP 60\nWAIT_INPOS ALL\nSLEEP 3000\nEND\n"
+    found = tip.falsify(stand, "push.x", good=0, bad=3000, tolerance=20, plant="dynamic", vary={"push.at": 3}, until=8)
+    assert 0 < found.good < found.value < 3000 and found.value - found.good <= 20
+    row = tip.sweep(stand, vary={"push.at": 3, "push.x": found.value}, plant="dynamic", until=8)
+    assert row["hash"][0].as_py() == found.row["hash"], "the case can be repeated"
+    raises(ValueError, tip.falsify, stand, "push.x", good=0, bad=1, plant="dynamic", vary={"push.at": 3}, until=4, says="should be bad, but is good")
+    raises(ValueError, tip.falsify, stand, "push.x", good=0, bad=1, limits={"tip": 1}, says="unknown limits")
+    print(f"falsifier: {found}")
+
+
+def environments():
+    if not has("gymnasium"):
+        return
+    options = {"actions": {"SPEED": (20, 400)}, "observations": ["J11", "J12", "J13", "z"], "reward": "z", "cycles": 5, "until": 1.0}
+    env = tip.VecEnv("steers.prg", 8, **options)
+    observations, _ = env.reset(seed=1)
+    assert observations.shape == env.observation_space.shape == (8, 4)
+    ends = 0
+    for _ in range(25):
+        observations, rewards, terminated, truncated, infos = env.step(env.action_space.sample())
+        ends += truncated.sum()
+        assert observations.dtype == np.float32 and rewards.shape == (8,) and not terminated.any()
+    assert ends == 16, "an episode is 50 cycles, which are 10 steps"
+    began, count = time.process_time(), 0
+    env = tip.VecEnv("steers.prg", 64, **options)
+    env.reset()
+    while time.process_time() - began < 1:
+        env.step(np.full((64, 1), 100.0))
+        count += 64 * 5
+    print(f"environments: {count} control cycles a CPU-second")
+    if has("stable_baselines3"):
+        env = tip.sb3_vec_env("steers.prg", 4, **options)
+        assert env.reset().shape == (4, 4)
+        assert env.step(np.full((4, 1), 100.0))[0].shape == (4, 4)
+
+
+def notebook():
+    if not has("nbclient", "ipykernel", "optuna", "pandas"):
+        return
+    import nbformat
+    from nbclient import NotebookClient
+
+    book = nbformat.read("tune.ipynb", 4)
+    NotebookClient(book, timeout=600).execute()
+    assert any("text/html" in output.get("data", {}) for cell in book.cells for output in cell.get("outputs", []))
+    print("notebook: runs, and shows the replay page")
+
+
+if __name__ == "__main__":
+    runs()
+    expected = sweeps()
+    for part in (processes, on_dask, on_ray):
+        part(expected)
+    for part in (command, robots, falsifier, environments, notebook):
+        part()

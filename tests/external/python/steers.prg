@@ -1,0 +1,12 @@
+3.1
+A loop whose SPEED an environment sets: one foot up and down
+DEF_VAR SPEED N
+SPEED = 100
+AGAIN:
+SET_V_MAX ALL SPEED
+REL_PTP F1 0 0 20
+WAIT_INPOS F1
+REL_PTP F1 0 0 -20
+WAIT_INPOS F1
+GOTO AGAIN:
+END
