@@ -17,7 +17,7 @@ impl Writer {
     }
 
     pub(crate) fn statement(&mut self) {
-        if self.is_later() && self.random.once_in(4) {
+        if self.is_later() && self.random.once_in(3) {
             return self.later_statement();
         }
         let kinds = if self.depth < DEPTH { 34 } else { 24 };
@@ -100,11 +100,7 @@ impl Writer {
         };
         self.line(&format!("FOR {counter} = {range}"));
         self.nested();
-        let named = if self.random.once_in(2) {
-            &counter
-        } else {
-            ""
-        };
+        let named = if self.random.once_in(2) { &counter } else { "" };
         self.line(format!("NEXT {named}").trim_end());
     }
 
@@ -164,7 +160,13 @@ impl Writer {
         let condition = self.condition();
         let wild: &[&str] = match self.is_later() {
             false => &["RETURN", "EXIT", "D = SQRT -1", "B = ASIN 2", "C = 1 / 0"],
-            true => &["RETURN", "EXIT", "D = SQRT BAD", "B = ASIN BAD", "C = 1 / BAD"],
+            true => &[
+                "RETURN",
+                "EXIT",
+                "D = SQRT BAD",
+                "B = ASIN BAD",
+                "C = 1 / BAD",
+            ],
         };
         let line = match self.is_calm() {
             true => "REM nothing happens",

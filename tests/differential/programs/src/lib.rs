@@ -18,8 +18,8 @@ mod untidy;
 mod writer;
 
 pub use random::Random;
-pub use tipc::language::Edition;
 pub use rust::{Tamper, rust};
+pub use tipc::language::Edition;
 pub use untidy::untidy;
 
 use tipc::Robot;

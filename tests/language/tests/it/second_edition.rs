@@ -103,8 +103,7 @@ fn a_host_reaches_the_special_variables_that_a_program_names_and_no_constant() {
 // clauses: 14.1
 #[test]
 fn the_timers_of_a_paused_program_stand() {
-    let program =
-        interpreted("3.2\nx\nDEF_VAR A\nSTART_TIMER 0\nLOOP:\nA = @TIMER0\nGOTO\nEND\n");
+    let program = interpreted("3.2\nx\nDEF_VAR A\nSTART_TIMER 0\nLOOP:\nA = @TIMER0\nGOTO\nEND\n");
     let mut machine = machine(program);
     for _ in 0..3 {
         machine.cycle();
@@ -223,7 +222,15 @@ BAD: END
     let trace = run.trace();
     let values: Vec<f64> = trace
         .lines()
-        .filter_map(|record| record.split_once("\"A\":")?.1.split_once('}')?.0.parse().ok())
+        .filter_map(|record| {
+            record
+                .split_once("\"A\":")?
+                .1
+                .split_once('}')?
+                .0
+                .parse()
+                .ok()
+        })
         .collect();
     let [direct, relative, trajectory, in_position] = values[..] else {
         panic!("{trace}");
@@ -254,7 +261,11 @@ fn programs_without_a_clock_take_the_same_steps_at_every_speed() {
             continue;
         };
         for speed in [2, 7, 255] {
-            assert_eq!(steps(&source, speed).as_ref(), Some(&one), "{case} at {speed}");
+            assert_eq!(
+                steps(&source, speed).as_ref(),
+                Some(&one),
+                "{case} at {speed}"
+            );
         }
         compared += 1;
     }
@@ -292,8 +303,9 @@ fn interpreted(source: &str) -> Interpreter {
     Interpreter::new(loaded.program.expect("it loads"))
 }
 
-fn machine(program: Interpreter) -> Machine<'static, Interpreter, SimulatedPlant<4, 3>, (), (), 4, 3>
-{
+fn machine(
+    program: Interpreter,
+) -> Machine<'static, Interpreter, SimulatedPlant<4, 3>, (), (), 4, 3> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
     Machine::new(program, &titan8::MODEL, plant, (), ()).expect("it is for TITAN VIII")
 }

@@ -177,9 +177,10 @@ fn measure(one: &Runnable, trace: &str) -> Vec<(Part, (u64, u64))> {
 fn no_trace_contradicts_a_count() {
     let (mut exact, mut between, mut tight, mut waiting) = (0, 0, 0, 0);
     // A cycle of several steps says nothing about the cycles that each would take.
-    let plain = RUNS.traces.iter().filter(|(one, trace)| {
-        is_plain(&one.program) && !trace.contains("\"sub\":")
-    });
+    let plain = RUNS
+        .traces
+        .iter()
+        .filter(|(one, trace)| is_plain(&one.program) && !trace.contains("\"sub\":"));
     for (one, trace) in plain {
         for (part, found) in measure(one, trace) {
             match part.cycles.max {

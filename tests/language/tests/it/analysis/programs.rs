@@ -75,9 +75,9 @@ pub(crate) fn all() -> impl Iterator<Item = Runnable> {
     };
     let asked = env::var("TIP_PROGRAMS").ok();
     let seeds = asked.map_or(SEEDS, |count| count.parse().expect("a number"));
-    let random = Edition::ALL
-        .iter()
-        .flat_map(move |edition| (0..seeds).map(move |seed| random_programs::program(*edition, seed)));
+    let random = Edition::ALL.iter().flat_map(move |edition| {
+        (0..seeds).map(move |seed| random_programs::program(*edition, seed))
+    });
     let of_cases = names.into_iter().flat_map(of_case);
     of_cases.chain(random.filter_map(of_seed))
 }
