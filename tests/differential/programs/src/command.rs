@@ -156,7 +156,8 @@ impl Writer {
             } else {
                 ""
             };
-            return format!("{flag}{}", self.scalar());
+            let scalar = self.scalar();
+            return format!("{flag}{}", self.unless_constant(scalar));
         }
         let number = self.number(command, form.limit);
         match home {

@@ -17,7 +17,7 @@ impl Writer {
     }
 
     pub(crate) fn statement(&mut self) {
-        if self.is_later() && self.random.once_in(4) {
+        if self.is_later() && self.random.once_in(3) {
             return self.later_statement();
         }
         let kinds = if self.depth < DEPTH { 34 } else { 24 };

@@ -1,0 +1,12 @@
+3.2
+Calls return behind their own call
+DEF_VAR A B
+GOSUB NOTHING:
+A = B
+B = 1
+GOSUB NOTHING:
+SLEEP A
+EXIT
+NOTHING: REM
+RETURN
+END

@@ -1,0 +1,28 @@
+3.2
+Read without value in all operands
+DEF_VAR N A B C D E G H
+DEF_POS P
+DEF_JOINT Q
+KEY_IN N
+IF N == 1 THEN
+SLEEP A
+ELSEIF N == 2 THEN
+B += 1
+ELSEIF N == 3 THEN
+PTP F1 P
+ELSEIF N == 4 THEN
+PTP_ANGLE J11 R Q.J1
+ELSEIF N == 5 THEN
+MESSAGE %C%
+ELSEIF N == 6 THEN
+FOR N = D TO 5
+NEXT
+ELSEIF N == 7 THEN
+IF E > 1 GOTO L:
+ELSEIF N == 8 THEN
+FOR N = 1 TO G
+NEXT
+ENDIF
+L:
+A = 1; B = A; P.X = B; P.Y = 1; P.Z = 1; Q.J1 = P.X; C = Q.J1; D = C; E = D; G = E; H = G; SLEEP H
+END

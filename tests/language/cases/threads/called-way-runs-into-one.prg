@@ -1,0 +1,10 @@
+3.2
+Called way runs into one
+START_THREAD T:
+GOSUB L:
+EXIT
+L: REM
+THREAD T:
+REM
+THREADEND
+END

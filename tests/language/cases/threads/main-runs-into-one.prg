@@ -1,0 +1,8 @@
+3.2
+Main runs into one
+START_THREAD T:
+REM
+THREAD T:
+REM
+THREADEND
+END

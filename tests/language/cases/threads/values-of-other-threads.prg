@@ -1,0 +1,12 @@
+3.2
+Values of other threads
+DEF_VAR A B
+START_THREAD T:
+SLEEP A
+B = 20
+EXIT
+THREAD T:
+A = 20
+SLEEP B
+THREADEND
+END

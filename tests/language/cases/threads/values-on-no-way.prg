@@ -1,0 +1,13 @@
+3.2
+Values on no way
+DEF_VAR A B
+START_THREAD T:
+A = 1
+SLEEP A
+EXIT
+B = 5
+EXIT
+THREAD T:
+A = B
+THREADEND
+END
