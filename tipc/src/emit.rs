@@ -179,8 +179,8 @@ impl<'a> Emitter<'a> {
             name: options.name_for(&program.source_name),
             assignment: Assignment::of(program),
             // A place among those of threads has it in any case.
-            has_taken_state: !program.threads.is_empty()
-                || { program.steps.iter() }.any(|step| step.action.passed_to().is_some()),
+            has_taken_state: !program.threads.is_empty() || { program.steps.iter() }
+                .any(|step| step.action.passed_to().is_some()),
             labels: ident::label_constants(&program.labels),
         }
     }

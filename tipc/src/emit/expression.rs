@@ -76,7 +76,8 @@ impl Values<'_> {
                 member,
                 negative,
             } => {
-                let (reading, member) = (ident::reading(reading), Literal::usize_unsuffixed(member));
+                let (reading, member) =
+                    (ident::reading(reading), Literal::usize_unsuffixed(member));
                 let minus = negative.then(|| quote!(-));
                 quote!(#minus cx.reading(#reading)?[#member])
             }
@@ -94,7 +95,9 @@ impl Values<'_> {
                     }
                     Reading::Measured(Teach::Position | Teach::Force, _) | Reading::Timer(_) => 3,
                 };
-                let members: Vec<Ident> = (1..=size).map(|member| format_ident!("m{member}")).collect();
+                let members: Vec<Ident> = (1..=size)
+                    .map(|member| format_ident!("m{member}"))
+                    .collect();
                 let reading = ident::reading(reading);
                 quote!({
                     let [#(#members,)* ..] = cx.reading(#reading)?;

@@ -50,7 +50,9 @@ impl Emitter<'_> {
         let calls = self
             .has_calls(mentioned)
             .then(|| quote!(calls: #runtime::program::CallStack,));
-        let threads = self.threads_type().map(|threads| quote!(threads: #threads,));
+        let threads = self
+            .threads_type()
+            .map(|threads| quote!(threads: #threads,));
         quote! {
             #[doc = #about]
             #[doc = ""]
@@ -106,7 +108,9 @@ impl Emitter<'_> {
         let calls = self
             .has_calls(mentioned)
             .then(|| quote!(calls: #runtime::program::CallStack::new(),));
-        let threads = self.threads_type().map(|threads| quote!(threads: #threads::new(),));
+        let threads = self
+            .threads_type()
+            .map(|threads| quote!(threads: #threads::new(),));
         quote! {
             #[doc = " At step 0, with every variable unassigned."]
             #visibility const fn new() -> Self {
@@ -198,8 +202,13 @@ impl Emitter<'_> {
             true => back,
             false => TokenStream::new(),
         };
-        let behind = [("after", after), ("branch", branch), ("call", call), ("back", back)]
-            .map(|(name, function)| mentioned.contains(name).then_some(function));
+        let behind = [
+            ("after", after),
+            ("branch", branch),
+            ("call", call),
+            ("back", back),
+        ]
+        .map(|(name, function)| mentioned.contains(name).then_some(function));
         let skip = mentioned.contains("skip").then_some(skip);
         quote! { #skip #(#behind)* }
     }

@@ -167,11 +167,7 @@ impl Interpreter {
         }
     }
 
-    pub(crate) fn holds(
-        &self,
-        condition: Condition,
-        sensed: &dyn Sensed,
-    ) -> Result<bool, Fault> {
+    pub(crate) fn holds(&self, condition: Condition, sensed: &dyn Sensed) -> Result<bool, Fault> {
         match condition {
             Condition::Compare {
                 left,

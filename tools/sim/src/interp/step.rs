@@ -87,7 +87,12 @@ impl Interpreter {
                     Then::To(*otherwise).with()
                 }
             }
-            Action::Else { end } => Then::To(if self.position().not_taken { next } else { *end }).with(),
+            Action::Else { end } => Then::To(if self.position().not_taken {
+                next
+            } else {
+                *end
+            })
+            .with(),
             Action::While { condition, exit } => {
                 let goes_on = self.holds(*condition, &&*cx)?;
                 Then::To(if goes_on { next } else { *exit }).with()
@@ -132,12 +137,10 @@ impl Interpreter {
                 Then::To(if jumps { *to } else { next }).with()
             }
             Action::Gosub { to } => self.call(*to)?,
-            Action::IfGosub { condition, to } => {
-                match self.holds(*condition, &&*cx)? {
-                    true => self.call(*to)?,
-                    false => on.with(),
-                }
-            }
+            Action::IfGosub { condition, to } => match self.holds(*condition, &&*cx)? {
+                true => self.call(*to)?,
+                false => on.with(),
+            },
             Action::Return => {
                 let mut calls = self.position().calls;
                 match calls.pop() {
@@ -262,7 +265,11 @@ impl Interpreter {
         })
     }
 
-    fn values(&self, arguments: &[Argument], sensed: &dyn Sensed) -> Result<([Value; MAX], usize), Fault> {
+    fn values(
+        &self,
+        arguments: &[Argument],
+        sensed: &dyn Sensed,
+    ) -> Result<([Value; MAX], usize), Fault> {
         let mut values = [Value::Absolute(0.0); MAX];
         for (place, argument) in values.iter_mut().zip(arguments) {
             let number = self.operand(argument.operand, sensed)?;
