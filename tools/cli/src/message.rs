@@ -212,6 +212,9 @@ tipc::message_table! {
     GoesOn { wait: Waiting }
         "{wait}; --cycles sets an end, Ctrl-C ends the run",
         "{wait}。--cyclesで終わりを指定するか、Ctrl-Cで終了できます";
+    LeftOut { texts: String }
+        "FOUT.LOG is full: {texts} of F_MESSAGE's texts are left out",
+        "FOUT.LOGがいっぱいになりました。F_MESSAGEのテキスト{texts}件は書かれていません";
     StopsWaiting { wait: Waiting, time: String }
         "stopped after {time} s without a motion: {wait}; --cycles sets another end",
         "{time} s間動作がないため終了しました。{wait}。--cyclesで別の終わりを指定できます";

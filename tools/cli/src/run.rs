@@ -296,6 +296,12 @@ impl Job<'_> {
         }
         if !self.arguments.quiet {
             let lang = self.arguments.source.output_options.lang();
+            let dropped = run.console::<Screen>().map_or(0, Screen::dropped);
+            if dropped > 0 {
+                let texts = dropped.to_string();
+                let text = Running::LeftOut { texts };
+                report::complain(&format!("{}\n", text.in_lang(lang)));
+            }
             let summary = summary(&run, ending, wait.as_ref(), &self.loaded.source, lang);
             report::complain(&summary);
             live.iter()

@@ -147,10 +147,10 @@ const fn truth(is_true: bool) -> &'static str {
     if is_true { "true" } else { "false" }
 }
 
-/// Returns the nodes that some path leads to from the start.
+/// Returns the nodes that some path leads to from the start of the program or of a thread.
 fn live(flow: &Flow) -> BTreeSet<NodeId> {
     let mut live = BTreeSet::new();
-    let mut open = vec![0];
+    let mut open = flow.starts().to_vec();
     while let Some(id) = open.pop() {
         let Some(node) = flow.nodes().get(id).filter(|_| live.insert(id)) else {
             continue;

@@ -77,6 +77,11 @@ impl Screen {
         self.progress.above(write);
     }
 
+    /// Returns the number of texts that FOUT.LOG had no room for.
+    pub(super) fn dropped(&self) -> u64 {
+        self.logs.as_ref().map_or(0, LogFiles::dropped)
+    }
+
     /// Releases the terminal, so that the reports of the end appear where they should, and completes the log files.
     pub(super) fn close(&mut self) -> Result<(), Error> {
         self.progress.close();

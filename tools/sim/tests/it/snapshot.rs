@@ -57,10 +57,58 @@ RETURN
 END
 ";
 
+/// The same of edition 3.2: threads with calls and waits, several steps in a cycle, timers, switches of joints, working
+/// limits, texts for a file, variables that native code shares.
+const BUSY_THREADS: &str = "3.2
+busy
+DEF_VAR N, V
+N = 0
+START_TIMER 1
+TIP_SPEED_UP 2
+START_THREAD ONE:
+START_THREAD TWO:
+DIRECT J11
+LOCK J13
+SET_LIMIT J22 5 40
+L:
+V = @TIMER1 / 200
+PTP_ANGLE J11 R V
+SLEEP 60
+N += 1
+IF N < 4 GOTO L:
+N = 0
+RESET_TIMER 1
+GOTO L:
+THREAD ONE:
+GOSUB S:
+PTP_ANGLE J21 R 3
+SLEEP 40
+AD_IN VR1 V
+GOTO ONE:
+THREADEND
+THREAD TWO:
+SPECIAL 30 7
+VAR_SPECIAL_1 += 1
+STOP_THREAD ONE:
+WAIT_THREAD ONE:
+START_THREAD ONE:
+GOTO TWO:
+THREADEND
+SUBROUTINE S:
+F_MESSAGE %N% %@TIMER1.1%\\n
+KEY_IN
+SUBEND
+END
+";
+
 const EVENTS: &str = "20:key a, 25:VR1=4, 33:key b, 33:key c, 47:VR1=2, 60:key d";
 
 fn busy(robot: Robot) -> Result<Run, Box<dyn Error>> {
-    let program = load("busy.prg", BUSY, &robot)?;
+    run(robot, BUSY)
+}
+
+fn run(robot: Robot, program: &str) -> Result<Run, Box<dyn Error>> {
+    let program = load("busy.prg", program, &robot)?;
     let run = Run::new(program, robot)?.events(EVENTS)?;
     Ok(run.with_trace(true).with_console(Transcript::default()))
 }
@@ -80,7 +128,11 @@ fn cycles(run: &mut Run, count: usize) -> Vec<Cycle> {
 
 fn shown(run: &Run) -> String {
     let shown: &Transcript = run.console().expect("it was given");
-    format!("{:?}\n{:?}\n{}", shown.messages, shown.variables, shown.log)
+    let (messages, appended) = (&shown.messages, &shown.appended);
+    format!(
+        "{messages:?}\n{appended}\n{:?}\n{}",
+        shown.variables, shown.log
+    )
 }
 
 #[test]
@@ -99,6 +151,26 @@ fn what_follows_a_mark_follows_it_again() -> Outcome {
         // The events of these cycles came again: each key moved a joint.
         let moved = first.iter().filter(|cycle| cycle.command.is_some());
         assert!(moved.count() > 2);
+    }
+    Ok(())
+}
+
+// clauses: 14.1 14.2 15.2 16.1 16.2 16.3
+#[test]
+fn threads_timers_and_switches_are_taken_back() -> Outcome {
+    for robot in robots()? {
+        for at in [5, 30, 31, 47] {
+            let mut run = run(robot.clone(), BUSY_THREADS)?;
+            run.to_end(Limit::cycles(at));
+            let mark = run.snapshot();
+            let first = cycles(&mut run, 60);
+            let (trace, text) = (run.trace(), shown(&run));
+            assert!(run.emergency().is_none(), "{trace}");
+            assert!(trace.contains(r#""thread":"TWO""#) && trace.contains(r#""out":""#));
+            run.restore(&mark);
+            assert_eq!(cycles(&mut run, 60), first);
+            assert_eq!((run.trace(), shown(&run)), (trace, text));
+        }
     }
     Ok(())
 }
