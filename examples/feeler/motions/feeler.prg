@@ -4,23 +4,23 @@ TITAN VIII crawls forward while a thread watches its feeler and locks the leg be
 // The feeler reaches ahead of the front left foot. While it touches something that leg stays where it stands: the thread
 // locks its joints, and no command moves them until it unlocks them. The gait waits before its next step with the leg.
 
-DEFINE TOUCHED 2   // V of the feeler
+DEFINE TOUCHED 2  // V of the feeler
 DEFINE STRIDES 6
 DEFINE STRIDE 200  // mm forward, each time all four feet have stepped
 DEFINE HALF 100
-DEFINE SWAY 40     // mm to either side
+DEFINE SWAY 40  // mm to either side
 DEFINE TWICE 80
-DEFINE GROUND -200 // mm below the body, lying
-DEFINE CLEAR 50    // mm between belly and floor
+DEFINE GROUND -200  // mm below the body, lying
+DEFINE CLEAR 50     // mm between belly and floor
 DEFINE FLOOR_Z -250
-DEFINE TOP -210    // a lifted foot
-DEFINE SETTLE 60   // ms for a foot to take its load
+DEFINE TOP -210   // a lifted foot
+DEFINE SETTLE 60  // ms for a foot to take its load
 
 DEF_VAR N, FEELER
-DEF_VAR HELD           // 1: the leg is locked
-DEF_VAR USED           // 1: the gait moves the leg
-DEF_POS P1, P2, P3, P4 // where each foot belongs in the robot frame
-DEF_POS SHIFT          // how far the feet sweep while the body moves the other way
+DEF_VAR HELD            // 1: the leg is locked
+DEF_VAR USED            // 1: the gait moves the leg
+DEF_POS P1, P2, P3, P4  // where each foot belongs in the robot frame
+DEF_POS SHIFT           // how far the feet sweep while the body moves the other way
 
 // Several steps in a cycle: what stands behind a wait happens in one cycle.
 TIP_SPEED_UP 16
@@ -81,7 +81,7 @@ EXIT
 
 // Reads the feeler in every cycle, after the gait has had its turn.
 THREAD WATCH:
-  LOOK: AD_IN ANTENNA FEELER
+LOOK: AD_IN ANTENNA FEELER
   IF FEELER > TOUCHED THEN
     IF HELD == 1 GOTO LOOK:
     IF USED == 1 GOTO LOOK:
@@ -100,7 +100,7 @@ THREADEND
 // Waits until the leg is free, and takes it. SLEEP ends a turn, so the question and the answer are in one turn of
 // the gait: the thread cannot lock the leg between them.
 SUBROUTINE USE_LEG:
-  ASK: SLEEP 0
+ASK: SLEEP 0
   IF HELD == 1 GOTO ASK:
   USED = 1
 SUBEND

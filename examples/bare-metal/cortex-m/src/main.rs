@@ -27,13 +27,14 @@ fn main() -> ! {
     }
 }
 
-/// Returns true if both programs ended themselves, and the walk with mass went on; `None` if that is not known.
+/// Returns true if all programs ended themselves, and the walk with mass went on; `None` if that is not known.
 fn run() -> Option<bool> {
     let mut trace = hio::hstdout().ok()?;
     let mut report = hio::hstderr().ok()?;
     let (trace, report) = (&mut trace, &mut report);
     let walked = measure("walk", robots::walker, robots::run, trace, report)?;
     let grasped = measure("grasp", robots::hand, robots::run, trace, report)?;
+    let threaded = measure("threads", robots::threaded, robots::run, trace, report)?;
     let swung = measure(
         "walk with mass",
         robots::heavy_walker,
@@ -41,7 +42,7 @@ fn run() -> Option<bool> {
         trace,
         report,
     )?;
-    Some(walked && grasped && swung)
+    Some(walked && grasped && threaded && swung)
 }
 
 /// Runs one program, and reports its bytes of memory.

@@ -8,10 +8,11 @@ fn main() -> ExitCode {
     let mut traces = String::new();
     let walked = robots::walker().is_ok_and(|mut robot| robots::run(&mut robot, &mut traces));
     let grasped = robots::hand().is_ok_and(|mut robot| robots::run(&mut robot, &mut traces));
+    let threaded = robots::threaded().is_ok_and(|mut robot| robots::run(&mut robot, &mut traces));
     let swung =
         robots::heavy_walker().is_ok_and(|mut robot| robots::begin(&mut robot, &mut traces));
     match io::stdout().write_all(traces.as_bytes()) {
-        Ok(()) if walked && grasped && swung => ExitCode::SUCCESS,
+        Ok(()) if walked && grasped && threaded && swung => ExitCode::SUCCESS,
         _ => ExitCode::FAILURE,
     }
 }

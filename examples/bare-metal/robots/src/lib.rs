@@ -1,4 +1,4 @@
-//! The programs of the examples `walk` and `grasp` on simulated robots, and the traces that every
+//! The programs of the examples `walk` and `grasp`, and one with threads, on simulated robots, and the traces that every
 //! machine must leave alike, bit by bit.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -16,6 +16,7 @@ use tip_runtime::special::hand::HandSpecials;
 use trace::Trace;
 
 tip_macros::include_tip!(pub "../../walk/motions/walk.prg");
+tip_macros::include_tip!(pub "motions/threads.prg");
 tip_macros::include_tip!(pub "../../grasp/motions/grasp.prg", robot = hand);
 
 /// TITAN VIII, its controller and its program.
@@ -23,6 +24,9 @@ pub type Walker = Machine<'static, Walk, SimulatedPlant<4, 3>, (), (), 4, 3>;
 
 /// The walk with mass.
 pub type HeavyWalker = Machine<'static, Walk, DynamicPlant<4, 3>, (), (), 4, 3>;
+
+/// TITAN VIII, its controller and a program with two threads.
+pub type Threaded = Machine<'static, Threads, SimulatedPlant<4, 3>, (), (), 4, 3>;
 
 /// The Hiroshima Hand, its controller and its program.
 pub type Hand = Machine<'static, Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
@@ -43,6 +47,15 @@ pub fn walker() -> Result<Walker, Mismatch> {
 pub fn heavy_walker() -> Result<HeavyWalker, Mismatch> {
     let plant = DynamicPlant::new(&titan8::MODEL);
     Machine::new(Walk::new(), &titan8::MODEL, plant, (), ())
+}
+
+/// TITAN VIII with threads before its first control cycle.
+///
+/// # Errors
+/// Never: the program was compiled for this robot.
+pub fn threaded() -> Result<Threaded, Mismatch> {
+    let plant = SimulatedPlant::new(&titan8::MODEL);
+    Machine::new(Threads::new(), &titan8::MODEL, plant, (), ())
 }
 
 /// The hand before its first control cycle, above an upright cylinder as that of the example `grasp`.

@@ -3,7 +3,7 @@
 use core::fmt::{self, Write};
 use tip_runtime::record::{Cycle, Sink, state_hash};
 
-/// Writes a line for each control cycle: its number, its step, the hash of joint commands and angles
+/// Writes a line for each step of a control cycle: the cycle's number and that of a later step in it, the step, the hash of joint commands and angles
 /// that a trace file has as `state`, and the bits of each variable (`-` without a value).
 #[derive(Debug)]
 pub(crate) struct Trace<'a, W> {
@@ -25,11 +25,11 @@ impl<'a, W: Write> Trace<'a, W> {
 
     fn line(&mut self, cycle: &Cycle<'_>) -> fmt::Result {
         let state = state_hash(cycle.sample.commands, cycle.sample.angles);
-        write!(
-            self.out,
-            "{} {} {state:016x}",
-            cycle.sample.cycle, cycle.step
-        )?;
+        write!(self.out, "{}", cycle.sample.cycle)?;
+        if cycle.sub > 0 {
+            write!(self.out, ".{}", cycle.sub)?;
+        }
+        write!(self.out, " {} {state:016x}", cycle.step)?;
         for (_, value) in (0..).map_while(|index| cycle.program.scalar(index)) {
             match value {
                 Some(value) => write!(self.out, " {:016x}", value.to_bits())?,

@@ -20,13 +20,14 @@ impl Write for Host {
     }
 }
 
-/// Writes the traces. 1 if both programs ended themselves, and the walk with mass went on, else 0.
+/// Writes the traces. 1 if all programs ended themselves, and the walk with mass went on, else 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn run() -> u32 {
     let walked = robots::walker().is_ok_and(|mut robot| robots::run(&mut robot, &mut Host));
     let grasped = robots::hand().is_ok_and(|mut robot| robots::run(&mut robot, &mut Host));
+    let threaded = robots::threaded().is_ok_and(|mut robot| robots::run(&mut robot, &mut Host));
     let swung = robots::heavy_walker().is_ok_and(|mut robot| robots::begin(&mut robot, &mut Host));
-    u32::from(walked && grasped && swung)
+    u32::from(walked && grasped && threaded && swung)
 }
 
 #[panic_handler]

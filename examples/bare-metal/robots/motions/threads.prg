@@ -1,0 +1,37 @@
+3.2
+Lifts a foot while one thread measures it and another locks a leg
+
+DEF_VAR N, HEIGHT, PASSED
+
+// Several steps in a cycle, of the main program and of each thread.
+TIP_SPEED_UP 3
+HEIGHT = 0
+PASSED = 0
+START_TIMER 0
+START_THREAD MEASURE:
+START_THREAD GUARD:
+FOR N = 1 TO 5
+  REL_PTP F1 0 0 60
+  WAIT_INPOS F1
+  REL_PTP F1 0 0 -60
+  WAIT_INPOS F1
+NEXT N
+STOP_THREAD MEASURE:
+WAIT_THREAD GUARD:
+EXIT
+
+THREAD MEASURE:
+AGAIN: HEIGHT = @POS_F1.Z
+  GOTO AGAIN:
+THREADEND
+
+THREAD GUARD:
+  LOCK F3
+  WHILE @TIMER0 < 4000
+    PASSED = @TIMER0
+    SLEEP 40
+  WEND
+  UNLOCK F3
+THREADEND
+
+END
