@@ -84,8 +84,10 @@ impl Writer {
             Values::Angles if single => self.scalars(command, form, target, 1),
             Values::PerJoint | Values::PerLeg if single => self.plain(command, form, 1),
             Values::PerLeg if target == "ALL" => self.plain(command, form, 1),
-            Values::ThreeOrPos if self.is_calm() => self.plain(command, form, 3),
-            Values::ThreeOrPos => self.several(command, form, target, POSITIONS, 3),
+            Values::ThreeOrPos if self.is_calm() || self.random.once_in(2) => {
+                self.plain(command, form, 3)
+            }
+            Values::ThreeOrPos => self.struct_reading(Some(POSITIONS)),
             Values::Limits => self.limits(target),
             Values::PerJoint if target == "ALL" && self.random.once_in(2) => {
                 self.plain(command, form, 1)
@@ -100,7 +102,7 @@ impl Writer {
     fn plain(&mut self, command: &Command, form: Arguments, count: usize) -> String {
         let values: Vec<String> = (0..count)
             .map(|_| match self.takes_variable() {
-                true if self.reads() => self.scalar_reading(),
+                true if self.reads() => self.var_reading(),
                 true => self.pick(VARS).to_owned(),
                 false => {
                     let number = self.number(command, form.limit);

@@ -192,13 +192,22 @@ impl Writer {
     /// A scalar that the robot measures, a timer, or a variable shared with native code.
     pub(crate) fn scalar_reading(&mut self) -> String {
         let minus = self.pick(&["", "", "-"]);
-        let (foot, joint) = (self.foot(), self.joint());
-        let reading = match self.random.below(7) {
+        let foot = self.foot();
+        match self.random.below(4) {
+            0 => format!("{minus}@POS_{foot}.{}", self.pick(&["X", "Y", "Z"])),
+            1 => format!("{minus}@AGL_{foot}.J1"),
+            _ => self.var_reading(),
+        }
+    }
+
+    /// One of these that is a VAR, not a member.
+    pub(crate) fn var_reading(&mut self) -> String {
+        let minus = self.pick(&["", "", "-"]);
+        let joint = self.joint();
+        let reading = match self.random.below(6) {
             0 | 1 => format!("@AGL_{joint}"),
-            2 => format!("@POS_{foot}.{}", self.pick(&["X", "Y", "Z"])),
-            3 => format!("@AGL_{foot}.J1"),
-            4 if senses(self.robot, Teach::Torque) => format!("@TRQ_{joint}"),
-            5 => "VAR_SPECIAL_1".to_owned(),
+            2 if senses(self.robot, Teach::Torque) => format!("@TRQ_{joint}"),
+            3 => "VAR_SPECIAL_1".to_owned(),
             _ => format!("@TIMER{}", self.random.below(8)),
         };
         format!("{minus}{reading}")
