@@ -483,6 +483,12 @@ tipc::message_table! {
     Calls
         "Calls",
         "呼び出し";
+    Locked
+        "locked",
+        "ロック中";
+    Timers
+        "timers",
+        "タイマー";
     Side
         "From the side",
         "側面図";
@@ -576,8 +582,8 @@ tipc::message_table! {
 
     // Help.
     HelpMoves
-        "r run, n over, s into, o out, c cycle, l to line, g to cycle, CAPITALS: back",
-        "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 大文字:逆方向";
+        "r run, n over, s into, o out, c cycle, l to line, g to cycle, t thread, CAPITALS: back",
+        "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 t:スレッド 大文字:逆方向";
     HelpOthers
         "b break, B when, f name, w watch, W last set, i event, e value, ↑↓ ., Esc, q",
         "b:ブレーク B:条件 f:名前 w:監視 W:代入元 i:イベント e:式 ↑↓ .:行 Esc:中断 q:終了";
