@@ -94,6 +94,9 @@ tipc::message_table! {
     NotAVersion { text: String }
         "`{text}` is not a version of the language, such as 3.1",
         "`{text}` は3.1のような言語のバージョンではありません";
+    NoSuchEdition { text: String }
+        "`{text}` is no edition of the language; there are 3.1 and 3.2",
+        "`{text}` という版はありません。3.1 と 3.2 があります";
     NotACrateName { name: String, near: String }
         "`{name}` cannot be the name of a crate: begin with a small letter, go on with small letters and digits, and put a single `-` or `_` between them, as in `{near}`",
         "`{name}` はクレート名にできません。`{near}` のように、英小文字で始め、英小文字と数字を使い、その間を `-` か `_` 1つでつないでください";
