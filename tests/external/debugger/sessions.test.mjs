@@ -36,6 +36,10 @@ writeFileSync(program, PROGRAM);
 const failing = join(folder, 'failing.prg');
 writeFileSync(failing, '3.1\nfails\nDEF_VAR A, B\nA = 0\nB = 1 / A\nEND\n');
 
+// Line 13 runs in cycle 5 for the first time, when the main program stands at line 9.
+const threads = join(folder, 'threads.prg');
+writeFileSync(threads, '3.2\ntwo\nDEF_VAR A, B\nA = 0\nB = 0\nSTART_THREAD SIDE:\nL:\nA += 1\nIF A < 99 GOTO L:\nEXIT\nTHREAD SIDE:\nAGAIN:\nB += 1\nSLEEP 40\nGOTO AGAIN:\nTHREADEND\nEND\n');
+
 const endless = join(folder, 'endless.prg');
 writeFileSync(endless, '3.1\nendless\nDEF_VAR N\nN = 0\nL:\nN += 1\nGOTO L:\nEND\n');
 
@@ -98,6 +102,28 @@ test('steps go over, into, out of, and back', async () => {
   assert.deepEqual(lines, [6, 7, 14, 15, 8, 7]);
   const start = await move(() => client.reverseContinueRequest(thread));
   assert.deepEqual([start.reason, start.line], ['entry', 5]);
+});
+
+test('threads stop together, and each steps for itself', async () => {
+  const begun = client.waitForEvent('initialized').then(async () => {
+    await client.setBreakpointsRequest({ source: { path: threads }, breakpoints: [{ line: 13 }] });
+    await client.configurationDoneRequest();
+  });
+  const [stopped] = await Promise.all([stop(), client.launch({ program: threads }), begun]);
+  assert.deepEqual([stopped.body.reason, stopped.body.threadId], ['breakpoint', 2]);
+  const { body } = await client.threadsRequest();
+  assert.deepEqual(body.threads, [{ id: 1, name: 'threads.prg' }, { id: 2, name: 'SIDE' }]);
+  const line = async (threadId) => (await client.stackTraceRequest({ threadId })).body.stackFrames[0].line;
+  assert.deepEqual([await line(1), await line(2)], [9, 13]);
+  const moved = async (request, threadId) => {
+    const [event] = await Promise.all([stop(), client[request]({ threadId })]);
+    return [event.body.threadId, await line(threadId)];
+  };
+  assert.deepEqual(await moved('nextRequest', 2), [2, 14]);
+  assert.deepEqual(await moved('nextRequest', 2), [2, 15]);
+  assert.deepEqual(await moved('nextRequest', 1), [1, 7]);
+  assert.deepEqual(await moved('stepBackRequest', 2), [2, 15]);
+  assert.deepEqual(await moved('reverseContinueRequest', 2), [2, 13]);
 });
 
 test('conditions, counts of hits, and going back through them', async () => {

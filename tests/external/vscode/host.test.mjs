@@ -19,9 +19,12 @@ END
 // 歩く, and ∵ as NEC's row 13 spells it.
 const OLD = Buffer.from([...Buffer.from('3.1\n'), 0x95, 0xe0, 0x82, 0xad, ...Buffer.from('\nMESSAGE '), 0x87, 0x9a, ...Buffer.from('\nEND\n')]);
 
+// Line 13 runs in cycle 5 for the first time, when the main program stands at line 9.
+const TWO = '3.2\ntwo\nDEF_VAR A, B\nA = 0\nB = 0\nSTART_THREAD SIDE:\nL:\nA += 1\nIF A < 99 GOTO L:\nEXIT\nTHREAD SIDE:\nAGAIN:\nB += 1\nSLEEP 40\nGOTO AGAIN:\nTHREADEND\nEND\n';
+
 const TOML = '[[programs]]\nfiles = "new.prg"\nencoding = "shift_jis"\n';
 
-const files = { 'walk.prg': WALK, 'old.prg': OLD, 'new.prg': '3.1\n\nMESSAGE A\nEND\n', 'tip.toml': TOML };
+const files = { 'walk.prg': WALK, 'two.prg': TWO, 'old.prg': OLD, 'new.prg': '3.1\n\nMESSAGE A\nEND\n', 'tip.toml': TOML };
 const { page, folder, shot, close } = await open(files);
 after(close);
 page.setDefaultTimeout(30_000);
@@ -138,6 +141,35 @@ test('the debugger stops at a breakpoint and steps back', async () => {
   await standing(5);
   await page.keyboard.press('Shift+F5');
   await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
+});
+
+test('a thread of the program has a call stack, breakpoints and steps of its own', async () => {
+  await show('two.prg');
+  await goTo('13:1');
+  await page.keyboard.press('F9');
+  await command('T.I.P.: Debug');
+  await page.locator('.debug-toolbar').waitFor();
+  await standing(4);
+  await page.keyboard.press('F5');
+  await standing(13);
+  const stack = page.locator('.debug-call-stack');
+  await stack.locator('.thread', { hasText: 'SIDE' }).waitFor();
+  await stack.locator('.thread', { hasText: 'two.prg' }).waitFor();
+  await page.waitForTimeout(1000);
+  await shot('threads');
+  await page.keyboard.press('F10');
+  await standing(14);
+  await page.keyboard.press('F10');
+  await standing(15);
+  await page.locator('.debug-toolbar .codicon-debug-step-back').click();
+  await standing(14);
+  await page.locator('.debug-toolbar .codicon-debug-reverse-continue').click();
+  await standing(13);
+  await page.waitForTimeout(1000);
+  await shot('threads-back');
+  await page.keyboard.press('Shift+F5');
+  await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
+  await show('walk.prg');
 });
 
 test('the buttons run and trace a program', async () => {

@@ -71,6 +71,16 @@ impl<const J: usize> ControllerView<'_, J> {
         let slider = slider.then(|| Setpoint::of_track(Target::Floor, &self.slider));
         legs.chain(slider)
     }
+
+    /// Iterates over the locked joints of every leg, F1 first (LOCK).
+    pub fn locked(&self) -> impl Iterator<Item = Target> {
+        let legs = self.legs.iter().enumerate();
+        legs.flat_map(|(index, leg)| {
+            let locked = (0..J).filter(|joint| leg.switches.is_locked(*joint));
+            let n = targets::number(index);
+            locked.map(move |joint| Target::Joint(n, targets::number(joint)))
+        })
+    }
 }
 
 fn of_leg<const J: usize>(n: u8, leg: &LegState<'_, J>) -> impl Iterator<Item = Setpoint> {

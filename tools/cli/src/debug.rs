@@ -29,7 +29,7 @@ use tip_sim::debug::Debugger;
   tip debug --robot hand grasp.prg --scene scene.toml
 
 Keys: r runs, n goes over the next step, s into routines, o out of one, c one control cycle,
-l to the line of the cursor, g to a cycle; the same in capitals goes back. b places and removes a
+l to the line of the cursor, g to a cycle; the same in capitals goes back. t looks at the next thread. b places and removes a
 breakpoint, B one with a condition and a count of passes, f stops before each command, label or
 routine of a name. w watches a variable, W goes back to the last assignment of one. i applies an event,
 such as 'key F', 'VR1=8' or 'N = 5'; e shows the value of an expression. Esc interrupts, ? explains, q ends.")]

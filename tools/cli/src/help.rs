@@ -22,10 +22,14 @@ const GROUPS: &[(&str, &str, &[&str])] = &[
         "書く",
         &["new", "check", "fmt", "explain", "migrate"],
     ),
-    ("Run", "実行する", &["run", "debug", "verify", "cycles"]),
+    (
+        "Run",
+        "実行する",
+        &["run", "debug", "verify", "cycles", "sweep"],
+    ),
     ("See", "見る", &["view", "serve", "plot", "log"]),
     ("Embed", "組み込む", &["emit"]),
-    ("Robots", "ロボット", &["robot"]),
+    ("Robots", "ロボット", &["robot", "drives", "jitter"]),
     (
         "Editors and shells",
         "エディタとシェル",

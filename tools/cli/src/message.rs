@@ -115,6 +115,9 @@ tipc::message_table! {
     NotAVersion { text: String }
         "`{text}` is not a version of the language, such as 3.1",
         "`{text}` は3.1のような言語のバージョンではありません";
+    NoSuchEdition { text: String }
+        "`{text}` is no edition of the language; there are 3.1 and 3.2",
+        "`{text}` という版はありません。3.1 と 3.2 があります";
     NotACrateName { name: String, near: String }
         "`{name}` cannot be the name of a crate: begin with a small letter, go on with small letters and digits, and put a single `-` or `_` between them, as in `{near}`",
         "`{name}` はクレート名にできません。`{near}` のように、英小文字で始め、英小文字と数字を使い、その間を `-` か `_` 1つでつないでください";
@@ -577,6 +580,12 @@ tipc::message_table! {
     Calls
         "Calls",
         "呼び出し";
+    Locked
+        "locked",
+        "ロック中";
+    Timers
+        "timers",
+        "タイマー";
     Side
         "Side",
         "側面図";
@@ -670,8 +679,8 @@ tipc::message_table! {
 
     // Help.
     HelpMoves
-        "r run, n over, s into, o out, c cycle, l to line, g to cycle, CAPITALS: back",
-        "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 大文字:逆方向";
+        "r run, n over, s into, o out, c cycle, l to line, g to cycle, t thread, CAPITALS: back",
+        "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 t:スレッド 大文字:逆方向";
     HelpOthers
         "b break, B when, f name, w watch, W last set, i event, e value, q, ? explains",
         "b:ブレーク B:条件 f:名前 w:監視 W:代入元 i:イベント e:式 q:終了 ?:説明";

@@ -9,8 +9,9 @@ mod template;
 
 use super::choices::OutputOptions;
 use super::error::Error;
+use super::usage::BadValue;
 use super::{Status, output, report};
-use crate::message::Making;
+use crate::message::{Making, Using};
 use clap::Args;
 use files::File;
 use name::CratePath;
@@ -19,6 +20,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use template::{Choice, Template};
 use tip_runtime::printable::Printable;
+use tipc::language::Edition;
 use tipc::message::Lang;
 
 /// `tip new`
@@ -28,6 +30,7 @@ use tipc::message::Lang;
   tip new grasper --robot hand
   tip new six --robot hexapod                 a description of six legs, to be changed
   tip new ours --robot robots/ours.toml       a robot of your own (docs/robots.md)
+  tip new demo --edition 3.2                  a program that may have threads (docs/language.md)
   tip new drives --hardware                   with src/hardware.rs, for drives of your own
   tip new hexa --robot phantomx --hardware    with a bus of servos in robot.toml (docs/drives.md)
   tip new demo --workspace ../tip             depend on this checkout of the project
@@ -43,6 +46,10 @@ pub(super) struct New {
     /// A name that 'tip robot list' shows, or a description in a file
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
     robot: Choice,
+
+    /// The edition of the language: 3.1 or 3.2
+    #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = edition)]
+    edition: Edition,
 
     /// Add a skeleton for drives of your own
     ///
@@ -60,13 +67,24 @@ pub(super) struct New {
     pub(super) output_options: OutputOptions,
 }
 
+/// Parses the number of an edition.
+fn edition(text: &str) -> Result<Edition, BadValue> {
+    let number = text.parse::<f64>();
+    let mut all = Edition::ALL.iter().copied();
+    let edition = all.find(|edition| number == Ok(edition.number()));
+    edition.ok_or_else(|| {
+        let text = text.to_owned();
+        BadValue(Using::NoSuchEdition { text })
+    })
+}
+
 /// Makes a crate.
 pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let refused = |reason: Making| Error::Failed(reason.in_lang(lang).to_string());
     let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(refused)?;
     let mut template = match arguments.robot.template() {
-        Ok(template) => template,
+        Ok(template) => template.in_edition(arguments.edition),
         Err(loaded) => {
             report::diagnostics(&loaded, arguments.output_options);
             return Ok(Status::Failure);

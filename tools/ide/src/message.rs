@@ -136,6 +136,9 @@ tipc::message_table! {
     Falls
         "falls",
         "転倒回数";
+    Locked
+        "locked joints",
+        "ロック中の関節";
     Angles { leg: usize }
         "angles of leg {leg}",
         "脚{leg}の関節角度";

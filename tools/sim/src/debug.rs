@@ -84,6 +84,8 @@ pub struct Debugger {
     logged: Vec<(u64, String)>,
     pending: Option<PendingCommand>,
     stop: Stop,
+    /// The thread that is looked at and stepped; 0 is the main program.
+    selected: u8,
     next_id: u32,
 }
 
@@ -99,7 +101,7 @@ impl Debugger {
     }
 
     fn of(run: Run, program: Arc<Program>, robot: &Robot) -> Self {
-        Debugger {
+        let mut debugger = Debugger {
             asker: QueryContext::new(&program, robot.options(), expressions::OWN_NAMES),
             timeline: Timeline::new(run, ()),
             history: History::default(),
@@ -114,10 +116,14 @@ impl Debugger {
             stop: Stop {
                 reason: Reason::Start,
                 at: 0,
+                thread: 0,
             },
+            selected: 0,
             next_id: 1,
             program,
-        }
+        };
+        debugger.history.next = debugger.next_steps();
+        debugger
     }
 
     /// Stops where the robot falls, or goes on.
@@ -155,10 +161,52 @@ impl Debugger {
         run.engine()
     }
 
-    /// Returns the number of open calls in a run.
-    fn depth(run: &Run) -> u8 {
-        let calls = Self::interpreter(run).map_or(0, |engine| engine.calls(0).len());
+    /// Returns the number of open calls of the main program (0) or a thread.
+    fn depth(run: &Run, thread: u8) -> u8 {
+        let calls = Self::interpreter(run).map_or(0, |engine| engine.calls(thread.into()).len());
         u8::try_from(calls).unwrap_or(u8::MAX)
+    }
+
+    /// Returns the step that the main program and each running thread takes next, in the order of their turns.
+    fn next_steps(&self) -> Vec<Taken> {
+        let run = self.run();
+        let threads = (1..).zip(self.program.threads()).map(|(thread, _)| thread);
+        let running = threads.filter(|thread| run.thread_runs(*thread));
+        let turns = std::iter::once(0).chain(running);
+        let taken = turns.map(|thread| Taken {
+            step: run.step_of(thread),
+            thread,
+            depth: Self::depth(run, thread),
+        });
+        taken.collect()
+    }
+
+    /// Returns the thread that is looked at: the selected one if it runs, else the main program (0).
+    pub fn thread(&self) -> u8 {
+        match self.run().thread_runs(self.selected) {
+            true => self.selected,
+            false => 0,
+        }
+    }
+
+    /// Selects the thread that is looked at, and that steps are of; 0 is the main program.
+    pub fn select(&mut self, thread: u8) {
+        self.selected = thread;
+    }
+
+    /// Returns the numbers of the main program (0) and of the threads that run, in the order of their turns.
+    pub fn threads(&self) -> Vec<u8> {
+        let next = self.next_steps().into_iter();
+        next.map(|taken| taken.thread).collect()
+    }
+
+    /// Returns the name of a thread; none for the main program.
+    pub fn thread_name(&self, thread: u8) -> Option<&str> {
+        let index = usize::from(thread).checked_sub(1)?;
+        self.program
+            .threads()
+            .get(index)
+            .map(|thread| &*thread.name)
     }
 
     fn new_id(&mut self) -> u32 {
@@ -202,6 +250,7 @@ impl Debugger {
         self.stop = Stop {
             reason: Reason::Change,
             at: now,
+            thread: self.thread(),
         };
         Ok(())
     }
@@ -215,8 +264,8 @@ impl Debugger {
     fn forget_later(&mut self) {
         let now = self.now();
         self.timeline.branch();
-        self.history
-            .truncate(now, self.timeline.run().program().at());
+        let next = self.next_steps();
+        self.history.truncate(now, next);
         self.breakpoints.truncate(now);
         self.said.retain(|(at, _)| *at < now);
         self.taken = self.taken.min(self.said.len());
@@ -239,59 +288,94 @@ enum Frontier {
     Failed(Emergency),
 }
 
-/// The step of every cycle, and how many calls were open.
+/// A step of the main program or of a thread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Taken {
+    step: u32,
+    /// 0 for the main program.
+    thread: u8,
+    /// Number of calls that were open before it.
+    depth: u8,
+}
+
+/// The steps of every cycle, in order: those of the main program, then those of each thread.
 #[derive(Debug, Default)]
 struct History {
-    steps: Vec<u32>,
-    depths: Vec<u8>,
-    /// The step that would run after all of them.
-    next: u32,
+    taken: Vec<Taken>,
+    /// The place in `taken` of the first step of each cycle.
+    cycles: Vec<usize>,
+    /// The steps that would begin the turns after all of them.
+    next: Vec<Taken>,
     frontier: Frontier,
 }
 
 impl History {
     fn len(&self) -> u64 {
-        self.steps.len() as u64
+        self.cycles.len() as u64
     }
 
-    /// Adds a step that is about to run for the first time.
-    fn push(&mut self, step: u32, depth: u8) {
-        self.steps.push(step);
-        self.depths.push(depth);
-    }
-
-    /// Stores the step and the state that came after it.
-    fn reached(&mut self, next: u32, frontier: Frontier) {
+    /// Adds the steps of a cycle that was run for the first time, and stores what came after it.
+    fn push(&mut self, taken: Vec<Taken>, next: Vec<Taken>, frontier: Frontier) {
+        self.cycles.push(self.taken.len());
+        self.taken.extend(taken);
         self.next = next;
         self.frontier = frontier;
     }
 
-    /// Forgets everything from a position on, where this step comes next.
-    fn truncate(&mut self, at: u64, next: u32) {
-        let at = place(at);
-        self.steps.truncate(at);
-        self.depths.truncate(at);
+    /// Forgets everything from a position on, where these steps come next.
+    fn truncate(&mut self, at: u64, next: Vec<Taken>) {
+        if let Some(first) = self.cycles.get(place(at)) {
+            self.taken.truncate(*first);
+        }
+        self.cycles.truncate(place(at));
         self.next = next;
         self.frontier = Frontier::Open;
     }
 
-    /// Returns the step at a position.
-    fn step(&self, at: u64) -> u32 {
-        self.steps.get(place(at)).copied().unwrap_or(self.next)
+    /// Returns the steps of a cycle; of the cycle that would come next, the first of each turn.
+    fn cycle(&self, at: u64) -> &[Taken] {
+        let Some(first) = self.cycles.get(place(at)) else {
+            return &self.next;
+        };
+        let after = self.cycles.get(place(at) + 1);
+        let after = after.copied().unwrap_or(self.taken.len());
+        self.taken.get(*first..after).unwrap_or_default()
     }
 
-    /// Returns the number of open calls before a cycle.
-    fn depth(&self, at: u64) -> u8 {
-        self.depths.get(place(at)).copied().unwrap_or_default()
+    /// Returns the first step of the turn of the main program (0) or a thread.
+    fn first(&self, at: u64, thread: u8) -> Option<Taken> {
+        let mut taken = self.cycle(at).iter();
+        taken.find(|taken| taken.thread == thread).copied()
     }
 
-    /// Returns true if the step at a position begins there: it differs from that of the cycle
+    /// Iterates over the steps that begin at a position: those that begin the next turns and do not go on with the last
+    /// step of the turn before; before them those inside the turns that have just ended, which no position is directly
     /// before.
-    fn enters(&self, at: u64) -> bool {
-        at == 0 || self.step(at) != self.step(at - 1)
+    fn begins(&self, at: u64) -> impl Iterator<Item = Taken> {
+        let before = at.checked_sub(1).map_or(&[][..], |at| self.cycle(at));
+        let pairs = before.iter().zip(before.iter().skip(1));
+        let inside = pairs.filter(|(last, taken)| last.thread == taken.thread);
+        let inside = inside.filter(|(last, taken)| last.step != taken.step);
+        let inside = inside.map(|(_, taken)| *taken);
+        let now = self.cycle(at);
+        let firsts = now.iter().enumerate().filter(|(place, taken)| {
+            let last = place.checked_sub(1).and_then(|place| now.get(place));
+            last.is_none_or(|last| last.thread != taken.thread)
+        });
+        let firsts = firsts.map(|(_, taken)| *taken).filter(|taken| {
+            let last = before.iter().rfind(|last| last.thread == taken.thread);
+            last.is_none_or(|last| last.step != taken.step)
+        });
+        inside.chain(firsts)
     }
 
-    /// Returns true if the step of a cycle failed, and so changed nothing.
+    /// Returns true if the turn of a thread begins with a new step at a position.
+    fn enters(&self, at: u64, thread: u8) -> bool {
+        let first = self.first(at, thread);
+        first.is_some_and(|first| self.begins(at).any(|taken| taken == first))
+    }
+
+    /// Returns true if the last step of a cycle failed, and so changed nothing.
     fn fails(&self, at: u64) -> bool {
         matches!(self.frontier, Frontier::Failed(_)) && at + 1 == self.len()
     }

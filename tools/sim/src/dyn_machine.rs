@@ -4,7 +4,7 @@
 use crate::event_console::EventConsole;
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::SimHardware;
-use tip_runtime::command::{Flag, MAX, Poll, Reading};
+use tip_runtime::command::{Flag, MAX, Poll, Reading, Target};
 use tip_runtime::controller::Setpoint;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::JointCommand;
@@ -34,6 +34,11 @@ pub(crate) trait DynMachine: Send {
     /// Returns the members of a special variable, of the readings of the last cycle.
     fn reading(&self, reading: Reading) -> Result<[f64; MAX], Fault>;
     fn setpoints(&self) -> Vec<Setpoint>;
+    /// Returns the locked joints.
+    fn locked(&self) -> Vec<Target>;
+    fn thread_runs(&self, thread: u8) -> bool;
+    /// Returns the time of a timer, ms.
+    fn timer(&self, n: u8) -> f64;
     /// Returns what each joint was sent, leg by leg.
     fn commands(&self) -> &[JointCommand];
     /// Returns the measured angle of each joint, leg by leg, deg.
@@ -119,6 +124,18 @@ impl<const L: usize, const J: usize> DynMachine
 
     fn setpoints(&self) -> Vec<Setpoint> {
         self.controller().setpoints().collect()
+    }
+
+    fn locked(&self) -> Vec<Target> {
+        self.controller().locked().collect()
+    }
+
+    fn thread_runs(&self, thread: u8) -> bool {
+        self.thread_runs(thread)
+    }
+
+    fn timer(&self, n: u8) -> f64 {
+        self.timer(n)
     }
 
     fn commands(&self) -> &[JointCommand] {

@@ -11,7 +11,7 @@ use crate::robot::Robot;
 use crate::trace::{Trace, tee};
 use std::fmt;
 use std::time::Duration;
-use tip_runtime::command::Flag;
+use tip_runtime::command::{Flag, Target};
 use tip_runtime::console::Console;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Mismatch, Status};
@@ -361,6 +361,29 @@ impl Run {
     /// sensors and keys change it.
     pub fn flag(&self, flag: Flag) -> bool {
         self.machine.flag(flag)
+    }
+
+    /// Returns true if a thread (from 1, in the order of the text) runs.
+    pub fn thread_runs(&self, thread: u8) -> bool {
+        self.machine.thread_runs(thread)
+    }
+
+    /// Returns the step that the main program (0) or a thread takes next.
+    pub fn step_of(&self, thread: u8) -> u32 {
+        let program = self.program();
+        program
+            .thread(thread)
+            .map_or(program.at(), |(_, step)| step)
+    }
+
+    /// Returns the time of timer `n`, ms.
+    pub fn timer(&self, n: u8) -> f64 {
+        self.machine.timer(n)
+    }
+
+    /// Returns the joints that the program locked.
+    pub fn locked(&self) -> Vec<Target> {
+        self.machine.locked()
     }
 
     /// Returns the command of each joint in the last cycle, leg by leg.

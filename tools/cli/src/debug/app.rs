@@ -109,6 +109,15 @@ impl App {
         self.cursor = self.debugger.line();
     }
 
+    /// Looks at the next thread that runs.
+    pub(crate) fn next_thread(&mut self) {
+        let threads = self.debugger.threads();
+        let here = self.debugger.thread();
+        let later = threads.iter().find(|thread| **thread > here);
+        self.debugger.select(later.copied().unwrap_or(0));
+        self.cursor = self.debugger.line();
+    }
+
     pub(crate) fn move_cursor(&mut self, by: i64) {
         let last = i64::from(self.source.line_count().max(1));
         let line = (i64::from(self.cursor) + by).clamp(1, last);
@@ -396,6 +405,7 @@ fn letter(app: &mut App, letter: char, is_capital: bool) {
         ('e', false) => app.ask(Question::Expression),
         ('g', false) => app.ask(Question::Cycle),
         ('?', _) => app.explains = true,
+        ('t', false) => app.next_thread(),
         ('.', _) => app.cursor = app.debugger.line(),
         ('k', false) => app.move_cursor(-1),
         ('j', false) => app.move_cursor(1),

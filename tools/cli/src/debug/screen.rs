@@ -9,7 +9,7 @@ use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 use std::collections::BTreeSet;
-use tip_runtime::command::Target;
+use tip_runtime::command::{TIMERS, Target};
 use tip_runtime::controller::Setpoint;
 use tip_runtime::printable::Printable;
 use tip_sim::debug::{By, Reason, Variable, control};
@@ -50,19 +50,21 @@ pub(crate) fn draw(app: &App, frame: &mut Frame<'_>) {
 
 /// Draws variables, calls, targets and the robot.
 fn draw_side(app: &App, frame: &mut Frame<'_>, area: Rect) {
-    let calls = u16::try_from(app.debugger.frames().len()).unwrap_or(u16::MAX);
+    let calls = calls(app);
+    let count = u16::try_from(calls.len()).unwrap_or(u16::MAX);
     let legs = legs(app);
     let height = u16::try_from(legs.len()).unwrap_or(u16::MAX);
-    let [variables, calls, setpoints, robot] = Layout::vertical([
+    let [variables, called, setpoints, robot] = Layout::vertical([
         Constraint::Fill(3),
-        Constraint::Length(calls.min(area.height / 5) + 1),
+        Constraint::Length(count.min(area.height / 5) + 1),
         Constraint::Length(height.min(area.height / 4) + 1),
         Constraint::Length(area.height * 2 / 5),
     ])
     .areas(area);
     draw_variables(app, frame, variables);
-    draw_calls(app, frame, calls);
-    let block = block(app.say(Debugging::Legs));
+    let block = self::block(app.say(DebugText::Calls));
+    frame.render_widget(Paragraph::new(calls).block(block), called);
+    let block = self::block(app.say(Debugging::Legs));
     frame.render_widget(Paragraph::new(legs).block(block), setpoints);
     draw_robot(app, frame, robot);
 }
@@ -169,6 +171,7 @@ pub(super) fn draw_source(app: &App, frame: &mut Frame<'_>, area: Rect) {
         .min((last + 1).saturating_sub(height))
         .max(1);
     let here = app.debugger.line();
+    let others = lines_of_others(app);
     let marked: BTreeSet<u32> = app
         .debugger
         .breakpoint_lines()
@@ -178,7 +181,11 @@ pub(super) fn draw_source(app: &App, frame: &mut Frame<'_>, area: Rect) {
         let text = Printable::line(app.source.line_text(number)).to_string();
         let is_here = number == here;
         let mark = if marked.contains(&number) { "●" } else { " " };
-        let arrow = if is_here { "▶" } else { " " };
+        let arrow = match is_here {
+            true => "▶",
+            false if others.contains(&number) => "▷",
+            false => " ",
+        };
         let mut style = Style::new();
         if is_here {
             style = style.fg(Color::Yellow).add_modifier(Modifier::BOLD);
@@ -212,13 +219,33 @@ pub(super) fn draw_messages(app: &App, frame: &mut Frame<'_>, area: Rect) {
     frame.render_widget(Paragraph::new(lines.collect::<Vec<_>>()).block(block), area);
 }
 
-pub(super) fn draw_calls(app: &App, frame: &mut Frame<'_>, area: Rect) {
-    let lines = app.debugger.frames().into_iter().map(|call| {
-        let name = call.name.unwrap_or_else(|| app.say(DebugText::MainProgram));
-        Line::from(format!("{:>4} {name}", call.line))
+/// Returns the open calls of the main program and of each thread that runs; where there are several, the one that is
+/// looked at first.
+pub(super) fn calls(app: &App) -> Vec<Line<'static>> {
+    let mut threads = app.debugger.threads();
+    threads.sort_by_key(|thread| *thread != app.debugger.thread());
+    let calls = threads.into_iter().flat_map(|thread| {
+        let outermost = match app.debugger.thread_name(thread) {
+            Some(name) => name.to_owned(),
+            None => app.say(DebugText::MainProgram),
+        };
+        let frames = app.debugger.frames(thread).into_iter();
+        frames.map(move |call| {
+            let name = call.name.unwrap_or_else(|| outermost.clone());
+            Line::from(format!("{:>4} {name}", call.line))
+        })
     });
-    let block = block(app.say(DebugText::Calls));
-    frame.render_widget(Paragraph::new(lines.collect::<Vec<_>>()).block(block), area);
+    calls.collect()
+}
+
+/// Returns the lines that threads other than the one that is looked at run next.
+fn lines_of_others(app: &App) -> BTreeSet<u32> {
+    let (debugger, run) = (&app.debugger, app.debugger.run());
+    let others = debugger.threads().into_iter();
+    let others = others.filter(|thread| *thread != debugger.thread());
+    others
+        .map(|thread| run.program().line(run.step_of(thread)))
+        .collect()
 }
 
 /// Returns the mode and target of each foot or joint, a line for each leg.
@@ -234,7 +261,22 @@ pub(super) fn legs(app: &App) -> Vec<Line<'static>> {
         .filter(|aim| leg_of(aim.of).is_none())
         .collect();
     let others = (!others.is_empty()).then(|| Line::from(aims_text(app, &others)));
-    legs.chain(others).collect()
+    legs.chain(others).chain(switches(app)).collect()
+}
+
+/// Returns the locked joints and the timers that have run, if there are any.
+fn switches(app: &App) -> impl Iterator<Item = Line<'static>> {
+    let run = app.debugger.run();
+    let locked: Vec<String> = run.locked().iter().map(Target::to_string).collect();
+    let locked = (!locked.is_empty())
+        .then(|| format!("{}: {}", app.say(DebugText::Locked), locked.join(" ")));
+    let timers = (0..TIMERS).filter(|n| run.timer(*n) > 0.0);
+    let timers: Vec<String> = timers
+        .map(|n| format!("{n}: {} ms", run.timer(n)))
+        .collect();
+    let timers = (!timers.is_empty())
+        .then(|| format!("{} {}", app.say(DebugText::Timers), timers.join("  ")));
+    locked.into_iter().chain(timers).map(Line::from)
 }
 
 /// Returns modes and targets; joints with the same mode share it.

@@ -305,3 +305,23 @@ fn control_c_ends_whatever_is_asked() {
     );
     assert!(app.is_over());
 }
+
+#[test]
+fn threads_timers_and_locks_are_shown_and_t_looks_at_the_next_thread() {
+    // After four cycles: main program at line 8, thread at line 11.
+    let text = "3.2\ntwo\nDEF_VAR N\nSTART_TIMER 3\nSTART_THREAD SIDE:\nN = 1\nN = 2\nEXIT\nTHREAD SIDE:\nLOCK F1\nN = 5\nTHREADEND\nEND\n";
+    let mut app = app_of("titan8", text, Lang::English);
+    press(&mut app, "nnnn");
+    let shown = screen(&app, 120, 40);
+    assert!(shown.contains("▶8"), "{shown}");
+    assert!(shown.contains("▷11"), "{shown}");
+    assert!(shown.contains("11SIDE"), "{shown}");
+    assert!(shown.contains("locked:J11J12J13"), "{shown}");
+    assert!(shown.contains("timers3:80ms"), "{shown}");
+    press(&mut app, "t");
+    assert_eq!((app.debugger.thread(), app.cursor), (1, 11));
+    let shown = screen(&app, 120, 40);
+    assert!(shown.contains("▶11") && shown.contains("▷8"), "{shown}");
+    press(&mut app, "t");
+    assert_eq!(app.debugger.thread(), 0);
+}

@@ -11,6 +11,7 @@ use std::str::FromStr;
 use tip_runtime::model::{Model as RobotModel, hand, titan8};
 use tip_sim::Robot;
 use tipc::Loaded;
+use tipc::language::Edition;
 
 /// The description of the hexapod.
 const HEXAPOD: &str = include_str!("../../templates/hexapod.toml");
@@ -138,6 +139,16 @@ pub(super) struct Template {
     pub(super) joints: usize,
     /// The file of the scene.
     pub(super) scene: Option<&'static str>,
+}
+
+impl Template {
+    /// Returns the parts with the motion in an edition of the language; its words are of every edition.
+    pub(super) fn in_edition(mut self, edition: Edition) -> Self {
+        if let Some((_, rest)) = self.motion.program.split_once('\n') {
+            self.motion.program = format!("{edition}\n{rest}");
+        }
+        self
+    }
 }
 
 impl Choice {

@@ -333,3 +333,71 @@ fn a_restart_loads_the_program_again_and_keeps_its_breakpoints() {
     assert_eq!(client.value("N"), "4");
     client.ask("disconnect", Value::Null);
 }
+
+/// Two threads, whose steps are on lines of their own. Main program: line 6 in cycle 2, then 7 to 9 in turn. Thread: 11 in
+/// cycle 3, 12, 13 in cycle 5, 14 in cycles 6 and 7, 15, 12 in cycle 9.
+const TWO: &str = "3.2
+two
+DEF_VAR A, B
+A = 0
+B = 0
+START_THREAD SIDE:
+L:
+A += 1
+IF A < 20 GOTO L:
+EXIT
+THREAD SIDE:
+AGAIN:
+B += 1
+SLEEP 40
+GOTO AGAIN:
+THREADEND
+END
+";
+
+#[test]
+fn a_thread_of_the_program_is_a_thread_of_the_protocol() {
+    let folder = Folder::new("dap-threads").file("two.prg", TWO);
+    let path = folder.path("two.prg").display().to_string();
+    let mut client = Client::launched(&path, Value::Null);
+    let source = json!({ "path": path });
+    client.ask(
+        "setBreakpoints",
+        json!({ "source": source, "breakpoints": [{ "line": 13 }] }),
+    );
+    client.begin();
+    let threads = client.ask("threads", Value::Null);
+    assert_eq!(threads["threads"], json!([{ "id": 1, "name": "two.prg" }]));
+    client.ask("continue", thread());
+    let stopped = client.event("stopped");
+    assert_eq!(
+        (&stopped["reason"], &stopped["threadId"]),
+        (&json!("breakpoint"), &json!(2))
+    );
+    let threads = client.ask("threads", Value::Null);
+    assert_eq!(threads["threads"][1], json!({ "id": 2, "name": "SIDE" }));
+    let top = |client: &mut Client, thread: i64| {
+        let stack = client.ask("stackTrace", json!({ "threadId": thread }));
+        let frame = stack["stackFrames"][0].clone();
+        (frame["name"].clone(), frame["line"].clone())
+    };
+    // Before cycle 5.
+    assert_eq!(top(&mut client, 1), (json!("two"), json!(9)));
+    assert_eq!(top(&mut client, 2), (json!("SIDE"), json!(13)));
+    for (request, of, line) in [
+        ("next", 2, 14),
+        ("next", 2, 15),
+        ("next", 1, 7),
+        ("stepBack", 2, 15),
+        ("stepBack", 2, 14),
+    ] {
+        client.ask(request, json!({ "threadId": of }));
+        assert_eq!(client.event("stopped")["threadId"], of, "{request}");
+        assert_eq!(top(&mut client, of).1, line, "{request} {of}");
+    }
+    client.ask("reverseContinue", thread());
+    assert_eq!(client.event("stopped")["threadId"], 2);
+    assert_eq!(top(&mut client, 2).1, 13);
+    assert_eq!(client.value("B"), "0");
+    client.ask("disconnect", Value::Null);
+}

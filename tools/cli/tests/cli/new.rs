@@ -86,19 +86,41 @@ fn the_programs_of_every_robot_are_sound() {
         ("ours.toml", "bend", "F2"),
     ] {
         let name = format!("a-{}", robot.trim_end_matches(".toml"));
-        folder.tip(&["new", &name, "--robot", robot]).expect(0);
-        let program = format!("{name}/motions/{motion}.prg");
-        let check = ["check", "--deny", "warnings", &program];
-        folder.tip(&check).expect(0);
-        let outcome = folder.tip(&["run", &program]).expect(0);
-        let all = format!("{}{}", outcome.out, outcome.err);
-        assert!(all.contains(said), "{robot}: {all}");
-        for fell in ["falls   1", "would fall"] {
-            assert!(!all.contains(fell), "{robot}: {all}");
+        for edition in ["3.1", "3.2"] {
+            sound(&folder, &name, robot, motion, edition, said);
         }
-        let fmt = ["fmt", "--check", &program];
-        folder.tip(&fmt).expect(0);
     }
+}
+
+fn sound(folder: &Folder, name: &str, robot: &str, motion: &str, edition: &str, said: &str) {
+    let name = format!("{name}-{}", edition.replace('.', ""));
+    folder
+        .tip(&["new", &name, "--robot", robot, "--edition", edition])
+        .expect(0);
+    let program = format!("{name}/motions/{motion}.prg");
+    let check = ["check", "--deny", "warnings", &program];
+    folder.tip(&check).expect(0);
+    let outcome = folder.tip(&["run", &program]).expect(0);
+    let all = format!("{}{}", outcome.out, outcome.err);
+    assert!(all.contains(said), "{robot}: {all}");
+    for fell in ["falls   1", "would fall"] {
+        assert!(!all.contains(fell), "{robot}: {all}");
+    }
+    let fmt = ["fmt", "--check", &program];
+    folder.tip(&fmt).expect(0);
+    assert!(folder.read(&program).starts_with(edition));
+}
+
+#[test]
+fn another_edition_is_refused() {
+    let folder = Folder::new("new-edition");
+    let outcome = folder.tip(&["new", "demo", "--edition", "3.3"]).expect(2);
+    assert!(
+        outcome.err.contains("there are 3.1 and 3.2"),
+        "{}",
+        outcome.err
+    );
+    assert!(folder.names().is_empty());
 }
 
 /// A robot of two legs that is bolted down; one of its joints has little room.

@@ -2,8 +2,9 @@
 
 use super::Launcher;
 use super::breakpoints::Kind;
+use super::inspection::thread;
 use super::protocol::Step;
-use super::session::{Answer, Session, THREAD, read};
+use super::session::{Answer, MAIN, Session, read};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_runtime::program::End;
@@ -39,9 +40,14 @@ impl<L: Launcher> Session<L> {
         })
     }
 
-    /// Steps by a statement, or with the finest granularity by a control cycle.
+    /// Steps a thread by a statement, or with the finest granularity all by a control cycle.
     pub(super) fn step(&mut self, step: Move, cycle: Move, arguments: Value) -> Answer {
-        let Step { granularity } = read(arguments)?;
+        let Step {
+            granularity,
+            thread_id,
+        } = read(arguments)?;
+        let thread = thread(thread_id);
+        self.paused()?.debugger.select(thread);
         match granularity.as_deref() {
             Some("instruction") => self.go(cycle),
             _ => self.go(step),
@@ -207,7 +213,10 @@ impl<L: Launcher> Session<L> {
     }
 
     fn stopped_at(&mut self, reason: &str, text: Option<String>, id: Option<u32>) {
-        let mut body = json!({ "reason": reason, "threadId": THREAD, "allThreadsStopped": true });
+        let debuggee = self.debuggee.as_ref();
+        let thread = debuggee.map_or(0, |debuggee| debuggee.debugger.thread());
+        let thread = MAIN + i64::from(thread);
+        let mut body = json!({ "reason": reason, "threadId": thread, "allThreadsStopped": true });
         if let Some(text) = text {
             body["description"] = text.clone().into();
             body["text"] = text.into();

@@ -4,9 +4,10 @@ use super::Launcher;
 use super::protocol::{
     Evaluate, Scope, SetVariable, SourceFile, StackFrame, StackTrace, Variable, Variables,
 };
-use super::session::{Answer, Session, THREAD};
+use super::session::{Answer, MAIN, Session};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
+use tip_runtime::command::{Reading, TIMERS, Target};
 use tip_runtime::controller::Setpoint;
 use tip_sim::Event;
 use tip_sim::debug::{self, DebugError, Debugger, Discard, Move, Value as Evaluated, control};
@@ -14,6 +15,15 @@ use tip_sim::message::Debugging;
 use tipc::message::{Lang, Message};
 use tipc::program::VariableKind;
 use tipc::source::Source;
+
+/// Number of frame ids of a thread.
+const FRAMES: i64 = 100;
+
+/// Returns the number of a thread of the program by its id; 0 is the main program.
+pub(super) fn thread(id: Option<i64>) -> u8 {
+    let thread = id.unwrap_or(MAIN) - MAIN;
+    u8::try_from(thread).unwrap_or(0)
+}
 
 /// The references of lists of variables.
 const PROGRAM: i64 = 1;
@@ -27,11 +37,19 @@ const DISCARD: &str = "discard ";
 
 impl<L: Launcher> Session<L> {
     pub(super) fn threads(&mut self) -> Answer {
-        let debuggee = self.debuggee.as_ref();
-        let name = debuggee.map_or("T.I.P.", |debuggee| {
-            debuggee.debugger.program().source_name()
+        let Some(debuggee) = &self.debuggee else {
+            return Ok(Some(
+                json!({ "threads": [{ "id": MAIN, "name": "T.I.P." }] }),
+            ));
+        };
+        let debugger = &debuggee.debugger;
+        let main = debugger.program().source_name();
+        let threads = debugger.threads().into_iter().map(|thread| {
+            let name = debugger.thread_name(thread).unwrap_or(main);
+            json!({ "id": MAIN + i64::from(thread), "name": name })
         });
-        Ok(Some(json!({ "threads": [{ "id": THREAD, "name": name }] })))
+        let threads: Vec<Value> = threads.collect();
+        Ok(Some(json!({ "threads": threads })))
     }
 
     pub(super) fn stack_trace(&mut self, asked: &StackTrace) -> Answer {
@@ -41,13 +59,16 @@ impl<L: Launcher> Session<L> {
             name: Some(debuggee.debugger.program().source_name().to_owned()),
             path: Some(debuggee.path.clone()),
         };
-        let all = debuggee.debugger.frames();
+        let thread = thread(asked.thread_id);
+        let all = debuggee.debugger.frames(thread);
         let total = all.len();
-        let frames = (1..).zip(all).map(|(id, frame)| StackFrame {
+        let debugger = &debuggee.debugger;
+        let outermost = debugger.thread_name(thread);
+        let outermost = outermost.unwrap_or(debugger.program().title());
+        let first = i64::from(thread) * FRAMES + 1;
+        let frames = (first..).zip(all).map(|(id, frame)| StackFrame {
             id,
-            name: frame
-                .name
-                .unwrap_or_else(|| debuggee.debugger.program().title().to_owned()),
+            name: frame.name.unwrap_or_else(|| outermost.to_owned()),
             source: file.clone(),
             line: i64::from(frame.line) - 1 + first_line,
             column: column(&debuggee.source, frame.line, frame.column) - 1 + first_column,
@@ -289,6 +310,14 @@ fn robot(debugger: &Debugger, lang: Lang) -> Vec<Variable> {
         plain(DebugAdapter::Cycle, debugger.now().to_string()),
         plain(DebugAdapter::Time, format!("{} ms", run.time())),
     ];
+    for n in (0..TIMERS).filter(|n| run.timer(*n) > 0.0) {
+        let timer = Reading::Timer(n).to_string();
+        shown.push(self::plain(timer, format!("{} ms", run.timer(n))));
+    }
+    let locked: Vec<String> = run.locked().iter().map(Target::to_string).collect();
+    if !locked.is_empty() {
+        shown.push(plain(DebugAdapter::Locked, locked.join(" ")));
+    }
     if let Some(motion) = run.motion() {
         let pose = motion.pose;
         let [x, y, z] = pose.position;

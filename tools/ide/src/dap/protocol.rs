@@ -209,6 +209,7 @@ pub(crate) struct Breakpoint {
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub(crate) struct StackTrace {
+    pub(crate) thread_id: Option<i64>,
     pub(crate) start_frame: Option<i64>,
     pub(crate) levels: Option<i64>,
 }
@@ -267,7 +268,8 @@ pub(crate) struct Evaluate {
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(default)]
+#[serde(rename_all = "camelCase", default)]
 pub(crate) struct Step {
+    pub(crate) thread_id: Option<i64>,
     pub(crate) granularity: Option<String>,
 }

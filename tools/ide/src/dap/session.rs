@@ -12,8 +12,8 @@ use std::collections::BTreeMap;
 use tip_sim::debug::{Move, Work};
 use tipc::message::{Lang, Message};
 
-/// The thread of the program; it has one.
-pub(super) const THREAD: i64 = 1;
+/// The id of the main program among the threads; the THREADs of the program follow.
+pub(super) const MAIN: i64 = 1;
 
 /// Number of control cycles that are run between two looks for requests.
 const PORTION: u64 = 500;
@@ -155,7 +155,7 @@ impl<L: Launcher> Session<L> {
             "reverseContinue" => self.go(Move::ReverseContinue),
             "next" => self.step(Move::Over, Move::Cycle, arguments),
             "stepIn" => self.step(Move::Step, Move::Cycle, arguments),
-            "stepOut" => self.go(Move::Out),
+            "stepOut" => self.step(Move::Out, Move::Cycle, arguments),
             "stepBack" => self.step(Move::OverBack, Move::CycleBack, arguments),
             "pause" => self.debuggee().map(|_| None),
             _ => Err(format!("'{command}' is not supported")),

@@ -129,6 +129,11 @@ impl Breakpoints {
         words.map(|words| words.at(now)).collect()
     }
 
+    /// Returns true if there is a log point.
+    fn have_log_text(&self) -> bool {
+        self.all.iter().any(|one| one.log_text.is_some())
+    }
+
     /// Lets one say something in place of stopping.
     pub(super) fn set_log_text(&mut self, id: u32, words: LogText) {
         if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
@@ -150,11 +155,13 @@ impl Breakpoints {
         known
     }
 
-    /// Counts the passes of a position that has not been counted; `step` begins there, if one does.
-    pub(super) fn count(&mut self, step: Option<u32>, now: &Now<'_>) {
+    /// Counts the passes of a position that has not been counted.
+    pub(super) fn count(&mut self, history: &History, now: &Now<'_>) {
         for one in &mut self.all {
             if one.hits.is_some() && one.known == now.at {
-                let is_there = step.is_some_and(|step| one.steps.contains(&step));
+                let is_there = history
+                    .begins(now.at)
+                    .any(|it| one.steps.contains(&it.step));
                 let is_pass = is_there && one.holds(now);
                 one.passed(now.at, is_pass);
             }
@@ -166,7 +173,7 @@ impl Breakpoints {
         for one in &mut self.all {
             if one.hits.is_some() && one.asked.is_none() {
                 for at in one.known..until {
-                    let is_pass = history.enters(at) && one.steps.contains(&history.step(at));
+                    let is_pass = history.begins(at).any(|it| one.steps.contains(&it.step));
                     one.passed(at, is_pass);
                 }
             }
@@ -312,12 +319,13 @@ impl Debugger {
 
     /// Logs the texts of log points where a step begins.
     pub(super) fn log_here(&mut self) {
-        let step = self.run().program().at();
-        let begins = self.now() == 0 || self.history.step(self.now() - 1) != step;
-        if !begins || self.end_at(self.now()).is_some() {
+        if !self.breakpoints.have_log_text() || self.end_at(self.now()).is_some() {
             return;
         }
-        let said = self.breakpoints.log_texts(step, &self.here());
+        let begin = self.history.begins(self.now());
+        let said: Vec<String> = begin
+            .flat_map(|it| self.breakpoints.log_texts(it.step, &self.here()))
+            .collect();
         if self.logged.len() >= 2 * MESSAGES {
             self.logged.drain(..MESSAGES);
         }
@@ -340,24 +348,32 @@ struct Watch {
 pub(super) struct Watches(Vec<Watch>);
 
 impl Watches {
-    /// Returns the variable that the step of a cycle assigns, if the watch `only`, or any, is on
-    /// it. Only KEY_IN may assign nothing: it waits.
+    /// Returns the variable that a step of a cycle assigns, if the watch `only`, or any, is on it, and the thread of the
+    /// step. Only KEY_IN may assign nothing: it waits.
     pub(super) fn assigned(
         &self,
         at: u64,
         only: Option<u32>,
         history: &History,
         program: &Program,
-    ) -> Option<Reason> {
-        let step = history.step(at);
-        let assigns = |watch: &&Watch| watch.steps.get(step as usize).copied().unwrap_or(false);
-        let watch = self.selected(only).find(assigns)?;
-        let action = program.steps().get(step as usize).map(|step| &step.action);
-        let waits = matches!(action, Some(Action::KeyIn { .. })) && history.step(at + 1) == step;
-        let assigns = !waits && !history.fails(at);
-        assigns.then_some(Reason::Watch {
-            id: watch.id,
-            by: By::Step(step),
+    ) -> Option<(Reason, u8)> {
+        if self.0.is_empty() {
+            return None;
+        }
+        let taken = history.cycle(at);
+        let count = taken.len() - usize::from(history.fails(at)).min(taken.len());
+        taken.iter().take(count).find_map(|it| {
+            let assigns = |watch: &&Watch| watch.steps.get(it.step as usize) == Some(&true);
+            let watch = self.selected(only).find(assigns)?;
+            let action = program.steps().get(it.step as usize);
+            let asks_key = matches!(action?.action, Action::KeyIn { .. });
+            let goes_on = history.first(at + 1, it.thread).map(|next| next.step);
+            let reason = Reason::Watch {
+                id: watch.id,
+                by: By::Step(it.step),
+            };
+            let waits = asks_key && goes_on == Some(it.step);
+            (!waits).then_some((reason, it.thread))
         })
     }
 

@@ -302,9 +302,9 @@ pub fn control(mode: Mode) -> Debugging {
 }
 
 impl Debugger {
-    /// Returns the step that comes next.
+    /// Returns the step that the selected thread takes next.
     pub fn step(&self) -> u32 {
-        self.run().program().at()
+        self.run().step_of(self.thread())
     }
 
     /// Its line, from 1.
@@ -331,12 +331,14 @@ impl Debugger {
         shown.collect()
     }
 
-    /// Returns the open calls, the innermost first, the program itself last.
-    pub fn frames(&self) -> Vec<Frame> {
-        let returns = Self::interpreter(self.run()).map_or(&[][..], |engine| engine.calls(0));
+    /// Returns the open calls of the main program (0) or a thread, the innermost first, the program or the thread itself
+    /// last.
+    pub fn frames(&self, thread: u8) -> Vec<Frame> {
+        let engine = Self::interpreter(self.run());
+        let returns = engine.map_or(&[][..], |engine| engine.calls(thread.into()));
         let calls: Vec<u32> = returns.iter().map(|step| step.saturating_sub(1)).collect();
         let names = std::iter::once(None).chain(calls.iter().map(|call| self.called_by(*call)));
-        let steps = calls.iter().copied().chain([self.step()]);
+        let steps = calls.iter().copied().chain([self.run().step_of(thread)]);
         let mut frames: Vec<Frame> = names
             .zip(steps)
             .map(|(name, step)| self.frame(name, step))

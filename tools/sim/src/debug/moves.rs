@@ -1,15 +1,16 @@
 //! A movement under way, in portions: forwards cycle by cycle, over what is known and on; backwards by a search through what
 //! is kept of every cycle, which runs a stretch again only where a condition asks it to.
 
-use super::Debugger;
 use super::breakpoints::HitPrediction;
 use super::expressions::Now;
 use super::stop::{Goal, Move, Origin, Progress, Reason, Stop};
-use super::{Frontier, MESSAGES};
+use super::{Debugger, Frontier, MESSAGES, Taken};
 use crate::run::Run;
 use std::fmt::Display;
 use tip_runtime::machine::Status;
-use tip_runtime::record::Sink;
+use tip_runtime::program::THREADS;
+use tip_runtime::record::{Cycle, Sink};
+use tipc::program::{Action, Program, Thread};
 
 /// Result of a portion of work.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,8 +44,8 @@ impl Debugger {
         self.pending = None;
         let origin = Origin {
             at: self.now(),
-            step: self.run().program().at(),
-            depth: Self::depth(self.run()),
+            thread: self.thread(),
+            depth: Self::depth(self.run(), self.thread()),
         };
         let goal = Goal::of(movement, self.now());
         let is_back = movement.is_back();
@@ -82,14 +83,29 @@ impl Debugger {
                     _ if to == at + 1 => self.end_at(to).unwrap_or(Reason::Step),
                     _ => Reason::There,
                 };
-                Some(Stop { reason, at: to })
+                Some(self.stop_for(reason, to))
             }
-            _ if is_back => (at == 0).then_some(Stop {
-                reason: Reason::Start,
-                at,
-            }),
-            _ => self.end_at(at).map(|reason| Stop { reason, at }),
+            _ if is_back => (at == 0).then(|| self.stop_for(Reason::Start, at)),
+            _ => self.end_at(at).map(|reason| self.stop_for(reason, at)),
         }
+    }
+
+    /// Returns a stop that is about the selected thread, or the one that failed.
+    fn stop_for(&self, reason: Reason, at: u64) -> Stop {
+        let thread = match &reason {
+            Reason::Fault(_) => self.history.cycle(at.saturating_sub(1)).last(),
+            _ => None,
+        };
+        let thread = thread.map_or(self.selected, |taken| taken.thread);
+        Stop { reason, at, thread }
+    }
+
+    /// Returns true if a step of a line begins at a position.
+    pub(super) fn begins_at(&self, at: u64, line: u32) -> bool {
+        let program = self.run().program();
+        self.history
+            .begins(at)
+            .any(|it| program.line(it.step) == line)
     }
 
     /// Goes on with the movement for at most so many cycles. While it searches backwards, the debugger stands where it was.
@@ -144,6 +160,7 @@ impl Debugger {
             self.stop = Stop {
                 reason: Reason::Interrupted,
                 at: self.now(),
+                thread: self.thread(),
             };
         }
         &self.stop
@@ -151,6 +168,7 @@ impl Debugger {
 
     fn arrive(&mut self, stop: Stop) {
         self.seek(stop.at);
+        self.selected = stop.thread;
         self.stop = stop;
     }
 }
@@ -187,44 +205,53 @@ impl Debugger {
             *left -= 1;
             self.advance();
             self.log_here();
-            if let Some(reason) = self.reason_here(goal, origin) {
-                let at = self.now();
-                return Some(Stop { reason, at });
+            let stop = self.stop_here(goal, origin);
+            if stop.is_some() {
+                return stop;
             }
         }
         None
     }
 
-    /// Returns the reason for a run that has just come to this position to stop here.
-    fn reason_here(&self, goal: Goal, origin: &Origin) -> Option<Reason> {
-        if let Some(end) = self.end_at(self.now()) {
-            return Some(end);
+    /// Returns the stop of a run that has just come to this position.
+    fn stop_here(&self, goal: Goal, origin: &Origin) -> Option<Stop> {
+        let at = self.now();
+        if let Some(end) = self.end_at(at) {
+            return Some(self.stop_for(end, at));
         }
         if let Goal::At(to) = goal {
             let reason = match to == origin.at + 1 {
                 true => Reason::Step,
                 false => Reason::There,
             };
-            return (self.now() == to).then_some(reason);
+            return (at == to).then(|| self.stop_for(reason, at));
         }
-        let last = self.now() - 1;
-        let step = self.run().program().at();
-        if self.history.step(last) != step
-            && let Some(id) = self.breakpoints.stops(step, &self.here())
-        {
-            return Some(Reason::Breakpoint(id));
+        let stopped = self.breakpoint_at(&self.here());
+        let assigned = || (self.watches).assigned(at - 1, None, &self.history, &self.program);
+        let set = || {
+            Some((
+                self.watches.set(at, None, &self.run().events)?,
+                self.selected,
+            ))
+        };
+        if let Some((reason, thread)) = stopped.or_else(assigned).or_else(set) {
+            return Some(Stop { reason, at, thread });
         }
-        let assigned = (self.watches).assigned(last, None, &self.history, &self.program);
-        let set = || self.watches.set(self.now(), None, &self.run().events);
-        if let Some(watch) = assigned.or_else(set) {
-            return Some(watch);
-        }
-        if let Some(fall) = self.fall.filter(|fall| fall.cycle == last)
+        if let Some(fall) = self.fall.filter(|fall| fall.cycle == at - 1)
             && self.stops_at_fall
         {
-            return Some(Reason::Fall(fall));
+            return Some(self.stop_for(Reason::Fall(fall), at));
         }
-        goal.is_reached(origin, self).then(|| goal.reason())
+        goal.is_reached(origin, self)
+            .then(|| self.stop_for(goal.reason(), at))
+    }
+
+    /// Returns the breakpoint that stops a run at a position, and the thread of its step.
+    fn breakpoint_at(&self, now: &Now<'_>) -> Option<(Reason, u8)> {
+        self.history.begins(now.at).find_map(|it| {
+            let id = self.breakpoints.stops(it.step, now)?;
+            Some((Reason::Breakpoint(id), it.thread))
+        })
     }
 
     /// Returns the end of the run, if it ended before this position.
@@ -245,34 +272,45 @@ impl Debugger {
             self.explore();
         }
         self.timeline.happen();
-        let (run, at) = (self.timeline.run(), self.timeline.now());
-        let step = run.program().at();
-        let begins = self.history.step(at - 1) != step;
         let now = Now {
-            run,
-            at,
+            run: self.timeline.run(),
+            at: self.timeline.now(),
             asker: &self.asker,
         };
-        self.breakpoints.count(begins.then_some(step), &now);
+        self.breakpoints.count(&self.history, &now);
     }
 
     /// Runs a cycle for the first time.
     fn explore(&mut self) {
-        let before = self.run().program().at();
-        self.history.push(before, Self::depth(self.run()));
-        let mut listener = MessageListener {
+        let mut listener = RunListener {
             at: self.now(),
             said: &mut self.said,
             taken: &mut self.taken,
+            program: &self.program,
+            depths: (0..=THREADS as u8)
+                .map(|thread| Self::depth(self.timeline.run(), thread))
+                .collect(),
+            steps: Vec::new(),
         };
         let status = self.timeline.advance(Some(&mut listener));
+        let mut steps = std::mem::take(&mut listener.steps);
+        let depths = std::mem::take(&mut listener.depths);
         let frontier = match (status, self.run().emergency()) {
             (Status::Finished(end), _) => Frontier::Ended(end),
             (Status::Emergency, Some(emergency)) => Frontier::Failed(emergency),
             _ => Frontier::Open,
         };
-        self.history
-            .reached(self.timeline.run().program().at(), frontier);
+        if let Frontier::Failed(emergency) = &frontier {
+            let name = emergency.thread.as_ref().map(|name| name.as_str());
+            let thread = thread_of(&self.program, name);
+            steps.push(Taken {
+                step: emergency.step,
+                thread,
+                depth: depths.get(usize::from(thread)).copied().unwrap_or(0),
+            });
+        }
+        let next = self.next_steps();
+        self.history.push(steps, next, frontier);
         if self.fall.is_none() {
             self.fall = self.run().first_fall();
         }
@@ -296,14 +334,45 @@ impl Debugger {
     }
 }
 
-/// Keeps the messages of the program.
-struct MessageListener<'a> {
+/// Keeps the messages of the program, and the steps of a cycle.
+struct RunListener<'a> {
     at: u64,
     said: &'a mut Vec<(u64, String)>,
     taken: &'a mut usize,
+    program: &'a Program,
+    /// Number of open calls of the main program and of each thread.
+    depths: Vec<u8>,
+    steps: Vec<Taken>,
 }
 
-impl Sink for MessageListener<'_> {
+/// Returns the number of the thread of a name; 0 without one.
+fn thread_of(program: &Program, name: Option<&str>) -> u8 {
+    let named = |thread: &Thread| name == Some(&*thread.name);
+    let index = program.threads().iter().position(named);
+    index.map_or(0, |index| u8::try_from(index + 1).unwrap_or(0))
+}
+
+impl Sink for RunListener<'_> {
+    fn cycle(&mut self, record: &Cycle<'_>) {
+        let thread = thread_of(self.program, record.thread);
+        let depth = self.depths.get_mut(usize::from(thread));
+        let step = record.step;
+        self.steps.push(Taken {
+            step,
+            thread,
+            depth: depth.as_ref().map_or(0, |depth| **depth),
+        });
+        let action = self.program.steps().get(step as usize);
+        if let (Some(depth), Some(step)) = (depth, action) {
+            match step.action {
+                Action::Gosub { .. } => *depth += 1,
+                Action::IfGosub { to, .. } if record.next == Some(to) => *depth += 1,
+                Action::Return => *depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+    }
+
     fn say(&mut self, text: &dyn Display) {
         if self.said.len() >= 2 * MESSAGES {
             self.said.drain(..MESSAGES);
@@ -338,7 +407,8 @@ struct ReplaySegment {
 /// Knowledge of a position before the origin.
 enum Found {
     Nothing,
-    Stops(Reason),
+    /// The reason, and the thread that it is about.
+    Stops(Reason, u8),
     Asks,
 }
 
@@ -384,8 +454,7 @@ impl Debugger {
             let last = match back.below.checked_sub(1) {
                 Some(last) => last,
                 None => {
-                    let reason = Reason::Start;
-                    return Some(Stop { reason, at: 0 });
+                    return Some(self.stop_for(Reason::Start, 0));
                 }
             };
             let (from, mark) = self.timeline.before(last)?;
@@ -406,8 +475,8 @@ impl Debugger {
             match self.found(at, goal, origin) {
                 Found::Nothing => {}
                 Found::Asks => asks.push(at),
-                Found::Stops(reason) => {
-                    best = Some(Stop { reason, at });
+                Found::Stops(reason, thread) => {
+                    best = Some(Stop { reason, at, thread });
                     break;
                 }
             }
@@ -424,36 +493,48 @@ impl Debugger {
     fn found(&self, at: u64, goal: Goal, origin: &Origin) -> Found {
         if let Goal::Set(watch) = goal {
             let found = self.set_at(at, Some(watch));
-            return found.map_or(Found::Nothing, Found::Stops);
+            return found.map_or(Found::Nothing, |(reason, thread)| {
+                Found::Stops(reason, thread)
+            });
         }
-        let step = self.history.step(at);
-        let known = match self.history.enters(at) {
-            true => self.breakpoints.predict(step, at),
-            false => HitPrediction::No,
-        };
-        if let HitPrediction::Stops(id) = known {
-            return Found::Stops(Reason::Breakpoint(id));
+        let mut asks = false;
+        for it in self.history.begins(at) {
+            match self.breakpoints.predict(it.step, at) {
+                HitPrediction::Stops(id) => {
+                    return Found::Stops(Reason::Breakpoint(id), it.thread);
+                }
+                HitPrediction::Asks => asks = true,
+                HitPrediction::No => {}
+            }
         }
-        if let Some(watch) = self.set_at(at, None) {
-            return Found::Stops(watch);
+        if let Some((watch, thread)) = self.set_at(at, None) {
+            return Found::Stops(watch, thread);
         }
         if let Some(fall) = self.fall.filter(|fall| fall.cycle == at)
             && self.stops_at_fall
         {
-            return Found::Stops(Reason::Fall(fall));
+            return Found::Stops(Reason::Fall(fall), origin.thread);
         }
-        match known {
-            _ if goal.is_met(origin, at, &self.history, self) => Found::Stops(goal.reason()),
-            HitPrediction::Asks => Found::Asks,
-            _ => Found::Nothing,
+        match asks {
+            _ if goal.is_met(origin, at, &self.history, self) => {
+                Found::Stops(goal.reason(), origin.thread)
+            }
+            true => Found::Asks,
+            false => Found::Nothing,
         }
     }
 
     /// Returns the variable that is assigned between a position and the next one, if a watch is on
     /// it: that watch, or any.
-    fn set_at(&self, at: u64, watch: Option<u32>) -> Option<Reason> {
+    fn set_at(&self, at: u64, watch: Option<u32>) -> Option<(Reason, u8)> {
         let assigned = (self.watches).assigned(at, watch, &self.history, &self.program);
-        assigned.or_else(|| self.watches.set(at, watch, &self.run().events))
+        let set = || {
+            Some((
+                self.watches.set(at, watch, &self.run().events)?,
+                self.selected,
+            ))
+        };
+        assigned.or_else(set)
     }
 
     /// Runs a segment again up to its last condition; returns true if it came there.
@@ -473,9 +554,12 @@ impl Debugger {
                 at: to,
                 asker: &self.asker,
             };
-            if let Some(id) = self.breakpoints.stops(self.history.step(to), &now) {
-                let reason = Reason::Breakpoint(id);
-                segment.found(Stop { reason, at: to });
+            if let Some((reason, thread)) = self.breakpoint_at(&now) {
+                segment.found(Stop {
+                    reason,
+                    at: to,
+                    thread,
+                });
             }
             segment.asks.next();
         }
@@ -528,14 +612,12 @@ impl Debugger {
     /// Goes on counting; returns true when all is counted.
     pub(super) fn count_hits(&mut self, counting: &mut HitCounting, left: &mut u64) -> bool {
         loop {
-            let begins = self.history.enters(counting.at);
             let now = Now {
                 run: &counting.scout,
                 at: counting.at,
                 asker: &self.asker,
             };
-            let step = counting.scout.program().at();
-            self.breakpoints.count(begins.then_some(step), &now);
+            self.breakpoints.count(&self.history, &now);
             if counting.at >= counting.until {
                 return true;
             }

@@ -20,6 +20,8 @@ pub struct Stop {
     pub reason: Reason,
     /// The cycle that comes next.
     pub at: u64,
+    /// The thread that the reason is about; 0 for the main program.
+    pub thread: u8,
 }
 
 /// The reason why a debugger stopped.
@@ -150,7 +152,7 @@ pub(super) enum Goal {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Origin {
     pub(super) at: u64,
-    pub(super) step: u32,
+    pub(super) thread: u8,
     pub(super) depth: u8,
 }
 
@@ -184,19 +186,18 @@ impl Goal {
 
     /// Returns true if a run that has come forward from an origin is there.
     pub(super) fn is_reached(self, from: &Origin, debugger: &Debugger) -> bool {
-        let (step, depth) = (
-            debugger.run().program().at(),
-            Debugger::depth(debugger.run()),
-        );
+        let (history, now) = (&debugger.history, debugger.now());
+        let Some(first) = history.first(now, from.thread) else {
+            // The thread is over.
+            return matches!(self, Goal::Step | Goal::Over | Goal::Out);
+        };
+        let (depth, enters) = (first.depth, history.enters(now, from.thread));
         match self {
-            Goal::At(at) => debugger.now() == at,
-            Goal::Step => step != from.step || depth != from.depth,
-            Goal::Over => depth < from.depth || (depth == from.depth && step != from.step),
+            Goal::At(at) => now == at,
+            Goal::Step => enters || depth != from.depth,
+            Goal::Over => depth < from.depth || (depth == from.depth && enters),
             Goal::Out => depth < from.depth,
-            Goal::Line(line) => {
-                debugger.history.step(debugger.now() - 1) != step
-                    && debugger.run().program().line(step) == line
-            }
+            Goal::Line(line) => debugger.begins_at(now, line),
             Goal::Set(_) | Goal::Nowhere => false,
         }
     }
@@ -209,14 +210,14 @@ impl Goal {
         history: &History,
         debugger: &Debugger,
     ) -> bool {
+        let depth = history.first(at, from.thread).map(|first| first.depth);
+        let enters = || history.enters(at, from.thread);
         match self {
             Goal::At(goal) => at == goal,
-            Goal::Step => history.enters(at),
-            Goal::Over => history.enters(at) && history.depth(at) <= from.depth,
-            Goal::Out => history.depth(at) < from.depth,
-            Goal::Line(line) => {
-                history.enters(at) && debugger.run().program().line(history.step(at)) == line
-            }
+            Goal::Step => enters(),
+            Goal::Over => depth.is_some_and(|depth| depth <= from.depth) && enters(),
+            Goal::Out => depth.is_some_and(|depth| depth < from.depth),
+            Goal::Line(line) => debugger.begins_at(at, line),
             Goal::Set(_) | Goal::Nowhere => false,
         }
     }

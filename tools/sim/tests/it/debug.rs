@@ -3,6 +3,7 @@
 mod hits;
 mod logs;
 mod places;
+mod threads;
 mod walks;
 mod watches;
 

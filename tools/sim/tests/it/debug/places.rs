@@ -34,7 +34,7 @@ fn lines(debugger: &mut Debugger, moves: &[Move]) -> Vec<u32> {
 }
 
 fn names(debugger: &Debugger) -> Vec<(String, u32)> {
-    let frames = debugger.frames().into_iter();
+    let frames = debugger.frames(0).into_iter();
     frames
         .map(|frame| (frame.name.unwrap_or_default(), frame.line))
         .collect()
