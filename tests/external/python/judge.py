@@ -85,8 +85,7 @@ def processes(expected):
 
     # A worker without the package says so.
     task = pickle.dumps(tip._sweep._write)
-    bare = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
-    worker = subprocess.run([sys.executable, "-c", "import pickle, sys; pickle.load(sys.stdin.buffer)"], input=task, env=bare, capture_output=True)
+    worker = subprocess.run([sys.executable, "-I", "-S", "-c", "import pickle, sys; pickle.load(sys.stdin.buffer)"], input=task, capture_output=True)
     assert b"No module named 'tip_motion'" in worker.stderr, worker.stderr
 
 
