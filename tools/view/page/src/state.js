@@ -56,6 +56,11 @@ export function state(player, plot) {
       command.textContent = last ? `${last.op} ${last.target} ${rounded(last.values)}` : '–';
       mode.textContent = inWords(now.filter(([target]) => concerns(target, leg)));
     });
+    const threads = recording.threadsAt(cycle).map(({ name, line }) => `${name}: ${word('line')} ${line}`);
+    showBox('threads', recording.threads.length, threads.join(', '));
+    const timers = recording.timersAt(cycle).map(({ timer, time }) => `${timer}: ${shown(Math.round(time * 1000) / 1000)} ms`);
+    showBox('timers', recording.timers.length, timers.join(', '));
+    showBox('locks', recording.locks.length, lastUpTo(recording.locks, cycle)?.text);
     const flags = lastUpTo(recording.flags, cycle)?.text;
     element('flags-box').hidden = flags === undefined;
     element('flags').textContent = flags || word('none');
@@ -95,6 +100,12 @@ export function state(player, plot) {
   whenSpoken(show);
   whenSpoken(showState);
   return { begin };
+}
+
+/** Shows what there is of something, where the run has any. */
+function showBox(name, any, text) {
+  element(`${name}-box`).hidden = !any;
+  element(name).textContent = text || word('none');
 }
 
 /** How a leg is controlled: its foot, or its joints, which share a word if they can. */
