@@ -322,6 +322,31 @@ test('what happened has the times of the terminal', async () => {
   await view.close();
 });
 
+test('a thread has a mark at its line, and the state shows it with timers and locks', async () => {
+  const { page, complaints, close } = await open(browser, `${pages}/feeler.html`, {}, '#cycle=690');
+  const marked = await page.$$eval('#source li[data-threads]', (lines) => lines.map((line) => [line.dataset.threads, line.textContent]));
+  assert.equal(marked.length, 1);
+  assert.equal(marked[0][0], 'WATCH');
+  await page.click('#state-tab');
+  assert.match(await page.textContent('#threads'), /^WATCH: line \d+$/);
+  assert.match(await page.textContent('#timers'), /^0: \d+ ms$/);
+  assert.equal(await page.textContent('#locks'), 'J11 J12 J13');
+  const time = async () => Number((await page.textContent('#timers')).split(' ')[1]);
+  const before = await time();
+  const goTo = async (cycle) => {
+    await page.evaluate((cycle) => (location.hash = `cycle=${cycle}`), cycle);
+    await page.waitForFunction((cycle) => document.getElementById('now-cycle').textContent.startsWith(`${cycle} `), cycle);
+    await page.waitForTimeout(200);
+  };
+  await goTo(691);
+  assert.equal(await time(), before + 20);
+  await goTo(20);
+  assert.equal(await page.textContent('#threads'), 'none');
+  assert.equal(await page.locator('#source li[data-threads]').count(), 0);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('what a program says is text, whatever it says', async () => {
   const { page, complaints, close } = await open(browser, `${pages}/hostile.html`);
   assert.deepEqual(complaints, []);

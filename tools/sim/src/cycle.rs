@@ -5,7 +5,7 @@ use std::fmt::{self, Display};
 use tip_runtime::command::{Command, FAST, Op, Target, Value};
 use tip_runtime::machine::Status;
 use tip_runtime::plant::Pose;
-use tip_runtime::program::Program;
+use tip_runtime::program::{Program, THREADS};
 use tip_runtime::record::{self, Sink, state_hash};
 
 /// One control cycle. Where several steps ran in it, it has what all of them assigned, the last step of the main
@@ -28,6 +28,8 @@ pub struct Cycle {
     pub out: Option<String>,
     /// The lamp that was switched, and whether on.
     pub lamp: Option<(u8, bool)>,
+    /// Each thread that had a turn, with its last step.
+    pub threads: Vec<(u8, u32)>,
     /// The command that was accepted, in its first cycle.
     pub command: Option<IssuedCommand>,
     /// Pose of the body after the cycle; none for a robot that stays where it is. A robot outside
@@ -78,6 +80,7 @@ pub(crate) struct Collector {
     set: Vec<(String, f64)>,
     say: Option<String>,
     out: Option<String>,
+    threads: Vec<(u8, u32)>,
     lamp: Option<(u8, bool)>,
     command: Option<IssuedCommand>,
 }
@@ -100,6 +103,7 @@ impl Collector {
             say: self.say,
             out: self.out,
             lamp: self.lamp,
+            threads: self.threads,
             command: self.command,
             pose: machine.hardware().pose(),
             state: state_hash(machine.commands(), machine.angles()),
@@ -142,9 +146,15 @@ impl Sink for Collector {
     }
 
     fn cycle(&mut self, cycle: &record::Cycle<'_>) {
-        if cycle.thread.is_none() {
-            self.step = Some(cycle.step);
-            self.next = cycle.next;
+        match cycle.thread {
+            None => (self.step, self.next) = (Some(cycle.step), cycle.next),
+            Some(name) => {
+                let numbers = 1..=THREADS as u8;
+                let named = |n: &u8| cycle.program.thread(*n).is_some_and(|it| it.0 == name);
+                let thread = numbers.into_iter().find(named).unwrap_or(0);
+                self.threads.retain(|(other, _)| *other != thread);
+                self.threads.push((thread, cycle.step));
+            }
         }
         let now = scalars(cycle.program).zip(self.before.iter().flatten());
         let changed = now.filter_map(|((name, value), before)| {

@@ -5,15 +5,15 @@ mod rewind;
 pub(crate) use rewind::Checkpoint;
 
 use crate::recording::{
-    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Slip, Stop, Tick,
+    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Slip, Stop, Tick, Timer,
 };
 use crate::skeleton::{Skeleton, robot_frame};
 use std::fmt;
-use tip_runtime::command::{Flag, Target};
+use tip_runtime::command::{Flag, TIMERS, Target};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::model::Point;
-use tip_runtime::program::End;
+use tip_runtime::program::{End, THREADS};
 use tip_runtime::record::Ending;
 use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run, WaitDetector};
 use tipc::Loaded;
@@ -168,6 +168,9 @@ impl Script {
             text: source.text().to_owned(),
             lines: program.steps().iter().map(|step| step.line).collect(),
             scalars: program.scalar_names().collect(),
+            threads: (program.threads().iter())
+                .map(|thread| thread.name.clone())
+                .collect(),
         }
     }
 
@@ -192,11 +195,21 @@ impl From<Ending> for Outcome {
     }
 }
 
+/// The threads and timers of a program after a cycle.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tasks {
+    /// The last step of each thread, and its cycle; none of the main program, which has number 0.
+    threads: [Option<(u32, u64)>; THREADS + 1],
+    /// The time of each timer, ms, and whether it runs.
+    timers: [(f64, bool); TIMERS as usize],
+}
+
 /// A recording that grows cycle by cycle.
 pub(crate) struct Recorder {
     pub(crate) recording: Recording,
     slips: SlipDetector,
     falls: u32,
+    tasks: Tasks,
     pub(crate) pace: Pace,
     /// The last frame, if it is not among those of the recording.
     pub(crate) pending: Option<Frame>,
@@ -214,6 +227,9 @@ impl Recorder {
                 clock: Vec::new(),
                 frames: Vec::new(),
                 steps: Vec::new(),
+                threads: Vec::new(),
+                timers: Vec::new(),
+                locks: Vec::new(),
                 messages: Vec::new(),
                 sets: Vec::new(),
                 lamps: Vec::new(),
@@ -229,6 +245,7 @@ impl Recorder {
             },
             slips: SlipDetector::default(),
             falls: 0,
+            tasks: Tasks::default(),
             pace: Pace::Smooth,
             pending: None,
         }
@@ -244,6 +261,12 @@ impl Recorder {
         };
         self.keep_time(cycle, happened.time, period);
         self.note(happened);
+        self.end_threads(cycle, cycle);
+        self.note_timers(cycle, run);
+        let locked = run.locked();
+        if !(locked.is_empty() && self.recording.locks.is_empty()) {
+            note_change(&mut self.recording.locks, cycle, &locked);
+        }
         let motion = run.motion();
         if let Some(motion) = &motion {
             self.note_falls(cycle, motion.falls, motion.margin);
@@ -307,12 +330,18 @@ impl Recorder {
             say,
             lamp,
             command,
+            threads,
             ..
         } = happened;
+        self.note_threads(cycle, &threads);
         let recording = &mut self.recording;
-        let Some(step) = step else { return };
+        if step.is_none() && threads.is_empty() {
+            return;
+        }
         recording.cycles = cycle + 1;
-        if recording.steps.last().is_none_or(|last| last.what != step) {
+        if let Some(step) = step
+            && recording.steps.last().is_none_or(|last| last.what != step)
+        {
             recording.steps.push(At { cycle, what: step });
         }
         recording
@@ -328,6 +357,50 @@ impl Recorder {
             recording
                 .sets
                 .extend(assigned.map(|what| At { cycle, what }));
+        }
+    }
+
+    /// Adds the steps of threads in a cycle.
+    pub(crate) fn note_threads(&mut self, cycle: u64, threads: &[(u8, u32)]) {
+        for (thread, step) in threads {
+            let Some(task) = self.tasks.threads.get_mut(usize::from(*thread)) else {
+                continue;
+            };
+            if task.is_none_or(|(last, _)| last != *step) {
+                let what = (*thread, Some(*step));
+                self.recording.threads.push(At { cycle, what });
+            }
+            *task = Some((*step, cycle));
+        }
+    }
+
+    /// Notes in a cycle the end of threads that had no turn since another one.
+    pub(crate) fn end_threads(&mut self, cycle: u64, since: u64) {
+        for (thread, task) in (0..).zip(&mut self.tasks.threads) {
+            if task.is_some_and(|(_, last)| last < since) {
+                *task = None;
+                let what = (thread, None);
+                self.recording.threads.push(At { cycle, what });
+            }
+        }
+    }
+
+    /// Adds the timers that did not go on as before.
+    fn note_timers(&mut self, cycle: u64, run: &Run) {
+        for (number, (before, runs)) in (0..).zip(&mut self.tasks.timers) {
+            let (now, period) = (run.timer(number), run.period());
+            let expected = if *runs { *before + period } else { *before };
+            if now != expected {
+                *runs = now != *before && now > 0.0;
+                let time = if *runs { run.time() - now } else { now };
+                let what = Timer {
+                    number,
+                    runs: *runs,
+                    time,
+                };
+                self.recording.timers.push(At { cycle, what });
+            }
+            *before = now;
         }
     }
 

@@ -28,6 +28,12 @@ pub struct Recording {
     pub frames: Vec<Frame>,
     /// The step that ran, where it was another one than in the cycle before.
     pub steps: Vec<At<u32>>,
+    /// The step that a thread ran, where it was another one than in the cycle before; none where the thread was over.
+    pub threads: Vec<At<(u8, Option<u32>)>>,
+    /// Timers, where they did not go on as before. A trace lacks them.
+    pub timers: Vec<At<Timer>>,
+    /// Joints that were locked, where that changed. A trace lacks them.
+    pub locks: Vec<At<Vec<Target>>>,
     /// Messages; an empty one cleared the line.
     pub messages: Vec<At<String>>,
     /// Variables that were assigned another value.
@@ -90,6 +96,8 @@ pub struct Script {
     pub lines: Vec<u32>,
     /// The names of its scalars, in order of declaration.
     pub scalars: Vec<String>,
+    /// The names of its threads, in order of its text.
+    pub threads: Vec<String>,
 }
 
 /// State of the robot at the end of a cycle.
@@ -144,6 +152,17 @@ pub struct Assigned {
     pub scalar: usize,
     /// The value.
     pub value: f64,
+}
+
+/// A timer of the program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Timer {
+    /// Its number.
+    pub number: u8,
+    /// It grows with the time of the robot.
+    pub runs: bool,
+    /// Its time if it stands, else the time of the robot at which it was 0, ms.
+    pub time: f64,
 }
 
 /// A foot has slipped while it stood.

@@ -51,6 +51,7 @@ impl std::error::Error for TraceError {}
 struct Record {
     cycle: u64,
     sub: u32,
+    thread: Option<String>,
     step: u32,
     next: Option<u32>,
     set: BTreeMap<String, f64>,
@@ -112,10 +113,17 @@ impl Recorder {
     fn take_record(&mut self, record: Record, command: Option<IssuedCommand>, time: f64) {
         let cycle = record.cycle;
         let mut lamps = record.lamp.iter();
+        if let (0, Some(before)) = (record.sub, cycle.checked_sub(1)) {
+            self.end_threads(before, before);
+        }
+        let names = (1..).zip(&self.recording.script.threads);
+        let mut named = names.filter(|(_, name)| record.thread.as_ref() == Some(name));
+        let thread = named.next().map(|(thread, _)| thread);
         self.note(Cycle {
             number: cycle,
             time,
-            step: Some(record.step),
+            step: thread.is_none().then_some(record.step),
+            threads: Vec::from_iter(thread.map(|thread| (thread, record.step))),
             next: record.next,
             set: record.set.into_iter().collect(),
             say: record.say,

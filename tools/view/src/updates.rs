@@ -4,7 +4,7 @@
 use crate::recording::{self, At, Frame, Outcome, Recording};
 use crate::skeleton::Skeleton;
 use serde::Serialize;
-use tip_runtime::command::{Flag, Target};
+use tip_runtime::command::Target;
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Range;
 use tip_runtime::plant::{self, Object, Shape};
@@ -56,6 +56,13 @@ struct More<'a> {
     modes: Vec<(u64, Vec<(String, &'static str)>)>,
     falls: Vec<(u64, f64)>,
     slips: Vec<(u64, usize, f64)>,
+    /// Cycles, threads, and their steps, counted from 1; 0 where a thread is over.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    threads: Option<(Vec<i64>, Vec<u8>, Vec<i64>)>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    timers: Vec<(u64, u8, bool, f64)>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    locks: Vec<(u64, String)>,
     events: Vec<(u64, &'a Event)>,
 }
 
@@ -127,7 +134,7 @@ pub(crate) fn more(recording: &Recording, part: &Part<'_>) -> String {
         .now
         .map(|frame| columns(&channels, std::slice::from_ref(frame)));
     let (steps, contacts) = (part.of(&recording.steps), part.of(&recording.contacts));
-    let sets = part.of(&recording.sets);
+    let (sets, threads) = (part.of(&recording.sets), part.of(&recording.threads));
     let clock = recording.clock.iter();
     let clock = clock.filter(|tick| (from..until).contains(&tick.cycle));
     let events = recording.events.iter();
@@ -162,7 +169,7 @@ pub(crate) fn more(recording: &Recording, part: &Part<'_>) -> String {
             (cycle, asked.op.name(), target, values(asked))
         }),
         flags: each(part.of(&recording.flags), |cycle, flags| {
-            (cycle, words(flags))
+            (cycle, listed(flags))
         }),
         modes: each(part.of(&recording.modes), |cycle, modes| {
             (cycle, named(modes))
@@ -170,6 +177,21 @@ pub(crate) fn more(recording: &Recording, part: &Part<'_>) -> String {
         falls: each(part.of(&recording.falls), |cycle, margin| (cycle, *margin)),
         slips: each(part.of(&recording.slips), |cycle, slip| {
             (cycle, slip.leg, slip.distance)
+        }),
+        threads: (!threads.is_empty()).then(|| {
+            let number = |step| i64::from(step) + 1;
+            let steps = threads.iter().map(|at| at.what.1.map_or(0, number));
+            (
+                cycles(threads),
+                each(threads, |_, thread| thread.0),
+                differences(steps),
+            )
+        }),
+        timers: each(part.of(&recording.timers), |cycle, timer| {
+            (cycle, timer.number, timer.runs, timer.time)
+        }),
+        locks: each(part.of(&recording.locks), |cycle, locks| {
+            (cycle, listed(locks))
         }),
         events: events.map(|timed| (timed.cycle, &timed.event)).collect(),
     })
@@ -286,6 +308,8 @@ struct Script<'a> {
     text: &'a str,
     lines: &'a [u32],
     scalars: &'a [String],
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    threads: &'a [String],
 }
 
 #[derive(Default, Serialize)]
@@ -300,9 +324,9 @@ fn each<'a, T, U>(list: &'a [At<T>], of: impl Fn(u64, &'a T) -> U) -> Vec<U> {
     list.iter().map(|at| of(at.cycle, &at.what)).collect()
 }
 
-/// Returns flags with blanks between.
-fn words(flags: &[Flag]) -> String {
-    let words: Vec<_> = flags.iter().map(ToString::to_string).collect();
+/// Returns words with blanks between.
+fn listed(list: &[impl ToString]) -> String {
+    let words: Vec<_> = list.iter().map(ToString::to_string).collect();
     words.join(" ")
 }
 
@@ -351,6 +375,7 @@ impl<'a> Script<'a> {
             text: &script.text,
             lines: &script.lines,
             scalars: &script.scalars,
+            threads: &script.threads,
         }
     }
 }

@@ -22,7 +22,10 @@ const lit = StateField.define({
     let now = lines.map(transaction.changes);
     for (const effect of transaction.effects) {
       if (!effect.is(lightLine)) continue;
-      now = effect.value === undefined ? Decoration.none : Decoration.set([Decoration.line({ class: 'lit', attributes: { 'aria-current': 'true' } }).range(effect.value)]);
+      const { at, threads } = effect.value;
+      const marks = threads.map(({ at, name }) => Decoration.line({ class: 'thread', attributes: { 'data-threads': name } }).range(at));
+      if (at !== undefined) marks.push(Decoration.line({ class: 'lit', attributes: { 'aria-current': 'true' } }).range(at));
+      now = Decoration.set(marks, true);
     }
     return now;
   },
@@ -53,6 +56,8 @@ const look = EditorView.theme({
   '.cm-lineNumbers .cm-gutterElement': { minWidth: '34px', padding: '0 10px 0 4px' },
   '.cm-selectionBackground, &.cm-focused .cm-selectionBackground': { backgroundColor: 'var(--accent-soft) !important' },
   '.lit': { backgroundColor: 'var(--lit)', boxShadow: 'inset 3px 0 var(--accent)' },
+  '.thread': { boxShadow: 'inset 3px 0 var(--good)' },
+  '.thread::after': { content: 'attr(data-threads)', marginLeft: '24px', fontSize: '11px', color: 'var(--good)' },
   '.comment': { color: 'var(--good)' },
   '.cm-tooltip': { backgroundColor: 'var(--card)', color: 'var(--text)', border: '1px solid var(--line)', borderRadius: '6px', maxWidth: '420px', padding: '2px 6px' },
   '.known': { fontFamily: 'system-ui, "Hiragino Sans", "Noto Sans JP", "Noto Sans CJK JP", sans-serif', padding: '2px 2px' },
@@ -178,20 +183,23 @@ export class Editor {
   /** From a text that is the one that runs, changes lead to where its lines are now. */
   align() {
     if (!this.runs?.eq(this.view.state.doc)) return;
-    const { line } = this;
+    const { line, threads } = this;
     this.since = ChangeSet.empty(this.runs.length);
     this.line = undefined;
-    this.light(line);
+    this.light(line, threads);
   }
 
-  /** Lights the line that runs, wherever its text has gone. */
-  light(line) {
-    if (line === this.line) return;
-    this.line = line;
-    const known = this.since && line <= this.runs.lines;
-    const place = known ? this.since.mapPos(this.runs.line(line).from, 1) : undefined;
-    const at = place === undefined ? undefined : this.view.state.doc.lineAt(place).from;
-    this.view.dispatch({ effects: lightLine.of(at) });
+  /** Lights the line that runs and marks those of threads, wherever their text has gone. */
+  light(line, threads = []) {
+    if (line === this.line && JSON.stringify(threads) === JSON.stringify(this.threads)) return;
+    [this.line, this.threads] = [line, threads];
+    const placeOf = (line) => {
+      const known = this.since && line <= this.runs.lines;
+      return known ? this.view.state.doc.lineAt(this.since.mapPos(this.runs.line(line).from, 1)).from : undefined;
+    };
+    const at = placeOf(line);
+    const marks = threads.map(({ name, line }) => ({ name, at: placeOf(line) })).filter(({ at }) => at !== undefined);
+    this.view.dispatch({ effects: lightLine.of({ at, threads: marks }) });
     this.lit = at;
     this.reveal ??= setTimeout(() => this.showLit(), CALM);
   }

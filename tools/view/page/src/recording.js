@@ -15,6 +15,8 @@ const LISTED = [
   ['modes', 'list'],
   ['falls', 'margin'],
   ['slips', 'leg', 'distance'],
+  ['timers', 'timer', 'runs', 'time'],
+  ['locks', 'text'],
   ['events', 'text'],
 ];
 
@@ -42,6 +44,7 @@ export class Recording {
     for (const list of lists) this[list] = [];
     this.columns = Object.fromEntries(channels.map((name) => [name, []]));
     this.sets = script.scalars.map(() => ({ cycles: [], values: [] }));
+    this.threads = (script.threads ?? []).map(() => ({ cycles: [], steps: [] }));
     this.duration = this.endOf(0);
     this.stepsOfLine = new Map();
     script.lines.forEach((line, step) => {
@@ -75,12 +78,33 @@ export class Recording {
   nextRunOf(line, cycle) {
     const steps = new Set(this.stepsOfLine.get(line));
     if (!steps.size) return undefined;
-    const from = countUpTo(this.stepCycles, cycle);
-    for (let i = 0; i < this.steps.length; i++) {
-      const at = (from + i) % this.steps.length;
-      if (steps.has(this.steps[at])) return this.stepCycles[at];
-    }
-    return undefined;
+    const next = ({ cycles, steps: ran }) => {
+      const from = countUpTo(cycles, cycle);
+      for (let i = 0; i < ran.length; i++) {
+        const at = (from + i) % ran.length;
+        if (steps.has(ran[at])) return cycles[at];
+      }
+      return undefined;
+    };
+    const all = [{ cycles: this.stepCycles, steps: this.steps }, ...this.threads].map(next).filter((found) => found !== undefined);
+    const later = all.filter((found) => found > cycle);
+    return all.length ? Math.min(...(later.length ? later : all)) : undefined;
+  }
+
+  /** The threads that ran in a cycle, with their lines. */
+  threadsAt(cycle) {
+    const lines = this.threads.map(({ cycles, steps }, thread) => {
+      const step = steps[countUpTo(cycles, cycle) - 1];
+      return { name: this.script.threads[thread], line: this.script.lines[step] };
+    });
+    return lines.filter(({ line }) => line !== undefined);
+  }
+
+  /** The timers that were used until the end of a cycle: ms. */
+  timersAt(cycle) {
+    const last = new Map(this.timers.slice(0, countUpTo(this.timers, cycle, (entry) => entry.cycle)).map((entry) => [entry.timer, entry]));
+    const now = [...last.values()].map(({ timer, runs, time }) => ({ timer, time: runs ? this.endOf(cycle) - time : time }));
+    return now.sort((one, other) => one.timer - other.timer);
   }
 
   messageAt(cycle) {
@@ -184,8 +208,15 @@ export class Recording {
       set.cycles.push(cycle);
       set.values.push(sets[2][n]);
     });
+    const [threadCycles, threads, threadSteps] = more.threads ?? [[], [], []];
+    const ran = sums(threadSteps);
+    sums(threadCycles).forEach((cycle, n) => {
+      const thread = this.threads[threads[n] - 1];
+      thread.cycles.push(cycle);
+      thread.steps.push(ran[n] - 1);
+    });
     for (const [list, ...names] of LISTED) {
-      for (const entry of more[list]) this[list].push(Object.fromEntries(['cycle', ...names].map((name, n) => [name, entry[n]])));
+      for (const entry of more[list] ?? []) this[list].push(Object.fromEntries(['cycle', ...names].map((name, n) => [name, entry[n]])));
     }
     this.provisional = Boolean(more.now);
     if (more.now) this.addFrames(more.now);
@@ -224,7 +255,8 @@ export class Recording {
     this.clock.splice(0, Math.max(before, 0));
     keepLast(this.lamps, first, ({ device }) => device);
     keepLast(this.commands, first, ({ target }) => target);
-    for (const list of [this.messages, this.flags, this.modes]) keepLast(list, first, () => 0);
+    keepLast(this.timers, first, ({ timer }) => timer);
+    for (const list of [this.messages, this.flags, this.modes, this.locks]) keepLast(list, first, () => 0);
     for (const list of [this.falls, this.slips, this.events]) list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
     this.changed = 0;
   }
@@ -236,7 +268,9 @@ export class Recording {
 
   /** Cycles with what changed in them. */
   get paired() {
-    return [[this.stepCycles, this.steps], [this.contactCycles, this.contacts], ...this.sets.map(({ cycles, values }) => [cycles, values])];
+    const threads = this.threads.map(({ cycles, steps }) => [cycles, steps]);
+    const sets = this.sets.map(({ cycles, values }) => [cycles, values]);
+    return [[this.stepCycles, this.steps], [this.contactCycles, this.contacts], ...threads, ...sets];
   }
 
   /** Lists of entries with a cycle. */

@@ -31,10 +31,11 @@
 //   run        {run, robot, scene, script, channels, inputs}: a run begins. `channels` names the columns of motion, `inputs`
 //              what has sliders
 //   more       {run, first, from, cycles, clock, frames, now, steps, contacts, sets, messages, lamps, commands, flags, modes,
-//              falls, slips, events}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any
+//              falls, slips, events, threads, timers, locks}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any
 //              more, and what was before `first` is forgotten. What is much is in columns, the first of them cycles: `frames`
 //              has one for each channel (0.01 mm, deg or N), `steps` steps, `contacts` bits of feet or fingers, `sets` variables
-//              and their values. Columns of cycles, steps and motion hold differences. Other lists have an entry of its cycle
+//              and their values, `threads` threads, counted from 1, and their steps, counted from 1, or 0 where one is over.
+//              `threads`, `timers` and `locks` are there if they have an entry. Columns of cycles, steps and motion hold differences. Other lists have an entry of its cycle
 //              and more for each thing. `now` is a frame of the last cycle that the next update takes back, or null
 //   text       {version, by, text}: the text of the editor
 //   findings   {version, findings, good}: what is found in it, and whether it is a program. Each has `level`, `code`, `from`

@@ -1,4 +1,4 @@
-// The program, with the line that runs.
+// The program, with the line that runs, and those of its threads.
 
 import { element, fixed, make } from './dom.js';
 import { spark } from './spark.js';
@@ -84,7 +84,20 @@ export function source(player, plot) {
     lit.setAttribute('aria-current', 'true');
     intoView();
   };
+  let others = [];
+  const lightThreads = () => {
+    const threads = recording.threadsAt(player.cycle);
+    for (const row of others) delete row.dataset.threads;
+    others = [];
+    for (const { name, line } of threads) {
+      const row = rows[line - 1];
+      if (!row) continue;
+      row.dataset.threads = [row.dataset.threads, name].filter(Boolean).join(' ');
+      others.push(row);
+    }
+  };
   player.onRest(light);
+  player.onRest(lightThreads);
 }
 
 /** A value in few digits. */

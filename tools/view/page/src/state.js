@@ -76,6 +76,11 @@ export function state(player, plot, assign) {
       mode.textContent = inWords(now.filter(([target]) => concerns(target, leg)));
     });
     showJoints();
+    const threads = recording.threadsAt(cycle).map(({ name, line }) => `${name}: ${word('line')} ${line}`);
+    showBox('threads', recording.threads.length, threads.join(', '));
+    const timers = recording.timersAt(cycle).map(({ timer, time }) => `${timer}: ${shown(Math.round(time * 1000) / 1000)} ms`);
+    showBox('timers', recording.timers.length, timers.join(', '));
+    showBox('locks', recording.locks.length, lastUpTo(recording.locks, cycle)?.text);
     const flags = lastUpTo(recording.flags, cycle)?.text;
     element('flags-box').hidden = flags === undefined;
     element('flags').textContent = flags || word('none');
@@ -190,6 +195,12 @@ function assignable(cell, name, assign) {
       open();
     }
   });
+}
+
+/** Shows what there is of something, where the run has any. */
+function showBox(name, any, text) {
+  element(`${name}-box`).hidden = !any;
+  element(name).textContent = text || word('none');
 }
 
 /** How a leg is controlled: its foot, or its joints, which share a word if they can. */

@@ -1,6 +1,6 @@
 //! A recorder that is taken back, and one that forgets.
 
-use super::{Recorder, SlipDetector};
+use super::{Recorder, SlipDetector, Tasks};
 use crate::recording::{At, Recording, Tick};
 use std::collections::HashSet;
 use std::hash::Hash;
@@ -11,6 +11,7 @@ pub(crate) struct Checkpoint {
     cycle: u64,
     slips: SlipDetector,
     falls: u32,
+    tasks: Tasks,
 }
 
 impl Recorder {
@@ -20,6 +21,7 @@ impl Recorder {
             cycle: self.recording.cycles,
             slips: self.slips.clone(),
             falls: self.falls,
+            tasks: self.tasks,
         }
     }
 
@@ -27,6 +29,7 @@ impl Recorder {
     pub(crate) fn take_back(&mut self, checkpoint: &Checkpoint) {
         self.slips = checkpoint.slips.clone();
         self.falls = checkpoint.falls;
+        self.tasks = checkpoint.tasks;
         self.pending = None;
         self.recording.cut(checkpoint.cycle);
     }
@@ -40,6 +43,9 @@ impl Recording {
         let ticks = self.clock.partition_point(|tick| tick.cycle < from);
         self.clock.truncate(ticks);
         cut(&mut self.steps, from);
+        cut(&mut self.threads, from);
+        cut(&mut self.timers, from);
+        cut(&mut self.locks, from);
         cut(&mut self.messages, from);
         cut(&mut self.sets, from);
         cut(&mut self.lamps, from);
@@ -71,6 +77,9 @@ impl Recording {
             };
         }
         keep_last(&mut self.steps, before, |_| ());
+        keep_last(&mut self.threads, before, |thread| thread.0);
+        keep_last(&mut self.timers, before, |timer| timer.number);
+        keep_last(&mut self.locks, before, |_| ());
         keep_last(&mut self.contacts, before, |_| ());
         keep_last(&mut self.flags, before, |_| ());
         keep_last(&mut self.modes, before, |_| ());

@@ -324,3 +324,55 @@ fn what_is_no_trace_is_refused_with_a_reason() {
     assert!(refused("{\"cycle\":0,\"step\":9}\n").ends_with("no step 9"));
     assert!(refused("{\"cycle\":-1}").starts_with("line 1"));
 }
+
+/// The main program runs lines 4 to 11 in cycles 0 to 7; its thread lines 12 to 14 in cycles 3 to 5.
+const THREAD: &str = "3.2\nTwo\nDEF_VAR N\nSTART_TIMER 2\nN = 0\nSTART_THREAD SIDE:\nN = 1\nSTOP_TIMER 2\nN = 2\nUNLOCK ALL\nEXIT\n\
+                      THREAD SIDE:\nLOCK J21\nTHREADEND\nEND\n";
+
+#[test]
+fn threads_timers_and_locks_are_kept_where_they_change() {
+    let recording = record(THREAD, &titan(), "", LONG);
+    let threads: Vec<_> = recording
+        .threads
+        .iter()
+        .map(|at| (at.cycle, at.what))
+        .collect();
+    // THREAD, LOCK and THREADEND are steps 8 to 10.
+    let (start, lock, end) = ((1, Some(8)), (1, Some(9)), (1, Some(10)));
+    assert_eq!(threads, [(3, start), (4, lock), (5, end), (6, (1, None))]);
+    assert_eq!(recording.script.threads, ["SIDE"]);
+    let timers: Vec<_> = recording
+        .timers
+        .iter()
+        .map(|at| (at.cycle, at.what.number, at.what.runs, at.what.time))
+        .collect();
+    // It was 0 at 0 ms; STOP_TIMER in cycle 4 leaves the growth of four cycles.
+    assert_eq!(timers, [(0, 2, true, 0.0), (4, 2, false, 80.0)]);
+    let locks: Vec<_> = recording
+        .locks
+        .iter()
+        .map(|at| (at.cycle, at.what.clone()))
+        .collect();
+    assert_eq!(locks, [(4, vec![Target::Joint(2, 1)]), (6, vec![])]);
+    // A trace has threads only.
+    let trace = trace(THREAD, &titan(), "");
+    let read = Recording::from_trace(&trace, &loaded(THREAD, &titan()), &titan()).expect("a trace");
+    assert_eq!(
+        (read.threads, read.steps),
+        (recording.threads.clone(), recording.steps.clone())
+    );
+    // Pages are told of them where there are any.
+    let told = recording.updates();
+    for part in [
+        r#""threads":["SIDE"]"#,
+        r#""threads":[[3,1,1,1],[1,1,1,1],[9,1,1,-11]]"#,
+        r#""timers":[[0,2,true,0.0],[4,2,false,80.0]]"#,
+        r#""locks":[[4,"J21"],[6,""]]"#,
+    ] {
+        assert!(told.contains(part), "{part} is not in {told}");
+    }
+    let old = record("3.1\nOld\nDEF_VAR N\nN = 1\nEND\n", &titan(), "", LONG).updates();
+    for word in ["threads", "timers", "locks"] {
+        assert!(!old.contains(&format!("\"{word}\":")), "{word}");
+    }
+}
