@@ -70,15 +70,14 @@ impl<const J: usize> ControllerView<'_, J> {
 
     fn check_limits(&self) -> Result<(), Fault> {
         for (n, leg) in (1..).zip(&self.legs) {
-            let joints = leg.model.joints.iter().zip(&leg.own.joints);
-            let joints = joints.zip(leg.switches.outside.iter().zip(&leg.angles));
-            for (m, ((joint, own), (outside, angle))) in (1..).zip(joints) {
-                let limits = match (self.params.emg, outside) {
-                    (true, false) => joint.limits,
-                    (true, true) => own.limits,
-                    (false, _) => own.outer,
+            for (m, (joint, angle)) in (1..).zip(leg.model.joints.iter().zip(&leg.angles)) {
+                let limits = if self.params.emg {
+                    joint.limits
+                } else {
+                    joint.outer
                 };
-                if !limits.widened(ROUNDING).contains(*angle) {
+                let is_inside = limits.widened(ROUNDING).contains(*angle);
+                if !is_inside && !leg.may_be_outside(targets::index(m), *angle) {
                     return Err(Fault::JointLimit(n, m));
                 }
             }

@@ -21,6 +21,8 @@ pub(super) struct LegSwitches<const J: usize> {
     locked: [bool; J],
     /// SET_LIMIT left the joint outside its limits, and it has not been inside since.
     pub(super) outside: [bool; J],
+    /// One of them is outside.
+    any_outside: bool,
 }
 
 impl<const J: usize> LegSwitches<J> {
@@ -30,11 +32,12 @@ impl<const J: usize> LegSwitches<J> {
         direct: [false; J],
         locked: [false; J],
         outside: [false; J],
+        any_outside: false,
     };
 
     /// Returns true if new limits left a joint outside.
     pub(super) fn has_outside(&self) -> bool {
-        self.outside.contains(&true)
+        self.any_outside
     }
 
     /// Returns true if a joint is locked.
@@ -82,12 +85,20 @@ impl<const J: usize> LegState<'_, J> {
         room
     }
 
+    /// Returns true if new limits left joint `m` (from 0) outside, within those of the robot.
+    pub(super) fn may_be_outside(&self, m: usize, angle: f64) -> bool {
+        let is_outside = self.switches.outside.get(m).is_some_and(|outside| *outside);
+        let own = self.own.joints.get(m);
+        is_outside && own.is_some_and(|own| own.limits.widened(ROUNDING).contains(angle))
+    }
+
     /// Takes note of joints that are inside their new limits now.
     pub(super) fn note_inside(&mut self) {
         let joints = self.model.joints.iter().zip(&self.angles);
         for (outside, (joint, angle)) in self.switches.outside.iter_mut().zip(joints) {
             *outside = *outside && !joint.limits.widened(ROUNDING).contains(*angle);
         }
+        self.switches.any_outside = self.switches.outside.contains(&true);
     }
 
     /// Returns true if a command of a joint's angle, velocity or torque, counted from 0, or of all
@@ -247,6 +258,7 @@ impl<const J: usize> ControllerView<'_, J> {
                     *outside = false;
                 }
             }
+            leg.switches.any_outside = leg.switches.outside.contains(&true);
         }
         Ok(())
     }
