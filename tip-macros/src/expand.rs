@@ -257,7 +257,7 @@ mod tests {
         let items = tip(tokens("Wave, \"2.0\nwave\nEND\""), None).to_string();
         assert!(
             items
-                .contains("compile_error ! { \"E108: line 1 must name version 3.1 of the language"),
+                .contains("compile_error ! { \"E108: line 1 must name version 3.1 or 3.2 of the language"),
             "{items}"
         );
         assert!(items.contains("struct Wave"), "{items}");

@@ -6,8 +6,8 @@ use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::commands::{self, Meaning};
 use crate::language::names::LIMIT;
-use crate::message::Naming;
 use crate::message::phrase::Assign;
+use crate::message::{Message, Naming};
 use crate::parse::narrow;
 use crate::program::VariableId;
 use crate::source::{Source, Span};
@@ -16,6 +16,7 @@ use crate::syntax::{
     Jump, LabelKind, Operand, OperandKind, Shape, StatementKind, VariableKind, Word,
 };
 use std::collections::HashSet;
+use std::iter;
 
 /// Names that the statements use, so far.
 pub(super) struct Uses<'a> {
@@ -354,7 +355,12 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
     for (constant, used) in names.constants.iter().zip(used) {
         // What is wrong with its definition is reported.
         let line = |location: Span| source.line_column(location.start).0;
-        let is_wrong = |it: &Diagnostic| line(it.span) == line(constant.span);
+        let also = Message::from(Naming::AlsoHere);
+        let is_wrong = |it: &Diagnostic| {
+            let more = it.labels.iter().filter(|label| label.text == also);
+            let mut spans = iter::once(it.span).chain(more.map(|label| label.span));
+            spans.any(|span| line(span) == line(constant.span))
+        };
         if !used && !is_meant(&constant.name) && !found.iter().any(is_wrong) {
             let reason = Naming::NothingUsesConstant;
             let warning = Diagnostic::new(Code::UnusedConstant, constant.span, reason);

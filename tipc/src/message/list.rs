@@ -98,6 +98,16 @@ impl Say for Alternatives {
     }
 }
 
+/// Things of which one is meant: `this or that`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OneOf(pub Vec<String>);
+
+impl Say for OneOf {
+    fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.join(lang.pick(" or ", "か")))
+    }
+}
+
 /// Things that are all meant: `this and that`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Both(pub Vec<&'static str>);

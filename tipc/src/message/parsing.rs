@@ -1,8 +1,8 @@
 //! The texts about bytes, and about the form of lines and statements.
 
 use super::Text;
+use super::list::{Alternatives, OneOf};
 use super::phrase::End;
-use super::say::Decimal;
 use smol_str::SmolStr;
 
 messages! {
@@ -10,7 +10,7 @@ messages! {
     Parsing;
 
     // Lines 1 and 2.
-    OtherVersion { wanted: Decimal }
+    OtherVersion { wanted: OneOf }
         "line 1 must name version {wanted} of the language",
         "1行目には言語のバージョン{wanted}を書きます";
     NoVersion
@@ -19,9 +19,9 @@ messages! {
     MoreThanVersion
         "line 1 holds the version number and nothing else",
         "1行目にはバージョン番号だけを書きます";
-    StartWithVersion { wanted: Decimal }
-        "start the file with the line `{wanted}`",
-        "ファイルの1行目を `{wanted}` にしてください";
+    StartWithVersion { wanted: Alternatives }
+        "start the file with the line {wanted}",
+        "ファイルの1行目を {wanted} にしてください";
 
     // Lines.
     LineTooLong { limit: usize } ["E105-02"]

@@ -5,6 +5,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::lex::{BLANKS, split_comment};
+use crate::message::list::{Alternatives, OneOf};
 use crate::message::{Decimal, Message, Parsing, Suggestion};
 use crate::source::{Source, Span};
 
@@ -15,29 +16,28 @@ const OLDER: &[f64] = &[1.0, 1.1, 2.0, 2.1, 3.0, 4.0];
 pub(super) fn version(source: &Source, demanded: Option<f64>) -> Parsed<Edition> {
     let span = version_word(source);
     let word = source.slice(span);
-    let is_edition = |found: f64| Edition::ALL.iter().any(|one| one.number() == found);
-    let is_right = |found: f64| demanded.map_or_else(|| is_edition(found), |one| found == one);
-    let wanted = demanded.unwrap_or(Edition::default().number());
+    let editions = Edition::ALL.iter().map(|edition| edition.number());
+    let wanted = demanded.map_or_else(|| editions.collect(), |one| vec![one]);
+    let is_right = |found: f64| wanted.contains(&found);
+    let names = || wanted.iter().map(|one| format!("{one:?}")).collect();
     let reason = match version_number(word) {
         Some(found) if is_right(found) => return Ok(Edition::of(found)),
         Some(_) => Parsing::OtherVersion {
-            wanted: Decimal(wanted),
+            wanted: OneOf(names()),
         },
         None if word.is_empty() => Parsing::NoVersion,
         None => Parsing::MoreThanVersion,
     };
     let is_older = version_number(word).is_some_and(|found| OLDER.contains(&found));
     let first = word.split(BLANKS).next().and_then(version_number);
-    let is_title_behind = first.is_some_and(is_right);
-    let wanted = first.filter(|_| is_title_behind).unwrap_or(wanted);
-    let help: Message = match (is_older, is_title_behind) {
-        (true, _) => Suggestion::Migrate.into(),
-        (_, true) => Suggestion::TitleInLineTwo {
-            wanted: Decimal(wanted),
+    let help: Message = match first.filter(|first| is_right(*first)) {
+        _ if is_older => Suggestion::Migrate.into(),
+        Some(first) => Suggestion::TitleInLineTwo {
+            wanted: Decimal(first),
         }
         .into(),
-        _ => Parsing::StartWithVersion {
-            wanted: Decimal(wanted),
+        None => Parsing::StartWithVersion {
+            wanted: Alternatives(names()),
         }
         .into(),
     };

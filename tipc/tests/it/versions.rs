@@ -3,6 +3,7 @@
 
 use tipc::code::Code;
 use tipc::language::Edition;
+use tipc::message::Lang;
 use tipc::program::VariableKind;
 use tipc::{Loaded, Options, Robot};
 
@@ -201,4 +202,28 @@ fn variables_keep_their_place_of_declaration_and_var_key_is_the_first() {
     assert_eq!(of(VariableKind::Var), ["VAR_KEY", "B", "C"]);
     assert_eq!(of(VariableKind::Pos), ["P", "R2"]);
     assert_eq!(of(VariableKind::Joint), ["Q"]);
+}
+
+#[test]
+fn a_wrong_version_is_told_which_numbers_are_right() {
+    let told = |version: &str, tip_version: Option<f64>, lang: Lang| {
+        let options = Options {
+            tip_version,
+            ..Options::default()
+        };
+        let loaded = tipc::load(
+            "test.prg",
+            format!("{version}\nx\nEND\n").as_bytes(),
+            &options,
+        );
+        loaded.diagnostics[0].headline(lang)
+    };
+    let english = |wanted: &str| format!("line 1 must name version {wanted} of the language");
+    assert_eq!(told("3.3", None, Lang::English), english("3.1 or 3.2"));
+    assert_eq!(told("3.3", Some(3.2), Lang::English), english("3.2"));
+    assert_eq!(told("3.3", Some(9.0), Lang::English), english("9.0"));
+    assert_eq!(
+        told("3.3", None, Lang::Japanese),
+        "1行目には言語のバージョン3.1か3.2を書きます"
+    );
 }

@@ -42,8 +42,9 @@ impl QueryContext {
             answer.push('_');
         }
         let mut head = format!("{}\n\n", program.edition());
-        // VAR_KEY is always there.
-        for Variable { name, kind, .. } in variables.iter().skip(1) {
+        // VAR_KEY is always there, and a variable shared with native code wherever it is named.
+        let declared = variables.iter().skip(1);
+        for Variable { name, kind, .. } in declared.filter(|it| it.special.is_none()) {
             declare(&mut head, *kind, name);
         }
         for name in more.iter().chain([&answer]) {
@@ -131,6 +132,10 @@ impl QueryContext {
         }
         let (loaded, found) = lowered("", whole.as_bytes(), &self.options);
         match loaded.program {
+            // A shared variable that the program itself does not name has no value in it.
+            Some(program) if program.variables().len() != self.own + self.more.len() + 1 => {
+                Err(refused(text))
+            }
             Some(program) => {
                 let steps = program.steps().iter().skip(self.head_steps);
                 Ok(steps.map(|step| step.action.clone()).collect())
@@ -227,6 +232,25 @@ mod tests {
             queries.number("NORM P"),
             Ok(ScalarExpression::Norm(StructOperand::Variable(3)))
         );
+    }
+
+    // clauses: 13.2 13.3
+    #[test]
+    fn a_program_of_3_2_is_asked_in_its_edition() {
+        let text = "3.2\nAsked\nDEF_VAR A\nA = 1\nPOS_SPECIAL_1.X = A\nVAR_SPECIAL_4 = A\nEND\n";
+        let options = Options::default();
+        let program = lowered("asked.prg", text.as_bytes(), &options).0.program;
+        let queries = QueryContext::new(&program.expect("it is right"), options, &["CYCLE"]);
+        assert_eq!(queries.own(), 4, "VAR_KEY, VAR_SPECIAL_4, POS_SPECIAL_1, A");
+        let value = |text| queries.number(text).map_err(|error| error.span.start);
+        let variable = |variable, member| Ok(ScalarExpression::Operand(scalar(variable, member)));
+        assert_eq!(value("VAR_SPECIAL_4"), variable(1, 0));
+        assert_eq!(value("POS_SPECIAL_1.Y"), variable(2, 1));
+        assert_eq!(value("A"), variable(3, 0));
+        assert_eq!(value("CYCLE"), variable(4, 0));
+        assert!(value("@TIMER0").is_ok());
+        // The program has no such variable.
+        assert!(value("VAR_SPECIAL_5").is_err());
     }
 
     #[test]

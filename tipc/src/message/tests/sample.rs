@@ -2,7 +2,7 @@
 
 use crate::language::keywords::KEYWORDS;
 use crate::language::{Bilingual, Keyword};
-use crate::message::list::{Alternatives, Both, Each, Faults, List, Pieces, Quoted};
+use crate::message::list::{Alternatives, Both, Each, Faults, List, OneOf, Pieces, Quoted};
 use crate::message::{Cut, Decimal, Letter, Message, Parsing, Text};
 use smol_str::SmolStr;
 use std::ops::Range;
@@ -148,6 +148,12 @@ impl Sample for Quoted {
 impl Sample for Alternatives {
     fn sample(turn: usize) -> Self {
         Alternatives(several(turn, String::sample))
+    }
+}
+
+impl Sample for OneOf {
+    fn sample(turn: usize) -> Self {
+        OneOf(several(turn, String::sample))
     }
 }
 

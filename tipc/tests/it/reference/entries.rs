@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use tipc::Robot;
 use tipc::language::Edition;
-use tipc::language::commands::{COMMANDS, Command, find};
+use tipc::language::commands::{COMMANDS, Command, find_in};
 use tipc::language::keywords::KEYWORDS;
-use tipc::language::reserved::motion_flags;
+use tipc::language::reserved::{Kind, RESERVED, motion_flags};
 use tipc::language::{flags, functions, inputs};
 
 const PATH: &str = "docs/commands.md";
@@ -34,9 +34,8 @@ fn every_word_has_one_entry() {
         entries.iter().filter(of_entry).count()
     };
     // An entry has a program that runs.
-    let commands = COMMANDS.iter().filter(|it| it.since == Edition::V3_1);
-    let commands = commands.map(|command| command.name);
-    let words = commands
+    let words = COMMANDS.iter().map(|command| command.name);
+    let words = words
         .chain(functions::words())
         .chain(flags::words())
         .chain(motion_flags())
@@ -44,7 +43,11 @@ fn every_word_has_one_entry() {
     for word in words.chain(inputs::named().map(|port| port.to_string())) {
         assert_eq!(named(&|name| name == word), 1, "entries of {word}");
     }
-    for family in flags::families() {
+    let families = RESERVED.iter().filter_map(|row| match row.kind {
+        Kind::Variables | Kind::Reading(_) => Some(row.word),
+        _ => None,
+    });
+    for family in flags::families().chain(families) {
         assert_eq!(named(&|name| name.starts_with(family)), 1, "{family}");
     }
 }
@@ -135,7 +138,10 @@ fn rewritten(text: &str) -> String {
 }
 
 fn generated(names: &[String], example: &str) -> String {
-    let commands: Vec<&Command> = names.iter().filter_map(|name| find(name)).collect();
+    let commands: Vec<&Command> = names
+        .iter()
+        .filter_map(|name| find_in(name, Edition::V3_2))
+        .collect();
     let facts = facts(&commands);
     let options = header(example, "# args:");
     let shown = header(example, "# try:");

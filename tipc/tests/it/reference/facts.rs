@@ -3,6 +3,7 @@
 use crate::reference::read;
 use tip_runtime::command::Teach;
 use tipc::Robot;
+use tipc::language::Edition;
 use tipc::language::commands::{
     Arguments, Command, Cycles, Form, Joints, Meaning, Targets, Values,
 };
@@ -26,13 +27,18 @@ pub(crate) fn facts(commands: &[&Command]) -> String {
         format!(" Unit: {unit}.")
     };
     let mut lines = vec![
-        format!("Written: {}.", written(commands)),
+        format!("Edition: {}.", of_all(commands, edition)),
+        format!("Written: {}.", written(commands, |command| command.since)),
         format!("Robots: {}.{unit}", first.robots.letters()),
         format!("Cycles: {}.", of_all(commands, cycles)),
         format!("Refused: {}.", of_all(commands, refused)),
         format!("Stops the program: {}.", of_all(commands, failures)),
         format!("Rules: {}.", of_all(commands, rules)),
     ];
+    let later = |command: &&&Command| command.later_form.is_some();
+    let later: Vec<&Command> = commands.iter().filter(later).copied().collect();
+    let newest = |_: &Command| Edition::V3_2;
+    lines.insert(2, format!("Written in 3.2: {}.", written(&later, newest)));
     lines.retain(|line| !line.ends_with(": ."));
     lines.iter().map(|line| format!("- {line}\n")).collect()
 }
@@ -51,19 +57,29 @@ fn of_all(commands: &[&Command], fact: fn(&Command) -> String) -> String {
     named.join("; ")
 }
 
-/// Returns every form, by robot where robots differ.
-fn written(commands: &[&Command]) -> String {
-    let forms: Vec<String> = commands.iter().map(|command| forms(command)).collect();
-    forms.join("; ")
+/// Returns the edition that brought a command; nothing for the first one.
+fn edition(command: &Command) -> String {
+    let since = command.since;
+    (since > Edition::V3_1)
+        .then(|| since.to_string())
+        .unwrap_or_default()
 }
 
-fn forms(command: &Command) -> String {
+/// Returns every form in an edition, by robot where robots differ.
+fn written(commands: &[&Command], edition: fn(&Command) -> Edition) -> String {
+    let forms = commands
+        .iter()
+        .map(|command| forms(command, edition(command)));
+    forms.collect::<Vec<String>>().join("; ")
+}
+
+fn forms(command: &Command, edition: Edition) -> String {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
     for (letter, robot) in ROBOTS {
         if !command.robots.contains(robot) {
             continue;
         }
-        let usage = command.usage(robot, command.since);
+        let usage = command.usage(robot, edition);
         match groups.iter_mut().find(|(_, forms)| *forms == usage) {
             Some((letters, _)) => *letters += &format!(" {letter}"),
             None => groups.push((letter.to_owned(), usage)),

@@ -152,14 +152,9 @@ fn names(command: &Command, entries: &str) -> String {
     let name = command.name;
     let headings = entries.lines().filter_map(|line| line.strip_prefix("### "));
     let of_entry = |heading: &&str| heading.split(", ").any(|word| word == name);
-    let link = match (headings.into_iter().find(of_entry), command.since) {
-        (Some(heading), _) => format!("[`{name}`](commands.md#{})", anchor(heading)),
-        // Entries have programs that run.
-        (None, since) => {
-            assert!(since > Edition::V3_1, "{name} has no entry");
-            format!("`{name}`")
-        }
-    };
+    let heading = headings.into_iter().find(of_entry);
+    let heading = heading.unwrap_or_else(|| panic!("{name} has no entry"));
+    let link = format!("[`{name}`](commands.md#{})", anchor(heading));
     match command.alias {
         Some(alias) => format!("{link}, `{alias}`"),
         None => link,

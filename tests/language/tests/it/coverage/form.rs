@@ -3,6 +3,7 @@
 use tip_runtime::command::{Op, Teach};
 use tip_runtime::model::Family;
 use tipc::Robot;
+use tipc::language::Edition;
 use tipc::language::commands::{self, Arguments, Command, Joints, Limit, Meaning, Targets, Values};
 
 /// One form of a command.
@@ -12,6 +13,8 @@ pub struct Form {
     pub command: &'static Command,
     /// Its name as written here: its own, or that of older programs.
     pub name: &'static str,
+    /// The first edition that has the form.
+    pub since: Edition,
     /// `HS` comes first.
     pub hs: bool,
     /// The target or input.
@@ -70,9 +73,10 @@ impl Form {
     /// Every form of a command, under each of its names.
     pub fn all(command: &'static Command) -> Vec<Form> {
         let names = [Some(command.name), command.alias];
-        let plain = |name| Form {
+        let plain = |name, since| Form {
             command,
             name,
+            since,
             hs: false,
             head: None,
             flag: None,
@@ -81,13 +85,21 @@ impl Form {
         names
             .into_iter()
             .flatten()
-            .flat_map(|name| plain(name).completed())
+            .flat_map(|name| {
+                let mut forms = plain(name, command.since).completed(command.form);
+                if let Some((since, form)) = command.later_form {
+                    let mut more = plain(name, since).completed(form);
+                    more.retain(|form| !forms.iter().any(|old| old.text() == form.text()));
+                    forms.extend(more);
+                }
+                forms
+            })
             .collect()
     }
 
-    fn completed(self) -> Vec<Form> {
+    fn completed(self, form: commands::Form) -> Vec<Form> {
         use Slot::{Constant, IntoVar, Plain};
-        match self.command.form {
+        match form {
             commands::Form::Robot(arguments) => self.robot(arguments),
             commands::Form::Special => [
                 vec![Constant],
@@ -246,8 +258,11 @@ fn value_lists(values: Values, head: Option<Head>) -> Vec<Vec<Slot>> {
             vec![vec![Slot::Plain], scalars, vec![Slot::Joint]]
         }
         Values::Angles | Values::PerJoint => vec![scalars, vec![Slot::Joint]],
-        // Forms of edition 3.2 are no rows of this table.
-        Values::PerLeg | Values::ThreeOrPos | Values::Limits => Vec::new(),
+        Values::PerLeg if head == Some(Head::Foot) => vec![scalars, vec![Slot::Joint]],
+        Values::PerLeg => vec![vec![Slot::Plain]],
+        Values::ThreeOrPos => vec![vec![Slot::Plain; 3], vec![Slot::Pos]],
+        Values::Limits if single => vec![vec![Slot::Scalar; 2]],
+        Values::Limits => vec![vec![Slot::Joint; 2]],
     }
 }
 

@@ -83,6 +83,10 @@ impl Case {
 
     fn watch(&self, rows: &[Row], seen: &mut Seen) {
         let mut note = |row: usize, outcome: Outcome| {
+            // What an edition lacks is another statement in it.
+            if rows[row].since() > self.module.edition {
+                return;
+            }
             let another = outcome.is_anywhere() || rows[row].is_part();
             if another && rows[row].possible(self.robot, outcome).is_err() {
                 return;
@@ -112,6 +116,11 @@ impl Case {
         let Some(general) = general else {
             return Vec::new();
         };
+        // A special variable that the robot lacks is wrong in itself, whatever the form.
+        let word = self.loaded.source.slice(diagnostic.span);
+        if general == Outcome::Argument && word.contains('@') {
+            return Vec::new();
+        }
         if general == Outcome::NoEnd {
             return self
                 .rows_of(rows, &[sentence::end()])
@@ -170,7 +179,10 @@ impl Case {
             return Vec::new();
         };
         let is_step = |statement: &&syntax::Statement| {
-            !matches!(statement.kind, StatementKind::Define { .. })
+            !matches!(
+                statement.kind,
+                StatementKind::Define { .. } | StatementKind::Constant { .. }
+            )
         };
         let (steps, declarations): (Vec<_>, Vec<_>) =
             self.module.statements.iter().partition(is_step);

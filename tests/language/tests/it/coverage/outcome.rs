@@ -42,7 +42,7 @@ outcomes! {
     NoEnd "no END" "`Not exist END`";
     UnknownVariable "no variable" "`unknown variable \"…\"`";
     NeverAssigned "never assigned" "`Possible use of Variable before definition`, when the program is loaded";
-    OutOfRange "constant" "a warning: the constant is out of range";
+    OutOfRange "constant" "a warning, in 3.2 `Domain error` when the program is loaded: the constant is out of range";
     Unassigned "unassigned" "`Possible use of Variable before definition`, when the step runs";
     Domain "domain" "`Domain error`";
     OutOfReach "reach" "`Out of reach …`, when the step runs, or during the motion that it started";
@@ -67,17 +67,21 @@ impl Outcome {
             Code::UnknownVariable => Outcome::UnknownVariable,
             Code::Structure => Outcome::Structure,
             Code::NeverAssigned => Outcome::NeverAssigned,
-            Code::OutOfRange => Outcome::OutOfRange,
+            Code::OutOfRange | Code::Domain => Outcome::OutOfRange,
             _ => return None,
         })
     }
 
     /// Returns true if it may befall any statement, and says something about those alone that the rules name: a foreign
-    /// character, or a fault of the robot.
+    /// character, a locked joint, or a fault of the robot.
     pub const fn is_anywhere(self) -> bool {
         matches!(
             self,
-            Outcome::Format | Outcome::OutOfReach | Outcome::JointLimit | Outcome::Sensor
+            Outcome::Format
+                | Outcome::OutOfReach
+                | Outcome::JointLimit
+                | Outcome::Sensor
+                | Outcome::Mode
         )
     }
 

@@ -6,7 +6,7 @@ use super::rule::{self, Possible};
 use super::sentence::{self, Sentence};
 use tipc::Robot;
 use tipc::language::Edition;
-use tipc::language::commands::{COMMANDS, Form as Shape};
+use tipc::language::commands::{COMMANDS, Form as Shape, find_in};
 
 /// A form of a statement.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub enum Row {
 }
 
 impl Row {
-    /// Every row of edition 3.1, in the order of the table of commands.
+    /// Every row, in the order of the table of commands.
     pub fn all() -> Vec<Row> {
         let sentences = sentence::all();
         let named = |name: &str| {
@@ -26,7 +26,7 @@ impl Row {
             mine.cloned().map(Row::Sentence).collect::<Vec<_>>()
         };
         let mut rows = Vec::new();
-        for command in COMMANDS.iter().filter(|it| it.since == Edition::V3_1) {
+        for command in COMMANDS {
             match command.form {
                 Shape::Words(_) => rows.extend(named(command.name)),
                 _ => rows.extend(Form::all(command).into_iter().map(Row::Command)),
@@ -46,6 +46,17 @@ impl Row {
     /// Returns true if it is only a part of statements, of which other parts may fail.
     pub fn is_part(&self) -> bool {
         [sentence::CONDITION, sentence::NATIVE].contains(&self.name())
+    }
+
+    /// Returns the first edition that has it.
+    pub fn since(&self) -> Edition {
+        match self {
+            Row::Command(form) => form.since,
+            Row::Sentence(form) => {
+                let command = find_in(form.name, Edition::V3_2);
+                command.map_or(Edition::V3_1, |command| command.since)
+            }
+        }
     }
 
     /// The statement's name.

@@ -7,6 +7,7 @@ use tip_runtime::command::Op;
 use tip_runtime::fault::Fault;
 use tip_runtime::model::Family;
 use tipc::Robot;
+use tipc::language::Edition;
 use tipc::language::commands::{self, Command, Robots};
 
 /// Possibility of an outcome, or the reason against it, in a word.
@@ -135,33 +136,40 @@ pub fn of_sentence(form: &Sentence, robot: Robot, outcome: Outcome) -> Possible 
         return rule(comes && robot == Robot::Hand, "no native code");
     }
     let can = |fault: Fault| {
-        let command = commands::find(name);
+        let command = commands::find_in(name, Edition::V3_2);
         command.is_some_and(|command| command.failures().iter().any(|(of, _)| *of == fault))
     };
-    let text = is(&["MESSAGE", "REM"]);
+    let says = is(&["MESSAGE", "F_MESSAGE"]);
+    let text = says || name == "REM";
     let lone = is(&["ELSE", "ENDIF", "WEND", "REPEAT"]);
     let compares = has("condition");
-    let jumps = has("label:") || is(&["CALL", "GOTO"]) || has("GOTO");
+    let jumps = has("label:") || is(&["GOTO"]) || has("GOTO");
+    let names_block = is(&["CALL", "START_THREAD", "STOP_THREAD", "WAIT_THREAD"]);
+    let labels = is(&["SUBROUTINE", "THREAD", LABEL]);
     match outcome {
         Outcome::Valid => Ok(()),
         Outcome::Argument if is(&["NEXT", "GOTO"]) && form.text.is_empty() => Err("optional"),
         Outcome::Argument => rule(!text && !lone && name != "END", "any words"),
         Outcome::Format => rule(
-            lone || is(&["SUBROUTINE", LABEL]) || has("name,") || has("text") && name == "MESSAGE",
+            lone || labels || has("name,") || has("text") && name == "MESSAGE",
             "names nothing",
         ),
-        Outcome::LongString => rule(name == "MESSAGE" && has("text"), "no text"),
-        Outcome::UnknownLabel => rule(jumps, "no jump"),
-        Outcome::DuplicateLabel => rule(is(&["SUBROUTINE", LABEL]), "no label"),
+        Outcome::LongString => rule(says && has("text"), "no text"),
+        Outcome::UnknownLabel => rule(jumps || names_block, "no jump"),
+        Outcome::DuplicateLabel => rule(labels, "no label"),
         Outcome::Structure => rule(
-            jumps && name != "CALL"
+            jumps
                 || lone
                 || has("THEN")
-                || is(&["WHILE", "UNTIL", "FOR", "NEXT", "SUBROUTINE", "SUBEND"]),
+                || is(&["WHILE", "UNTIL", "FOR", "NEXT", "SUBROUTINE", "SUBEND"])
+                || is(&["THREAD", "THREADEND"]),
             "no block",
         ),
         Outcome::NoEnd => rule(name == "END", "not END"),
-        Outcome::UnknownVariable => rule(compares || has("VAR") || has("S"), "no operand"),
+        Outcome::UnknownVariable => rule(
+            compares || has("VAR") || has("S") || has("constant"),
+            "no operand",
+        ),
         Outcome::NeverAssigned => rule(compares || has("S") || has("%VAR%"), "reads nothing"),
         Outcome::Unassigned => rule(
             compares || has("S") || has("%VAR%") || name == "NEXT",
@@ -173,6 +181,7 @@ pub fn of_sentence(form: &Sentence, robot: Robot, outcome: Outcome) -> Possible 
             "no limit",
         ),
         Outcome::Return => rule(can(Fault::InvalidReturn), "no return"),
+        Outcome::Mode => rule(can(Fault::InvalidMode), "no thread"),
         Outcome::Depth => rule(
             can(Fault::TooDeep) && (name != "IF" || has("GOSUB")),
             "no call",

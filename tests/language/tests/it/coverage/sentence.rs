@@ -2,7 +2,6 @@
 
 use super::equation;
 use super::written::Names;
-use tipc::language::Edition;
 use tipc::language::commands::{COMMANDS, Form};
 use tipc::syntax::{Condition, Operand, OperandKind, Relation, StatementKind, Then, VariableKind};
 
@@ -35,12 +34,12 @@ fn sentence(name: &'static str, text: impl Into<String>) -> Sentence {
 /// Every form.
 pub fn all() -> Vec<Sentence> {
     let mut all: Vec<Sentence> = Vec::new();
-    for command in COMMANDS.iter().filter(|it| it.since == Edition::V3_1) {
+    for command in COMMANDS {
         if let Form::Words(text) = command.form {
             all.extend(expanded(text).map(|text| sentence(command.name, text)));
         }
     }
-    all.push(sentence("MESSAGE", "text with %VAR%"));
+    all.extend(["MESSAGE", "F_MESSAGE"].map(|name| sentence(name, "text with %VAR%")));
     all.extend(NUMBERS.map(native));
     all.push(sentence(LABEL, "name:"));
     all.extend(conditions());
@@ -145,11 +144,8 @@ pub fn shown(kind: &StatementKind, names: &Names) -> Vec<Sentence> {
         Kind::Gosub(_) => one("GOSUB", "label:"),
         Kind::Goto(jump) if jump.label.is_none() => one("GOTO", ""),
         Kind::Goto(_) => one("GOTO", "label:"),
-        Kind::Message { text } if text.node.is_empty() => one("MESSAGE", ""),
-        Kind::Message { text } if text.node.matches('%').count() > 1 => {
-            one("MESSAGE", "text with %VAR%")
-        }
-        Kind::Message { .. } => one("MESSAGE", "text"),
+        Kind::Message { text } => one("MESSAGE", of_text(&text.node)),
+        Kind::FileMessage { text } => one("F_MESSAGE", of_text(&text.node)),
         // Its text is not kept.
         Kind::Rem => vec![sentence("REM", ""), sentence("REM", "text")],
         Kind::Else => one("ELSE", ""),
@@ -160,16 +156,22 @@ pub fn shown(kind: &StatementKind, names: &Names) -> Vec<Sentence> {
         Kind::Return => one("RETURN", ""),
         Kind::End => one("END", ""),
         Kind::Exit => one("EXIT", ""),
-        // Those of edition 3.2 are no rows of this table.
-        Kind::Constant { .. }
-        | Kind::Thread { .. }
-        | Kind::ThreadEnd
-        | Kind::StartThread(_)
-        | Kind::StopThread(_)
-        | Kind::WaitThread(_)
-        | Kind::FileMessage { .. }
-        | Kind::Command { .. }
-        | Kind::Broken(_) => Vec::new(),
+        Kind::Constant { .. } => one("DEFINE", "name constant"),
+        Kind::Thread { .. } => one("THREAD", "name:"),
+        Kind::ThreadEnd => one("THREADEND", ""),
+        Kind::StartThread(_) => one("START_THREAD", "name:"),
+        Kind::StopThread(_) => one("STOP_THREAD", "name:"),
+        Kind::WaitThread(_) => one("WAIT_THREAD", "name:"),
+        Kind::Command { .. } | Kind::Broken(_) => Vec::new(),
+    }
+}
+
+/// Returns the form of a message's text.
+fn of_text(text: &str) -> &'static str {
+    match text.matches('%').count() {
+        _ if text.is_empty() => "",
+        0 | 1 => "text",
+        _ => "text with %VAR%",
     }
 }
 
