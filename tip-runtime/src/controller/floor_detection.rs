@@ -1,7 +1,7 @@
 //! DETECT_FLOOR of TITAN VIII (T.I.P. 3.1 §7-11-3): feet move until their soles touch the floor,
 //! or leave it.
 
-use super::switches::unlocked;
+use super::targets::unlocked;
 use super::task::{FloorSearch, Task};
 use super::trajectory::Goal;
 use super::{ControllerView, targets};

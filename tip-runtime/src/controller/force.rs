@@ -3,7 +3,7 @@
 
 use super::drive::Drive;
 use super::operands::{Base, resolve, resolve_from};
-use super::switches::{joint_of, unlocked};
+use super::targets::{joint_of, unlocked};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};

@@ -1,14 +1,15 @@
 //! Everything that the controller keeps of one leg.
 
-use super::drive::{CycleParams, LegDrive, MovingLeg};
+use super::drive::{CycleParams, Drive, LegDrive, MovingLeg, THIRD};
 use super::params::LegParams;
-use super::switches::LegSwitches;
+use super::targets::joint_of;
 use super::trajectory::Track;
 use super::vibrate::{JointVibration, VibrationContext};
+use crate::command::Target;
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
-use crate::kinematics::{Chain, LegPoint};
-use crate::model::{Inverse, Leg, ModelFacts, Point};
+use crate::kinematics::{Chain, LegPoint, ROUNDING};
+use crate::model::{Inverse, Leg, ModelFacts, Point, Range};
 
 /// One leg: what it is, what it is to do, and what it measured.
 #[derive(Clone, Copy, Debug)]
@@ -134,5 +135,164 @@ impl<'m, const J: usize> LegState<'m, J> {
             *command = vibration.vibrated(*command, joint, &state);
         }
         commands
+    }
+}
+
+/// The switches of one leg.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct LegSwitches<const J: usize> {
+    /// DIRECT holds for commands that name the foot.
+    pub(super) direct_foot: bool,
+    /// DIRECT holds for commands that name the joint.
+    pub(super) direct: [bool; J],
+    /// Mode and target of the joint cannot be changed.
+    pub(super) locked: [bool; J],
+    /// SET_LIMIT left the joint outside its limits, and it has not been inside since.
+    pub(super) outside: [bool; J],
+    /// One of them is outside.
+    pub(super) any_outside: bool,
+}
+
+impl<const J: usize> LegSwitches<J> {
+    /// The switches at a program's start.
+    pub(super) const STANDARD: Self = LegSwitches {
+        direct_foot: false,
+        direct: [false; J],
+        locked: [false; J],
+        outside: [false; J],
+        any_outside: false,
+    };
+
+    /// Returns true if new limits left a joint outside.
+    pub(super) fn has_outside(&self) -> bool {
+        self.any_outside
+    }
+
+    /// Returns true if a joint is locked.
+    pub(super) fn has_locked(&self) -> bool {
+        self.locked.contains(&true)
+    }
+
+    /// Returns true if a joint, counted from 0, is locked.
+    pub(super) fn is_locked(&self, m: usize) -> bool {
+        self.locked.get(m).is_some_and(|locked| *locked)
+    }
+
+    /// Returns true if DIRECT holds for commands that name a joint, counted from 0, or the foot.
+    pub(super) fn is_direct(&self, joint: Option<usize>) -> bool {
+        match joint {
+            None => self.direct_foot,
+            Some(m) => self.direct.get(m).is_some_and(|direct| *direct),
+        }
+    }
+}
+
+impl<const J: usize> LegState<'_, J> {
+    /// Puts back switches and working limits.
+    pub(super) fn reset_switches(&mut self) {
+        self.switches = LegSwitches::STANDARD;
+        self.model = *self.own;
+    }
+
+    /// Returns true if DIRECT holds for commands that name this target of the leg.
+    pub(super) fn is_direct(&self, target: Target) -> bool {
+        self.switches.is_direct(joint_of(target))
+    }
+
+    /// Returns the leg with room for joints that new limits left outside: they may hold or move
+    /// inward, not farther out.
+    pub(super) fn room(&self) -> Leg<J> {
+        let mut room = self.model;
+        let joints = self.switches.outside.iter().zip(&self.drive.angles);
+        for (joint, (outside, angle)) in room.joints.iter_mut().zip(joints) {
+            if *outside {
+                let Range { min, max } = joint.limits;
+                joint.limits = Range::new(min.min(*angle), max.max(*angle));
+            }
+        }
+        room
+    }
+
+    /// Returns true if new limits left joint `m` (from 0) outside, within those of the robot.
+    pub(super) fn may_be_outside(&self, m: usize, angle: f64) -> bool {
+        let is_outside = self.switches.outside.get(m).is_some_and(|outside| *outside);
+        let own = self.own.joints.get(m);
+        is_outside && own.is_some_and(|own| own.limits.widened(ROUNDING).contains(angle))
+    }
+
+    /// Takes note of joints that are inside their new limits now.
+    pub(super) fn note_inside(&mut self) {
+        let joints = self.model.joints.iter().zip(&self.angles);
+        for (outside, (joint, angle)) in self.switches.outside.iter_mut().zip(joints) {
+            *outside = *outside && !joint.limits.widened(ROUNDING).contains(*angle);
+        }
+        self.switches.any_outside = self.switches.outside.contains(&true);
+    }
+
+    /// Returns true if a command of a joint's angle, velocity or torque, counted from 0, or of all
+    /// joints, would change a locked joint.
+    pub(super) fn locks_angle(&self, joint: Option<usize>) -> bool {
+        if !self.switches.has_locked() {
+            return false;
+        }
+        let served = self.drive.served();
+        joint.is_none_or(|m| self.switches.is_locked(m)) || self.locks_first(served)
+    }
+
+    /// Returns true if a command of a point's place or force would change a locked joint.
+    pub(super) fn locks_point(&self, point: LegPoint) -> bool {
+        if !self.switches.has_locked() {
+            return false;
+        }
+        match (point, &self.drive.drive) {
+            (LegPoint::Tip, _) | (_, Drive::Foot(_)) => true,
+            (LegPoint::Joint(m), _) => self.locks_first(m + 1),
+        }
+    }
+
+    /// Returns true if NO_COMPLIANCE of a joint, counted from 0, or of all joints, names or would
+    /// change a locked joint.
+    pub(super) fn locks_stiffening(&self, joint: Option<usize>) -> bool {
+        let served = match &self.drive.drive {
+            Drive::Foot(track) if track.goal().is_soft() => J,
+            Drive::Third(track, _) if track.goal().is_soft() => THIRD,
+            _ => 0,
+        };
+        match joint {
+            None => self.switches.has_locked(),
+            Some(m) => self.switches.is_locked(m) || self.locks_first(served),
+        }
+    }
+
+    /// Returns true if a joint that serves a point is locked, so that no joint of the leg can go for
+    /// itself.
+    pub(super) fn locks_served(&self) -> bool {
+        self.locks_first(self.drive.served())
+    }
+
+    /// Puts the joints that are not locked under the control of `tracks`.
+    pub(super) fn soften_unlocked(&mut self, tracks: &[Track<1>; J], direct: bool) {
+        // Before this, no locked joint served a point.
+        let mut joints = *tracks;
+        let (first, own) = self.drive.own_joints();
+        let own = (first..).zip(own);
+        for (m, own) in own.filter(|(m, _)| self.switches.is_locked(*m)) {
+            if let Some(joint) = joints.get_mut(m) {
+                *joint = *own;
+            }
+        }
+        for (m, joint) in joints.iter_mut().enumerate() {
+            *joint = joint.jumping(joint.jumps() || (direct && !self.switches.is_locked(m)));
+        }
+        self.drive.drive = Drive::Joints(joints);
+    }
+
+    /// Returns true if one of the first `count` joints is locked.
+    fn locks_first(&self, count: usize) -> bool {
+        self.switches
+            .locked
+            .iter()
+            .take(count)
+            .any(|locked| *locked)
     }
 }

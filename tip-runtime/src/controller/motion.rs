@@ -2,7 +2,7 @@
 
 use super::drive::{Drive, Redundancy, THIRD, name, nearest_place, reach};
 use super::operands::{Base, is_zero, resolve, resolve_from, sum};
-use super::switches::{joint_of, unlocked};
+use super::targets::{joint_of, unlocked};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};

@@ -1,7 +1,7 @@
 //! Queries and changes that only native code makes.
 
 use super::drive::reach;
-use super::switches::unlocked;
+use super::targets::unlocked;
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{MAX, Target};

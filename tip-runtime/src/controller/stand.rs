@@ -1,7 +1,7 @@
 //! STAND_UP and SIT_DOWN (T.I.P. 3.1 §7-11-1, §7-11-2): the feet push the body up, or let it down.
 
 use super::ControllerView;
-use super::switches::unlocked;
+use super::targets::unlocked;
 use super::task::{Stand, Task};
 use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;

@@ -34,3 +34,20 @@ pub(super) fn feet<T>(legs: &mut [T], target: Target) -> Result<&mut [T], Fault>
 pub(super) fn number(index: usize) -> u8 {
     u8::try_from(index).map_or(u8::MAX, |index| index.saturating_add(1))
 }
+
+/// Refuses what is locked.
+pub(super) fn unlocked(is_locked: bool) -> Result<(), Fault> {
+    if is_locked {
+        Err(Fault::InvalidMode)
+    } else {
+        Ok(())
+    }
+}
+
+/// Returns the joint (from 0) that a target names, if it names one alone.
+pub(super) fn joint_of(target: Target) -> Option<usize> {
+    match target {
+        Target::Joint(_, m) => Some(index(m)),
+        Target::None | Target::All | Target::Floor | Target::Foot(_) => None,
+    }
+}

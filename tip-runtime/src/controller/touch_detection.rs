@@ -12,7 +12,7 @@
 use super::ControllerView;
 use super::drive::{Drive, THIRD};
 use super::leg::LegState;
-use super::switches::unlocked;
+use super::targets::unlocked;
 use super::task::Task;
 use super::trajectory::{Goal, Track};
 use crate::command::{Command, Op, Poll, Target};

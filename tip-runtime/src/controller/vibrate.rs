@@ -1,7 +1,7 @@
 //! Vibration, added to the commands that joints are sent (active friction control, T.I.P. 3.1 §8-2-2).
 
 use super::drive::bounded;
-use super::switches::unlocked;
+use super::targets::unlocked;
 use super::{ControllerView, targets};
 use crate::command::Target;
 use crate::fault::Fault;

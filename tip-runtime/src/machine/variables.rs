@@ -115,9 +115,7 @@ fn index_of(name: &str) -> Option<usize> {
     };
     let variable = match (kind, member) {
         ("VAR", None) => SpecialVariable::Var(n),
-        ("POS", Some(b"X")) => SpecialVariable::Position(n, 0),
-        ("POS", Some(b"Y")) => SpecialVariable::Position(n, 1),
-        ("POS", Some(b"Z")) => SpecialVariable::Position(n, 2),
+        ("POS", Some([axis @ b'X'..=b'Z'])) => SpecialVariable::Position(n, axis - b'X'),
         ("JNT", Some([b'J', member])) => SpecialVariable::Joint(n, digit(member)?.checked_sub(1)?),
         _ => return None,
     };
