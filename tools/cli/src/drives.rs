@@ -72,11 +72,11 @@ struct PortArguments {
     #[arg(long, default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(9600..=4_500_000))]
     baud: u32,
 
-    /// The most that adapter and driver add to an answer, ms
+    /// The longest delay of adapter and driver, ms
     #[arg(long, value_name = "MS", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=1000))]
     latency: u32,
 
-    /// The language of messages; by default that of the locale
+    /// The language of messages; else the locale's
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 }
@@ -100,15 +100,17 @@ impl PortArguments {
 /// A robot whose description has a bus.
 #[derive(Debug, Args)]
 struct RobotArguments {
-    /// The description of the robot, with [bus] and [[drive]]
+    /// The robot, described with [bus] and [[drive]]
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
 
-    /// The serial port, or 'simulated'; by default that of the description
+    /// The serial port, or 'simulated'
+    ///
+    /// By default that of the description
     #[arg(long, value_name = "PORT")]
     port: Option<String>,
 
-    /// The language of messages; by default that of the locale
+    /// The language of messages; else the locale's
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 }
@@ -141,7 +143,7 @@ impl RobotArguments {
 
 /// `tip drives scan`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip drives scan --port /dev/ttyUSB0                 all families, at 1 Mbaud
   tip drives scan --port /dev/ttyUSB0 --family x --baud 57600
 
@@ -150,7 +152,7 @@ pub(crate) struct Scan {
     #[command(flatten)]
     port: PortArguments,
 
-    /// The family of the servos; by default all are tried
+    /// The servos' family; else all are tried
     #[arg(long, value_enum)]
     family: Option<FamilyName>,
 
@@ -161,7 +163,7 @@ pub(crate) struct Scan {
 
 /// `tip drives id`
 #[derive(Debug, Args)]
-#[command(after_help = "Example:
+#[command(after_long_help = "Example:
   tip drives id 1 12 --family sts --port /dev/ttyACM0   new servos have the identity 1: name one at a time
 
 Exit status: 0 if the servo answers with its new identity, 1 otherwise.")]
@@ -184,7 +186,7 @@ pub(crate) struct Id {
 
 /// `tip drives zero`
 #[derive(Debug, Args)]
-#[command(after_help = "Example:
+#[command(after_long_help = "Example:
   tip drives zero robot.toml      it prints sign and offset for each [[drive]]
 
 Exit status: 0, or 1 if a servo does not answer.")]
@@ -195,7 +197,7 @@ pub(crate) struct Zero {
 
 /// `tip drives jog`
 #[derive(Debug, Args)]
-#[command(after_help = "Example:
+#[command(after_long_help = "Example:
   tip drives jog robot.toml J11
 
 Exit status: 0, 3 if the robot was stopped, 1 if it cannot start.")]
@@ -209,7 +211,7 @@ pub(crate) struct Jog {
 
 /// `tip drives monitor`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip drives monitor robot.toml            until Ctrl-C
   tip drives monitor robot.toml --once     one table
 
@@ -225,21 +227,23 @@ pub(crate) struct Monitor {
 
 /// `tip drives simulate`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip drives simulate robot.toml                                 prints the name of a port
   tip drives simulate robot.toml --mishaps faults=0.01,unplug=7@20
 
 Exit status: 130 after Ctrl-C, 1 if it cannot start.")]
 pub(crate) struct Simulate {
-    /// The description of the robot, with [bus] and [[drive]]
+    /// The robot, described with [bus] and [[drive]]
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
 
-    /// What goes wrong: faults=PROBABILITY, and unplug, reset or overheat=ID@SECONDS
+    /// What goes wrong
+    ///
+    /// faults=PROBABILITY, and unplug, reset or overheat=ID@SECONDS
     #[arg(long, value_name = "LIST", default_value = "")]
     mishaps: String,
 
-    /// The language of messages; by default that of the locale
+    /// The language of messages; else the locale's
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 }

@@ -95,7 +95,7 @@ enum Verb {
     Cycles(translate::Cycles),
     /// Compare a program's compiled code with the reference interpreter
     Verify(verify::Verify),
-    /// Run a program thousands of times over ranges of its variables and surroundings
+    /// Run a program many times over ranges of values
     Sweep(sweep::Sweep),
     /// Write a page that replays a run, or compares two, in 3-D
     View(record::View),

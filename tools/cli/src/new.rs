@@ -47,7 +47,7 @@ pub(super) struct New {
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
     robot: Choice,
 
-    /// The edition of the language: 3.1 or 3.2
+    /// The edition, 3.1 or 3.2
     #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = edition)]
     edition: Edition,
 

@@ -173,7 +173,9 @@ pub(super) struct View {
     #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
     program: Option<PathBuf>,
 
-    /// The case of FILE, a table that 'tip sweep' wrote, whose run the page replays
+    /// The row to replay, if FILE is a table
+    ///
+    /// 'tip sweep' writes such a table
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     case: Option<u64>,
 

@@ -101,19 +101,23 @@ pub(super) struct Run {
     #[arg(long)]
     pub(super) realtime: bool,
 
-    /// Run on a real robot: its description, with [bus] and [[drive]] (docs/drives.md)
+    /// Run on a real robot
+    ///
+    /// Its description has [bus] and [[drive]] (docs/drives.md)
     #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["robot", "plant", "scene"])]
     pub(super) hardware: Option<PathBuf>,
 
-    /// The serial port of the real robot, or 'simulated' for servos without hardware; by default that of the description
+    /// The robot's serial port, or 'simulated'
+    ///
+    /// 'simulated' needs no hardware. By default the port is that of the description
     #[arg(long, value_name = "PORT", requires = "hardware")]
     pub(super) port: Option<String>,
 
-    /// Start to move the real robot without waiting for a key
+    /// Start without waiting for a key
     #[arg(long, requires = "hardware")]
     pub(super) yes: bool,
 
-    /// Use real-time priority (SCHED_FIFO) and lock the memory
+    /// Use SCHED_FIFO and lock the memory
     #[arg(long, requires = "hardware")]
     pub(super) fifo: bool,
 

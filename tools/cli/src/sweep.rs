@@ -32,7 +32,7 @@ use tipc::message::Lang;
 
 /// `tip sweep`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip sweep walk.prg --vary STRIDE=160..240/20 --vary friction=0.4,0.9 -o runs.csv
   tip sweep walk.prg --vary 'STRIDE=uniform(150,250)' --repeat 20 --seed 7 --until 60s --deny falls -o runs.csv
   tip sweep walk.prg --plant dynamic --vary push.x=0..40/20 --until 5s -o pushed.csv
@@ -66,15 +66,17 @@ pub(super) struct Sweep {
     #[command(flatten)]
     pub(super) inputs: InputArguments,
 
-    /// Vary a quantity: NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)
+    /// Vary a quantity
+    ///
+    /// NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)
     #[arg(long, value_name = "NAME=VALUES", value_parser = axis)]
     vary: Vec<Axis>,
 
-    /// The number of cases for each combination of listed values
+    /// Cases of each combination of listed values
     #[arg(long, value_name = "N", default_value = "1", value_parser = positive, allow_negative_numbers = true)]
     repeat: u64,
 
-    /// The seed of random values and of sensor noise
+    /// The seed of random values and sensor noise
     #[arg(long, value_name = "N", default_value = "0", value_parser = count, allow_negative_numbers = true)]
     seed: u64,
 
@@ -82,26 +84,26 @@ pub(super) struct Sweep {
     #[arg(long, value_enum, default_value = "random")]
     sampling: SamplingName,
 
-    /// The longest time of a run on the robot, such as 60s or 500ms
+    /// The longest run, such as 60s or 500ms
     #[arg(long, value_name = "TIME", default_value = "60s", value_parser = seconds, allow_negative_numbers = true)]
     until: f64,
 
-    /// Add the last values of these variables to the table
+    /// Add last values of variables to the table
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     record: Vec<String>,
 
     #[command(flatten)]
     deny: Deny,
 
-    /// The table, or standard output for '-'
+    /// The table, or '-' for standard output
     #[arg(short, long, value_name = "OUT.csv|-")]
     out: PathBuf,
 
-    /// Go on with an unfinished table of the same sweep
+    /// Go on with an unfinished table
     #[arg(long)]
     resume: bool,
 
-    /// The number of threads; by default that of the cores
+    /// The number of threads; else that of cores
     #[arg(long, value_name = "N", value_parser = positive, allow_negative_numbers = true)]
     jobs: Option<u64>,
 

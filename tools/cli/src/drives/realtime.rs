@@ -150,7 +150,7 @@ impl Histogram {
 
 /// `tip jitter`
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   tip jitter                        how late cycles of 20 ms start on this machine, for 5 s
   tip jitter --period 10 --fifo     with SCHED_FIFO and locked memory, as 'tip run --hardware --fifo' has them
 
@@ -164,11 +164,11 @@ pub(crate) struct Jitter {
     #[arg(long, value_name = "S", default_value_t = 5.0, value_parser = positive)]
     seconds: f64,
 
-    /// Use real-time priority (SCHED_FIFO) and lock the memory
+    /// Use SCHED_FIFO and lock the memory
     #[arg(long)]
     fifo: bool,
 
-    /// The language of messages; by default that of the locale
+    /// The language of messages; else the locale's
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
 }
