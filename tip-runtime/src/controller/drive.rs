@@ -92,6 +92,11 @@ impl<const J: usize> LegDrive<J> {
         outputs
     }
 
+    /// Returns true if a joint was commanded a torque.
+    pub(super) fn pushes(&self) -> bool {
+        self.torques.iter().any(Option::is_some)
+    }
+
     /// Takes over measured angles: joints that were commanded a torque are where it led them, or
     /// are to come back to the working limit that they overshot, as `stays` says.
     pub(super) fn follow(&mut self, stays: &[f64; J]) {

@@ -15,8 +15,10 @@ impl<const J: usize> ControllerView<'_, J> {
             if leg.switches.has_outside() {
                 leg.note_inside();
             }
-            let stays = leg.stays();
-            leg.drive.follow(&stays);
+            if leg.drive.pushes() {
+                let stays = leg.stays();
+                leg.drive.follow(&stays);
+            }
         }
         read.and_then(|()| self.check_limits())?;
         self.pending.take().map_or(Ok(()), Err)

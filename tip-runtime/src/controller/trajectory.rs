@@ -179,12 +179,23 @@ impl<const N: usize> Track<N> {
     /// Moves on by `dt` seconds; a held set point brakes and stays, whatever its goal.
     pub(crate) fn advance(&mut self, limits: Limits, dt: f64, held: bool) {
         if self.jumps {
-            self.jumps = false;
-            if let (Some(target), false) = (self.goal.target(), held) {
-                *self = Track::resting(target).towards(self.goal);
-                return;
-            }
+            self.jump(limits, dt, held);
+        } else {
+            self.move_on(limits, dt, held);
         }
+    }
+
+    /// Puts the set point at its target; without one, or held, it moves on.
+    #[cold]
+    fn jump(&mut self, limits: Limits, dt: f64, held: bool) {
+        self.jumps = false;
+        match self.goal.target() {
+            Some(target) if !held => *self = Track::resting(target).towards(self.goal),
+            _ => self.move_on(limits, dt, held),
+        }
+    }
+
+    fn move_on(&mut self, limits: Limits, dt: f64, held: bool) {
         let limits = self.in_force(limits);
         match self.goal {
             _ if held => self.ramp([0.0; N], limits, dt),

@@ -60,6 +60,7 @@ impl ChainBuilder {
 impl<const J: usize> Chain<J> {
     /// Calculates the forward kinematics of `leg` at `angles` (deg).
     #[must_use]
+    #[inline]
     pub fn new(leg: &Leg<J>, angles: &[f64; J]) -> Self {
         let mut chain = Chain {
             places: [Vector3::zeros(); J],

@@ -306,6 +306,8 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         }
     }
 
+    // Out of line, or each turn would prepare for it, recorded or not.
+    #[inline(never)]
     fn record(&self, sink: &mut dyn Sink, Ran { thread, step, next }: Ran, sub: u32, last: bool) {
         sink.cycle(&record::Cycle {
             sub,

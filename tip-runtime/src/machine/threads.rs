@@ -2,7 +2,6 @@
 
 use crate::command::Poll;
 use crate::fault::Fault;
-use crate::program::THREADS;
 
 /// The threads of a program, one bit each: bit n is thread n, bit 0 the main program.
 #[derive(Clone, Copy, Debug, Default)]
@@ -88,8 +87,12 @@ pub(super) const fn bit(thread: u8) -> u8 {
 }
 
 /// Iterates over the threads of a set, in the order of the text.
-fn of(set: u8) -> impl Iterator<Item = u8> + use<> {
-    (1..=THREADS as u8).filter(move |thread| set & bit(*thread) != 0)
+fn of(mut set: u8) -> impl Iterator<Item = u8> + use<> {
+    core::iter::from_fn(move || {
+        let thread = set.trailing_zeros() as u8;
+        set &= !bit(thread);
+        (thread < u8::BITS as u8).then_some(thread)
+    })
 }
 
 /// Number of timers of a program.

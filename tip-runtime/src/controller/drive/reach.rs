@@ -99,6 +99,7 @@ pub(super) fn follow<const J: usize>(
 ///
 /// # Errors
 /// The errors of [`reach`].
+#[cold]
 pub(super) fn leap<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,
