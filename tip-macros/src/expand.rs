@@ -256,8 +256,9 @@ mod tests {
     fn an_error_comes_with_a_skeleton_and_without_the_word_error() {
         let items = tip(tokens("Wave, \"2.0\nwave\nEND\""), None).to_string();
         assert!(
-            items
-                .contains("compile_error ! { \"E108: line 1 must name version 3.1 or 3.2 of the language"),
+            items.contains(
+                "compile_error ! { \"E108: line 1 must name version 3.1 or 3.2 of the language"
+            ),
             "{items}"
         );
         assert!(items.contains("struct Wave"), "{items}");
