@@ -172,7 +172,10 @@ pub fn migrate_to(
         true => unchanged(name, bytes, encoding),
         false => migrate(name, bytes, encoding)?,
     };
-    let Some(older) = migration.bytes.take().filter(|_| edition >= Edition::V3_2) else {
+    if edition < Edition::V3_2 {
+        return Ok(migration);
+    }
+    let Some(older) = migration.bytes.take() else {
         return Ok(migration);
     };
     let (result, mut notes) = next::to_3_2(name, &older, encoding);

@@ -4,11 +4,14 @@ use crate::support::Folder;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 /// A new crate with a bus for a robot.
 fn crate_for(robot: &str) -> Folder {
-    let folder = Folder::new(&format!("drives-{robot}"));
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let n = COUNT.fetch_add(1, Ordering::Relaxed);
+    let folder = Folder::new(&format!("drives-{robot}-{n}"));
     folder
         .tip(&["new", "it", "--robot", robot, "--hardware"])
         .expect(0);

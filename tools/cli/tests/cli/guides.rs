@@ -294,5 +294,5 @@ fn the_programs_of_the_tutorial_are_in_the_standard_style() {
             count += 1;
         }
     }
-    assert_eq!(count, 8);
+    assert_eq!(count, 12);
 }

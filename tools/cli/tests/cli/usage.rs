@@ -190,7 +190,7 @@ fn help_is_in_the_language_that_is_asked_for() {
     let help = folder.tip(&["--lang", "ja", "help", "check"]).expect(0);
     for line in [
         "          プログラム。'-' は標準入力",
-        "          [既定値: 3.1]",
+        "          [既定値: human]",
         "          - short: 1 件 1 行",
         "  tip check --watch walk.prg                 変わるたびに検査し直す (Ctrl-C まで)",
     ] {
