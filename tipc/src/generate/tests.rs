@@ -92,7 +92,7 @@ fn errors_are_in_the_language_of_the_report() {
         ..Report::default()
     };
     let (outcome, lines) = reported(report, &Config::new(), &folder, &["a.prg"]);
-    let reason = "1行目には言語のバージョン3.1を書きます";
+    let reason = "1行目には言語のバージョン3.1か3.2を書きます";
     assert!(outcome.unwrap_err().contains(reason));
     assert!(lines.iter().any(|line| line.contains(reason)), "{lines:?}");
 }

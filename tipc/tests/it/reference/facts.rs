@@ -59,10 +59,10 @@ fn of_all(commands: &[&Command], fact: fn(&Command) -> String) -> String {
 
 /// Returns the edition that brought a command; nothing for the first one.
 fn edition(command: &Command) -> String {
-    let since = command.since;
-    (since > Edition::V3_1)
-        .then(|| since.to_string())
-        .unwrap_or_default()
+    match command.since {
+        Edition::V3_1 => String::new(),
+        since => since.to_string(),
+    }
 }
 
 /// Returns every form in an edition, by robot where robots differ.
