@@ -106,17 +106,19 @@ fn index(variable: SpecialVariable, joints: usize) -> Option<usize> {
 
 /// Returns the place of the variable of this name.
 fn index_of(name: &str) -> Option<usize> {
-    let (kind, rest) = name.split_once("_SPECIAL_")?;
+    // Searching a string may panic as far as the compiler can tell.
+    let (kind, rest) = name.as_bytes().split_at_checked(3)?;
+    let rest = rest.strip_prefix(b"_SPECIAL_")?;
     let digit = |byte: &u8| byte.is_ascii_digit().then(|| byte.wrapping_sub(b'0'));
-    let (n, member) = match rest.as_bytes() {
+    let (n, member) = match rest {
         [n] => (digit(n)?, None),
         [n, b'.', member @ ..] => (digit(n)?, Some(member)),
         _ => return None,
     };
     let variable = match (kind, member) {
-        ("VAR", None) => SpecialVariable::Var(n),
-        ("POS", Some([axis @ b'X'..=b'Z'])) => SpecialVariable::Position(n, axis - b'X'),
-        ("JNT", Some([b'J', member])) => SpecialVariable::Joint(n, digit(member)?.checked_sub(1)?),
+        (b"VAR", None) => SpecialVariable::Var(n),
+        (b"POS", Some([axis @ b'X'..=b'Z'])) => SpecialVariable::Position(n, axis - b'X'),
+        (b"JNT", Some([b'J', member])) => SpecialVariable::Joint(n, digit(member)?.checked_sub(1)?),
         _ => return None,
     };
     index(variable, MAX)

@@ -39,7 +39,7 @@ pub enum Assigned {
     Always,
     /// On some path, but not on every one.
     Sometimes,
-    /// On no path.
+    /// On no path of its thread.
     Never,
 }
 
