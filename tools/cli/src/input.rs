@@ -3,10 +3,12 @@
 use std::fs::File;
 use std::io;
 use std::path::Path;
+use tip_drives::model::{MODELS, Model};
 use tip_lint::migrate::Migration;
+use tip_runtime::model::Range;
 use tip_runtime::plant::Scene;
 use tipc::code::Code;
-use tipc::description::{Description, Project};
+use tipc::description::{self, Description, Project};
 use tipc::diagnostic::Diagnostic;
 use tipc::embed::LIMIT;
 use tipc::language::Edition;
@@ -58,9 +60,7 @@ pub(super) fn migrate(
 pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     let name = name(path);
     match read(path, LIMIT) {
-        Ok(bytes) => {
-            tipc::description::parse_for_servos(&name, &bytes, &crate::drives::robot::servos())
-        }
+        Ok(bytes) => tipc::description::parse_for_servos(&name, &bytes, &servos()),
         Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }
@@ -88,6 +88,16 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
 
 /// The name of standard input, and of standard output.
 const STANDARD: &str = "-";
+
+/// Returns the servos that a description can name.
+fn servos() -> Vec<description::Servo> {
+    let servo = |model: &Model| description::Servo {
+        name: model.name,
+        family: model.family.name,
+        travel: Range::new(model.angle(0.0), model.angle(model.largest.into())),
+    };
+    MODELS.iter().map(servo).collect()
+}
 
 /// Returns true if the path names standard input or output.
 pub(super) fn is_standard(path: &Path) -> bool {

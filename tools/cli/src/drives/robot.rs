@@ -12,13 +12,12 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use tip_drives::bus::{Bus, Port, Timing};
 use tip_drives::drives::{Drives, Failure, Joint, Policy, Problem, Settings};
-use tip_drives::model::{MODELS, Model};
+use tip_drives::model::Model;
 use tip_drives::serial::Serial;
 use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
 use tip_runtime::command::Target;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
-use tip_runtime::model::Range;
 use tip_runtime::realtime::Pacer;
 use tip_sim::{Joints, Robot};
 use tipc::description::{self, Description};
@@ -26,16 +25,6 @@ use tipc::message::Lang;
 
 /// The name of a port with simulated servos.
 pub(crate) const SIMULATED: &str = "simulated";
-
-/// Returns the servos that a description can name.
-pub(crate) fn servos() -> Vec<description::Servo> {
-    let servo = |model: &Model| description::Servo {
-        name: model.name,
-        family: model.family.name,
-        travel: Range::new(model.angle(0.0), model.angle(model.largest.into())),
-    };
-    MODELS.iter().map(servo).collect()
-}
 
 /// A serial port, or simulated servos.
 #[derive(Debug)]
