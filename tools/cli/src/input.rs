@@ -90,7 +90,7 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
 const STANDARD: &str = "-";
 
 /// Returns the servos that a description can name.
-fn servos() -> Vec<description::Servo> {
+pub(super) fn servos() -> Vec<description::Servo> {
     let servo = |model: &Model| description::Servo {
         name: model.name,
         family: model.family.name,

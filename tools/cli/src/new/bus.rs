@@ -1,6 +1,6 @@
 //! The bus of a new robot in its description: a servo for each joint, to be changed to what was built.
 
-use crate::drives::robot::servos;
+use crate::input::servos;
 use std::fmt::Write as _;
 use tip_runtime::model::Range;
 use tip_sim::Robot;
