@@ -118,7 +118,7 @@ pub(super) struct Run {
     pub(super) yes: bool,
 
     /// Use SCHED_FIFO and lock the memory
-    #[arg(long, requires = "hardware")]
+    #[arg(long, requires = "hardware", hide_short_help = true)]
     pub(super) fifo: bool,
 
     #[command(flatten)]
