@@ -181,7 +181,7 @@ fn holds(lesson: &str, wanted: &Wanted, shows: &Shows) {
 #[test]
 fn each_lesson_does_what_it_says_and_what_it_asks_for_does_too() {
     let contents = contents();
-    assert_eq!(contents.lessons.len(), 10);
+    assert_eq!(contents.lessons.len(), 11);
     for lesson in &contents.lessons {
         let text = file(&lesson.program);
         let first = wanted(&contents, &lesson.robot, &text, &lesson.events);

@@ -9,7 +9,7 @@ pub mod waves {
 }
 
 fn main() {
-    tip_macros::tip!(#[expect(dead_code)] Unused, "3.1\nwave\nEND");
+    tip_macros::tip!(#[allow(dead_code)] Unused, "3.1\nwave\nEND");
     tip_macros::tip!(Wave, "3.1\nwave\nEND");
     let wave = Wave::default();
     assert_eq!(tip_runtime::program::Program::title(&wave), "wave");

@@ -59,7 +59,7 @@ fn tried(folder: &Folder, line: &str, file: &str, program: &str) -> Outcome {
 fn without(names: &[String], program: &str) -> String {
     let has_one = |line: &str| {
         let code = line.split("//").next().unwrap_or_default();
-        let words = code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let words = code.split(|c: char| !c.is_ascii_alphanumeric() && !matches!(c, '_' | '@'));
         let tokens = code.split_whitespace();
         words
             .chain(tokens)
