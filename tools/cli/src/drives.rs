@@ -68,11 +68,11 @@ struct PortArguments {
     #[arg(long, value_name = "PORT")]
     port: String,
 
-    /// The speed of the bus, bits per second
+    /// The speed of the bus, bit/s
     #[arg(long, default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(9600..=4_500_000))]
     baud: u32,
 
-    /// The longest delay of adapter and driver, ms
+    /// The delay of adapter and driver, ms
     #[arg(long, value_name = "MS", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=1000))]
     latency: u32,
 

@@ -72,11 +72,11 @@ pub(super) struct Sweep {
     #[arg(long, value_name = "NAME=VALUES", value_parser = axis)]
     vary: Vec<Axis>,
 
-    /// Cases of each combination of listed values
+    /// Cases of each combination
     #[arg(long, value_name = "N", default_value = "1", value_parser = positive, allow_negative_numbers = true)]
     repeat: u64,
 
-    /// The seed of random values and sensor noise
+    /// The seed of random values
     #[arg(long, value_name = "N", default_value = "0", value_parser = count, allow_negative_numbers = true)]
     seed: u64,
 
@@ -84,7 +84,7 @@ pub(super) struct Sweep {
     #[arg(long, value_enum, default_value = "random")]
     sampling: SamplingName,
 
-    /// The longest run, such as 60s or 500ms
+    /// The longest run
     #[arg(long, value_name = "TIME", default_value = "60s", value_parser = seconds, allow_negative_numbers = true)]
     until: f64,
 
