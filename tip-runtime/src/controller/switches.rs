@@ -1,4 +1,4 @@
-//! What edition 3.2 lets a program switch at joints: DIRECT and TRAJECTORY, LOCK and UNLOCK, and
+//! Switches of joints in edition 3.2: DIRECT and TRAJECTORY, LOCK and UNLOCK, and
 //! working limits of its own. INITIAL_POSTURE and the end of a program put all of it back.
 
 use super::leg::LegSwitches;

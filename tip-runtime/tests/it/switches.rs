@@ -1,4 +1,4 @@
-//! What edition 3.2 switches at joints: DIRECT, LOCK, working limits.
+//! Switches of joints in edition 3.2: DIRECT, LOCK, working limits.
 
 use crate::rig::{Rig, absolute, distance};
 use tip_runtime::command::{Command, Op, Poll, Target};

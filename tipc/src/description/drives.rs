@@ -1,6 +1,6 @@
 //! The drives of a real robot in its description: `[bus]` and `[[drive]]`, checked against the joints.
 //!
-//! What servos there are is known to who talks to them; their names and travels are passed in.
+//! The caller passes in the names and travels of the servos that exist.
 
 use super::Leg;
 use super::keys::Part;

@@ -1,4 +1,4 @@
-//! What 3.2 brought: named constants, readings, timers, threads, locks, limits, texts for a file.
+//! Random uses of edition 3.2: named constants, readings, timers, threads, locks, limits, texts for a file.
 
 use crate::writer::{COUNTERS, JOINTS, POSITIONS, Writer};
 use tip_runtime::command::{Op, Teach};

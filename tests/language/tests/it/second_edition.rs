@@ -1,4 +1,4 @@
-//! What no case of the language can show of T.I.P. 3.2: native code that shares variables, pauses, a program that starts
+//! Tests of T.I.P. 3.2 beyond the language cases: native code that shares variables, pauses, a program that starts
 //! again, set points of ideal joints, and that speed changes no program without a clock.
 
 use std::fs;

@@ -7,7 +7,7 @@ use crate::special::Call;
 use std::string::String;
 use std::{format, vec};
 
-/// What a step of a test does.
+/// Action of a step in a test.
 #[derive(Clone, Copy)]
 enum Do {
     Nop,

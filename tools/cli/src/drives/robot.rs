@@ -98,7 +98,7 @@ pub(crate) fn open_serial(port: &str, baud: u32, lang: Lang) -> Result<AnyPort, 
     Ok(AnyPort::Serial(opened))
 }
 
-/// What goes wrong on a simulated bus: `faults=0.01,unplug=3@1.5`.
+/// Faults of a simulated bus: `faults=0.01,unplug=3@1.5`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Mishaps {
     /// Probability that something happens to an answer.
@@ -320,7 +320,7 @@ pub(crate) struct Connection {
 #[derive(Clone, Debug)]
 struct Reached {
     drives: Arc<Mutex<Drives<AnyPort>>>,
-    /// What goes wrong; `None` on a real bus.
+    /// Faults to inject; `None` on a real bus.
     mishaps: Option<Mishaps>,
     /// Time of the next cycle of simulated servos, µs.
     cycle: u64,
