@@ -2,8 +2,8 @@
 
 use crate::long::KINDS;
 use std::time::Instant;
-use tipc::Options;
 use tip_lint::format::format;
+use tipc::Options;
 
 /// Program lengths, lines.
 const LINES: usize = 100_000;

@@ -33,9 +33,7 @@ pub(crate) const KINDS: &[Kind] = &[
         })
     }),
     ("comments", |lines| {
-        repeated(lines, |n| {
-            format!("  // what the foot does after step {n}")
-        })
+        repeated(lines, |n| format!("  // what the foot does after step {n}"))
     }),
 ];
 

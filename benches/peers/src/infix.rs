@@ -1,8 +1,8 @@
 //! Syntax that all peers share: numbers, variables, operations, relations.
 
 use tipc::program::{
-    Action, Argument, Arithmetic, Condition, Mark, Operand, Program, Relation, Scalar, ScalarExpression,
-    StructExpression, Variable, VariableId, VariableKind,
+    Action, Argument, Arithmetic, Condition, Mark, Operand, Program, Relation, Scalar,
+    ScalarExpression, StructExpression, StructOperand, Variable, VariableKind,
 };
 
 /// The variables that a program declares: all but `VAR_KEY`.
@@ -68,6 +68,7 @@ impl Infix<'_> {
                 let sign = if negative { "-" } else { "" };
                 format!("{sign}{}", self.place(scalar))
             }
+            Operand::Reading { .. } => panic!("readings are beyond the peers"),
         }
     }
 
@@ -133,9 +134,9 @@ impl Infix<'_> {
             } => {
                 let members = 0..self.program.variables()[*target].size();
                 let set = |member| {
-                    let of = |variable: VariableId| self.place(Scalar { variable, member });
+                    let of = |operand: StructOperand| self.operand(operand.member(member));
                     let (value, is_calculated) = match *value {
-                        StructExpression::Copy(variable) => (of(variable), false),
+                        StructExpression::Copy(operand) => (of(operand), false),
                         StructExpression::Binary {
                             left,
                             operation,
@@ -143,7 +144,11 @@ impl Infix<'_> {
                         } => (infix(&of(left), operation, &of(right)), true),
                         _ => panic!("functions are beyond the peers"),
                     };
-                    updated(of(*target), *update, value, is_calculated)
+                    let target = self.place(Scalar {
+                        variable: *target,
+                        member,
+                    });
+                    updated(target, *update, value, is_calculated)
                 };
                 Some(members.map(set).collect())
             }

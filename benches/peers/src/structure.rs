@@ -1,7 +1,7 @@
 //! A program as nested blocks, for the peers that are scripts.
 
 use std::collections::BTreeMap;
-use tipc::program::{Action, Condition, Operand, Program, Scalar, StepId};
+use tipc::program::{Action, Condition, LabelKind, Operand, Program, Scalar, StepId};
 
 /// The main program, and the subroutines by their first steps.
 pub(crate) struct Blocks<'a> {
@@ -31,7 +31,7 @@ pub(crate) fn blocks(program: &Program) -> Blocks<'_> {
     let subroutines: Vec<StepId> = program
         .labels()
         .iter()
-        .filter(|label| label.subroutine)
+        .filter(|label| label.kind == LabelKind::Subroutine)
         .map(|label| label.step)
         .collect();
     let end = program.steps().len() as StepId - 1;
