@@ -55,12 +55,14 @@ fn measure<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: u
     report: &mut HostStream,
 ) -> Option<bool> {
     let before = stack::paint();
-    let mut robot = make().ok()?;
+    // Used where it is: a move would need the room of a second machine.
+    let mut made = make();
+    let robot = made.as_mut().ok()?;
     let making = stack::deepest().checked_sub(before)?;
     let before = stack::paint();
-    let ended = run(&mut robot, trace);
+    let ended = run(robot, trace);
     let cycle = stack::deepest().checked_sub(before)?;
-    let (program, machine) = (size_of::<P>(), size_of_val(&robot));
+    let (program, machine) = (size_of::<P>(), size_of_val(robot));
     let plant = size_of::<H>();
     writeln!(
         report,

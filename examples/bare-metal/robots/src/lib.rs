@@ -31,10 +31,13 @@ pub type Threaded = Machine<'static, Threads, SimulatedPlant<4, 3>, (), (), 4, 3
 /// The Hiroshima Hand, its controller and its program.
 pub type Hand = Machine<'static, Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
 
+// Functions of their own, so that the plant and the program that they move leave the stack before the motion begins.
+
 /// TITAN VIII before its first control cycle.
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
+#[inline(never)]
 pub fn walker() -> Result<Walker, Mismatch> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
     Machine::new(Walk::new(), &titan8::MODEL, plant, (), ())
@@ -44,6 +47,7 @@ pub fn walker() -> Result<Walker, Mismatch> {
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
+#[inline(never)]
 pub fn heavy_walker() -> Result<HeavyWalker, Mismatch> {
     let plant = DynamicPlant::new(&titan8::MODEL);
     Machine::new(Walk::new(), &titan8::MODEL, plant, (), ())
@@ -53,6 +57,7 @@ pub fn heavy_walker() -> Result<HeavyWalker, Mismatch> {
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
+#[inline(never)]
 pub fn threaded() -> Result<Threaded, Mismatch> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
     Machine::new(Threads::new(), &titan8::MODEL, plant, (), ())
@@ -62,6 +67,7 @@ pub fn threaded() -> Result<Threaded, Mismatch> {
 ///
 /// # Errors
 /// Never: the program was compiled for this robot.
+#[inline(never)]
 pub fn hand() -> Result<Hand, Mismatch> {
     let (width, height) = (100.0, 60.0);
     let cylinder = Object {
