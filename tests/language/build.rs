@@ -6,14 +6,7 @@
     reason = "a build script reads and writes files and talks to Cargo"
 )]
 
-#[path = "harness/src/seek.rs"]
-#[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
-mod seek;
-#[path = "harness/src/settings.rs"]
-#[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
-mod settings;
-
-use settings::Settings;
+use case_files::Settings;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -26,7 +19,6 @@ fn main() {
     let (root, out) = (Path::new(&root), Path::new(&out));
     println!("cargo::rerun-if-changed=cases");
     println!("cargo::rerun-if-changed=covering.txt");
-    println!("cargo::rerun-if-changed=harness/src/settings.rs");
     println!("cargo::rerun-if-env-changed=TIP_ALL_PROGRAMS");
     let covering = fs::read_to_string(root.join("covering.txt")).unwrap_or_default();
     let covering: BTreeSet<&str> = covering.lines().collect();
@@ -42,7 +34,7 @@ fn main() {
 fn cases(folder: &Path, out: &Path, is_wanted: &dyn Fn(&str) -> bool) -> String {
     let mut programs = Programs::default();
     let mut tests = String::new();
-    for case in seek::cases(folder)
+    for case in case_files::cases(folder)
         .into_iter()
         .filter(|case| is_wanted(case))
     {

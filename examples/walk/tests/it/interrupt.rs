@@ -1,14 +1,28 @@
 //! Ctrl-C as a key, and a signal, on a compiled program.
 
-#[path = "../../../../tools/cli/tests/cli/faults/terminal.rs"]
-mod terminal;
-
 use rustix::process::{Pid, Signal, kill_process};
+use rustix::pty::{OpenptFlags, grantpt, ioctl_tiocgptpeer, openpt, unlockpt};
+use rustix::termios::tcgetattr;
 use std::fs;
+use std::os::fd::OwnedFd;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use terminal::Pty;
+
+/// Returns both ends of a pseudo terminal: that of the fingers, and that of the process.
+fn terminal() -> (OwnedFd, OwnedFd) {
+    let flags = OpenptFlags::RDWR | OpenptFlags::NOCTTY;
+    let fingers = openpt(flags).expect("a pseudo terminal");
+    grantpt(&fingers).expect("ours");
+    unlockpt(&fingers).expect("ours");
+    let line = ioctl_tiocgptpeer(&fingers, flags).expect("its other end");
+    (fingers, line)
+}
+
+/// Returns the settings for keys, in words that can be compared.
+fn behaviour(line: &OwnedFd) -> String {
+    format!("{:?}", tcgetattr(line).expect("a terminal"))
+}
 
 fn walk(arguments: &[&str], input: Stdio) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_walk"));
@@ -22,18 +36,19 @@ fn require_running(child: &mut Child) {
 
 #[test]
 fn the_key_stops_the_robot_and_the_terminal_behaves_as_before() {
-    let pty = Pty::new();
-    let before = pty.behaviour();
-    let mut child = walk(&["--realtime"], pty.input());
-    while pty.behaviour() == before {
+    let (fingers, line) = terminal();
+    let before = behaviour(&line);
+    let input = line.try_clone().expect("another handle");
+    let mut child = walk(&["--realtime"], input.into());
+    while behaviour(&line) == before {
         require_running(&mut child);
     }
-    pty.press(0x03);
+    assert_eq!(rustix::io::write(&fingers, b"\x03"), Ok(1));
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(1));
     let told = String::from_utf8_lossy(&output.stdout);
     assert!(told.contains("Emergency; body"), "{told}");
-    assert_eq!(pty.behaviour(), before);
+    assert_eq!(behaviour(&line), before);
 }
 
 #[test]

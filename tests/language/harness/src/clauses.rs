@@ -1,7 +1,7 @@
 //! Clauses of the language reference, and who names them.
 #![expect(clippy::disallowed_methods, reason = "tests read the workspace")]
 
-use crate::seek::{cases, root};
+use case_files::{cases, root};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -6,13 +6,10 @@
 pub mod clauses;
 mod compare;
 mod run;
-mod seek;
-mod settings;
 pub mod stops;
 mod verdict;
 
+pub use case_files::{Settings, cases, root};
 pub use compare::matches;
 pub use run::{both, run};
-pub use seek::{cases, root};
-pub use settings::Settings;
 pub use verdict::{Compiled, checked, each_use, stopped, traced};

@@ -1,6 +1,6 @@
 //! A run as a case wants it.
 
-use crate::settings::Settings;
+use case_files::Settings;
 use tip_runtime::plant::Scene;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines, Sink};

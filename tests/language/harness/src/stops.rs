@@ -4,7 +4,7 @@
 //! the line that is wanted, from the first cycle on; the program reads it and jumps over every other line:
 //! `IF LINE <> 12 GOTO L12:; SET_V_MAX F1 LOW; L12:`.
 
-use crate::settings::Settings;
+use case_files::Settings;
 
 /// A line of the expectation: `LINE: TIP_ERR:<message> (<kind>)`.
 #[derive(Clone, Debug, PartialEq)]

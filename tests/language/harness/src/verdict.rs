@@ -4,9 +4,8 @@
 use crate::clauses;
 use crate::compare::matches;
 use crate::run::{both, run};
-use crate::seek::root;
-use crate::settings::Settings;
 use crate::stops::{self, Stop};
+use case_files::{Settings, root};
 use std::fs;
 use tip_sim::{Interpreter, ProgramRunner};
 use tipc::code::Level;

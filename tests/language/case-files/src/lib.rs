@@ -1,9 +1,14 @@
-//! Search for cases.
+//! The files of language cases, and the options in their headers: for the build script that compiles cases, and for the
+//! harness that runs them.
+
+mod settings;
+
+pub use settings::Settings;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folder of the tests of the language.
+/// Returns the folder of the tests of the language.
 ///
 /// # Panics
 /// Never: this package is in it.
@@ -12,7 +17,7 @@ pub fn root() -> &'static Path {
     package.parent().expect("the package stands in a folder")
 }
 
-/// Every case below `folder`, as `<area>/<name>`, in order.
+/// Returns every case below `folder`, as `<area>/<name>`, in order.
 pub fn cases(folder: &Path) -> Vec<String> {
     let mut cases = Vec::new();
     for area in entries(folder) {
