@@ -124,15 +124,15 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         steps: &mut Steps,
         sink: &mut Option<&mut dyn Sink>,
     ) -> Result<Option<End>, Fault> {
-        let threads = self.state.threads.running();
-        let mut end = self.turn(steps, sink)?;
-        for thread in threads {
-            if end.is_some() {
-                break;
+        // One call of `turn` serves the main program and the threads, so that the compiler can inline it.
+        let mut threads = self.state.threads.running();
+        let end = loop {
+            let end = self.turn(steps, sink)?;
+            match threads.next() {
+                Some(thread) if end.is_none() => self.select(thread),
+                _ => break end,
             }
-            self.select(thread);
-            end = self.turn(steps, sink)?;
-        }
+        };
         if self.state.turn != 0 {
             self.select(0);
         }
