@@ -143,9 +143,21 @@ fn first_examples(text: &str) -> String {
     };
     let lines = text.lines().skip_while(|line| *line != heading).skip(1);
     let lines = lines.take_while(|line| line.starts_with("  "));
-    let lines = lines.filter(|line| width(line) <= COLUMNS).take(SHORT);
-    let lines: String = lines.map(|line| format!("{line}\n")).collect();
-    format!("{heading}\n{lines}\n")
+    let lines = lines.map(fitting).filter(|line| width(line) <= COLUMNS);
+    let lines: String = lines.take(SHORT).map(|line| format!("{line}\n")).collect();
+    match lines.is_empty() {
+        true => String::new(),
+        false => format!("{heading}\n{lines}\n"),
+    }
+}
+
+/// Returns a line of an example, without its explanation if a terminal is too narrow for both.
+fn fitting(line: &str) -> &str {
+    let indent = line.len() - line.trim_start().len();
+    match line[indent..].find("  ") {
+        Some(gap) if width(line) > COLUMNS => &line[..indent + gap],
+        _ => line,
+    }
 }
 
 /// Columns of a terminal.
