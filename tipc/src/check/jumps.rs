@@ -323,7 +323,7 @@ impl Jumps<'_> {
     }
 }
 
-/// Returns the labels and the names of SUBROUTINEs in a part of the text, each at its first location.
+/// Returns the labels and the names of SUBROUTINEs and THREADs in a part of the text, each at its first location.
 fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
     let mut all = HashMap::new();
     let mut tokens = Vec::new();
@@ -333,9 +333,11 @@ fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
         let (code, _) = split_comment(source.text(), line);
         lex(source.text(), code, &mut tokens);
         let word = |token: &Token| upper_case(source.slice(token.span));
+        let openers = [Keyword::Subroutine, Keyword::Thread];
+        let opens = |token: &Token| openers.iter().any(|it| word(token) == it.word());
         let name = match tokens.as_slice() {
             [name, colon, ..] if colon.kind == Kind::Colon => name,
-            [first, name, ..] if word(first) == Keyword::Subroutine.word() => name,
+            [first, name, ..] if opens(first) => name,
             _ => continue,
         };
         all.entry(word(name).to_string()).or_insert(name.span);

@@ -93,8 +93,8 @@ messages! {
         "`;` ends the text before it: what follows is a statement",
         "`;` で文字列が終わり、その後は別の文になります";
     AfterEnd
-        "END ends the text of the program: move it below the last SUBROUTINE, and write EXIT here",
-        "ENDより後は読まれません。ENDは最後のSUBROUTINEの後に移し、ここはEXITにしてください";
+        "END ends the text of the program: move it to the last line, and write EXIT here",
+        "ENDより後は読まれません。ENDは最後の行に移し、ここはEXITにしてください";
     EndsTheText
         "the text of the program ends here",
         "プログラムはここで終わりです";
