@@ -260,6 +260,9 @@ codes! {
     /// A timer that is read and never started.
     StoppedTimer "W136" None, "\"{}\" is always 0: nothing starts this timer",
         "\"{}\" はいつも0です。このタイマを動かす文がありません";
+    /// A command that has no effect, since a later one of the same cycle stands.
+    Overridden "W137" None, "another thread commands the same joint in this cycle, and its command stands",
+        "別のスレッドが同じ周期に同じ関節を動かし、そちらの命令が有効になります";
 }
 
 impl Code {

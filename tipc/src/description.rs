@@ -53,6 +53,7 @@ use crate::diagnostic::Diagnostic;
 use crate::load::Loaded;
 use crate::message::Describing;
 use crate::published::Published;
+use crate::robot::Limits;
 use crate::source::{Encoding, Source, Span};
 use section::{Found, Section, fault};
 use tip_runtime::model::{Body, Forces, Inverse, Joint, Point, Range, Slider, Standards};
@@ -76,6 +77,7 @@ pub struct Description {
     /// Shapes of the body.
     shapes: Vec<Shape>,
     bus: Option<Bus>,
+    limits: Limits,
 }
 
 impl Description {
@@ -201,10 +203,12 @@ fn describe(
     let bus = drives::read(robot, &legs, servos, found);
     // A name that does not end up in a robot need not stay in memory.
     let name = name.filter(|_| found.is_empty())?;
+    let limits = |leg: &Leg| leg.joints.iter().map(|joint| joint.limits).collect();
     Some(Description {
         source_name: source.name().to_owned(),
         source_hash: source.hash(),
         name: Box::leak(name.to_owned().into_boxed_str()),
+        limits: Limits::described(legs.iter().map(limits).collect()),
         legs,
         inverse,
         body,

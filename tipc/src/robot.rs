@@ -1,6 +1,7 @@
 //! The robots that a program can be checked for.
 
-use tip_runtime::command::Target;
+use std::fmt;
+use tip_runtime::command::{MAX, Target};
 use tip_runtime::model::{Family, Model, Range, generic, hand, titan8};
 use tip_runtime::program::Signature;
 
@@ -33,11 +34,61 @@ pub struct Facts {
     pub has_forces: bool,
     /// True if it has a slider (`FLOOR`).
     pub has_slider: bool,
+    /// The working limits of its joints.
+    pub(crate) limits: Limits,
+}
+
+/// The working limits of the joints of a robot.
+#[derive(Clone, Copy)]
+pub(crate) struct Limits(&'static dyn LimitsOfJoints);
+
+/// A robot whose joints have working limits.
+trait LimitsOfJoints: Sync {
+    /// Returns the limits of a joint, deg; leg and joint count from 0.
+    fn get(&self, leg: usize, joint: usize) -> Option<Range>;
+}
+
+impl<const L: usize, const J: usize> LimitsOfJoints for Model<L, J> {
+    fn get(&self, leg: usize, joint: usize) -> Option<Range> {
+        Some(self.legs.get(leg)?.joints.get(joint)?.limits)
+    }
+}
+
+#[cfg(feature = "robot-files")]
+impl LimitsOfJoints for Vec<Vec<Range>> {
+    fn get(&self, leg: usize, joint: usize) -> Option<Range> {
+        self.as_slice().get(leg)?.get(joint).copied()
+    }
+}
+
+impl Limits {
+    /// Keeps the limits of a description, leg by leg. They stay in memory for good, as its name does.
+    #[cfg(feature = "robot-files")]
+    pub(crate) fn described(legs: Vec<Vec<Range>>) -> Self {
+        Limits(Box::leak(Box::new(legs)))
+    }
+
+    /// Iterates over the limits of all joints.
+    fn each(self) -> impl Iterator<Item = Option<Range>> {
+        (0..MAX).flat_map(move |leg| (0..MAX).map(move |joint| self.0.get(leg, joint)))
+    }
+}
+
+impl PartialEq for Limits {
+    fn eq(&self, other: &Self) -> bool {
+        self.each().eq(other.each())
+    }
+}
+
+impl fmt::Debug for Limits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.each().flatten()).finish()
+    }
 }
 
 impl Facts {
     /// Returns the facts of a model.
-    pub const fn of<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
+    pub const fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
         Facts {
             signature: model.signature(),
             period: model.standards.period,
@@ -45,6 +96,7 @@ impl Facts {
             lamps: model.lamps,
             has_forces: model.forces.is_some(),
             has_slider: model.slider.is_some(),
+            limits: Limits(model),
         }
     }
 }
@@ -81,22 +133,13 @@ impl Robot {
         }
     }
 
-    /// Returns the working limits of a joint, deg; of a described robot they are known only when it runs.
+    /// Returns the working limits of a joint, deg; `None` for another target.
     pub(crate) fn limits(self, joint: Target) -> Option<Range> {
-        fn of<const L: usize, const J: usize>(model: &Model<L, J>, joint: Target) -> Option<Range> {
-            let Target::Joint(leg, joint) = joint else {
-                return None;
-            };
-            let leg = model.legs.get(usize::from(leg).checked_sub(1)?)?;
-            let joint = leg.joints.get(usize::from(joint).checked_sub(1)?)?;
-            Some(joint.limits)
-        }
-        match self {
-            Robot::Titan8 => of(&titan8::MODEL, joint),
-            Robot::Hand => of(&hand::MODEL, joint),
-            Robot::Generic => of(&generic::MODEL, joint),
-            Robot::Described(_) => None,
-        }
+        let Target::Joint(leg, joint) = joint else {
+            return None;
+        };
+        let [leg, joint] = [leg, joint].map(|n| usize::from(n).checked_sub(1));
+        self.facts().limits.0.get(leg?, joint?)
     }
 
     /// Returns true if it has the commands and inputs of the Hiroshima Hand.

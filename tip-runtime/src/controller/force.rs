@@ -17,7 +17,6 @@ impl<const J: usize> ControllerView<'_, J> {
         let (n, first, count) = self.joints_of(command)?;
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
-        unlocked(leg.locks_angle(joint_of(command.target)))?;
         let mut tracks = leg.joints(inverse);
         let states = leg.angles.iter().zip(&leg.torques);
         let chosen = tracks.iter_mut().zip(states).skip(first).take(count);
@@ -29,6 +28,7 @@ impl<const J: usize> ControllerView<'_, J> {
             let torque = resolve(&[*value], current)?;
             *track = Track::resting([*measured]).towards(Goal::Effort(torque));
         }
+        unlocked(leg.locks_angle(joint_of(command.target)))?;
         leg.drive.drive = Drive::Joints(tracks);
         Ok(())
     }

@@ -121,7 +121,6 @@ impl<const J: usize> ControllerView<'_, J> {
         let inverse = self.robot.inverse;
         let emg = self.params.emg;
         let leg = targets::leg_mut(&mut self.legs, n)?;
-        unlocked(leg.locks_angle(joint_of(command.target)))?;
         let stop = base == Base::Target && is_zero(command.values);
         let direct = leg.is_direct(command.target);
         let mut tracks = leg.joints(inverse);
@@ -130,6 +129,7 @@ impl<const J: usize> ControllerView<'_, J> {
         let states = states.zip(&leg.params.joints);
         let chosen = tracks.iter_mut().zip(states).enumerate().skip(first);
         let chosen = chosen.take(count).zip(command.values);
+        let mut reach = Ok(());
         for ((m, (track, ((joint, (measured, stays)), params))), value) in chosen {
             let current = match (leg.drive.point_of_joint(m), track.goal().target()) {
                 (None, Some([target])) => target,
@@ -146,7 +146,8 @@ impl<const J: usize> ControllerView<'_, J> {
             };
             let reachable = joint.limits.widened(kinematics::ROUNDING).contains(target);
             if emg && !stop && !reachable {
-                return Err(Fault::OutOfReach(Target::Joint(n, targets::number(m))));
+                let fault = Fault::OutOfReach(Target::Joint(n, targets::number(m)));
+                reach = reach.and(Err(fault));
             }
             let hs = command.hs || (stop && track.goal().is_hs());
             *track = track.towards(Goal::Point {
@@ -154,6 +155,8 @@ impl<const J: usize> ControllerView<'_, J> {
                 hs,
             });
         }
+        unlocked(leg.locks_angle(joint_of(command.target)))?;
+        reach?;
         leg.drive.take_joints(tracks, (first, count), direct);
         Ok(())
     }
@@ -181,7 +184,6 @@ impl<const J: usize> ControllerView<'_, J> {
         let (n, first, count) = self.joints_of(command)?;
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
-        unlocked(leg.locks_angle(joint_of(command.target)))?;
         let mut tracks = leg.joints(inverse);
         let states = leg.stays().into_iter().zip(&leg.rates);
         let chosen = tracks.iter_mut().zip(states).skip(first).take(count);
@@ -195,6 +197,7 @@ impl<const J: usize> ControllerView<'_, J> {
             }
             *track = track.towards(Goal::Speed(resolve(&[*value], current)?));
         }
+        unlocked(leg.locks_angle(joint_of(command.target)))?;
         leg.drive.drive = Drive::Joints(tracks);
         Ok(())
     }

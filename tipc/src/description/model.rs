@@ -65,6 +65,7 @@ impl Description {
             lamps: self.lamps,
             has_forces: self.forces.is_some(),
             has_slider: self.slider.is_some(),
+            limits: self.limits,
         }
     }
 

@@ -4,6 +4,7 @@ use super::{Description, Leg};
 #[cfg(feature = "build")]
 use crate::emit::under;
 use crate::emit::{Options, header_of, in_comment, number};
+use crate::robot::Facts;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 use tip_runtime::model::{
@@ -114,6 +115,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
         forces: None,
         slider: None,
         shapes: Vec::new(),
+        limits: Facts::of(&generic::MODEL).limits,
     };
     stands_in.to_rust(options)
 }

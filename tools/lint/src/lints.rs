@@ -9,6 +9,7 @@ mod equations;
 mod file;
 mod labels;
 mod message;
+mod overridden;
 mod routines;
 mod threads;
 mod unreachable;
@@ -105,6 +106,7 @@ impl LintContext<'_> {
         equations::warn(self, &mut found);
         message::warn(self, &mut found);
         threads::warn(self, &mut found);
+        overridden::warn(self, &mut found);
         found
     }
 

@@ -114,7 +114,7 @@ pub(super) const ROWS: &[Command] = &[
     Command::robot(Op::Direct)
         .since_3_2()
         .place("§1-2-2", "16.1")
-        .does("Lets set points jump to their targets at once, without limits of speed and acceleration.", "速度・加速度の制限なしに、設定値を目標へすぐに移します。")
+        .does("Moves set points to their targets in one cycle, without limits of speed and acceleration.", "速度・加速度の制限なしに、設定値を1周期で目標に移します。")
         .takes(Arguments::target(Targets::ANY))
         .fails(outcome::LOCKED),
     Command::robot(Op::Trajectory)

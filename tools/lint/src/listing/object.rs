@@ -490,9 +490,10 @@ impl<'a> Variables<'a> {
         let first = arguments.first()?;
         let scalar = match first.operand {
             Operand::Scalar { scalar, .. } => scalar,
-            Operand::Reading { reading, .. } if arguments.len() > 1 => {
+            Operand::Reading { reading, .. } => {
+                let is_struct = matches!(reading, Reading::Measured(_, Target::Foot(_)));
                 let slot = Slot::new(bare(reading), 0.0).marked(first.mark);
-                return (reading.to_string() == word).then_some(slot);
+                return (is_struct && reading.to_string() == word).then_some(slot);
             }
             _ => return None,
         };

@@ -47,6 +47,15 @@ tipc::message_table! {
     StartTimer { timer: u32 }
         "start it with `START_TIMER {timer}`",
         "`START_TIMER {timer}` で動かしてください";
+    OtherThread
+        "a command for the same joint follows in this cycle",
+        "この周期には、同じ関節への命令がこの後にもあります";
+    ThisStands
+        "this command stands",
+        "この命令が有効になります";
+    OneCommands
+        "let one thread command the joint, or let the other one wait first",
+        "関節への命令を1つのスレッドにまとめるか、もう一方を先に待たせてください";
 
     // Messages.
     NoVar { name: SmolStr }

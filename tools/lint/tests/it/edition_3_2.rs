@@ -114,6 +114,10 @@ fn the_new_words_have_their_records_in_tip_obj() {
         ),
         ("PTP F1 R @POS_F1", "PTP TARGET_F1 REL_POS_F1=0.000000"),
         (
+            "PTP_ANGLE F1 @AGL_J11 0 @AGL_J11",
+            "PTP_ANGLE TARGET_F1 AGL_J11=0.000000 CONSTANT=0.000000 AGL_J11=0.000000",
+        ),
+        (
             "N = @POS_F1.Z",
             "EQUAL NO_TARGET VAR=1.000000 POS_F1_Z=0.000000",
         ),
