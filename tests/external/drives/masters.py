@@ -1,14 +1,18 @@
 """Moves three simulated servos with masters of other makers, and compares what they read. Usage: masters.py SERVO PORT"""
 
+import asyncio
 import math
 import sys
 import time
 
-import dynamixel_sdk as sdk
-import rustypot
-
 SERVO, PORT = sys.argv[1:]
 IDS = [1, 2, 3]
+if SERVO.startswith("moteus"):
+    import moteus
+    from moteus import fdcanusb_device
+else:
+    import dynamixel_sdk as sdk
+    import rustypot
 
 
 def check(what, found, expected, tolerance=0):
@@ -96,6 +100,36 @@ def by_sdk(goals):
     port.closePort()
 
 
-goals = by_rustypot()
-if SERVO != "STS3215":
-    by_sdk(goals)
+async def by_moteus():
+    """Turns. A pseudo-terminal is not found among the adapters of this machine: it is said to be one."""
+    fdcanusb_device._get_fdcanusb_properties = lambda path: {"is_fdcanusb": True}
+    transport = moteus.Fdcanusb(PORT)
+    controllers = [moteus.Controller(id=number, transport=transport) for number in IDS]
+    for controller in controllers:
+        state = await controller.set_stop(query=True)
+        assert state.values[moteus.Register.MODE] == moteus.Mode.STOPPED
+    goals = [0.1, -0.2, 0.05]
+    limits = {"velocity_limit": 0.5, "maximum_torque": 1.0, "watchdog_timeout": math.nan}
+    for _ in range(3):
+        moves = [
+            controller.make_position(position=goal, query=True, **limits)
+            for controller, goal in zip(controllers, goals, strict=True)
+        ]
+        states = await transport.cycle(moves)
+        await asyncio.sleep(0.7)
+    assert all(state.values[moteus.Register.MODE] == moteus.Mode.POSITION for state in states)
+    found = [state.values[moteus.Register.POSITION] for state in states]
+    check("moteus position", found, goals, 1e-4)
+    # Without commands a controller stops following, and says so.
+    await transport.cycle([controllers[0].make_position(position=0.3, watchdog_timeout=0.1)])
+    await asyncio.sleep(0.5)
+    state = await controllers[0].query()
+    assert state.values[moteus.Register.MODE] == moteus.Mode.TIMEOUT, state
+
+
+if SERVO.startswith("moteus"):
+    asyncio.run(asyncio.wait_for(by_moteus(), 30))
+else:
+    goals = by_rustypot()
+    if SERVO != "STS3215":
+        by_sdk(goals)

@@ -1,4 +1,7 @@
-"""Joints of a ROS 2 graph by Cyclone DDS: they are where they are commanded to be. Usage: peer.py echo | start | halt SECONDS"""
+"""Joints of a ROS 2 graph by Cyclone DDS: they are where they are commanded to be.
+
+Usage: peer.py echo SECONDS | start | halt | set NAME=VALUE... | diagnostics
+"""
 
 import random
 import sys
@@ -51,6 +54,32 @@ class Reply(IdlStruct, typename="std_srvs::srv::dds_::Trigger_Response_"):
     message: str
 
 
+@dataclass
+class Text(IdlStruct, typename="std_msgs::msg::dds_::String_"):
+    data: str
+
+
+@dataclass
+class KeyValue(IdlStruct, typename="diagnostic_msgs::msg::dds_::KeyValue_"):
+    key: str
+    value: str
+
+
+@dataclass
+class Status(IdlStruct, typename="diagnostic_msgs::msg::dds_::DiagnosticStatus_"):
+    level: uint8
+    name: str
+    message: str
+    hardware_id: str
+    values: sequence[KeyValue]
+
+
+@dataclass
+class Diagnostics(IdlStruct, typename="diagnostic_msgs::msg::dds_::DiagnosticArray_"):
+    header: Header
+    status: sequence[Status]
+
+
 # What ROS has by default, and the encoding of rmw_cyclonedds.
 QOS = Qos(
     Policy.Reliability.Reliable(duration(milliseconds=100)),
@@ -90,8 +119,42 @@ def call(name):
     sys.exit(f"peer: {name} is not answered")
 
 
+def assign(texts):
+    """Publishes assignments, again and again: nobody says when the node has seen this peer."""
+    writer = DataWriter(graph, topic("rt/tip/set", Text), qos=QOS)
+    for _ in range(8):
+        for text in texts:
+            writer.write(Text(text))
+        time.sleep(0.25)
+    print(f"peer: set {' '.join(texts)}")
+
+
+def diagnose():
+    """Waits until the program has ended; until then it must report that it runs, in more and more cycles."""
+    reader = DataReader(graph, topic("rt/diagnostics", Diagnostics), qos=QOS)
+    cycles, end = [], time.monotonic() + 90
+    while time.monotonic() < end:
+        for array in reader.take_iter(timeout=duration(milliseconds=500)):
+            [status] = array.status
+            values = {each.key: each.value for each in status.values}
+            print(f"peer: {status.name} {status.message} level {status.level} {values}")
+            if status.level != 0 or status.name != "tip: walk" or not values["answered"].isdigit():
+                sys.exit("peer: wrong diagnostics")
+            if status.message == "ended":
+                if len(cycles) < 3 or cycles != sorted(set(cycles)):
+                    sys.exit(f"peer: it did not run: {cycles}")
+                return
+            if status.message == "runs":
+                cycles.append(int(values["cycle"]))
+    sys.exit("peer: it did not end")
+
+
 match sys.argv[1:]:
     case ["echo", seconds]:
         echo(float(seconds))
+    case ["set", *texts]:
+        assign(texts)
+    case ["diagnostics"]:
+        diagnose()
     case [name]:
         call(name)

@@ -184,7 +184,7 @@ fn whole(
     if !section.has(key) {
         return Some(standard);
     }
-    let number = section.number(key, Sign::Any, found)?;
+    let number = section.number(key, Sign::Count, found)?;
     if number.fract() == 0.0 && range.contains(&number) {
         return Some(number as u32);
     }

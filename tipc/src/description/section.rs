@@ -13,6 +13,8 @@ use toml::de::{DeTable, DeValue};
 
 /// No measure of a robot is larger, in mm, deg or any other unit: arithmetic stays far from infinity.
 const LARGEST: f64 = 1e6;
+/// No count is larger.
+const MOST: f64 = 1e9;
 /// No size is smaller: programs that read exported robots take it for nothing.
 pub(super) const SMALLEST: f64 = 1e-6;
 
@@ -24,6 +26,8 @@ pub(super) enum Sign {
     Positive,
     /// A length, in mm.
     Size,
+    /// A number of something, which is no measure.
+    Count,
 }
 
 /// A table with its location.
@@ -305,12 +309,13 @@ impl<'a> Section<'a> {
             _ => return self.wrong_type(key, location, value, found),
         };
         // A comparison with NaN is false.
-        if !(-LARGEST..=LARGEST).contains(&number) {
-            let reason = Describing::OutOfReach { most: LARGEST };
+        let most = if sign == Sign::Count { MOST } else { LARGEST };
+        if !(-most..=most).contains(&number) {
+            let reason = Describing::OutOfReach { most };
             return self.refuse(key, location, reason, found);
         }
         let wrong = match sign {
-            Sign::Any => None,
+            Sign::Any | Sign::Count => None,
             Sign::NotNegative => (number < 0.0).then_some(Describing::NotBelowZero),
             Sign::Positive | Sign::Size if number <= 0.0 => Some(Describing::AboveZero),
             Sign::Size if number < SMALLEST => Some(Describing::TooSmall { least: SMALLEST }),

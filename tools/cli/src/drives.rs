@@ -22,6 +22,7 @@ use tip_drives::model::{self, Family, Model};
 use tip_runtime::console::{Console, Terminal};
 use tip_runtime::hardware::JointCommand;
 use tipc::message::Lang;
+use tipc::{description, embed};
 
 /// The commands of `tip drives`.
 #[derive(Debug, Subcommand)]
@@ -49,6 +50,8 @@ enum FamilyName {
     X,
     /// Feetech STS
     Sts,
+    /// mjbots moteus, behind an fdcanusb adapter
+    Moteus,
 }
 
 impl FamilyName {
@@ -57,6 +60,7 @@ impl FamilyName {
             FamilyName::Ax => &model::AX,
             FamilyName::X => &model::X,
             FamilyName::Sts => &model::STS,
+            FamilyName::Moteus => &model::MOTEUS,
         }
     }
 }
@@ -187,12 +191,19 @@ pub(crate) struct Id {
 /// `tip drives zero`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Example:
-  tip drives zero robot.toml      it prints sign and offset for each [[drive]]
+  tip drives zero robot.toml            print sign and offset of each [[drive]]
+  tip drives zero robot.toml --write    write them into the file
 
 Exit status: 0, or 1 if a servo does not answer.")]
 pub(crate) struct Zero {
     #[command(flatten)]
     robot: RobotArguments,
+
+    /// Write the results into the description
+    ///
+    /// Only these two keys change: comments and order stay
+    #[arg(long)]
+    write: bool,
 }
 
 /// `tip drives jog`
@@ -237,9 +248,10 @@ pub(crate) struct Simulate {
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
 
-    /// What goes wrong
+    /// Faults to inject, separated by commas
     ///
-    /// faults=PROBABILITY, and unplug, reset or overheat=ID@SECONDS
+    /// faults, corrupt, drop, duplicate, delay or truncate=PROBABILITY of an answer;
+    /// unplug, reset, overheat, block or sag=ID@SECONDS
     #[arg(long, value_name = "LIST", default_value = "")]
     mishaps: String,
 
@@ -286,18 +298,23 @@ fn scan(arguments: &Scan) -> Result<Status, Error> {
             {
                 continue;
             }
-            let name = model.map_or_else(|| format!("#{number}"), |model| model.name.to_owned());
+            let name = match model {
+                Some(model) => model.name.to_owned(),
+                None if number == 0 => "?".to_owned(),
+                None => format!("#{number}"),
+            };
             let mut get = |register| {
                 let mut tries = (0..3).map(|_| bus.read_register(id, register));
                 tries.find_map(Result::ok).unwrap_or(-1)
             };
-            let (delay, volts) = (get(family.return_delay) * 2, get(family.voltage));
+            let delay = family.return_delay.map_or(0, |delay| get(delay) * 2);
+            let volts = get(family.voltage);
             let (celsius, counts) = (get(family.temperature), get(family.position));
             let volts = f64::from(volts) / 10.0;
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "{id:3}  {name:11}  {counts:5}  {volts:4.1} V  {celsius:3} °C  {delay:3} µs  {}",
+                "{id:3}  {name:13}  {counts:6}  {volts:4.1} V  {celsius:3} °C  {delay:3} µs  {}",
                 family.name
             );
             count += 1;
@@ -306,6 +323,10 @@ fn scan(arguments: &Scan) -> Result<Status, Error> {
     if count == 0 {
         return Err(failed(&Driving::NothingFound, lang));
     }
+    text.insert_str(
+        0,
+        " id  model          counts  supply    temp   delay  family\n",
+    );
     let found = Driving::Found { servos: count };
     let _ = writeln!(text, "{}", found.in_lang(lang));
     output::print(text)?;
@@ -315,6 +336,10 @@ fn scan(arguments: &Scan) -> Result<Status, Error> {
 fn id(arguments: &Id) -> Result<Status, Error> {
     let (lang, family) = (arguments.port.lang(), arguments.family.family());
     let (from, to) = (arguments.from, arguments.to);
+    if arguments.family == FamilyName::Moteus {
+        let (id, to) = (from.into(), to.into());
+        return Err(failed(&Driving::OwnTool { id, to }, lang));
+    }
     let mut bus = arguments.port.bus(family)?;
     if from != to && bus.read_register(to, family.model).is_ok() {
         return Err(failed(&Driving::IdTaken { id: to.into() }, lang));
@@ -358,7 +383,7 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
         sent.map_err(|error| Error::Failed(error.to_string()))?;
     }
     report::complain(&format!("{}\n", Driving::ZeroHow.in_lang(lang)));
-    let mut text = String::new();
+    let mut found = Vec::new();
     for place in 0..connection.setup.joints.len() {
         let joint = connection.setup.name(place);
         let own = connection.setup.joints[place];
@@ -384,17 +409,110 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
         } else {
             turned.signum()
         };
+        let offset = (offset * 10.0).round() / 10.0;
+        found.push(Zeroed {
+            place,
+            joint,
+            sign,
+            offset,
+        });
+    }
+    let path = &arguments.robot.file;
+    let file = || path.display().to_string().into();
+    if arguments.write {
+        let text = embed::read_file(path, embed::LIMIT).unwrap_or_default();
+        if let Some(new) = with_zeros(&text, &found) {
+            output::update(path, &text, new.as_bytes(), lang)?;
+            let (joints, file) = (found.len(), file());
+            let written = Driving::ZeroWritten { joints, file };
+            output::print(format!("{}\n", written.in_lang(lang)))?;
+            return Ok(Status::Success);
+        }
+        let kept = Driving::ZeroKept { file: file() };
+        report::complain(&format!("{}\n", kept.in_lang(lang)));
+    }
+    let result = Driving::ZeroResult { file: file() };
+    let mut text = format!("{}\n", result.in_lang(lang));
+    for Zeroed {
+        joint,
+        sign,
+        offset,
+        ..
+    } in &found
+    {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "joint = \"{joint}\", id = {}, sign = {sign}, offset = {offset:.1}",
-            own.id
+            "joint = \"{joint}\", sign = {sign}, offset = {offset}"
         );
     }
-    let file = arguments.robot.file.display().to_string().into();
-    let result = Driving::ZeroResult { file };
-    output::print(format!("{}\n{text}", result.in_lang(lang)))?;
-    Ok(Status::Success)
+    output::print(text)?;
+    Ok(match arguments.write {
+        true => Status::Failure,
+        false => Status::Success,
+    })
+}
+
+/// Sign and offset of a joint.
+struct Zeroed {
+    /// Its number, from 0.
+    place: usize,
+    joint: String,
+    sign: f64,
+    offset: f64,
+}
+
+/// Returns a description with new signs and offsets, and every other line as it was; `None` if it is not one then, or is written in
+/// a form that lines do not show.
+fn with_zeros(text: &[u8], found: &[Zeroed]) -> Option<String> {
+    let key_of = |line: &str| line.split_once('=').map(|(key, _)| key.trim().to_owned());
+    let old = description::parse_for_servos("", text, &input::servos()).ok()?;
+    let mut lines: Vec<String> = str::from_utf8(text)
+        .ok()?
+        .split_inclusive('\n')
+        .map(str::to_owned)
+        .collect();
+    for zeroed in found {
+        let names_it = |line: &String| {
+            let name = line.split_once('=').map(|(_, name)| name.trim());
+            key_of(line).is_some_and(|key| key == "joint")
+                && name.is_some_and(|name| {
+                    let quoted = name.get(1..).unwrap_or_default();
+                    quoted.starts_with(&zeroed.joint) && name.starts_with(['"', '\''])
+                })
+        };
+        let joint = lines.iter().position(names_it)?;
+        let is_head = |line: &String| line.trim_start().starts_with('[');
+        let first = lines[..joint].iter().rposition(is_head)?;
+        let end = lines[joint..].iter().position(is_head);
+        let mut end = end.map_or(lines.len(), |after| joint + after);
+        for (key, value) in [("offset", zeroed.offset), ("sign", zeroed.sign)] {
+            let has_key = |line: &String| key_of(line).is_some_and(|own| own == key);
+            let place = lines[first..end].iter().position(has_key);
+            match place.and_then(|place| lines.get_mut(first + place)) {
+                Some(line) => {
+                    let (head, old) = line.split_once('=')?;
+                    let rest = old.trim_start().find([' ', '\t', '#', '\r', '\n']);
+                    let rest = rest.map_or("", |rest| &old.trim_start()[rest..]);
+                    *line = format!("{head}= {value}{rest}");
+                }
+                None => {
+                    let is_dos = lines[joint].ends_with("\r\n");
+                    let line_end = if is_dos { "\r\n" } else { "\n" };
+                    lines.insert(joint + 1, format!("{key} = {value}{line_end}"));
+                    end += 1;
+                }
+            }
+        }
+    }
+    let new = lines.concat();
+    let mut expected = old.bus()?.clone();
+    for zeroed in found {
+        let drive = expected.drives.get_mut(zeroed.place)?;
+        (drive.sign, drive.offset) = (zeroed.sign, zeroed.offset);
+    }
+    let read = description::parse_for_servos("", new.as_bytes(), &input::servos()).ok()?;
+    (read.bus() == Some(&expected)).then_some(new)
 }
 
 /// Measures the motor angle of a joint, deg.
@@ -520,10 +638,11 @@ fn monitor(arguments: &Monitor) -> Result<Status, Error> {
 /// Returns the table of `tip drives monitor`.
 fn table(connection: &Connection) -> String {
     let drives = connection.drives();
-    let mut text = String::from("joint  servo  model        counts      deg    load     V   °C\n");
+    let mut text =
+        String::from("joint  servo  model          counts      deg    load     V   °C\n");
     for (place, joint) in connection.setup.joints.iter().enumerate() {
         let name = connection.setup.name(place);
-        let head = format!("{name:5}  {:5}  {:11}", joint.id, joint.model.name);
+        let head = format!("{name:5}  {:5}  {:13}", joint.id, joint.model.name);
         let _ = match drives.measured(place) {
             Some(it) => writeln!(
                 text,

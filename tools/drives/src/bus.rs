@@ -4,6 +4,7 @@ use crate::frame::{
     BROADCAST, Bytes, Decoder, Frame, LONGEST, Protocol, Reads, TooLong, instruction,
 };
 use crate::model::{Family, Register, Window};
+use crate::moteus::{self, Command, Line};
 use core::fmt;
 use heapless::Vec;
 
@@ -94,6 +95,10 @@ pub struct Bus<P> {
     decoder: Decoder,
     protocol: Protocol,
     counters: Counters,
+    /// Registers of moteus controllers, of which commands are made.
+    commands: Vec<(u8, Command), SERVOS>,
+    /// Number of requests to moteus controllers.
+    requests: u8,
 }
 
 impl<P: Port> Bus<P> {
@@ -111,6 +116,8 @@ impl<P: Port> Bus<P> {
                 discarded: 0,
                 bytes: 0,
             },
+            commands: Vec::new(),
+            requests: 0,
         }
     }
 
@@ -156,6 +163,9 @@ impl<P: Port> Bus<P> {
     /// # Errors
     /// The port is gone, or no valid answer came.
     pub fn read_until(&mut self, id: u8, window: Window, limit: u64) -> Result<Frame, BusError> {
+        if self.protocol == Protocol::Moteus {
+            return self.exchange(id, moteus::query, limit);
+        }
         let mut found = None;
         let parameters = self.of_window(window)?;
         let request = self.protocol.request(id, instruction::READ, &parameters)?;
@@ -180,6 +190,11 @@ impl<P: Port> Bus<P> {
             .address
             .saturating_sub(u16::from(length - register.width));
         let frame = self.read(id, Window { start, length })?;
+        let start = match self.protocol {
+            // Its answers always are the beginning of the table.
+            Protocol::Moteus => 0,
+            _ => start,
+        };
         let value = register.decode(start, &frame.parameters);
         value.ok_or(BusError::NoAnswer)
     }
@@ -189,6 +204,15 @@ impl<P: Port> Bus<P> {
     /// # Errors
     /// The port is gone, or no valid answer came.
     pub fn write(&mut self, id: u8, register: Register, value: i32) -> Result<u8, BusError> {
+        if self.protocol == Protocol::Moteus {
+            let limit = self.port.now() + self.longest(1, 0);
+            return match self.command(id, register, value)? {
+                Some(command) => self
+                    .exchange(id, |id, sender| command.line(id, sender, true), limit)
+                    .map(|answer| answer.code),
+                None => Ok(0),
+            };
+        }
         let mut parameters = self.address(register.address)?;
         let bytes = register.encode(value);
         let bytes = &bytes[..register.width.into()];
@@ -210,6 +234,14 @@ impl<P: Port> Bus<P> {
     /// # Errors
     /// The port is gone.
     pub fn sync_write(&mut self, register: Register, values: &[(u8, i32)]) -> Result<(), BusError> {
+        if self.protocol == Protocol::Moteus {
+            for (id, value) in values {
+                if let Some(command) = self.command(*id, register, *value)? {
+                    self.send(&command.line(*id, moteus::sender(0), false))?;
+                }
+            }
+            return Ok(());
+        }
         for values in values.chunks(IN_A_FRAME) {
             let mut parameters = self.address(register.address)?;
             match self.protocol {
@@ -339,7 +371,22 @@ impl<P: Port> Bus<P> {
         Ok(ids.len())
     }
 
-    /// Asks every identity for its model, one after the other, and calls `found` with those that answer.
+    /// Repeats a request that has no answer.
+    fn again<T>(
+        &mut self,
+        times: u32,
+        mut request: impl FnMut(&mut Self) -> Result<T, BusError>,
+    ) -> Result<T, BusError> {
+        for _ in 1..times {
+            match request(self) {
+                Err(BusError::NoAnswer) => {}
+                done => return done,
+            }
+        }
+        request(self)
+    }
+
+    /// Asks every identity for its model, one after the other and twice if it is silent, and calls `found` with those that answer.
     ///
     /// # Errors
     /// The port is gone.
@@ -350,7 +397,7 @@ impl<P: Port> Bus<P> {
         mut found: impl FnMut(u8, u16),
     ) -> Result<(), BusError> {
         for id in ids {
-            match self.read_register(id, family.model) {
+            match self.again(2, |bus| bus.read_register(id, family.model)) {
                 Ok(number) => found(id, number as u16),
                 Err(BusError::NoAnswer) => {}
                 Err(error) => return Err(error),
@@ -364,9 +411,9 @@ impl<P: Port> Bus<P> {
     /// # Errors
     /// The port is gone, or the servo does not answer.
     pub fn set_id(&mut self, family: &Family, id: u8, to: u8) -> Result<(), BusError> {
-        self.write(id, family.torque_enable, 0)?;
+        self.again(3, |bus| bus.write(id, family.torque_enable, 0))?;
         if let Some(lock) = family.lock {
-            self.write(id, lock, 0)?;
+            self.again(3, |bus| bus.write(id, lock, 0))?;
         }
         // Some servos answer with the old identity, others with the new one.
         match self.write(id, family.id, to.into()) {
@@ -374,9 +421,10 @@ impl<P: Port> Bus<P> {
             Err(error) => return Err(error),
         }
         if let Some(lock) = family.lock {
-            self.write(to, lock, 1)?;
+            self.again(3, |bus| bus.write(to, lock, 1))?;
         }
-        self.read_register(to, family.model).map(drop)
+        self.again(3, |bus| bus.read_register(to, family.model))
+            .map(drop)
     }
 
     /// Returns the longest time in which answers of this many servos with this many parameters come, µs.
@@ -389,6 +437,45 @@ impl<P: Port> Bus<P> {
         // A frame of protocol 2 has stuffed bytes sometimes.
         let bytes = self.protocol.answer_length(parameters + parameters / 3);
         servos as u64 * (self.timing.bytes(bytes) + u64::from(self.timing.return_delay))
+    }
+
+    /// Sends a request to a moteus and waits for its answer.
+    fn exchange(
+        &mut self,
+        id: u8,
+        request: impl FnOnce(u8, u8) -> Line,
+        limit: u64,
+    ) -> Result<Frame, BusError> {
+        if id > moteus::LAST_ID {
+            return Err(BusError::NoAnswer);
+        }
+        self.requests = self.requests.wrapping_add(1);
+        let sender = moteus::sender(self.requests);
+        self.ask(&request(id, sender), 1)?;
+        let limit = limit.min(self.port.now() + self.longest(1, 0));
+        let mut found = None;
+        self.collect(Reads::AnswersTo(sender), limit, |frame| {
+            found = (frame.id == id).then_some(frame);
+            found.is_some()
+        })?;
+        self.counters.answered += u64::from(found.is_some());
+        found.ok_or(BusError::NoAnswer)
+    }
+
+    /// Writes a register of a moteus; returns the command if the controller must hear of it.
+    fn command(
+        &mut self,
+        id: u8,
+        register: Register,
+        value: i32,
+    ) -> Result<Option<Command>, BusError> {
+        if !self.commands.iter().any(|(other, _)| *other == id) {
+            let new = (id, Command::default());
+            self.commands.push(new).map_err(|_| BusError::TooLong)?;
+        }
+        let mut own = self.commands.iter_mut().filter(|(other, _)| *other == id);
+        let command = own.next().map(|(_, command)| command);
+        Ok(command.and_then(|it| it.set(register.address, value).then_some(*it)))
     }
 
     fn address(&self, address: u16) -> Result<Bytes, TooLong> {

@@ -46,7 +46,7 @@ impl Joint {
 
     /// Returns the value of its torque limit.
     fn torque_limit(&self) -> i32 {
-        (self.torque * f64::from(self.model.family.full_torque)) as i32
+        (self.torque * f64::from(self.model.full_torque)) as i32
     }
 
     /// Returns the smallest difference of joint angles that the servo can tell, deg.
@@ -121,6 +121,8 @@ pub enum Problem {
     Silent,
     /// A servo is of another model, whose number this is.
     Model(u16),
+    /// A servo is in a mode in which it does not go to positions; this is the register's value.
+    Mode(u16),
     /// °C.
     Hot(f64),
     /// V.
@@ -146,6 +148,7 @@ impl Problem {
             Problem::Port => "drives: the port is gone",
             Problem::Silent => "drives: a servo does not answer",
             Problem::Model(_) => "drives: a servo of another model",
+            Problem::Mode(_) => "drives: a servo in another mode",
             Problem::Hot(_) => "drives: a servo is too hot",
             Problem::Voltage(_) => "drives: the supply voltage",
             Problem::Overload(_) => "drives: a servo is overloaded",
@@ -344,7 +347,7 @@ impl<P: Port> Drives<P> {
         self.failure
     }
 
-    /// Finds every servo, checks its model, takes over the delay of its answers, and reads its position. Nothing moves.
+    /// Finds every servo, checks its model and its mode, takes over the delay of its answers, and reads its position. Nothing moves.
     ///
     /// # Errors
     /// A servo is missing or another one, is not well, or its joint is outside of its limits.
@@ -357,8 +360,16 @@ impl<P: Port> Drives<P> {
             if model.number != 0 && reported != model.number {
                 return self.fail(Some(number), Problem::Model(reported));
             }
-            let own = self.persist(number, |bus| bus.read_register(id, family.return_delay))?;
-            delay = delay.max(own.unsigned_abs() * 2);
+            if let Some((register, min, max)) = family.mode {
+                let mode = self.persist(number, |bus| bus.read_register(id, register))?;
+                if !(min..=max).contains(&mode) {
+                    return self.fail(Some(number), Problem::Mode(mode as u16));
+                }
+            }
+            if let Some(register) = family.return_delay {
+                let own = self.persist(number, |bus| bus.read_register(id, register))?;
+                delay = delay.max(own.unsigned_abs() * 2);
+            }
         }
         self.bus.set_return_delay(delay);
         // Two readings that agree, so that a damaged one cannot be the first.
@@ -508,7 +519,8 @@ impl<P: Port> Drives<P> {
             .joints
             .iter()
             .map(|state| {
-                let left = state.joint.torque * self.torque * f64::from(family.full_torque);
+                let left =
+                    state.joint.torque * self.torque * f64::from(state.joint.model.full_torque);
                 (state.joint.id, left as i32)
             })
             .collect();
@@ -723,7 +735,7 @@ impl State {
         let possible = is_ours
             && (-model.largest..=2 * model.largest).contains(&reading.counts)
             && reading.load.abs() <= 1.5
-            && (1.0..=40.0).contains(&reading.voltage)
+            && (1.0..=60.0).contains(&reading.voltage)
             && (-20.0..=120.0).contains(&reading.temperature);
         let new = Measured {
             counts: reading.counts,
@@ -738,7 +750,8 @@ impl State {
         };
         let follows = |old: &Measured| {
             let time = now.saturating_sub(old.at) as f64 / 1e6;
-            let reach = 1.5 * model.speed * model.turn / 360.0 * time + NOISE;
+            let degree = model.turn / 360.0;
+            let reach = 1.5 * model.speed * degree * time + NOISE.max(degree);
             f64::from((new.counts - old.counts).abs()) <= reach
                 && (new.voltage - old.voltage).abs() <= 3.0
                 && (new.temperature - old.temperature).abs() <= 5.0 + 20.0 * time

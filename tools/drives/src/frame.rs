@@ -1,5 +1,6 @@
-//! Frames of the three protocols: bytes to be sent, and answers in a stream of bytes that may be damaged.
+//! Frames of the protocols: bytes to be sent, and answers in a stream of bytes that may be damaged.
 
+use crate::moteus;
 use heapless::Vec;
 
 /// The frames that a servo understands.
@@ -11,6 +12,8 @@ pub enum Protocol {
     Dynamixel2,
     /// Feetech STS: frames of Dynamixel protocol 1, with a sync read.
     Feetech,
+    /// Lines of an fdcanusb adapter, which `moteus` writes.
+    Moteus,
 }
 
 /// The identity that every servo listens to.
@@ -66,6 +69,7 @@ impl Protocol {
     pub const fn answer_length(self, parameters: usize) -> usize {
         match self {
             Protocol::Dynamixel2 => parameters + 11,
+            Protocol::Moteus => moteus::EXCHANGE,
             _ => parameters + 6,
         }
     }
@@ -90,6 +94,10 @@ impl Protocol {
     }
 
     fn encode(self, id: u8, codes: &[u8], parameters: &[u8]) -> Result<Bytes, TooLong> {
+        debug_assert!(
+            self != Protocol::Moteus,
+            "its requests are made by `moteus`"
+        );
         let mut frame = Bytes::new();
         let add =
             |frame: &mut Bytes, bytes: &[u8]| frame.extend_from_slice(bytes).map_err(|_| TooLong);
@@ -122,6 +130,7 @@ impl Protocol {
     fn parse(self, bytes: &[u8], reads: Reads) -> Parsed {
         match self {
             Protocol::Dynamixel2 => parse_2(bytes, reads),
+            Protocol::Moteus => parse_line(bytes, reads),
             _ => parse_1(bytes, reads),
         }
     }
@@ -134,6 +143,8 @@ pub enum Reads {
     Requests,
     /// Answers with this many parameters.
     Answers(usize),
+    /// Answers of a moteus to this sender.
+    AnswersTo(u8),
 }
 
 #[allow(clippy::large_enum_variant, reason = "there is no allocator")]
@@ -142,6 +153,8 @@ enum Parsed {
     Frame(Frame, usize),
     /// What is here may become a frame.
     Unfinished,
+    /// A line that is no frame, and the number of its bytes.
+    Line(usize),
     /// No frame begins here.
     Nothing,
 }
@@ -164,6 +177,7 @@ fn parse_1(bytes: &[u8], reads: Reads) -> Parsed {
     let fits = match reads {
         Reads::Requests => length >= 2,
         Reads::Answers(wanted) => length == wanted + 2,
+        Reads::AnswersTo(_) => false,
     };
     if !begins(bytes, &HEADER_1) || id == 0xFF || !fits {
         return Parsed::Nothing;
@@ -201,6 +215,7 @@ fn parse_2(bytes: &[u8], reads: Reads) -> Parsed {
         Reads::Requests => (3..=LONGEST - 7).contains(&length),
         // One byte is stuffed after three at the most.
         Reads::Answers(wanted) => (wanted + 4..=wanted + 5 + wanted / 3).contains(&length),
+        Reads::AnswersTo(_) => false,
     };
     if !fits {
         return Parsed::Nothing;
@@ -239,6 +254,37 @@ fn parse_2(bytes: &[u8], reads: Reads) -> Parsed {
         parameters,
     };
     Parsed::Frame(frame, length + 7)
+}
+
+/// Reads a line of an fdcanusb adapter, or one to it.
+fn parse_line(bytes: &[u8], reads: Reads) -> Parsed {
+    let Some(end) = bytes.iter().position(|byte| *byte == b'\n') else {
+        return match bytes.len() < LONGEST / 2 {
+            true => Parsed::Unfinished,
+            false => Parsed::Nothing,
+        };
+    };
+    let line = &bytes[..end];
+    if moteus::is_consent(line) {
+        return Parsed::Line(end + 1);
+    }
+    let frame = match reads {
+        Reads::Requests => moteus::request(line).map(|request| Frame {
+            id: request.id,
+            code: request.from | u8::from(request.is_answered) << 7,
+            // A CAN-FD frame is shorter than the longest one.
+            parameters: Vec::from_slice(&request.payload).unwrap_or_default(),
+        }),
+        Reads::AnswersTo(sender) => moteus::answer(line)
+            .filter(|answer| answer.to == sender)
+            .map(|answer| Frame {
+                id: answer.id,
+                code: u8::from(answer.is_faulty) << 7,
+                parameters: Vec::from_slice(&answer.table).unwrap_or_default(),
+            }),
+        Reads::Answers(_) => None,
+    };
+    frame.map_or(Parsed::Nothing, |frame| Parsed::Frame(frame, end + 1))
 }
 
 /// Returns the checksum of protocol 1 over identity, length, code and parameters.
@@ -296,6 +342,7 @@ impl Decoder {
                     return Some(frame);
                 }
                 Parsed::Unfinished => return None,
+                Parsed::Line(length) => self.drop_front(length),
                 Parsed::Nothing => self.discard(1),
             }
         }

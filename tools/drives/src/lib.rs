@@ -10,6 +10,7 @@ pub mod bus;
 pub mod drives;
 pub mod frame;
 pub mod model;
+pub mod moteus;
 #[cfg(feature = "std")]
 pub mod serial;
 #[cfg(feature = "std")]

@@ -1,6 +1,7 @@
 //! The register tables of servo families, and the servo models. A model is a row; nothing else differs between servos.
 
 use crate::frame::Protocol;
+use crate::moteus::{self, address};
 
 /// Encoding of negative values in a register.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,8 +103,10 @@ pub struct Family {
     pub model: Register,
     /// Identity on the bus.
     pub id: Register,
-    /// Delay of an answer, in units of 2 µs.
-    pub return_delay: Register,
+    /// Delay of an answer, in units of 2 µs; `None` if there is none.
+    pub return_delay: Option<Register>,
+    /// Register with the way in which it turns, and the values with which it goes to positions; `None` if it always does.
+    pub mode: Option<(Register, i32, i32)>,
     /// Register that protects the identity until it is 0; `None` if torque off is enough.
     pub lock: Option<Register>,
     /// Torque on or off.
@@ -114,8 +117,6 @@ pub struct Family {
     pub goal_speed: Register,
     /// The most torque that it gives.
     pub torque_limit: Register,
-    /// Value of the torque limit at full torque.
-    pub full_torque: u16,
     /// Measured position, counts.
     pub position: Register,
     /// Measured load.
@@ -130,7 +131,7 @@ pub struct Family {
     pub alarms: u8,
     /// Register with the alarms, where the error byte only says that there are some.
     pub alarm_status: Option<Register>,
-    /// Bits of an alarm that are voltage, temperature and overload.
+    /// Bits of an alarm that are voltage, temperature and overload; of a moteus, the numbers of the faults.
     pub alarm_bits: [u8; 3],
 }
 
@@ -142,13 +143,14 @@ pub static AX: Family = Family {
     windows: [window(36, 8), window(36, 11), window(24, 20)],
     model: register(0, 2),
     id: register(3, 1),
-    return_delay: register(5, 1),
+    return_delay: Some(register(5, 1)),
+    // The largest position; 0 makes it a wheel.
+    mode: Some((register(8, 2), 1, 4095)),
     lock: None,
     torque_enable: register(24, 1),
     goal_position: register(30, 2),
     goal_speed: register(32, 2),
     torque_limit: register(34, 2),
-    full_torque: 1023,
     position: register(36, 2),
     load: signed(40, 2, Sign::Bit(10)),
     voltage: register(42, 1),
@@ -167,13 +169,13 @@ pub static X: Family = Family {
     windows: [window(126, 21), window(124, 23), window(122, 25)],
     model: register(0, 2),
     id: register(7, 1),
-    return_delay: register(9, 1),
+    return_delay: Some(register(9, 1)),
+    mode: Some((register(11, 1), 3, 3)),
     lock: None,
     torque_enable: register(64, 1),
     goal_position: signed(116, 4, Sign::Twos),
     goal_speed: register(112, 4),
     torque_limit: register(100, 2),
-    full_torque: 885,
     position: signed(132, 4, Sign::Twos),
     load: signed(126, 2, Sign::Twos),
     voltage: register(144, 2),
@@ -192,13 +194,13 @@ pub static STS: Family = Family {
     windows: [window(56, 8), window(56, 11), window(40, 24)],
     model: register(3, 2),
     id: register(5, 1),
-    return_delay: register(7, 1),
+    return_delay: Some(register(7, 1)),
+    mode: Some((register(33, 1), 0, 0)),
     lock: Some(register(55, 1)),
     torque_enable: register(40, 1),
     goal_position: signed(42, 2, Sign::Bit(15)),
     goal_speed: signed(46, 2, Sign::Bit(15)),
     torque_limit: register(48, 2),
-    full_torque: 1000,
     position: signed(56, 2, Sign::Bit(15)),
     load: signed(60, 2, Sign::Bit(10)),
     voltage: register(62, 1),
@@ -208,6 +210,47 @@ pub static STS: Family = Family {
     alarm_status: None,
     alarm_bits: [1, 1 << 2, 1 << 5 | 1 << 3],
 };
+
+/// moteus controllers of mjbots, with the register table of [`crate::moteus`].
+pub static MOTEUS: Family = Family {
+    name: "mjbots moteus",
+    protocol: Protocol::Moteus,
+    reads_many: false,
+    windows: [window(0, moteus::MEASURED as u8); 3],
+    model: register(address::MODEL, 2),
+    id: register(address::ID, 1),
+    return_delay: None,
+    mode: None,
+    lock: None,
+    torque_enable: register(address::TORQUE_ENABLE, 1),
+    goal_position: signed(address::GOAL_POSITION, 4, Sign::Twos),
+    goal_speed: register(address::GOAL_SPEED, 4),
+    torque_limit: register(address::TORQUE_LIMIT, 2),
+    position: signed(address::POSITION, 4, Sign::Twos),
+    load: signed(address::LOAD, 2, Sign::Twos),
+    voltage: register(address::VOLTAGE, 2),
+    temperature: register(address::TEMPERATURE, 1),
+    watchdog: Some(register(address::WATCHDOG, 1)),
+    alarms: 0x80,
+    alarm_status: Some(register(address::FAULT, 1)),
+    alarm_bits: [40, 38, 0],
+};
+
+impl Family {
+    /// Returns the cause of an alarm.
+    pub fn cause(&self, alarm: u8) -> &'static str {
+        let mut causes = self
+            .alarm_bits
+            .into_iter()
+            .zip(["voltage", "temperature", "overload"]);
+        let is_meant = |bits: u8| match self.protocol {
+            Protocol::Moteus => bits == alarm,
+            _ => bits & alarm != 0,
+        };
+        let found = causes.find(|(bits, _)| is_meant(*bits));
+        found.map_or("sensor or current", |(_, cause)| cause)
+    }
+}
 
 /// A servo model.
 #[derive(Debug, PartialEq)]
@@ -230,6 +273,8 @@ pub struct Model {
     pub speed: f64,
     /// Load register at the stall torque.
     pub full_load: f64,
+    /// Value of the torque limit at full torque.
+    pub full_torque: u16,
 }
 
 const fn ax(name: &'static str, number: u16, speed: f64) -> Model {
@@ -243,6 +288,7 @@ const fn ax(name: &'static str, number: u16, speed: f64) -> Model {
         speed_unit: 0.666,
         speed,
         full_load: 1023.0,
+        full_torque: 1023,
     }
 }
 
@@ -267,6 +313,7 @@ const fn x(name: &'static str, number: u16, speed: f64, full_load: f64) -> Model
         speed_unit: 1.374,
         speed,
         full_load,
+        full_torque: 885,
     }
 }
 
@@ -281,6 +328,23 @@ const fn sts(name: &'static str, number: u16, speed: f64) -> Model {
         speed_unit: 360.0 / 4096.0,
         speed,
         full_load: 1000.0,
+        full_torque: 1000,
+    }
+}
+
+/// A moteus with a motor of this torque, 0.01 Nm.
+const fn moteus(name: &'static str, speed: f64, torque: u16) -> Model {
+    Model {
+        name,
+        number: 0,
+        family: &MOTEUS,
+        turn: moteus::TURN,
+        largest: 2 * moteus::MIDDLE,
+        middle: moteus::MIDDLE as f64,
+        speed_unit: 1.0,
+        speed,
+        full_load: torque as f64,
+        full_torque: torque,
     }
 }
 
@@ -299,6 +363,8 @@ pub static MODELS: &[Model] = &[
     x("XM540-W270", 1120, 180.0, 2047.0),
     sts("STS3215", 777, 270.0),
     sts("STS3032", 0, 660.0),
+    moteus("moteus-mj5208", 3600.0, 170),
+    moteus("moteus-qdd100", 1200.0, 1600),
 ];
 
 impl Model {

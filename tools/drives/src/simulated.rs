@@ -6,7 +6,12 @@
 use crate::bus::{Port, Timing};
 use crate::frame::{BROADCAST, Decoder, Frame, Protocol, Reads, instruction};
 use crate::model::{Model, Register};
+use crate::moteus;
 use core::convert::Infallible;
+use moteus_protocol::{
+    CanFdFrame, Mode, REPLY_INT8, Resolution, Subframe, Value, WriteCanData, parse_frame,
+};
+use std::format;
 use std::vec::Vec;
 
 /// Time constant of a servo's remaining distance, s.
@@ -74,6 +79,12 @@ pub struct Servo {
     temperature: f64,
     is_gone: bool,
     is_hot: bool,
+    /// Something holds it: it does not turn, with all its torque.
+    is_blocked: bool,
+    /// V
+    voltage: f64,
+    /// A moteus without commands for too long, which only a stop ends.
+    is_timed_out: bool,
     /// Time of the last instruction, µs.
     heard: u64,
     /// The position that it reported last, counts.
@@ -92,12 +103,17 @@ impl Servo {
             temperature: ROOM,
             is_gone: false,
             is_hot: false,
+            is_blocked: false,
+            voltage: 12.0,
+            is_timed_out: false,
             heard: 0,
             reported: None,
         };
         servo.set(family.model, model.number.into());
         servo.set(family.id, id.into());
-        servo.set(family.return_delay, 0);
+        if let Some((mode, _, value)) = family.mode {
+            servo.set(mode, value);
+        }
         servo.power_on();
         servo
     }
@@ -106,7 +122,7 @@ impl Servo {
         let family = self.model.family;
         self.set(family.torque_enable, 0);
         self.set(family.goal_speed, 0);
-        self.set(family.torque_limit, family.full_torque.into());
+        self.set(family.torque_limit, self.model.full_torque.into());
         self.set(family.goal_position, self.position as i32);
         if let Some(lock) = family.lock {
             self.set(lock, 1);
@@ -155,7 +171,7 @@ impl Servo {
     /// Returns its torque limit, from 0 to 1.
     pub fn torque_limit(&self) -> f64 {
         let family = self.model.family;
-        f64::from(self.get(family.torque_limit)) / f64::from(family.full_torque)
+        f64::from(self.get(family.torque_limit)) / f64::from(self.model.full_torque)
     }
 
     /// Moves for some time, s.
@@ -167,10 +183,14 @@ impl Servo {
         });
         if sleeps {
             self.set(family.goal_position, self.position as i32);
+            if family.protocol == Protocol::Moteus {
+                self.set(family.torque_enable, 0);
+                self.is_timed_out = true;
+            }
         }
         let limit = self.torque_limit();
         let (from, most) = (self.position, self.model.speed * self.model.turn / 360.0);
-        if self.has_torque() && limit > 0.02 {
+        if self.has_torque() && limit > 0.02 && !self.is_blocked {
             let own = f64::from(self.get(family.goal_speed)) * self.model.speed_unit;
             let most = match own * self.model.turn / 360.0 {
                 speed if speed > 0.0 => speed.min(most),
@@ -184,17 +204,20 @@ impl Servo {
         if time > 0.0 {
             self.velocity = (self.position - from) / time;
         }
-        let load = (self.velocity / most).clamp(-1.0, 1.0);
+        let load = match self.is_blocked && self.has_torque() {
+            true => 1.0,
+            false => 0.5 * (self.velocity / most).clamp(-1.0, 1.0),
+        };
         let target = if self.is_hot {
             HOT
         } else {
-            ROOM + 20.0 * load.abs()
+            ROOM + 40.0 * load.abs().min(0.5)
         };
         let rate = if self.is_hot { 20.0 } else { HEATING };
         self.temperature += (target - self.temperature).clamp(-rate * time, rate * time);
         self.set(family.position, libm::round(self.position) as i32);
-        self.set(family.load, (load * self.model.full_load * 0.5) as i32);
-        self.set(family.voltage, 120);
+        self.set(family.load, (load * self.model.full_load) as i32);
+        self.set(family.voltage, (self.voltage * 10.0) as i32);
         self.set(family.temperature, self.temperature as i32);
         let is_alarmed = self.temperature > 70.0;
         if is_alarmed {
@@ -213,6 +236,122 @@ impl Servo {
             (false, _) => 0,
             (true, Some(_)) => family.alarms,
             (true, None) => family.alarm_bits[1],
+        }
+    }
+
+    /// Executes a request to a moteus, and returns its answer.
+    fn serve(&mut self, payload: &[u8], now: u64) -> CanFdFrame {
+        let family = self.model.family;
+        let mut answer = CanFdFrame::new();
+        let mut mode = None;
+        for part in parse_frame(payload) {
+            let Subframe::Register {
+                register,
+                resolution,
+                value,
+                ..
+            } = part
+            else {
+                continue;
+            };
+            let Some(register) = moteus_protocol::Register::from_address(register) else {
+                continue;
+            };
+            let Some(value) = value else {
+                self.tell(register, resolution, &mut answer);
+                continue;
+            };
+            let float = f64::from(match value {
+                Value::Float(float) => float,
+                other => other.to_i32() as f32,
+            });
+            use moteus_protocol::Register as R;
+            match register {
+                R::Mode => mode = Mode::try_from(value.to_i32() as u8).ok(),
+                R::CommandPosition if !self.is_timed_out => {
+                    let counts = libm::round(float * moteus::TURN) as i32 + moteus::MIDDLE;
+                    self.set(family.goal_position, counts);
+                }
+                R::CommandVelocityLimit => {
+                    self.set(family.goal_speed, libm::round(float * 360.0) as i32);
+                }
+                R::CommandPositionMaxTorque => {
+                    let full = self.model.full_torque;
+                    let torque = libm::round(float * 100.0).min(full.into()) as i32;
+                    self.set(family.torque_limit, torque);
+                }
+                R::CommandTimeout => {
+                    // NAN gives 0.
+                    let units = libm::round(float / 0.02) as u8;
+                    if let Some(watchdog) = family.watchdog {
+                        self.set(watchdog, units.into());
+                    }
+                }
+                _ => {}
+            }
+        }
+        if mode.is_some() {
+            self.heard = now;
+        }
+        match mode {
+            Some(Mode::Stopped) => {
+                self.is_timed_out = false;
+                self.set(family.torque_enable, 0);
+            }
+            Some(Mode::Position) if !self.is_timed_out => self.set(family.torque_enable, 1),
+            _ => {}
+        }
+        answer
+    }
+
+    /// Adds a register of a moteus to its answer.
+    fn tell(
+        &mut self,
+        register: moteus_protocol::Register,
+        resolution: Resolution,
+        answer: &mut CanFdFrame,
+    ) {
+        use moteus_protocol::Register as R;
+        let family = self.model.family;
+        let mode = match (
+            self.temperature > 70.0,
+            self.is_timed_out,
+            self.has_torque(),
+        ) {
+            (true, ..) => Mode::Fault,
+            (_, true, _) => Mode::Timeout,
+            (_, _, true) => Mode::Position,
+            _ => Mode::Stopped,
+        };
+        let counts = self.get(family.position);
+        // The units of numbers of 8, 16 and 32 bits.
+        let (value, units) = match register {
+            R::Mode => (f64::from(i8::from(mode)), [1.0; 3]),
+            R::Position => {
+                self.reported = Some(counts);
+                let turns = f64::from(counts - moteus::MIDDLE) / moteus::TURN;
+                (turns, [0.01, 1e-4, 1e-5])
+            }
+            R::Velocity => (self.velocity / moteus::TURN, [0.1, 0.000_25, 1e-5]),
+            R::Torque => (f64::from(self.get(family.load)) / 100.0, [0.5, 0.01, 0.001]),
+            R::Voltage => (
+                f64::from(self.get(family.voltage)) / 10.0,
+                [0.5, 0.1, 0.001],
+            ),
+            R::Temperature => (self.temperature, [1.0, 0.1, 0.001]),
+            R::Fault if mode == Mode::Fault => (family.alarm_bits[1].into(), [1.0; 3]),
+            R::MultiplexId => (self.id().into(), [1.0; 3]),
+            _ => (0.0, [1.0; 3]),
+        };
+        let mut writer = WriteCanData::new(answer);
+        writer.write_u8(REPLY_INT8 | resolution.type_code() | 1);
+        writer.write_varuint(register.address().into());
+        match resolution {
+            Resolution::Float => writer.write_f32(value as f32),
+            _ => {
+                let unit = units[resolution.size() / 2];
+                writer.write_int(libm::round(value / unit) as i32, resolution);
+            }
         }
     }
 
@@ -306,6 +445,16 @@ impl SimulatedBus {
         self.change(id, |servo| servo.is_hot = true);
     }
 
+    /// Lets something hold a servo, which needs all its torque then.
+    pub fn block(&mut self, id: u8) {
+        self.change(id, |servo| servo.is_blocked = true);
+    }
+
+    /// Lets the supply of a servo drop to 7 V.
+    pub fn sag(&mut self, id: u8) {
+        self.change(id, |servo| servo.voltage = 7.0);
+    }
+
     fn change(&mut self, id: u8, change: impl FnMut(&mut Servo)) {
         let servos = self.servos.iter_mut();
         servos.filter(|servo| servo.id() == id).for_each(change);
@@ -348,7 +497,38 @@ impl SimulatedBus {
         self.answers.drain(..count).map(|(_, byte)| byte).collect()
     }
 
+    /// Executes a request of an fdcanusb adapter's line.
+    fn forward(&mut self, frame: &Frame) {
+        self.append(b"OK\n", false);
+        for place in self.addressed(frame.id) {
+            let servo = &mut self.servos[place];
+            let answer = servo.serve(&frame.parameters, self.time);
+            if frame.code & 0x80 == 0 {
+                continue;
+            }
+            let mut line = format!("rcv {:02x}{:02x} ", servo.id(), frame.code & 0x7F);
+            for byte in answer.payload() {
+                line.push_str(&format!("{byte:02X}"));
+            }
+            line.push_str(" B F\n");
+            self.append(line.as_bytes(), true);
+        }
+    }
+
+    /// Puts a line after those that are on the way.
+    fn append(&mut self, line: &[u8], can_fail: bool) {
+        let last = self.answers.last().map_or(0, |(at, _)| *at);
+        let after = last.saturating_sub(self.time);
+        match can_fail {
+            true => self.transmit(line, after),
+            false => self.put(line, self.time + after),
+        }
+    }
+
     fn execute(&mut self, frame: &Frame) {
+        if self.protocol == Protocol::Moteus {
+            return self.forward(frame);
+        }
         let is_wide = self.protocol == Protocol::Dynamixel2;
         let word = |bytes: &[u8]| match bytes {
             [low, high] if is_wide => Some(u16::from_le_bytes([*low, *high])),
@@ -484,7 +664,8 @@ impl SimulatedBus {
     /// Sends an answer `after` µs, and returns how long that takes.
     fn answer(&mut self, place: usize, parameters: &[u8], after: u64) -> u64 {
         let servo = &self.servos[place];
-        let delay = servo.get(servo.model.family.return_delay) as u64 * 2;
+        let delay = servo.model.family.return_delay;
+        let delay = delay.map_or(0, |delay| servo.get(delay) as u64 * 2);
         let frame = self.protocol.answer(servo.id(), servo.error(), parameters);
         let Ok(frame) = frame else {
             return 0;
@@ -556,7 +737,8 @@ impl SimulatedBus {
 
     /// Puts bytes on the wire. Where two servos send, zeros win.
     fn put(&mut self, bytes: &[u8], at: u64) {
-        let each = self.timing.bytes(1);
+        // Times are rounded up: two bytes of a frame may be this close.
+        let each = 10_000_000 / u64::from(self.timing.baud);
         for (number, byte) in bytes.iter().enumerate() {
             let at = at + self.timing.bytes(number + 1);
             let place = self

@@ -37,13 +37,13 @@ fn faults(more: &str) -> Vec<String> {
 #[test]
 fn a_bus_has_a_drive_for_each_joint() {
     let text = with(
-        "[bus]\nport = \"/dev/ttyUSB0\"\nservo = \"ax-12\"\nsilence = 3\nat_end = \"relax\"\n\
+        "[bus]\nport = \"/dev/ttyUSB0\"\nservo = \"ax-12\"\nsilence = 3\nbaud = 4500000\nat_end = \"relax\"\n\
          [[drive]]\njoint = \"J11\"\nid = 7\nsign = -1\noffset = 10\nlimits = [-90, 120]\n",
     );
     let description = parse_for_servos("robot.toml", text.as_bytes(), &SERVOS).expect("good");
     let bus = description.bus().expect("a bus");
     assert_eq!(bus.port.as_deref(), Some("/dev/ttyUSB0"));
-    assert_eq!((bus.baud, bus.silence), (1_000_000, 3));
+    assert_eq!((bus.baud, bus.silence), (4_500_000, 3));
     assert_eq!(bus.relaxes, [true, false]);
     let [drive] = &bus.drives[..] else {
         panic!("one drive");

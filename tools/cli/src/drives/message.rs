@@ -16,8 +16,8 @@ tipc::message_table! {
         "cannot open {port}: {error}. Is it plugged in, used by another program, or yours to open (group dialout)?",
         "{port}を開けません: {error}。接続、他のプログラムによる使用、権限(dialoutグループ)を確かめてください";
     NotSimulated { text: String }
-        "`{text}` is not a list of faults: write faults=0.01, or unplug=ID@S, reset=ID@S, overheat=ID@S, separated by commas",
-        "`{text}` は故障の並びではありません。faults=0.01、または unplug=ID@S、reset=ID@S、overheat=ID@S をコンマで区切ってください";
+        "`{text}` is not a list of faults: write faults=0.01 (or corrupt, drop, duplicate, delay, truncate) and unplug=ID@S (or reset, overheat, block, sag), separated by commas",
+        "`{text}` は故障の並びではありません。faults=0.01(または corrupt、drop、duplicate、delay、truncate)と unplug=ID@S(または reset、overheat、block、sag)をコンマで区切ってください";
     NeedsYes
         "the robot is about to move, and no one can press a key: give --yes if that is safe",
         "ロボットが動きますが、キーを押す人がいません。安全なら--yesを付けてください";
@@ -48,6 +48,9 @@ tipc::message_table! {
     Renamed { id: u32, to: u32 }
         "servo {id} is servo {to} now",
         "サーボ{id}のIDを{to}にしました";
+    OwnTool { id: u32, to: u32 }
+        "a moteus gets its identity from its maker's tool: `moteus_tool --target {id} --console`, then `conf set id.id {to}` and `conf write`",
+        "moteusのIDは製造元のツールで設定します。`moteus_tool --target {id} --console` で `conf set id.id {to}` と `conf write` を実行してください";
     IdTaken { id: u32 }
         "servo {id} exists already",
         "サーボ{id}は既にあります";
@@ -63,6 +66,12 @@ tipc::message_table! {
     NotTurned
         "it has turned by less than 3 deg; its sign stays",
         "3度以上回っていないので、符号は変えません";
+    ZeroWritten { joints: usize, file: Text }
+        "sign and offset of {joints} joints are in {file} now",
+        "{joints}個の関節の符号とオフセットを{file}に書き込みました";
+    ZeroKept { file: Text }
+        "{file} is not changed, because its [[drive]] tables are written in a form that only you can edit, or would be wrong then",
+        "{file}は変更していません。[[drive]]表の書き方に対応していないか、書き込むと誤りになるためです";
     ZeroResult { file: Text }
         "these keys belong to the [[drive]] tables of {file}:",
         "次のキーを{file}の[[drive]]表に書いてください:";
@@ -92,6 +101,9 @@ tipc::message_table! {
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";
+    WrongMode { joint: String, id: u32, register: u32, value: u32, right: u32 }
+        "{joint} (servo {id}) does not go to positions: its register {register} is {value}. Write {right} to it with the maker's tool while the torque is off (Operating Mode, or CCW Angle Limit of AX and MX)",
+        "{joint}(サーボ{id})は位置制御モードではありません(レジスタ{register}の値は{value})。トルクを切り、製造元のツールで{right}を書き込んでください(Operating Mode、AX・MXではCCW Angle Limit)";
     Hot { joint: String, id: u32, now: f64, most: f64 }
         "{joint} (servo {id}) has {now} °C, and {most} at most is allowed: let it cool, and look for what loads it",
         "{joint}(サーボ{id})が{now} °Cで、上限{most} °Cを超えました。冷まして、負荷の原因を調べてください";

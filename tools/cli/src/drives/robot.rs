@@ -98,11 +98,11 @@ pub(crate) fn open_serial(port: &str, baud: u32, lang: Lang) -> Result<AnyPort, 
     Ok(AnyPort::Serial(opened))
 }
 
-/// Faults of a simulated bus: `faults=0.01,unplug=3@1.5`.
+/// Faults of a simulated bus: `faults=0.01,unplug=3@1.5`, or `corrupt=0.01`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Mishaps {
-    /// Probability that something happens to an answer.
-    faults: f64,
+    /// Probabilities of what happens to an answer.
+    faults: Faults,
     /// Times, s, in any order.
     events: Vec<(f64, Mishap, u8)>,
 }
@@ -112,6 +112,8 @@ enum Mishap {
     Unplug,
     Reset,
     Overheat,
+    Block,
+    Sag,
 }
 
 impl FromStr for Mishaps {
@@ -124,16 +126,31 @@ impl FromStr for Mishaps {
         let mut mishaps = Mishaps::default();
         for part in text.split(',').filter(|part| !part.is_empty()) {
             let (name, value) = part.split_once('=').ok_or_else(wrong)?;
-            let kind = match name {
-                "faults" => {
-                    let part = value.parse().ok();
-                    let part = part.filter(|it| (0.0..=1.0).contains(it));
-                    mishaps.faults = part.ok_or_else(wrong)?;
-                    continue;
+            let faults = &mut mishaps.faults;
+            let probability = match name {
+                "corrupt" => Some(&mut faults.corrupt),
+                "drop" => Some(&mut faults.drop),
+                "duplicate" => Some(&mut faults.duplicate),
+                "delay" => Some(&mut faults.delay),
+                "truncate" => Some(&mut faults.truncate),
+                _ => None,
+            };
+            if name == "faults" || probability.is_some() {
+                let part = value.parse().ok();
+                let part = part.filter(|it| (0.0..=1.0).contains(it));
+                let part = part.ok_or_else(wrong)?;
+                match probability {
+                    Some(probability) => *probability = part,
+                    None => *faults = Faults::evenly(part),
                 }
+                continue;
+            }
+            let kind = match name {
                 "unplug" => Mishap::Unplug,
                 "reset" => Mishap::Reset,
                 "overheat" => Mishap::Overheat,
+                "block" => Mishap::Block,
+                "sag" => Mishap::Sag,
                 _ => return Err(wrong()),
             };
             let (id, time) = value.split_once('@').ok_or_else(wrong)?;
@@ -155,6 +172,8 @@ impl Mishaps {
                 Mishap::Unplug => bus.unplug(*id),
                 Mishap::Reset => bus.reset(*id),
                 Mishap::Overheat => bus.overheat(*id),
+                Mishap::Block => bus.block(*id),
+                Mishap::Sag => bus.sag(*id),
             }
             !is_due
         });
@@ -224,7 +243,7 @@ impl Setup {
             Servo::new(joint.model, joint.id, joint.counts(angle).into())
         });
         let bus = SimulatedBus::new(servos.collect(), self.timing());
-        bus.with_faults(Faults::evenly(mishaps.faults), 1)
+        bus.with_faults(mishaps.faults, 1)
     }
 
     fn timing(&self) -> Timing {
@@ -481,6 +500,16 @@ impl Connection {
                 number: number.into(),
                 model: own.model.name,
             },
+            Problem::Mode(value) => {
+                let mode = own.model.family.mode;
+                Driving::WrongMode {
+                    joint,
+                    id,
+                    value: value.into(),
+                    register: mode.map_or(0, |(register, ..)| register.address.into()),
+                    right: mode.map_or(0, |(_, right, _)| right.unsigned_abs()),
+                }
+            }
             Problem::Hot(now) => Driving::Hot {
                 joint,
                 id,
@@ -500,17 +529,12 @@ impl Connection {
                 load: format!("{load:.2}"),
                 most: bus.overload[0],
             },
-            Problem::Alarm(bits) => {
-                let names = ["voltage", "temperature", "overload"];
-                let known = own.model.family.alarm_bits.iter().zip(names);
-                let mut known = known.filter(|(bit, _)| *bit & bits != 0);
-                Driving::Alarm {
-                    joint,
-                    id,
-                    bits: bits.into(),
-                    meaning: known.next().map_or("sensor or current", |(_, name)| name),
-                }
-            }
+            Problem::Alarm(bits) => Driving::Alarm {
+                joint,
+                id,
+                bits: bits.into(),
+                meaning: own.model.family.cause(bits),
+            },
             Problem::Reset => Driving::Reset { joint, id },
             Problem::Lags(angle) => Driving::Lags {
                 joint,

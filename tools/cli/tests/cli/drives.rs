@@ -1,8 +1,9 @@
 //! Real robots whose servos are simulated: runs, faults, and `tip drives` on a pseudo-terminal.
 
-use crate::support::Folder;
+use crate::support::{Folder, Outcome};
+use crate::view::data;
 use serde_json::Value;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -60,6 +61,23 @@ fn robots_walk_on_servos_as_they_do_in_the_simulation() {
         assert_eq!(real.0, simulated.0, "{robot}: steps");
         assert_eq!(real.1, simulated.1, "{robot}: messages");
         assert_eq!(real.2.len(), servos, "{robot}: {said}");
+        // `tip view` shows both on one page.
+        let view = [
+            "view",
+            "real.jsonl",
+            "simulated.jsonl",
+            "--program",
+            "it/motions/walk.prg",
+            "--robot",
+            "it/robot.toml",
+            "-o",
+            "both.html",
+        ];
+        folder.tip(&view).expect(0);
+        let page = folder.read("both.html");
+        let [recorded, compared] = ["recording", "compared"].map(|id| data(&page, id));
+        assert!(recorded.len() > 1000 && compared.len() > 1000, "{robot}");
+        assert_ne!(recorded, compared, "{robot}: servos lag");
         for (real, simulated) in real.2.iter().zip(&simulated.2) {
             // The last step may begin within JUST of its position, 1 deg.
             let difference = (real - simulated).abs();
@@ -71,10 +89,23 @@ fn robots_walk_on_servos_as_they_do_in_the_simulation() {
     }
 }
 
+/// The faults of docs/drives.md, on both robots. `tests/external/drives/run` lets them happen in real time.
 #[test]
 fn each_fault_has_its_outcome() {
-    let folder = crate_for("phantomx");
+    for robot in ["phantomx", "spotmicro"] {
+        each_fault_has_its_outcome_on(robot);
+    }
+}
+
+fn each_fault_has_its_outcome_on(robot: &str) {
+    let folder = crate_for(robot);
     for (mishap, status, reason) in [
+        ("", 0, "answers 0 of "),
+        ("corrupt=0.01", 0, " missing, "),
+        ("drop=0.01", 0, " missing, "),
+        ("duplicate=0.01", 0, "  bus     "),
+        ("delay=0.01", 0, " missing, "),
+        ("truncate=0.01", 0, " missing, "),
         ("faults=0.01", 0, " missing, "),
         (
             "unplug=7@3",
@@ -87,8 +118,19 @@ fn each_fault_has_its_outcome() {
             3,
             "J31 (servo 7) has 66 °C, and 65 at most is allowed",
         ),
+        (
+            "block=7@3",
+            3,
+            "J31 (servo 7) needs 1.00 of its torque for too long",
+        ),
+        (
+            "sag=7@3",
+            3,
+            "J31 (servo 7) measures 7 V, and 9 to 13 V are allowed",
+        ),
         ("unplug=7@0", 1, "J31 (servo 7) has not answered"),
         ("faults=2", 1, "`faults=2` is not a list of faults"),
+        ("fire=7@3", 1, "`fire=7@3` is not a list of faults"),
     ] {
         let port = format!("simulated:{mishap}");
         let run = [
@@ -100,7 +142,11 @@ fn each_fault_has_its_outcome() {
             &port,
         ];
         let outcome = folder.tip(&run).expect(status);
-        assert!(outcome.err.contains(reason), "{mishap}: {}", outcome.err);
+        assert!(
+            outcome.err.contains(reason),
+            "{robot} {mishap}: {}",
+            outcome.err
+        );
     }
 }
 
@@ -296,6 +342,61 @@ fn a_killed_host_leaves_servos_that_stand() {
     assert_eq!(stopped.len(), 12);
     std::thread::sleep(Duration::from_secs(1));
     assert_eq!(counts(), stopped);
+}
+
+/// A hand that turns nothing: the motor angles of now are the zeros, and the signs stay.
+#[test]
+fn zeros_are_written_into_the_description_and_nothing_else_changes() {
+    let folder = crate_for("spotmicro");
+    let text = folder.read("it/robot.toml");
+    let text = text.replacen("offset = 0\n", "offset=0   # by eye\n", 1);
+    let text = text.replacen("id = 2\nsign = 1\n", "id = 2\n", 1);
+    let folder = folder.file("robot.toml", text.clone());
+    let zero = |options: &[&str], keys: &str| {
+        let all = [&["drives", "zero", "robot.toml"][..], options].concat();
+        let mut command = folder.command(&all);
+        command
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        let mut child = command.spawn().expect("it starts");
+        let mut input = child.stdin.take().expect("a pipe");
+        input.write_all(keys.as_bytes()).expect("it reads");
+        drop(input);
+        Outcome::of(child.wait_with_output().expect("it ends"))
+    };
+    // Each joint takes two lines; the third one is skipped, and no answer for the fourth ends it.
+    let keys = "\n\n\n\ns\n";
+    let printed = zero(&[], keys).expect(0).out;
+    assert_eq!(folder.read("robot.toml"), text);
+    let offset = |joint: &str| {
+        let mut lines = printed.lines();
+        let line = lines.find(|line| line.contains(joint)).expect("printed");
+        let (_, offset) = line.split_once("offset = ").expect("an offset");
+        offset.to_owned()
+    };
+    let written = zero(&["--write"], keys).expect(0).out;
+    assert_eq!(
+        written,
+        "sign and offset of 2 joints are in robot.toml now\n"
+    );
+    let (first, second) = (offset("J11"), offset("J12"));
+    let old = "joint = \"J12\"\nid = 2\noffset = ";
+    let (before, after) = text.split_once(old).expect("the second");
+    let (_, after) = after.split_once('\n').expect("more lines");
+    let before = before.replacen("offset=0   #", &format!("offset= {first}   #"), 1);
+    let expected = format!("{before}joint = \"J12\"\nsign = 1\nid = 2\noffset = {second}\n{after}");
+    assert_eq!(folder.read("robot.toml"), expected);
+    folder.tip(&["robot", "check", "robot.toml"]).expect(0);
+    // The third joint stands at -76 deg: with that as its zero, its limits would be beyond the servo's travel.
+    let outcome = zero(&["--write"], "s\ns\n\n\n").expect(1);
+    assert!(outcome.err.contains("robot.toml is not changed"));
+    assert!(
+        outcome
+            .out
+            .contains("joint = \"J13\", sign = 1, offset = -7")
+    );
+    assert_eq!(folder.read("robot.toml"), expected);
 }
 
 #[test]

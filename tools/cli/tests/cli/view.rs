@@ -58,7 +58,7 @@ fn a_plot_stands_beside_its_program_too() {
 }
 
 /// The data of an element of a page.
-fn data<'a>(page: &'a str, id: &str) -> &'a str {
+pub(crate) fn data<'a>(page: &'a str, id: &str) -> &'a str {
     let (_, rest) = page
         .split_once(&format!("id=\"{id}\">"))
         .expect("an element");

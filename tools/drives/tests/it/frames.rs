@@ -1,6 +1,7 @@
 //! Frames: the examples of the makers' manuals, and streams of damaged bytes.
 
 use tip_drives::frame::{Decoder, Protocol, Reads, instruction};
+use tip_drives::moteus::{self, address};
 
 const ALL: [Protocol; 3] = [
     Protocol::Dynamixel1,
@@ -53,6 +54,109 @@ fn headers_inside_of_a_message_are_stuffed() {
         assert_eq!(found.unwrap().parameters, parameters);
         assert_eq!(decoder.discarded(), 0);
     }
+}
+
+/// The answer of controller 1 to sender 0x70: mode 10, half a turn, 1 Nm, 24 V, 31 °C, no fault, identity 1, and again its
+/// position, which is one count more by then.
+const ANSWER: &str =
+    "rcv 0170 21000A290150C3000025036400250DF000220E1F002590020100290151C30000 B F";
+
+#[test]
+fn requests_to_a_moteus_are_those_of_its_protocol() {
+    // Sender 0x70, an answer is wanted; 8-bit mode, 32-bit position, 16-bit torque and voltage, two 8-bit registers from 0x00E,
+    // 16-bit identity 0x110, 32-bit position; filled up to 16 bytes.
+    let line = moteus::query(1, 0x70);
+    let text = "can send f001 110019011503150D120E159002190150 BF\n";
+    assert_eq!(str::from_utf8(&line), Ok(text));
+
+    let mut command = moteus::Command::default();
+    // Nothing is sent before the torque is on, except the stop that ends a time-out.
+    assert!(command.set(address::WATCHDOG, 0));
+    let stop = command.line(2, 0x70, false);
+    assert_eq!(str::from_utf8(&stop), Ok("can send 7002 010000 BF\n"));
+    assert!(!command.set(address::WATCHDOG, 10));
+    assert!(!command.set(address::TORQUE_LIMIT, 50));
+    assert!(!command.set(address::GOAL_SPEED, 180));
+    assert!(!command.set(address::GOAL_POSITION, 550_000));
+    assert!(command.set(address::TORQUE_ENABLE, 1));
+    // Mode 10; floats: position 0.5, maximum torque 0.5 Nm, time-out 0.2 s and velocity limit 0.5 turns/s; filled up to 32 bytes.
+    let line = command.line(2, 0x70, false);
+    let text =
+        "can send 7002 01000A0D200000003F0D250000003F0E27CDCC4C3E0000003F50505050505050 BF\n";
+    assert_eq!(str::from_utf8(&line), Ok(text));
+}
+
+#[test]
+fn an_answer_of_a_moteus_proves_itself() {
+    let line = ANSWER.to_owned();
+    let answer = moteus::answer(line.as_bytes()).expect("intact");
+    assert_eq!((answer.id, answer.to, answer.is_faulty), (1, 0x70, false));
+    // A half turn from the middle of ten.
+    let mut table = [0, 0, 1, 1, 0, 0, 0, 0, 100, 0, 240, 0, 31, 0];
+    table[4..8].copy_from_slice(&550_000_i32.to_le_bytes());
+    assert_eq!(answer.table, table);
+    for (good, bad) in [
+        // Another controller, another identity, positions that differ, a missing register, another register.
+        ("rcv 0170", "rcv 0270"),
+        ("2590020100", "2590020200"),
+        ("290151C3", "290171C3"),
+        ("290151C30000", ""),
+        ("250DF000", "250EF000"),
+    ] {
+        let damaged = line.replace(good, bad);
+        assert_ne!(damaged, line);
+        assert_eq!(moteus::answer(damaged.as_bytes()), None, "{damaged}");
+    }
+    // A checksum is not needed, but a wrong one is not believed.
+    let sum = moteus_protocol_sum(&line);
+    assert!(moteus::answer(format!("{line} *{sum:02X}").as_bytes()).is_some());
+    assert!(moteus::answer(format!("{line} *{:02X}", sum ^ 1).as_bytes()).is_none());
+}
+
+/// Returns the checksum of a line: CRC-8 with the polynomial 0x97, most significant bit first, over everything before the star.
+fn moteus_protocol_sum(line: &str) -> u8 {
+    line.bytes().chain([b' ']).fold(0, |crc, byte| {
+        (0..8).fold(crc ^ byte, |crc: u8, _| match crc >> 7 {
+            0 => crc << 1,
+            _ => crc << 1 ^ 0x97,
+        })
+    })
+}
+
+/// Returns the position of an answer's table.
+fn position(answer: &moteus::Answer) -> i32 {
+    i32::from_le_bytes([4, 5, 6, 7].map(|place: usize| answer.table[place]))
+}
+
+/// No damage of up to four bytes in a row gives a wrong angle, and none stops the reader.
+#[test]
+fn damaged_answers_of_a_moteus_give_no_wrong_angle() {
+    let line = ANSWER.as_bytes().to_vec();
+    let mut random = 1_u64;
+    let mut next = move || {
+        random = random
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (random >> 40) as usize
+    };
+    let mut accepted = 0;
+    for _ in 0..1_000_000 {
+        let mut damaged = line.clone();
+        let first = next() % line.len();
+        for byte in damaged.iter_mut().skip(first).take(1 + next() % 4) {
+            // Mostly characters that may be there.
+            *byte = match next() % 4 {
+                0 => next() as u8,
+                _ => b"0123456789ABCDEF"[next() % 16],
+            };
+        }
+        if let Some(answer) = moteus::answer(&damaged) {
+            accepted += 1;
+            let difference = position(&answer).abs_diff(550_000);
+            assert!(answer.id == 1 && difference <= 2 * moteus::BETWEEN);
+        }
+    }
+    assert!(accepted > 100_000, "{accepted}");
 }
 
 /// A frame that is cut off in the middle must not hide the next one.
