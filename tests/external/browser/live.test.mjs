@@ -155,6 +155,7 @@ test('what can be written, and what is known of it, stay inside the editor', asy
       return [...['.cm-tooltip-autocomplete', '.cm-completionInfo'].map((part) => box(editor.shadowRoot.querySelector(part))), box(editor)];
     });
     for (const part of [list, info]) assert.ok(part.left >= room.left - 1 && part.right <= room.right + 1, `${width}: ${JSON.stringify([list, info, room])}`);
+    assert.ok(info.top >= list.bottom - 2 || info.bottom <= list.top + 2, `${width}: it covers what is offered`);
     await wide.close();
   }
 });

@@ -71,7 +71,7 @@ describe('one file', () => {
     await page.click('#state-tab');
     assert.notEqual(await page.locator('#joint-rows td').nth(0).textContent(), '–');
     await page.click('#lesson-after');
-    await says(page, '#file', '01-hello');
+    await says(page, '#file', 'walk.prg');
     await close();
   });
 
@@ -86,7 +86,7 @@ describe('one file', () => {
     await says(page, '#title', 'Mine');
     await page.waitForFunction(() => location.hash.includes('program='));
     await page.click('#original');
-    await says(page, '#file', '01-hello');
+    await says(page, '#file', 'walk.prg');
     assert.notEqual(await page.textContent('#title'), 'Mine');
     assert.equal((await page.locator('#editor .cm-line').all()).length, length);
     await close();
@@ -160,6 +160,9 @@ describe('one file', () => {
     await page.locator('#editor .cm-line').nth(2).hover({ position: { x: 20, y: 8 } });
     await page.locator('#editor .known').waitFor();
     assert.match(await page.locator('#editor .known').textContent(), /STAND_UP.*mm/s);
+    // Away from the word, its description goes.
+    await page.mouse.move(1, 1);
+    await page.locator('#editor .known').waitFor({ state: 'detached' });
     await page.locator('#editor .cm-line').nth(3).click();
     await page.keyboard.press('Home');
     await page.keyboard.type('SIT');
@@ -268,7 +271,7 @@ describe('from a server', () => {
   for (const type of ['application/octet-stream', 'application/wasm; charset=utf-8', 'Application/WASM']) {
     test(`runs where its module is called ${type}`, async () => {
       const { page, complaints, end } = await openFrom(type);
-      await says(page, '#file', '01-hello');
+      await says(page, '#file', 'walk.prg');
       assert.deepEqual(complaints, []);
       await end();
     });

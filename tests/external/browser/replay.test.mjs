@@ -306,8 +306,30 @@ test('two runs are on one page: their plots, and the second robot as a ghost', a
   await alone.page.waitForTimeout(500);
   const shot = (page) => page.$eval('#canvas', (canvas) => canvas.toDataURL());
   assert.notEqual(await shot(page), await shot(alone.page));
-  assert.deepEqual(complaints, []);
   await alone.close();
+  // The slider covers the slower run, the ghost's, which is the longer one; of the first run nothing is known after its end.
+  const last = (name) => readFileSync(`${pages}/${name}.jsonl`, 'utf8').trimEnd().split('\n').length - 2;
+  const [ends, longer] = [last('walk'), last('slow')];
+  assert.ok(longer > ends);
+  assert.equal(await page.getAttribute('#scrub', 'max'), String(longer));
+  await page.keyboard.press('End');
+  await page.waitForFunction((last) => document.getElementById('now-cycle').textContent === `${last} / ${last}`, longer);
+  await page.waitForFunction(() => [...document.querySelectorAll('.signal output')].every((one) => /^– \| -?[\d.]+$/.test(one.textContent)));
+  assert.deepEqual(complaints, []);
+  await view.close();
+});
+
+test('from where a variable got its value, one goes on to the assignment before', async () => {
+  const view = await open(browser, `${pages}/walk.html`);
+  const { page } = view;
+  await page.keyboard.press('End');
+  await page.click('#state-tab');
+  // N counts six strides; the last NEXT makes it 7.
+  const row = page.locator('#variables tr:has(button:text-is("N"))');
+  for (const value of ['7', '6', '5']) {
+    await row.locator('.from button').click();
+    assert.equal(await row.locator('td').first().textContent(), value);
+  }
   await view.close();
 });
 

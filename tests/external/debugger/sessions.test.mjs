@@ -177,7 +177,7 @@ test('variables are shown and set; in the past only when asked twice', async () 
   assert.equal((await client.setVariableRequest({ variablesReference: 1, name: 'N', value: 'N + 5' })).body.value, '55');
   await move(() => client.stepBackRequest(thread));
   const change = () => client.setVariableRequest({ variablesReference: 1, name: 'N', value: '7' });
-  await assert.rejects(change, /would be discarded; repeat it to confirm/);
+  await assert.rejects(change, /would be discarded: 1; repeat it to confirm/);
   assert.equal(await value('N'), '50');
   await change();
   assert.equal(await value('N'), '7');

@@ -296,6 +296,9 @@ messages! {
     Write { text: SmolStr }
         "write `{text}`",
         "`{text}` と書いてください";
+    BlankMissing { text: SmolStr }
+        "a blank is missing: write `{text}`",
+        "空白が足りません。`{text}` と書いてください";
     BlankAfter { command: &'static str }
         "put a blank after {command}",
         "{command}の後に空白を入れてください";

@@ -273,7 +273,7 @@ fn suggest_for_number(word: &str) -> Message {
         .find(|stop| unit.eq_ignore_ascii_case(stop.word()))
     {
         let text = format!("{number} {stop}").into();
-        return Suggestion::Write { text }.into();
+        return Suggestion::BlankMissing { text }.into();
     }
     let hex = word.strip_prefix("0x").or_else(|| word.strip_prefix("0X"));
     let binary = word.strip_prefix("0b").or_else(|| word.strip_prefix("0B"));

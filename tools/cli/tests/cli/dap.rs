@@ -312,16 +312,36 @@ fn breakpoints_bind_by_whatever_path_leads_to_the_program() {
 fn a_restart_loads_the_program_again_and_keeps_its_breakpoints() {
     let (folder, path) = folder("dap-restart");
     let mut client = Client::launched(&path, Value::Null);
-    let asked =
-        json!({ "source": { "path": path }, "breakpoints": [{ "line": 8, "condition": "N > 2" }] });
-    client.ask("setBreakpoints", asked);
+    let source = json!({ "path": path });
+    let asked = |lines: Value| json!({ "source": source, "breakpoints": lines });
+    client.ask("setBreakpoints", asked(json!([{ "line": 5 }])));
+    let lines = json!([{ "line": 99 }, { "line": 8, "condition": "N > 2" }]);
+    let placed = client.ask("setBreakpoints", asked(lines))["breakpoints"].clone();
+    // Also one that is not placed has a number, for it may be placed in a program that is loaded again.
+    let numbers = [&placed[0]["id"], &placed[1]["id"]];
+    assert!(numbers[0] != numbers[1] && numbers.iter().all(|it| it.is_u64()));
     client.begin();
-    client.go("continue", thread());
+    client.ask("continue", thread());
+    assert_eq!(
+        client.event("stopped")["hitBreakpointIds"],
+        json!([numbers[1]])
+    );
     assert_eq!(client.value("N"), "3");
     let folder = folder.file("walk.prg", PROGRAM.replace("N += 1", "N += 2"));
     client.ask("restart", json!({}));
+    for before in [&placed[0], &placed[1]] {
+        let now = client.event("breakpoint");
+        assert_eq!(
+            (&now["reason"], &now["breakpoint"]),
+            (&json!("changed"), before)
+        );
+    }
     assert_eq!(client.event("stopped")["reason"], "entry");
-    client.go("continue", thread());
+    client.ask("continue", thread());
+    assert_eq!(
+        client.event("stopped")["hitBreakpointIds"],
+        json!([numbers[1]])
+    );
     assert_eq!(
         (client.value("N"), client.value("N > 2")),
         ("4".to_owned(), "true".to_owned())

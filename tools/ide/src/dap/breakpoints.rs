@@ -12,9 +12,18 @@ use serde_json::{Value, json};
 use tip_sim::debug::{DebugError, Placed, When};
 use tipc::message::Lang;
 
+/// The numbers of a breakpoint.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Numbers {
+    /// The number that the client knows; a restart keeps it.
+    pub(super) client: u32,
+    /// The number in the debugger, if the breakpoint could be placed.
+    pub(super) debugger: Option<u32>,
+}
+
 /// A kind of breakpoints; a client replaces all of a kind together.
 #[derive(Clone, Copy)]
-pub(super) enum Kind {
+enum Kind {
     /// On a line.
     Line,
     /// On a command, label or routine.
@@ -121,11 +130,16 @@ impl<L: Launcher> Session<L> {
         self.answer_with(Kind::Watch, answers)
     }
 
-    /// Sets the breakpoints that the client last asked for again, in a program that has been loaded again.
+    /// Sets the breakpoints that the client last asked for again, in a program that has been loaded again. They keep their
+    /// numbers; the client is told where they are now.
     pub(super) fn set_all_again(&mut self) -> Result<(), String> {
-        self.breakpoints = Default::default();
+        self.kept = std::mem::take(&mut self.breakpoints);
         for (command, arguments) in self.wanted.clone() {
-            self.set(&command, arguments)?;
+            let answer = self.set(&command, arguments)?.unwrap_or_default();
+            for breakpoint in answer["breakpoints"].as_array().into_iter().flatten() {
+                let body = json!({ "reason": "changed", "breakpoint": breakpoint });
+                self.event("breakpoint", Some(body));
+            }
         }
         Ok(())
     }
@@ -158,20 +172,43 @@ impl<L: Launcher> Session<L> {
 
     /// Removes the breakpoints of a kind.
     fn clear(&mut self, kind: Kind) -> Result<(), String> {
-        let ids = std::mem::take(&mut self.breakpoints[kind as usize]);
+        let all = std::mem::take(&mut self.breakpoints[kind as usize]);
         let debugger = &mut self.debuggee()?.debugger;
-        for id in ids {
+        for id in all.into_iter().filter_map(|one| one.debugger) {
             debugger.remove_breakpoint(id);
             debugger.unwatch(id);
         }
         Ok(())
     }
 
-    /// Remembers the ids of new breakpoints, and returns the body of the response.
-    fn answer_with(&mut self, kind: Kind, answers: Vec<Breakpoint>) -> Answer {
-        let ids = answers.iter().filter_map(|one| one.id);
-        self.breakpoints[kind as usize] = ids.collect();
+    /// Numbers new breakpoints for the client, and returns the body of the response.
+    fn answer_with(&mut self, kind: Kind, mut answers: Vec<Breakpoint>) -> Answer {
+        let mut kept = std::mem::take(&mut self.kept[kind as usize]).into_iter();
+        let mut all = Vec::new();
+        for answer in &mut answers {
+            let client = kept
+                .next()
+                .map_or_else(|| self.new_number(), |one| one.client);
+            let debugger = answer.id.replace(client);
+            all.push(Numbers { client, debugger });
+        }
+        self.breakpoints[kind as usize] = all;
         Ok(Some(json!({ "breakpoints": values(answers) })))
+    }
+
+    fn new_number(&mut self) -> u32 {
+        self.numbered += 1;
+        self.numbered
+    }
+
+    /// Returns the client's number of a breakpoint of the debugger, and true if it is on a name.
+    pub(super) fn known_breakpoint(&self, id: u32) -> Option<(u32, bool)> {
+        let of = |kind: usize| {
+            let mut all = self.breakpoints[kind].iter();
+            let found = all.find(|one| one.debugger == Some(id))?;
+            Some((found.client, kind == Kind::Name as usize))
+        };
+        (0..self.breakpoints.len()).find_map(of)
     }
 
     /// Returns the number that the client gives to the first column.

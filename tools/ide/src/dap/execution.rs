@@ -1,7 +1,6 @@
 //! Movements forwards and backwards, and the events that report their progress and where they stop.
 
 use super::Launcher;
-use super::breakpoints::Kind;
 use super::inspection::thread;
 use super::protocol::Step;
 use super::session::{Answer, MAIN, Session, read};
@@ -172,20 +171,22 @@ impl<L: Launcher> Session<L> {
             return self.end_as_program();
         }
         self.reported_end = is_end.then_some(stop.at);
-        let by_name = |id: &u32| self.breakpoints[Kind::Name as usize].contains(id);
         match &stop.reason {
             Reason::Start => self.stopped_because("entry", Some(self.text(Debugging::Start))),
             Reason::Step => self.stopped_because("step", None),
             Reason::There => self.stopped_because("goto", None),
             Reason::Breakpoint(id) => {
-                let reason = if by_name(id) {
-                    "function breakpoint"
-                } else {
-                    "breakpoint"
+                let known = self.known_breakpoint(*id);
+                let reason = match known {
+                    Some((_, true)) => "function breakpoint",
+                    _ => "breakpoint",
                 };
-                self.stopped_at(reason, None, Some(*id));
+                self.stopped_at(reason, None, known.map(|(id, _)| id));
             }
-            Reason::Watch { id, .. } => self.stopped_at("data breakpoint", None, Some(*id)),
+            Reason::Watch { id, .. } => {
+                let known = self.known_breakpoint(*id);
+                self.stopped_at("data breakpoint", None, known.map(|(id, _)| id));
+            }
             Reason::Fall(fall) => {
                 let text = self.text(DebugAdapter::FellIn {
                     cycle: count(fall.cycle),

@@ -1,5 +1,6 @@
 //! The state of a session: requests are dispatched, and responses and events are queued. It does no input or output.
 
+use super::breakpoints::Numbers;
 use super::protocol::{
     Capabilities, Client, Event, Filter, Launch, Request, Response, Restart, Sent,
 };
@@ -28,8 +29,12 @@ pub struct Session<L> {
     pub(super) client: Client,
     pub(super) launch: Launch,
     pub(super) debuggee: Option<Debuggee>,
-    /// The ids of breakpoints by kind.
-    pub(super) breakpoints: [Vec<u32>; 3],
+    /// The numbers of breakpoints by kind, in the order of the request that set them.
+    pub(super) breakpoints: [Vec<Numbers>; 3],
+    /// Those of before a restart, until they are set again.
+    pub(super) kept: [Vec<Numbers>; 3],
+    /// The last number that a breakpoint was given.
+    pub(super) numbered: u32,
     /// The last request of each kind that set breakpoints.
     pub(super) wanted: BTreeMap<String, Value>,
     /// The cycle and text of a change that would discard later cycles; repeating it confirms it.
@@ -59,6 +64,8 @@ impl<L: Launcher> Session<L> {
             launch: Launch::default(),
             debuggee: None,
             breakpoints: Default::default(),
+            kept: Default::default(),
+            numbered: 0,
             wanted: BTreeMap::new(),
             unconfirmed: None,
             has_progress: false,

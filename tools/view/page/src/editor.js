@@ -57,7 +57,8 @@ const look = EditorView.theme({
   '.cm-selectionBackground, &.cm-focused .cm-selectionBackground': { backgroundColor: 'var(--accent-soft) !important' },
   '.lit': { backgroundColor: 'var(--lit)', boxShadow: 'inset 3px 0 var(--accent)' },
   '.thread': { boxShadow: 'inset 3px 0 var(--good)' },
-  '.thread::after': { content: 'attr(data-threads)', marginLeft: '24px', fontSize: '11px', color: 'var(--good)' },
+  // At the end of its line, and in sight where the line is longer than the editor is wide.
+  '.thread::after': { content: 'attr(data-threads)', display: 'inline-block', position: 'sticky', right: '8px', marginLeft: '24px', padding: '0 6px', borderRadius: '4px', backgroundColor: 'var(--card)', fontSize: '11px', color: 'var(--good)' },
   '.comment': { color: 'var(--good)' },
   '.cm-tooltip': { backgroundColor: 'var(--card)', color: 'var(--text)', border: '1px solid var(--line)', borderRadius: '6px', maxWidth: '420px', padding: '2px 6px' },
   '.known': { fontFamily: 'system-ui, "Hiragino Sans", "Noto Sans JP", "Noto Sans CJK JP", sans-serif', padding: '2px 2px' },
@@ -82,6 +83,8 @@ export class Editor {
     this.own = crypto.getRandomValues(new Uint32Array(2)).join('-');
     this.version = 0;
     this.findings = [];
+    // What goes on once the session has answered an edit.
+    this.behind = [];
     // Its keys are not those of the page.
     element('editor').addEventListener('keydown', (event) => event.stopPropagation());
     this.view = new EditorView({ parent: shadow(element('editor')), root: element('editor').shadowRoot, state: this.fresh('') });
@@ -118,10 +121,18 @@ export class Editor {
     return this.requests.send(request);
   }
 
-  /** The answer to a question about the text as it stands; nothing if the session does not have it yet. */
+  /** The answer to a question about the text as it stands; nothing if it has changed before the session could have it. */
   async inquire(question) {
+    const { text } = this;
     this.sendText();
-    return this.text === (this.waits ? this.sent : this.known) ? this.requests.ask(question) : undefined;
+    // What was sent before is still on its way; this text follows it.
+    if (!this.reaches(text)) await new Promise((go) => this.behind.push(go));
+    return text === this.text && this.reaches(text) ? this.requests.ask(question) : undefined;
+  }
+
+  /** Whether the session has a text, or has it before whatever is sent now. */
+  reaches(text) {
+    return text === (this.waits ? this.sent : this.known);
   }
 
   updated({ docChanged, changes, transactions }) {
@@ -141,7 +152,12 @@ export class Editor {
   }
 
   /** The session has this text: what was sent, or another viewer's, or the file's. */
-  takeText({ version, by, text }) {
+  takeText(update) {
+    this.follow(update);
+    this.behind.splice(0).forEach((go) => go());
+  }
+
+  follow({ version, by, text }) {
     const edited = this.version && this.text !== this.known;
     [this.version, this.known, this.waits] = [version, text, false];
     if (text === this.text) return;

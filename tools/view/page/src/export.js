@@ -26,7 +26,7 @@ export function exporting(player, stage) {
   };
   const span = () => {
     const seconds = Math.max(Number(element('export-seconds').value) || 0, 0.1);
-    return [player.time, Math.min(player.time + seconds * 1000, player.recording.duration)];
+    return [player.time, Math.min(player.time + seconds * 1000, player.end)];
   };
   const rate = () => Math.min(Math.max(Number(element('export-rate').value) || 25, 1), 60);
 
@@ -105,9 +105,9 @@ export function exporting(player, stage) {
       status.textContent = text();
     }
   };
-  const address = () => `${location.href.split('#')[0]}#cycle=${player.cycle}`;
+  const address = () => `${location.href.split('#')[0]}#cycle=${player.place}`;
   const quoted = (text) => text.replace(/&/g, '&amp;').replace(/"/g, '&quot;');
-  element('save-image').addEventListener('click', doing(async () => save(await image(), `${stem}-${player.cycle}.png`)));
+  element('save-image').addEventListener('click', doing(async () => save(await image(), `${stem}-${player.place}.png`)));
   element('save-frames').addEventListener('click', doing(frames));
   element('save-gif').addEventListener('click', doing(gif));
   element('save-video').addEventListener('click', doing(video));

@@ -15,11 +15,18 @@ const BEGUN = /[A-Za-z_][\w.]*$/;
 export function knowledge(ask, valueAt) {
   return [
     hoverTooltip((view, place) => hover(view.state.doc, place, ask, valueAt)),
-    autocompletion({ override: [(context) => offers(context, ask)], icons: false }),
+    autocompletion({ override: [(context) => offers(context, ask)], icons: false, positionInfo: beside }),
     keymap.of(completionKeymap),
     // All of them stay within the editor, whose section shows nothing outside of it.
     tooltips({ tooltipSpace: ({ dom }) => dom.getBoundingClientRect() }),
   ];
+}
+
+/** The description of an offer stands below the list of offers, or above it, and covers none of them. */
+function beside(view, list, option, info, space) {
+  const height = info.bottom - info.top;
+  const below = list.bottom + height <= space.bottom || list.top - height < space.top;
+  return { style: `left: 0; ${below ? 'top' : 'bottom'}: ${list.bottom - list.top}px; max-width: ${Math.min(space.right - list.left, 400)}px` };
 }
 
 async function hover(doc, place, ask, valueAt) {

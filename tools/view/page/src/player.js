@@ -6,8 +6,9 @@ const SELDOM = 90;
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 
 export class Player {
-  constructor(recording) {
-    this.recording = recording;
+  /** Of a recording, and of another one that is compared with it and may be longer. */
+  constructor(recording, other) {
+    Object.assign(this, { recording, other });
     this.time = recording.endOf(0);
     this.speed = 1;
     this.playing = false;
@@ -17,7 +18,22 @@ export class Player {
   }
 
   get cycle() {
-    return this.recording.cycleAt(this.time);
+    return Math.min(this.place, this.recording.cycles - 1);
+  }
+
+  /** The cycle where one is; it counts on after the recording's end while the other one still runs. */
+  get place() {
+    return this.recording.countAt(this.time);
+  }
+
+  /** The place where the longer one ends. */
+  get lastPlace() {
+    return this.recording.countAt(this.end);
+  }
+
+  /** When the longer one ends: ms. */
+  get end() {
+    return Math.max(this.recording.duration, this.other?.duration ?? 0);
   }
 
   /** Calls a function whenever one is elsewhere. */
@@ -54,27 +70,26 @@ export class Player {
 
   goToTime(time) {
     const first = this.recording.endOf(0);
-    this.time = Math.min(Math.max(time, first), this.recording.duration);
+    this.time = Math.min(Math.max(time, first), this.end);
     this.listeners.forEach((listener) => listener());
   }
 
   goTo(cycle) {
-    const last = this.recording.cycles - 1;
-    this.goToTime(this.recording.endOf(Math.min(Math.max(cycle, 0), last)));
+    this.goToTime(this.recording.endOf(Math.min(Math.max(cycle, 0), this.lastPlace)));
   }
 
   step(cycles) {
     this.pause();
-    this.goTo(this.cycle + cycles);
+    this.goTo(this.place + cycles);
   }
 
   /** To the next mark, or back to the one before. */
   skip(way) {
     const cycles = this.recording.marks.map((mark) => mark.cycle);
     const ordered = way > 0 ? cycles : cycles.toReversed();
-    const next = ordered.find((cycle) => (cycle - this.cycle) * way > 0);
+    const next = ordered.find((cycle) => (cycle - this.place) * way > 0);
     this.pause();
-    this.goTo(next ?? (way > 0 ? this.recording.cycles - 1 : 0));
+    this.goTo(next ?? (way > 0 ? this.lastPlace : 0));
   }
 
   setSpeed(speed) {
@@ -94,7 +109,7 @@ export class Player {
 
   play() {
     if (this.playing) return;
-    if (this.time >= this.recording.duration) this.goTo(0);
+    if (this.time >= this.end) this.goTo(0);
     this.playing = true;
     this.last = undefined;
     this.changed();
@@ -113,7 +128,7 @@ export class Player {
     const passed = now - (this.last ?? now);
     this.last = now;
     this.glide(() => this.goToTime(this.time + passed * this.speed));
-    if (this.time >= this.recording.duration) this.pause();
+    if (this.time >= this.end) this.pause();
     else requestAnimationFrame((next) => this.tick(next));
   }
 

@@ -16,11 +16,10 @@ const FAINT = '70';
 const DASHES = [[], [6, 3], [2, 2], [8, 2, 2, 2]];
 
 export class Plots {
-  /** Of a player, and of another recording to compare. */
-  constructor(player, other) {
+  constructor(player) {
     this.player = player;
     this.recording = player.recording;
-    this.other = other;
+    this.other = player.other;
     this.box = element('plots');
     this.chosen = firstChoice(this.recording);
     this.range = this.whole;
@@ -35,7 +34,7 @@ export class Plots {
 
   /** From when to when the runs are: s. */
   get whole() {
-    return [0, Math.max(this.recording.duration, this.other?.duration ?? 0) / 1000];
+    return [0, this.player.end / 1000];
   }
 
   /** The time under the pointer, else that of the player: ms. */

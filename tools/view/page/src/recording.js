@@ -60,10 +60,14 @@ export class Recording {
 
   /** The last cycle that was over at a time. */
   cycleAt(time) {
+    return Math.min(this.countAt(time), this.cycles - 1);
+  }
+
+  /** The same, counted on after the end of the run. */
+  countAt(time) {
     let tick = this.clock[countUpTo(this.clock, time, ({ time, period }) => time + period - 1e-6) - 1];
     tick ??= this.clock[0] ?? { cycle: 0, time: 0, period: 20 };
-    const cycle = tick.cycle + Math.floor((time - tick.time) / tick.period + 1e-6) - 1;
-    return Math.min(Math.max(cycle, 0), this.cycles - 1);
+    return Math.max(tick.cycle + Math.floor((time - tick.time) / tick.period + 1e-6) - 1, 0);
   }
 
   stepAt(cycle) {

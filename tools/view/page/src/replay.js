@@ -19,7 +19,7 @@ export async function openReplay(held) {
   const recording = await Recording.of(held.textContent);
   const compared = element('compared').textContent;
   const other = compared && (await Recording.of(compared));
-  player = new Player(recording);
+  player = new Player(recording, other);
   element('title').textContent = recording.script.title || recording.script.name;
   whenSpoken(() => {
     const ghost = other ? ` · ${word('ghost', other.script.name)}` : '';
@@ -29,7 +29,7 @@ export async function openReplay(held) {
   if (other) stage?.compare(other);
   // Charts can wait until the robot is there.
   let plots;
-  const charts = () => (plots ??= new Plots(player, other));
+  const charts = () => (plots ??= new Plots(player));
   const strip = timeline(player);
   const plot = (scalar) => {
     showTab('plots-tab');
@@ -59,7 +59,7 @@ export async function openReplay(held) {
   tabs();
   dialogs();
   keys(player, stage);
-  const go = () => player.goTo(linked() ?? player.cycle);
+  const go = () => player.goTo(linked() ?? player.place);
   window.addEventListener('hashchange', () => {
     player.pause();
     go();
@@ -87,7 +87,7 @@ function rememberPlace(player) {
   clearTimeout(rememberPlace.due);
   rememberPlace.due = setTimeout(() => {
     try {
-      history.replaceState(null, '', `#cycle=${player.cycle}`);
+      history.replaceState(null, '', `#cycle=${player.place}`);
     } catch {
       // A page inside another one may have no address of its own.
     }

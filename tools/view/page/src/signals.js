@@ -34,8 +34,9 @@ export function firstChoice(recording) {
   return new Set(recording.has('load.0') ? hand : arm);
 }
 
-/** The value of a signal at a time (ms); none of a variable before it is assigned. */
+/** The value of a signal at a time (ms); none after the end of the run, and none of a variable before it is assigned. */
 export function valueOf(recording, { column, scalar }, time) {
+  if (time > recording.duration) return undefined;
   if (column) return recording.value(column, recording.between(time));
   return recording.valueAt(scalar, recording.cycleAt(time));
 }

@@ -39,8 +39,11 @@ export function state(player, plot, assign) {
     cells = recording.script.scalars.map((name, scalar) => {
       const [value, from] = [make('td'), make('button', { type: 'button' })];
       from.addEventListener('click', () => {
+        const { cycle } = player;
+        const set = recording.assignedAt(scalar, cycle);
         player.pause();
-        player.goTo(recording.assignedAt(scalar, player.cycle));
+        // From there to the assignment before.
+        player.goTo((set === cycle ? recording.assignedAt(scalar, cycle - 1) : set) ?? set);
       });
       if (assign) assignable(value, name, assign);
       const button = make('button', { type: 'button', textContent: name });

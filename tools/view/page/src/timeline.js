@@ -26,20 +26,20 @@ export function timeline(player) {
   player.onState(showState);
   whenSpoken(showState);
   player.onMove(() => {
-    const { cycle } = player;
+    const { place, lastPlace } = player;
     slider.min = recording.first ?? 0;
-    slider.max = recording.cycles - 1;
-    slider.value = cycle;
-    const text = `${word('cycle')} ${cycle}, ${clockTime(player.time)}`;
+    slider.max = lastPlace;
+    slider.value = place;
+    const text = `${word('cycle')} ${place}, ${clockTime(player.time)}`;
     slider.setAttribute('aria-valuetext', text);
-    element('now-cycle').textContent = `${cycle} / ${recording.cycles - 1}`;
+    element('now-cycle').textContent = `${place} / ${lastPlace}`;
     element('now-time').textContent = clockTime(player.time);
   });
-  return { draw: () => drawMarks(strip, recording) };
+  return { draw: () => drawMarks(strip, player) };
 }
 
 /** Where along the run something happened. */
-function drawMarks(canvas, recording) {
+function drawMarks(canvas, { recording, lastPlace }) {
   const { clientWidth: width, clientHeight: height } = canvas;
   const ratio = devicePixelRatio;
   [canvas.width, canvas.height] = [width * ratio, height * ratio];
@@ -48,7 +48,7 @@ function drawMarks(canvas, recording) {
   // The thumb of the slider does not reach the ends of its track.
   const inset = 8;
   const first = recording.first ?? 0;
-  const x = (cycle) => inset + ((width - 2 * inset) * (cycle - first)) / Math.max(recording.cycles - 1 - first, 1);
+  const x = (cycle) => inset + ((width - 2 * inset) * (cycle - first)) / Math.max(lastPlace - first, 1);
   for (const { cycle, kind } of recording.marks) {
     const grave = kind === 'fall' || kind === 'fault';
     pen.fillStyle = colour(MARKS[kind]);
