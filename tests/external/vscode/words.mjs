@@ -16,6 +16,7 @@ const CLASSES = [
   ['support.function.command', 'function'],
   ['support.function.math', 'method'],
   ['variable.language.flag', 'event'],
+  ['variable.language.reading', 'variable'],
   ['constant.language', 'enumMember'],
   ['storage.modifier', 'modifier'],
   ['variable.other.member', 'property'],

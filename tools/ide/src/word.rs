@@ -122,9 +122,29 @@ impl Document {
         let mut at = text.start;
         for named in self.loaded.symbols.within(text) {
             let place = named.span;
-            push(words, Span::new(at, place.start), WordKind::Text);
+            self.text_without_names(Span::new(at, place.start), words);
             push(words, place, WordKind::Name(*named));
             at = place.end;
+        }
+        self.text_without_names(Span::new(at, text.end), words);
+    }
+
+    /// Adds a text, and the special variables between its percent signs, as `%@POS_F1.0%`.
+    fn text_without_names(&self, text: Span, words: &mut Vec<Word>) {
+        let mut at = text.start;
+        for (percent, _) in self.slice(text).match_indices("%@") {
+            let start = text.start + percent + 1;
+            let inside = self.slice(Span::new(start, text.end));
+            let Some((inside, _)) = inside.split_once('%') else {
+                break;
+            };
+            let name = inside.split('.').next().unwrap_or_default();
+            if let Some(row) = reading(&name.to_ascii_uppercase(), self.edition()) {
+                let place = Span::new(start, start + name.len());
+                push(words, Span::new(at, start), WordKind::Text);
+                push(words, place, WordKind::Reading(row));
+                at = place.end;
+            }
         }
         push(words, Span::new(at, text.end), WordKind::Text);
     }
@@ -149,20 +169,29 @@ impl Document {
         match token.kind {
             Kind::Colon => {}
             Kind::Word => match self.name_in(token.span) {
-                Some(named) => self.name(token.span, named, words),
+                Some(named) => {
+                    self.name(token.span, named.span, WordKind::Name(named), words);
+                }
                 None => {
-                    let kind = self.meaning(self.slice(token.span), command, is_first);
-                    push(words, token.span, kind);
+                    let word = self.slice(token.span);
+                    let kind = self.meaning(word, command, is_first);
+                    let name = match kind {
+                        WordKind::Reading(_) => word.split('.').next().unwrap_or(word),
+                        _ => word,
+                    };
+                    let start = token.span.start;
+                    let name = Span::new(start, start + name.len());
+                    self.name(token.span, name, kind, words);
                 }
             },
             _ => push(words, token.span, WordKind::Operator),
         }
     }
 
-    /// Adds a name and the member after it.
-    fn name(&self, span: Span, named: Use, words: &mut Vec<Word>) {
-        push(words, named.span, WordKind::Name(named));
-        let rest = Span::new(named.span.end, span.end);
+    /// Adds a name and the member after it, up to the end of a token.
+    fn name(&self, span: Span, name: Span, kind: WordKind, words: &mut Vec<Word>) {
+        push(words, name, kind);
+        let rest = Span::new(name.end, span.end);
         if let Some(member) = self.slice(rest).strip_prefix('.') {
             let place = Span::new(rest.start + 1, rest.end);
             push(

@@ -1,7 +1,8 @@
 //! Hints, folding, classes of words.
 
 use super::cursor;
-use tip_ide::{FoldKind, TokenClass};
+use tip_ide::{Document, FoldKind, TokenClass};
+use tipc::Options;
 use tipc::source::Span;
 
 fn hints(statements: &str) -> Vec<(u32, String)> {
@@ -82,7 +83,11 @@ fn a_block_that_is_open_folds_nothing() {
 /// The words of a line with their classes; `+` declares, `=` assigns.
 #[track_caller]
 fn check(statements: &str, expected: &[(&str, TokenClass, &str)]) {
-    let (document, at) = cursor(statements);
+    check_at(cursor(statements), expected);
+}
+
+#[track_caller]
+fn check_at((document, at): (Document, usize), expected: &[(&str, TokenClass, &str)]) {
     let line = document.source().line_column(at).0;
     let span = document.source().line(line).span;
     let tokens = document.semantic_tokens(span).into_iter();
@@ -96,7 +101,7 @@ fn check(statements: &str, expected: &[(&str, TokenClass, &str)]) {
             (document.source().slice(it.span), it.class, marks)
         })
         .collect();
-    assert_eq!(found, expected, "{statements}");
+    assert_eq!(found, expected, "{}", document.source().text());
 }
 
 #[test]
@@ -144,6 +149,18 @@ fn words_have_their_classes() {
             ("歩 %", TokenClass::Text, ""),
             ("A", TokenClass::Variable, ""),
             ("% 数", TokenClass::Text, ""),
+        ],
+    );
+    // A special variable of edition 3.2.
+    let text = "3.2\nTitle\nMESSAGE at %@POS_F1.0% mm\nEND\n";
+    let document = Document::new("test.prg", text, &Options::default());
+    check_at(
+        (document, text.find("MESSAGE").expect("it is there")),
+        &[
+            ("MESSAGE", TokenClass::Keyword, ""),
+            ("at %", TokenClass::Text, ""),
+            ("@POS_F1", TokenClass::Variable, ""),
+            (".0% mm", TokenClass::Text, ""),
         ],
     );
     check("$0END REM\nREM\n", &[("END", TokenClass::Keyword, "")]);
