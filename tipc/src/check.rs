@@ -81,6 +81,7 @@ pub(crate) fn check<'m>(
     }
     let resolved = statements.map(|statements| ResolvedModule {
         variables: names.variables,
+        constants: names.constants,
         labels: labels.all,
         statements,
     });

@@ -37,6 +37,7 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
         title: "built by hand".to_owned(),
         signature,
         variables: declared,
+        constants: Vec::new(),
         labels: Vec::new(),
         threads: Vec::new(),
         steps: steps.collect(),

@@ -21,9 +21,12 @@ pub(crate) fn lower(
 ) -> Program {
     let ResolvedModule {
         variables,
+        constants,
         labels,
         statements,
     } = resolved;
+    let constants = constants.into_iter();
+    let constants = constants.filter_map(|constant| Some((constant.name, constant.value?)));
     let is_thread = |label: &&DeclaredLabel<'_>| label.kind == LabelKind::Thread;
     let threads: Vec<_> = labels.iter().filter(is_thread).copied().collect();
     let lowering = Lowering {
@@ -67,6 +70,7 @@ pub(crate) fn lower(
         title: module.title.clone(),
         signature: robot.signature(),
         variables,
+        constants: constants.collect(),
         labels,
         threads,
         steps,

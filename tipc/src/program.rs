@@ -27,6 +27,7 @@ pub struct Program {
     pub(crate) title: String,
     pub(crate) signature: Signature,
     pub(crate) variables: Vec<Variable>,
+    pub(crate) constants: Vec<(SmolStr, f64)>,
     pub(crate) labels: Vec<Label>,
     pub(crate) threads: Vec<Thread>,
     pub(crate) steps: Vec<Step>,
@@ -62,6 +63,11 @@ impl Program {
     /// others in order of declaration.
     pub fn variables(&self) -> &[Variable] {
         &self.variables
+    }
+
+    /// Returns the constants that DEFINE names, with their values, in order of definition.
+    pub fn constants(&self) -> &[(SmolStr, f64)] {
+        &self.constants
     }
 
     /// Returns the labels in order of their steps.

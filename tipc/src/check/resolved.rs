@@ -1,6 +1,7 @@
 //! A module whose statements are all resolved: what their words stand for, and which of them belong together.
 
 use super::labels::DeclaredLabel;
+use super::names::NamedConstant;
 use crate::program::{
     Argument, Arithmetic, Condition, Mark, MessagePart, Op, Operand, Port, Scalar,
     ScalarExpression, StructExpression, StructOperand, Target, Teach, Variable, VariableId,
@@ -11,6 +12,8 @@ use crate::program::{
 pub(crate) struct ResolvedModule<'m> {
     /// The variables, `VAR_KEY` first.
     pub(crate) variables: Vec<Variable>,
+    /// The constants that DEFINE names.
+    pub(crate) constants: Vec<NamedConstant>,
     /// The labels and SUBROUTINEs.
     pub(crate) labels: Vec<DeclaredLabel<'m>>,
     /// Meaning of each statement of the module.

@@ -438,6 +438,7 @@ tipc::message_table! {
     Motion "its motion is done", "動作が終わるまで";
     Touch "it detects a contact", "接触を感じるまで";
     Native "its native code is done", "ネイティブコードが終わるまで";
+    Thread { name: Text } "thread {name} ends", "スレッド{name}が終わるまで";
 }
 
 tipc::message_table! {

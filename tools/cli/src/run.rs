@@ -238,7 +238,7 @@ fn connected(arguments: &Run, file: &Path) -> Result<Option<Connection>, Error> 
 impl Job<'_> {
     /// Returns the run before its first cycle.
     fn new_run(&self, program: Program, robot: &Robot) -> Result<tip_sim::Run, Error> {
-        let run = self.start(Interpreter::new(program), robot)?;
+        let run = self.start(Interpreter::new(program), robot)?.followed();
         run.with_events(&self.inputs.events).map_err(|refused| {
             Error::Usage(refused.text(self.arguments.source.output_options.lang()))
         })

@@ -1,7 +1,7 @@
 //! Conditions and equations that someone asks of a program while it runs, in the program's own language.
 //!
-//! A question is read and checked as a line of a program that has the same variables, so that whoever knows the
-//! language knows how to ask.
+//! A question is read and checked as a line of a program that has the same variables and constants, so that whoever knows
+//! the language knows how to ask.
 
 use crate::Options;
 use std::fmt::Write;
@@ -31,10 +31,13 @@ pub struct QueryContext {
 
 impl QueryContext {
     /// Creates a context from a program that was loaded with these options. Each name of `more` that the program does
-    /// not declare is a VAR as well; its number is that of the program's variables, and so on.
+    /// not declare or define is a VAR as well; its number is that of the program's variables, and so on.
     pub fn new(program: &Program, options: Options, more: &[&str]) -> Self {
-        let variables = program.variables();
-        let is_free = |name: &str| variables.iter().all(|variable| variable.name != name);
+        let (variables, constants) = (program.variables(), program.constants());
+        let is_free = |name: &str| {
+            variables.iter().all(|variable| variable.name != name)
+                && constants.iter().all(|(constant, _)| constant != name)
+        };
         let more = more.iter().filter(|name| is_free(name));
         let more: Vec<String> = more.map(|name| (*name).to_owned()).collect();
         let mut answer = "ANSWER".to_owned();
@@ -46,6 +49,9 @@ impl QueryContext {
         let declared = variables.iter().skip(1);
         for Variable { name, kind, .. } in declared.filter(|it| it.special.is_none()) {
             declare(&mut head, *kind, name);
+        }
+        for (name, value) in constants {
+            let _ = writeln!(head, "{} {name} {value:?}", Keyword::Define.word());
         }
         for name in more.iter().chain([&answer]) {
             declare(&mut head, VariableKind::Var, name);
@@ -237,10 +243,12 @@ mod tests {
     // clauses: 13.2 13.3
     #[test]
     fn a_program_of_3_2_is_asked_in_its_edition() {
-        let text = "3.2\nAsked\nDEF_VAR A\nA = 1\nPOS_SPECIAL_1.X = A\nVAR_SPECIAL_4 = A\nEND\n";
+        let text = "3.2\nAsked\nDEF_VAR A\nDEFINE FAR -1E20\nDEFINE TIME FAR\nA = 1\nPOS_SPECIAL_1.X = A\n\
+            VAR_SPECIAL_4 = A\nEND\n";
         let options = Options::default();
         let program = lowered("asked.prg", text.as_bytes(), &options).0.program;
-        let queries = QueryContext::new(&program.expect("it is right"), options, &["CYCLE"]);
+        let more = &["CYCLE", "TIME"];
+        let queries = QueryContext::new(&program.expect("it is right"), options, more);
         assert_eq!(queries.own(), 4, "VAR_KEY, VAR_SPECIAL_4, POS_SPECIAL_1, A");
         let value = |text| queries.number(text).map_err(|error| error.span.start);
         let variable = |variable, member| Ok(ScalarExpression::Operand(scalar(variable, member)));
@@ -249,6 +257,9 @@ mod tests {
         assert_eq!(value("A"), variable(3, 0));
         assert_eq!(value("CYCLE"), variable(4, 0));
         assert!(value("@TIMER0").is_ok());
+        let constant = |value| Ok(ScalarExpression::Operand(Operand::Constant(value)));
+        assert_eq!(value("-far"), constant(1e20));
+        assert_eq!(value("TIME"), constant(-1e20), "the program's own");
         // The program has no such variable.
         assert!(value("VAR_SPECIAL_5").is_err());
     }

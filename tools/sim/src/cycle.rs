@@ -8,8 +8,8 @@ use tip_runtime::plant::Pose;
 use tip_runtime::program::{Program, THREADS};
 use tip_runtime::record::{self, Sink, state_hash};
 
-/// One control cycle. Where several steps ran in it, it has what all of them assigned, the last step of the main
-/// program, and the last message, text, lamp and command. Where [`step`](Self::step) is none no step ran to its end, and what a step does is empty.
+/// One control cycle. Where several steps ran in it, it has the last one of the main program, and the effects of all.
+/// Where [`step`](Self::step) is none and no thread had a turn, no step ran to its end, and what a step does is empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
     /// Its number, from 0.
@@ -22,16 +22,16 @@ pub struct Cycle {
     pub next: Option<u32>,
     /// Scalars by name whose bits changed or that became assigned, with their values, in order of declaration.
     pub set: Vec<(String, f64)>,
-    /// Text of a MESSAGE; an empty one cleared the line.
-    pub say: Option<String>,
+    /// The text of each MESSAGE; an empty one cleared the line.
+    pub messages: Vec<String>,
     /// Text that F_MESSAGE appended to FOUT.LOG.
     pub out: Option<String>,
-    /// The lamp that was switched, and whether on.
-    pub lamp: Option<(u8, bool)>,
+    /// Each lamp that was switched, and whether on.
+    pub lamps: Vec<(u8, bool)>,
     /// Each thread that had a turn, with its last step.
     pub threads: Vec<(u8, u32)>,
-    /// The command that was accepted, in its first cycle.
-    pub command: Option<IssuedCommand>,
+    /// The commands that were accepted, each in its first cycle.
+    pub commands: Vec<IssuedCommand>,
     /// Pose of the body after the cycle; none for a robot that stays where it is. A robot outside
     /// of this process gives the pose at the beginning of the cycle.
     pub pose: Option<Pose>,
@@ -78,11 +78,11 @@ pub(crate) struct Collector {
     step: Option<u32>,
     next: Option<u32>,
     set: Vec<(String, f64)>,
-    say: Option<String>,
+    messages: Vec<String>,
     out: Option<String>,
     threads: Vec<(u8, u32)>,
-    lamp: Option<(u8, bool)>,
-    command: Option<IssuedCommand>,
+    lamps: Vec<(u8, bool)>,
+    commands: Vec<IssuedCommand>,
 }
 
 impl Collector {
@@ -100,11 +100,11 @@ impl Collector {
             step: self.step,
             next: self.next,
             set: self.set,
-            say: self.say,
+            messages: self.messages,
             out: self.out,
-            lamp: self.lamp,
+            lamps: self.lamps,
             threads: self.threads,
-            command: self.command,
+            commands: self.commands,
             pose: machine.hardware().pose(),
             state: state_hash(machine.commands(), machine.angles()),
             status,
@@ -125,7 +125,7 @@ impl Sink for Collector {
     }
 
     fn command(&mut self, command: &Command<'_>) {
-        self.command = Some(IssuedCommand {
+        self.commands.push(IssuedCommand {
             op: command.op,
             hs: command.hs,
             target: command.target,
@@ -134,7 +134,7 @@ impl Sink for Collector {
     }
 
     fn say(&mut self, text: &dyn Display) {
-        self.say = Some(text.to_string());
+        self.messages.push(text.to_string());
     }
 
     fn out(&mut self, text: &dyn Display) {
@@ -142,7 +142,7 @@ impl Sink for Collector {
     }
 
     fn lamp(&mut self, device: u8, on: bool) {
-        self.lamp = Some((device, on));
+        self.lamps.push((device, on));
     }
 
     fn cycle(&mut self, cycle: &record::Cycle<'_>) {

@@ -48,7 +48,7 @@ pub use model::{Anatomy, Limb};
 pub use motion::{Fall, Grasp, Limbs};
 pub use plant::Plant;
 pub use process_group::end_processes;
-pub use program_runner::{ProgramRunner, Replacement};
+pub use program_runner::{ProgramRunner, Replacement, StepTaken};
 pub use real_hardware::Joints;
 pub use refused::Refused;
 pub use robot::{GraspsNothing, Robot, UnknownRobot};

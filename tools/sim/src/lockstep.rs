@@ -30,12 +30,12 @@ pub use answer::{Answer, ReachedPoints, RunEnd, Session, serve};
 
 use crate::event::Inputs;
 use crate::interp::Interpreter;
+use crate::program_runner::StepTaken;
 use crate::refused::Refused;
 use crate::robot::Robot;
 use crate::run::Run;
 use side::Side;
 use std::sync::Arc;
-use tip_lint::coverage_points::ProgramPoint;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, Sink};
@@ -58,9 +58,9 @@ pub enum Evidence {
 
 /// Goes along with the interpreter while both engines do the same.
 pub trait Scout {
-    /// Called after each step, which led on unless it was the last.
-    fn went(&mut self, cycle: u64, from: ProgramPoint, to: Option<ProgramPoint>) {
-        let _ = (cycle, from, to);
+    /// Called after each cycle for each step that ran to its end in it.
+    fn went(&mut self, cycle: u64, step: StepTaken) {
+        let _ = (cycle, step);
     }
 
     /// Returns the sink that records the interpreter's cycle, if there is one.
@@ -94,7 +94,7 @@ pub struct Compared {
 pub struct Divergence {
     /// The cycle.
     pub cycle: u64,
-    /// The step that the interpreter ran.
+    /// The step that the interpreter ran; where hashes were compared, the first one of the cycle.
     pub step: StepId,
     /// The interpreter's cycle: its record, or words.
     pub interpreted: String,
@@ -136,7 +136,7 @@ impl Lockstep {
     ) -> Result<Self, Mismatch> {
         let program = program.into();
         Ok(Lockstep {
-            interpreted: Run::new(Interpreter::new(program.clone()), robot.clone())?,
+            interpreted: Run::new(Interpreter::new(program.clone()), robot.clone())?.followed(),
             compiled: Run::new(compiled, robot.clone())?,
             program,
             evidence,
@@ -184,26 +184,26 @@ impl Lockstep {
         };
         while compared.ending.is_none() {
             let cycle = compared.cycles;
-            let from = interpreted.place();
             let ending = interpreted.cycle(limit, scout.sink());
             compiled.cycle(limit, None);
             if !interpreted.equals(&compiled) {
-                let [interpreted, compiled] = match self.evidence {
+                let (record, [told, other]) = match self.evidence {
                     Evidence::Records => side::first_difference(&interpreted, &compiled),
-                    Evidence::Hashes => self.in_words(inputs, cycle)?,
+                    Evidence::Hashes => (0, self.in_words(inputs, cycle)?),
                 };
                 compared.divergence = Some(Divergence {
                     cycle,
-                    step: from.step,
-                    interpreted,
-                    compiled,
+                    step: interpreted.step(record),
+                    interpreted: told,
+                    compiled: other,
                 });
                 break;
             }
             compared.ending = ending;
             compared.cycles = interpreted.cycles();
-            if compared.cycles > cycle {
-                scout.went(cycle, from, ending.is_none().then(|| interpreted.place()));
+            if ending != Some(Ending::Limit) {
+                let steps = interpreted.run().steps().iter();
+                steps.for_each(|step| scout.went(cycle, *step));
             }
             if ending != Some(Ending::Limit) {
                 scout.after(interpreted.run());

@@ -45,4 +45,5 @@ tipc::message_table! {
     Motion "the end of its motion", "動作の完了";
     Touch "a contact", "接触";
     Native "its native code", "ネイティブコードの完了";
+    Thread { name: Text } "the end of thread {name}", "スレッド{name}の終了";
 }

@@ -1,8 +1,10 @@
 //! Any program under one type, so that the control loop around it is compiled once.
 
+use crate::interp::Interpreter;
 use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
+use tip_lint::coverage_points::ProgramPoint;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Flow, Program, Signature};
 
@@ -10,6 +12,17 @@ use tip_runtime::program::{Context, Flow, Program, Signature};
 pub struct ProgramRunner {
     program: Box<dyn AnyProgram>,
     replacements: Arc<[Replacement]>,
+    /// The steps of the present cycle, if they are followed.
+    trail: Option<Vec<StepTaken>>,
+}
+
+/// A step that ran to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepTaken {
+    /// The point at which it ran.
+    pub from: ProgramPoint,
+    /// The point that it led to, itself if it waits; none at the end of the program or thread.
+    pub to: Option<ProgramPoint>,
 }
 
 /// A value that a scalar gets in place of the constant that some steps of the program assign to it.
@@ -40,6 +53,7 @@ impl ProgramRunner {
         ProgramRunner {
             program: Box::new(program),
             replacements: Arc::default(),
+            trail: None,
         }
     }
 
@@ -48,6 +62,32 @@ impl ProgramRunner {
     pub fn with_replacements(mut self, replacements: impl Into<Arc<[Replacement]>>) -> Self {
         self.replacements = replacements.into();
         self
+    }
+
+    /// Begins the trail of a cycle, if its steps are followed.
+    pub(crate) fn begin_trail(&mut self) {
+        self.trail.iter_mut().for_each(Vec::clear);
+    }
+
+    /// Follows the steps from now on.
+    pub(crate) fn follow(&mut self) {
+        self.trail.get_or_insert_default();
+    }
+
+    /// Returns the steps of the present cycle; none unless they are followed.
+    pub(crate) fn trail(&self) -> &[StepTaken] {
+        self.trail.as_deref().unwrap_or_default()
+    }
+
+    /// Returns the point before the next step. Compiled code does not tell how it came to an ELSEIF or ELSE.
+    fn point(&self) -> ProgramPoint {
+        match self.get::<Interpreter>() {
+            Some(interpreter) => interpreter.place(),
+            None => ProgramPoint {
+                step: self.program.at(),
+                not_taken: false,
+            },
+        }
     }
 
     /// Returns the program, if it is one of type `P`.
@@ -62,6 +102,7 @@ impl Clone for ProgramRunner {
         ProgramRunner {
             program: self.program.boxed(),
             replacements: Arc::clone(&self.replacements),
+            trail: self.trail.clone(),
         }
     }
 }
@@ -91,7 +132,15 @@ impl Program for ProgramRunner {
 
     fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
         let step = self.program.at();
+        let from = self.trail.is_some().then(|| self.point());
         let flow = self.program.step(cx)?;
+        if let Some(from) = from {
+            let goes_on = matches!(flow, Flow::Next | Flow::Wait);
+            let to = goes_on.then(|| self.point());
+            self.trail
+                .iter_mut()
+                .for_each(|trail| trail.push(StepTaken { from, to }));
+        }
         for replacement in self.replacements.iter() {
             if replacement.steps.binary_search(&step).is_ok() {
                 let Replacement { scalar, value, .. } = *replacement;

@@ -5,7 +5,7 @@ use crate::dyn_machine::DynMachine;
 use crate::event::{Event, Events, Timed};
 use crate::event_console::Listener;
 use crate::motion::Fall;
-use crate::program_runner::ProgramRunner;
+use crate::program_runner::{ProgramRunner, StepTaken};
 use crate::refused::Refused;
 use crate::robot::Robot;
 use crate::trace::{Trace, tee};
@@ -202,6 +202,19 @@ impl Run {
         self.machine.console_mut().listener_mut()?.downcast_mut()
     }
 
+    /// Follows the steps from now on, for [`steps`](Self::steps) and a [`WaitDetector`](crate::WaitDetector).
+    #[must_use]
+    pub fn followed(mut self) -> Self {
+        self.machine.program_mut().follow();
+        self
+    }
+
+    /// Returns the steps that ran to their end in the last cycle, those of threads included; none unless they are
+    /// [followed](Self::followed).
+    pub fn steps(&self) -> &[StepTaken] {
+        self.machine.program().trail()
+    }
+
     /// Keeps a trace from now on; `with_state` ends each record with a hash of joint commands and measurements.
     #[must_use]
     pub fn with_trace(mut self, with_state: bool) -> Self {
@@ -266,6 +279,7 @@ impl Run {
     /// Runs one cycle, and reports it to a sink and the trace.
     pub fn advance(&mut self, sink: Option<&mut dyn Sink>) -> Status {
         self.happen();
+        self.machine.program_mut().begin_trail();
         let (cycle, time, step) = (self.cycles(), self.time(), self.program().at());
         let own = self.trace.as_mut().map(Trace::sink);
         let status = tee(own, sink, |sink| self.machine.cycle(sink));

@@ -2,6 +2,7 @@
 
 use crate::interp::Interpreter;
 use crate::message::Awaited;
+use crate::program_runner::StepTaken;
 use crate::run::Run;
 use tip_runtime::command::{Flag, Op};
 use tip_runtime::hardware::JointCommand;
@@ -30,7 +31,7 @@ pub struct Wait {
 /// since then, that changes variables or switches lamps, does something.
 #[derive(Clone, Debug, Default)]
 pub struct WaitDetector {
-    /// The cycle after which each step was the next one, the last time.
+    /// The cycle in which each step was the next one, the last time.
     visited: Vec<u64>,
     /// The step that is next, and since when.
     step: u32,
@@ -50,30 +51,42 @@ pub struct WaitDetector {
 }
 
 impl WaitDetector {
-    /// Looks at a run after each of its cycles.
+    /// Looks at a [followed](Run::followed) run after each of its cycles.
     pub fn after(&mut self, run: &Run) {
         let (cycle, now, step) = (run.cycles(), run.time(), run.program().at());
         let Some(program) = run.engine::<Interpreter>().map(Interpreter::program) else {
             return;
         };
         self.visited.resize(program.steps().len(), 0);
-        let action = program.steps().get(step as usize).map(|step| &step.action);
-        if self.moves(run, now) || action.is_some_and(switches) {
+        let action = |step: u32| program.steps().get(step as usize).map(|step| &step.action);
+        let is_other = step != self.step;
+        // Threads, and several steps of a cycle, go on beside the step that is next.
+        let taken = run.steps().iter();
+        let came =
+            taken.filter_map(|StepTaken { from, to }| to.map(|to| (to.step, to.step != from.step)));
+        let came: Vec<(u32, bool)> = [(step, is_other)].into_iter().chain(came).collect();
+        let mut next = came.iter().filter_map(|(step, _)| action(*step));
+        if self.moves(run, now) || next.any(switches) {
             (self.effect, self.is_first) = (cycle, true);
             self.does(cycle, now);
         }
-        let is_other = step != self.step;
-        let Some(visited) = self.visited.get_mut(step as usize) else {
-            return;
-        };
-        let is_new = *visited < self.effect;
-        *visited = cycle;
+        let mut is_new = None;
+        let mut does = false;
+        for (step, is_other) in came {
+            if let Some(visited) = self.visited.get_mut(step as usize) {
+                let is_first = *visited < self.effect;
+                *visited = cycle;
+                is_new.get_or_insert(is_first);
+                does |= is_first && is_other;
+            }
+        }
         if is_other {
-            (self.step, self.entered, self.is_first) = (step, now, is_new);
+            (self.step, self.entered, self.is_first) = (step, now, is_new.unwrap_or_default());
         }
         // The time that a program lets pass once is no wait.
-        let sleeps = self.is_first && matches!(action, Some(Action::Command { op: Op::Sleep, .. }));
-        if (is_new && is_other) || sleeps {
+        let sleeps =
+            self.is_first && matches!(action(step), Some(Action::Command { op: Op::Sleep, .. }));
+        if does || sleeps {
             self.does(cycle, now);
         }
     }
@@ -124,7 +137,7 @@ impl WaitDetector {
             time: now - since,
         };
         let is_stay = now > self.entered && run.program().at() == self.step;
-        if let Some(on) = awaited(&step.action).filter(|_| is_stay) {
+        if let Some(on) = awaited(program, &step.action).filter(|_| is_stay) {
             return Some(of([step.line; 2], Some(on), self.entered));
         }
         if self.rest(run) < OFTEN {
@@ -140,12 +153,15 @@ impl WaitDetector {
 }
 
 /// Returns the condition that ends the wait of a step that may take any time.
-fn awaited(action: &Action) -> Option<Awaited> {
+fn awaited(program: &Program, action: &Action) -> Option<Awaited> {
     let flag = |flag: Flag| Awaited::Flags {
         names: flag.to_string().into(),
     };
     match action {
         Action::KeyIn { .. } => Some(Awaited::Key),
+        Action::WaitThread { thread } => Some(Awaited::Thread {
+            name: program.threads().get(*thread)?.name.clone().into(),
+        }),
         Action::Command { op, target, .. } => match op {
             Op::WaitInpos => Some(flag(Flag::Inpos(*target))),
             Op::WaitNear => Some(flag(Flag::Near(*target))),
@@ -184,7 +200,7 @@ fn conditions(program: &Program, steps: &[&Step]) -> Option<Awaited> {
     };
     let inputs: Vec<_> = steps.iter().filter_map(read).collect();
     for step in steps {
-        if let Some(awaited) = awaited(&step.action) {
+        if let Some(awaited) = awaited(program, &step.action) {
             return Some(awaited);
         }
         match step.action.condition() {

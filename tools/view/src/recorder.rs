@@ -126,7 +126,7 @@ impl Recording {
     /// # Errors
     /// There is no program.
     pub fn of_run(
-        mut run: Run,
+        run: Run,
         loaded: &Loaded,
         robot: &Robot,
         extent: Extent,
@@ -137,6 +137,7 @@ impl Recording {
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = run.all_events().all().to_vec();
         recorder.pace = pace;
+        let mut run = run.followed();
         let mut waits = WaitDetector::default();
         let outcome = loop {
             if let Some(ending) = run.ending() {
@@ -327,9 +328,9 @@ impl Recorder {
             number: cycle,
             step,
             set,
-            say,
-            lamp,
-            command,
+            messages,
+            lamps,
+            commands,
             threads,
             ..
         } = happened;
@@ -344,13 +345,12 @@ impl Recorder {
         {
             recording.steps.push(At { cycle, what: step });
         }
-        recording
-            .messages
-            .extend(say.map(|what| At { cycle, what }));
-        recording.lamps.extend(lamp.map(|what| At { cycle, what }));
-        recording
-            .commands
-            .extend(command.map(|what| At { cycle, what }));
+        let at = |what| At { cycle, what };
+        recording.messages.extend(messages.into_iter().map(at));
+        let at = |what| At { cycle, what };
+        recording.lamps.extend(lamps.into_iter().map(at));
+        let at = |what| At { cycle, what };
+        recording.commands.extend(commands.into_iter().map(at));
         for (name, value) in set {
             let scalar = recording.script.scalar(&name);
             let assigned = scalar.map(|scalar| Assigned { scalar, value });

@@ -81,7 +81,7 @@ impl Recording {
         let mut period = robot.anatomy().standards.period;
         let mut time = 0.0;
         let mut outcome = Outcome::Interrupted;
-        let mut recorder = Recorder::new(robot, script);
+        let mut records = Vec::new();
         for (line, text) in (1..).zip(trace.lines()) {
             let record: Record = serde_json::from_str(text)
                 .map_err(|error| TraceError::Line(line, error.to_string()))?;
@@ -92,13 +92,20 @@ impl Recording {
             if record.step as usize >= program.steps().len() {
                 return Err(TraceError::Step(record.step));
             }
-            let command = asked(&record.cmd);
-            period = command.as_ref().and_then(new_period).unwrap_or(period);
-            if record.sub == 0 {
-                recorder.keep_time(record.cycle, time, period);
+            records.push((asked(&record.cmd), record));
+        }
+        let mut recorder = Recorder::new(robot, script);
+        for cycle in records.chunk_by(|(_, one), (_, next)| one.cycle == next.cycle) {
+            let latest = cycle.iter().rev();
+            let mut periods = latest.filter_map(|(command, _)| new_period(command.as_ref()?));
+            period = periods.next().unwrap_or(period);
+            if let Some((_, first)) = cycle.first() {
+                recorder.keep_time(first.cycle, time, period);
                 time += period;
             }
-            recorder.take_record(record, command, time);
+            for (command, record) in cycle {
+                recorder.take_record(record, command.clone(), time);
+            }
         }
         let recording = recorder.finish(outcome);
         match recording.frames.is_empty() {
@@ -110,9 +117,9 @@ impl Recording {
 
 impl Recorder {
     /// Takes the record of a cycle that ended at `time` (ms).
-    fn take_record(&mut self, record: Record, command: Option<IssuedCommand>, time: f64) {
+    fn take_record(&mut self, record: &Record, command: Option<IssuedCommand>, time: f64) {
         let cycle = record.cycle;
-        let mut lamps = record.lamp.iter();
+        let lamps = record.lamp.iter();
         if let (0, Some(before)) = (record.sub, cycle.checked_sub(1)) {
             self.end_threads(before, before);
         }
@@ -125,13 +132,13 @@ impl Recorder {
             step: thread.is_none().then_some(record.step),
             threads: Vec::from_iter(thread.map(|thread| (thread, record.step))),
             next: record.next,
-            set: record.set.into_iter().collect(),
-            say: record.say,
-            out: record.out,
-            lamp: lamps
-                .next()
-                .and_then(|(device, on)| Some((device.parse().ok()?, *on))),
-            command,
+            set: record.set.clone().into_iter().collect(),
+            messages: Vec::from_iter(record.say.clone()),
+            out: record.out.clone(),
+            lamps: lamps
+                .filter_map(|(device, on)| Some((device.parse().ok()?, *on)))
+                .collect(),
+            commands: Vec::from_iter(command),
             pose: None,
             state: 0,
             status: Status::Running,
@@ -151,8 +158,8 @@ impl Recorder {
                 pitch,
                 yaw,
             }),
-            angles: record.angles,
-            loads: record.loads,
+            angles: record.angles.clone(),
+            loads: record.loads.clone(),
             margin: record.margin,
             ..Frame::default()
         });

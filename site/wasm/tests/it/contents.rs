@@ -128,7 +128,7 @@ fn holds(lesson: &str, wanted: &Wanted, shows: &Shows) {
     let limit = 100_000;
     let mut said = Vec::new();
     while run.ending().is_none() && run.cycles() < limit {
-        said.extend(run.cycle().say);
+        said.extend(run.cycle().messages);
     }
     let ends = match run.ending() {
         Some(Ending::Program(End::End)) => "END",

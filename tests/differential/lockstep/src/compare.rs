@@ -4,13 +4,12 @@ use crate::native::Native;
 use crate::{Figures, Script, Subject, loaded};
 use std::convert::Infallible;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use tip_lint::coverage_points::ProgramPoint;
 use tip_lint::listing;
 use tip_runtime::record::Ending;
 use tip_runtime::special::hand::HandSpecials;
 use tip_sim::lockstep::{Answer, Compared, Divergence, Evidence, Lockstep, RunEnd, Scout};
 use tip_sim::search::{self, Diverging, Engines};
-use tip_sim::{Inputs, Plant, Robot};
+use tip_sim::{Inputs, Plant, Robot, StepTaken};
 
 /// A run that both engines agree about.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,7 +106,7 @@ fn verdict(compared: Compared, visits: Visits) -> Verdict {
 struct Visits(Vec<u64>);
 
 impl Scout for Visits {
-    fn went(&mut self, _cycle: u64, from: ProgramPoint, to: Option<ProgramPoint>) {
+    fn went(&mut self, _cycle: u64, StepTaken { from, to }: StepTaken) {
         // A step that waits is its own next one.
         if to.map(|to| to.step) != Some(from.step)
             && let Some(visits) = self.0.get_mut(from.step as usize)

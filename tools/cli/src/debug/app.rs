@@ -247,7 +247,7 @@ impl App {
     }
 
     fn make_happen(&mut self, text: &str) {
-        match text.parse().ok().or_else(|| Event::assignment(text)) {
+        match text.parse().ok().or_else(|| self.debugger.assignment(text)) {
             Some(event) => self.change(event, Discard::Nothing),
             None => {
                 let text = owned(text);

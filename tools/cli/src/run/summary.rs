@@ -28,14 +28,13 @@ pub(super) fn summary(
     lang: Lang,
 ) -> String {
     let program = run.program();
+    // A thread may have ended the program.
+    let last = run.steps().last();
+    let last = last.map_or(program.at(), |step| step.from.step);
+    let by = |word| How::By { word };
     let (how, step) = match ending {
-        Ending::Program(End::End) => (How::By { word: Keyword::End }, program.at()),
-        Ending::Program(End::Exit) => (
-            How::By {
-                word: Keyword::Exit,
-            },
-            program.at(),
-        ),
+        Ending::Program(End::End) => (by(Keyword::End), last),
+        Ending::Program(End::Exit) => (by(Keyword::Exit), last),
         Ending::Emergency(Emergency { step, .. }) => (How::Emergency, step),
         Ending::Interrupted => (How::Interrupted, program.at()),
         Ending::Limit => (How::Limit, program.at()),
@@ -134,7 +133,17 @@ impl Lines {
             return;
         };
         let (line, statement) = (step.line, step.text.to_string().into());
-        let next = match until(&step.action) {
+        let waits_for = |thread: usize| {
+            let (name, _) = run.program().thread(u8::try_from(thread + 1).ok()?)?;
+            Some(Until::Thread {
+                name: name.to_owned().into(),
+            })
+        };
+        let until = match step.action {
+            Action::WaitThread { thread } => waits_for(thread),
+            _ => until(&step.action),
+        };
+        let next = match until {
             Some(until) => Running::Waits {
                 line,
                 statement,

@@ -39,6 +39,40 @@ fn the_limit_counts_cycles() {
     assert_eq!(outcome.lines(), [r#"{"end":"LIMIT","cycles":0}"#]);
 }
 
+// clauses: 15.3
+#[test]
+fn an_end_in_a_thread_is_told_with_its_line() {
+    let program = "3.2\nt\nSTART_THREAD SIDE:\nWAIT_THREAD SIDE:\nEXIT\nTHREAD SIDE:\nREM\nEXIT\nTHREADEND\nEND\n";
+    let folder = Folder::new("run-end-in-thread").file("t.prg", program);
+    let outcome = folder.tip(&["run", "t.prg"]).expect(0);
+    assert!(
+        outcome.err.starts_with("t.prg: EXIT at line 8"),
+        "{}",
+        outcome.err
+    );
+    let outcome = folder.tip(&["run", "t.prg", "--cycles", "2"]).expect(0);
+    let waits = "line 4: WAIT_THREAD SIDE:, which waits until thread SIDE ends";
+    assert!(outcome.err.contains(waits), "{}", outcome.err);
+}
+
+// clauses: 17.3
+// 1048576 bytes hold the 23 of the first line and 5269 texts of 199 bytes; the program appends 5300.
+#[test]
+fn texts_that_fout_log_has_no_room_for_are_counted_at_the_end() {
+    let text = "x".repeat(198);
+    let program = format!("3.2\nt\nDEF_VAR I\nFOR I = 1 TO 5300\nF_MESSAGE {text}\\n\nNEXT\nEND\n");
+    let folder = Folder::new("run-full-output").file("p.prg", &program);
+    let outcome = folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(0);
+    let told = "FOUT.LOG is full: 31 of F_MESSAGE's texts are left out";
+    assert!(outcome.err.contains(told), "{}", outcome.err);
+    let log = folder.read("logs/FOUT.LOG");
+    assert!(log.starts_with("# FOUT.LOG of ../p.prg\n"));
+    assert_eq!((log.len(), log.lines().count()), (23 + 5269 * 199, 5270));
+    // None is counted where no file is written.
+    let outcome = folder.tip(&["run", "p.prg"]).expect(0);
+    assert!(!outcome.err.contains("FOUT.LOG"), "{}", outcome.err);
+}
+
 // clauses: 8.1
 #[test]
 fn an_emergency_names_its_place() {

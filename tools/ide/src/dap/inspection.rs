@@ -235,7 +235,10 @@ impl<L: Launcher> Session<L> {
             Some(rest) => (Discard::Later, rest.trim()),
             None => (Discard::Nothing, text),
         };
-        let event = rest.parse().ok().or_else(|| Event::assignment(rest))?;
+        let event = match rest.parse() {
+            Ok(event) => event,
+            Err(_) => self.paused().ok()?.debugger.assignment(rest)?,
+        };
         Some(self.change(event, discard))
     }
 }

@@ -1,6 +1,7 @@
 //! Expressions in the program's own language, log points, and the values that a debugger shows.
 
 use super::{DebugError, Debugger};
+use crate::event::Event;
 use crate::interp::{Interpreter, Sensed};
 use crate::message::Debugging;
 use crate::run::Run;
@@ -170,6 +171,23 @@ impl Debugger {
     pub fn evaluate(&self, text: &str) -> Result<Value, DebugError> {
         let expression = Expression::new(text, &self.asker)?;
         Ok(expression.evaluate(&self.here())?)
+    }
+
+    /// Reads an assignment as a debugger's user writes it: `N = 5`, `P.X=-1.5`, or with whatever an equation has on
+    /// its right; `None` for another text, or a value that cannot be calculated.
+    pub fn assignment(&self, text: &str) -> Option<Event> {
+        let (name, value) = text.split_once('=')?;
+        let name = name.trim().to_ascii_uppercase();
+        let value = match value.trim().parse() {
+            Ok(value) => value,
+            Err(_) => match self.evaluate(value) {
+                Ok(Value::Number(value)) => value,
+                _ => return None,
+            },
+        };
+        let is_of_name = |char: char| char.is_ascii_alphanumeric() || matches!(char, '_' | '.');
+        let is_name = !name.is_empty() && name.chars().all(is_of_name);
+        is_name.then_some(Event::Set(name, value))
     }
 
     /// Returns the value of a variable or of a member such as `P.X`; none while unassigned.

@@ -113,18 +113,6 @@ fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     numbers?.try_into().ok()
 }
 
-impl Event {
-    /// Reads an assignment as a debugger's user writes it: `N = 5`, `P.X=-1.5`.
-    pub fn assignment(text: &str) -> Option<Self> {
-        let (name, value) = text.split_once('=')?;
-        let name = name.trim();
-        let value = value.trim().parse().ok()?;
-        let is_of_name = |char: char| char.is_ascii_alphanumeric() || matches!(char, '_' | '.');
-        let is_name = !name.is_empty() && name.chars().all(is_of_name);
-        is_name.then(|| Event::Set(name.to_ascii_uppercase(), value))
-    }
-}
-
 impl fmt::Display for Timed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.cycle, self.event)

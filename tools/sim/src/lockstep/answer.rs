@@ -2,6 +2,7 @@
 
 use super::{Compared, Divergence, Lockstep, Scout};
 use crate::event::Inputs;
+use crate::program_runner::StepTaken;
 use std::fmt::{self, Display};
 use std::io::{self, BufRead, Write};
 use std::str::FromStr;
@@ -21,7 +22,7 @@ pub enum Answer {
         end: RunEnd,
         /// The coverage points that no run before reached, by their indices in [`CoveragePoints::all`](tip_lint::coverage_points::CoveragePoints::all).
         new: Vec<usize>,
-        /// Some cycles whose step had an edge that no run went along yet: where another input may change the path.
+        /// Some cycles in which a step had an edge that no run went along yet: where another input may change the path.
         chances: Vec<u64>,
     },
     /// The engines differ.
@@ -226,7 +227,7 @@ impl ReachedPoints {
     }
 
     /// Takes the points that the runs since the last call reached first, by places in
-    /// [`CoveragePoints::all`]; and some cycles whose step had an edge that no run went along yet, where
+    /// [`CoveragePoints::all`]; and some cycles in which a step had an edge that no run went along yet, where
     /// another input may change the path.
     pub fn take_news(&mut self) -> (Vec<usize>, Vec<u64>) {
         (
@@ -235,9 +236,9 @@ impl ReachedPoints {
         )
     }
 
-    /// Keeps a cycle if its step has an edge that no run went along. Of too many every other one goes.
+    /// Keeps a cycle if one of its steps has an edge that no run went along. Of too many every other one goes.
     fn chance(&mut self, cycle: u64, at: ProgramPoint) {
-        if self.points.edges(at).all(|edge| self.has(edge)) {
+        if self.chances.last() == Some(&cycle) || self.points.edges(at).all(|edge| self.has(edge)) {
             return;
         }
         if self.chances.len() == CHANCES {
@@ -252,7 +253,7 @@ impl ReachedPoints {
 }
 
 impl Scout for ReachedPoints {
-    fn went(&mut self, cycle: u64, from: ProgramPoint, to: Option<ProgramPoint>) {
+    fn went(&mut self, cycle: u64, StepTaken { from, to }: StepTaken) {
         let edge = to
             .filter(|to| *to != from)
             .and_then(|to| self.points.edge(from, to));

@@ -1,17 +1,16 @@
 //! One engine on a simulated robot of its own.
 
 use super::Evidence;
-use crate::interp::Interpreter;
 use crate::run::Run;
 use crate::trace::tee;
 use std::fmt::{self, Display, Write as _};
-use tip_lint::coverage_points::ProgramPoint;
 use tip_runtime::command::{Command, Value};
 use tip_runtime::console::{Bars, Console};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::Report;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Cycle, Dump, Ending, JsonLines, Sample, Sink};
+use tipc::program::StepId;
 
 /// A run, and what is noted of it.
 pub(super) struct Side {
@@ -125,20 +124,17 @@ impl Side {
         self.run.cycles()
     }
 
-    /// Returns the interpreter's place; compiled code gives its step only.
-    pub(super) fn place(&self) -> ProgramPoint {
-        match self.run.engine::<Interpreter>() {
-            Some(interpreter) => interpreter.place(),
-            None => ProgramPoint {
-                step: self.run.program().at(),
-                not_taken: false,
-            },
-        }
+    /// Returns the step of the `n`th record of the last cycle, or the one that failed behind it.
+    pub(super) fn step(&self, n: usize) -> StepId {
+        let ran = self.run.steps().get(n).map(|step| step.from.step);
+        let failed = || self.run.emergency().map(|emergency| emergency.step);
+        ran.or_else(failed)
+            .unwrap_or_else(|| self.run.program().at())
     }
 }
 
-/// Returns the first records that differ; the last cycle has two.
-pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> [String; 2] {
+/// Returns the first records of a cycle that differ, and how many are before them.
+pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> (usize, [String; 2]) {
     let lines = |side: &Side| -> Vec<String> {
         let CycleRecord::Record(record) = &side.record else {
             return Vec::new();
@@ -151,7 +147,7 @@ pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> [String; 
         let line = lines.get(same).map(String::as_str);
         line.unwrap_or("(no record)").to_owned()
     };
-    [at(&left), at(&right)]
+    (same, [at(&left), at(&right)])
 }
 
 /// A hash of words that goes on and on. Each word is taken in by a one-to-one map, so that one that differs is never lost

@@ -169,3 +169,49 @@ fn programs_of_other_steps_are_unlike_before_they_run() {
             .is_some()
     );
 }
+
+/// A thread, several steps in a cycle, and in each part an IF whose one edge no run takes.
+const THREADS: &str = "TIP_SPEED_UP 9\nSTART_THREAD SIDE:\nN = 0\nIF KB_HIT THEN\nN = 1\nENDIF\n\
+    WAIT_THREAD SIDE:\nEXIT\nTHREAD SIDE:\nIF N == 0 THEN\nN = 2\nENDIF\nTHREADEND\nEND";
+
+fn later(other: &str) -> Lockstep {
+    let robot = Robot::named("generic").expect("a robot");
+    let interpreter = |statements: &str| {
+        let text = format!("3.2\ntest\nDEF_VAR N\n{statements}\n");
+        load("p.prg", &text, &robot).expect("it loads")
+    };
+    let program = interpreter(THREADS).program().clone();
+    Lockstep::new(program, interpreter(other), &robot).expect("one robot")
+}
+
+// clauses: 14.2 15.2
+// Cycle 0 runs step 0, cycle 1 the steps 1, 2, 3, 5 and 6, cycle 2 step 6 and all of the thread, cycle 3 step 6 again,
+// which ends the turn, and cycle 4 the EXIT.
+#[test]
+fn each_step_of_a_cycle_counts_as_reached() {
+    let lockstep = later(THREADS);
+    let mut reach = ReachedPoints::new(lockstep.program());
+    let compared = lockstep
+        .run(&Inputs::default(), &mut reach)
+        .expect("no inputs");
+    assert_eq!((compared.cycles, compared.divergence), (5, None));
+    let points = reach.points().all().iter();
+    let missed = (0..).zip(points).filter(|(point, _)| !reach.has(*point));
+    let missed: Vec<_> = missed.map(|(_, point)| (point.step, point.way)).collect();
+    // No way leads to END.
+    assert_eq!(missed, [(4, None), (3, Some("true")), (9, Some("false"))]);
+}
+
+// clauses: 15.2
+#[test]
+fn the_step_that_differs_may_be_a_threads() {
+    let other = THREADS.replace("N = 2", "N = 3");
+    let compared = later(&other).run(&Inputs::default(), &mut ());
+    let divergence = compared.expect("no inputs").divergence.expect("N differs");
+    assert_eq!((divergence.cycle, divergence.step), (2, 10));
+    assert!(
+        divergence
+            .interpreted
+            .contains(r#""thread":"SIDE","step":10"#)
+    );
+}

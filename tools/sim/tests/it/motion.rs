@@ -269,7 +269,7 @@ fn fingertips_that_hold_an_object_in_the_air_push_it_up_by_its_weight() -> Outco
         hand,
         include_str!("../../../../examples/grasp/motions/grasp.prg"),
     )?;
-    while run.cycle().say.as_deref() != Some("Lifted.") {
+    while run.cycle().messages != ["Lifted."] {
         assert_eq!(run.ending(), None);
     }
     let grasp = run.grasp().expect("a hand");

@@ -14,7 +14,7 @@ use tip_runtime::program::End;
 use tip_runtime::record::{Cycle, Ending, Sink};
 use tip_sim::{
     Event, IssuedCommand, Limit, Observer, Plant, ProgramRunner, Refused, Replacement, Robot, Run,
-    load,
+    WaitDetector, load, message::Awaited,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -22,6 +22,13 @@ type Outcome = Result<(), Box<dyn Error>>;
 fn run_on(robot: &str, statements: &str) -> Result<Run, Box<dyn Error>> {
     let robot = Robot::named(robot)?;
     let program = load("p.prg", &format!("3.1\nt\n{statements}\n"), &robot)?;
+    Ok(Run::new(program, robot)?)
+}
+
+/// A run of edition 3.2 on TITAN VIII.
+fn later(statements: &str) -> Result<Run, Box<dyn Error>> {
+    let robot = Robot::named("titan8")?;
+    let program = load("p.prg", &format!("3.2\nt\n{statements}\n"), &robot)?;
     Ok(Run::new(program, robot)?)
 }
 
@@ -73,13 +80,13 @@ fn a_cycle_tells_what_its_step_did() -> Outcome {
         target: Target::Foot(1),
         values: [0.0, 1.0, 0.0].map(Value::Relative).to_vec(),
     };
-    assert_eq!(asked.command, Some(expected));
+    assert_eq!(asked.commands, [expected]);
     // The sampling time is 20 ms.
     assert_eq!((asked.time, asked.set), (20.0, vec![]));
-    assert_eq!(run.cycle().lamp, Some((3, true)));
+    assert_eq!(run.cycle().lamps, [(3, true)]);
     assert!(run.lamp(3) && !run.lamp(2));
     let said = run.cycle();
-    assert_eq!(said.say.as_deref(), Some("hi"));
+    assert_eq!(said.messages, ["hi"]);
     assert_eq!(said.state, run.state_hash());
     assert_eq!(said.pose, run.motion().map(|motion| motion.pose));
     let last = run.cycle();
@@ -379,8 +386,62 @@ fn a_console_is_shown_what_the_program_shows() -> Outcome {
 #[test]
 fn a_run_goes_on_in_another_thread() -> Outcome {
     let mut run = run_on("titan8", "MESSAGE one\nMESSAGE two\nEND")?;
-    assert_eq!(run.cycle().say.as_deref(), Some("one"));
+    assert_eq!(run.cycle().messages, ["one"]);
     let there = std::thread::spawn(move || (run.to_end(Limit::NONE), run.cycles())).join();
     assert_eq!(there.ok(), Some((Ending::Program(End::End), 3)));
+    Ok(())
+}
+
+// clauses: 14.2 14.3
+#[test]
+fn a_cycle_tells_what_each_of_its_steps_did() -> Outcome {
+    let mut run =
+        later("TIP_SPEED_UP 4\nPTP_ANGLE J11 5\nPTP_ANGLE J21 5\nLAMP_ON 1\nLAMP_OFF 2\nEND")?
+            .followed();
+    run.cycle();
+    let cycle = run.cycle();
+    let targets = cycle.commands.iter().map(|command| command.target);
+    assert!(targets.eq([Target::Joint(1, 1), Target::Joint(2, 1)]));
+    assert_eq!(cycle.lamps, [(1, true), (2, false)]);
+    assert!(run.steps().iter().map(|step| step.from.step).eq(1..=4));
+    run.cycle();
+    let ended: Vec<_> = (run.steps().iter())
+        .map(|step| (step.from.step, step.to))
+        .collect();
+    assert_eq!(ended, [(5, None)]);
+    Ok(())
+}
+
+/// Runs for some cycles, and returns what the run waits for then: lines, and the end of the wait.
+fn waits(mut run: Run, cycles: u64) -> Option<([u32; 2], Option<Awaited>)> {
+    run = run.followed();
+    let mut waits = WaitDetector::default();
+    for _ in 0..cycles {
+        run.cycle();
+        waits.after(&run);
+    }
+    waits.now(&run).map(|wait| (wait.lines, wait.on))
+}
+
+// clauses: 14.2 15.1
+#[test]
+fn a_wait_is_told_whatever_the_number_of_steps_in_a_cycle() -> Outcome {
+    let asks = "L:\nIF KB_HIT GOTO M:\nGOTO L:\nM: END";
+    let key = Awaited::Flags {
+        names: "KB_HIT".to_owned().into(),
+    };
+    // At three steps a cycle each one begins with the same step.
+    for speed in [1, 2, 3] {
+        let run = later(&format!("TIP_SPEED_UP {speed}\n{asks}"))?;
+        let expected = ([4, 6], Some(key.clone()));
+        assert_eq!(waits(run, 100), Some(expected), "{speed}");
+    }
+    let thread = "THREAD SIDE:\nKEY_IN\nTHREADEND\nEND";
+    let run = later(&format!(
+        "START_THREAD SIDE:\nWAIT_THREAD SIDE:\nEXIT\n{thread}"
+    ))?;
+    let name = "SIDE".to_owned().into();
+    let expected = ([4, 4], Some(Awaited::Thread { name }));
+    assert_eq!(waits(run, 9), Some(expected));
     Ok(())
 }

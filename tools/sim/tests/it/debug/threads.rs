@@ -2,7 +2,8 @@
 
 use super::{Outcome, debugger, titan};
 use tip_runtime::fault::Fault;
-use tip_sim::debug::{By, Debugger, Move, Reason, When};
+use tip_sim::Event;
+use tip_sim::debug::{By, Debugger, Move, Reason, Value, When};
 
 /// A thread that counts in a routine. Steps are on lines of their own, from line 4 on.
 ///
@@ -146,6 +147,46 @@ fn a_step_inside_a_turn_is_reached_with_the_end_of_its_cycle() -> Outcome {
                 (Reason::Breakpoint(id), at, line)
             );
         }
+    }
+    Ok(())
+}
+
+/// START_TIMER runs in cycle 1, so that the timer shows 20 in cycle 2 and 40 in cycle 3.
+const TIMED: &str = "3.2
+timed
+DEFINE FAR 40
+DEF_VAR N
+N = FAR
+START_TIMER 2
+REM
+REM
+N += 1
+END
+";
+
+// clauses: 13.1 13.2 14.1
+#[test]
+fn questions_name_constants_timers_and_readings() -> Outcome {
+    let mut debugger = debugger(TIMED, &titan())?;
+    let late = When {
+        condition: Some("@TIMER2 == FAR"),
+        ..When::default()
+    };
+    debugger.break_at_line(7, &late)?;
+    let id = debugger.break_at_line(8, &late)?.id;
+    let stop = debugger.go(Move::Continue);
+    assert_eq!((stop.reason, stop.at), (Reason::Breakpoint(id), 3));
+    assert_eq!(debugger.evaluate("far + @timer2")?, Value::Number(80.0));
+    assert!(matches!(
+        debugger.evaluate("@AGL_J13 > @POS_F1.Z")?,
+        Value::Truth(true)
+    ));
+    let set = |value| Some(Event::Set("N".to_owned(), value));
+    assert_eq!(debugger.assignment("n = -FAR"), set(-40.0));
+    assert_eq!(debugger.assignment("N=@TIMER2 / 4"), set(10.0));
+    assert_eq!(debugger.assignment("N = 7"), set(7.0));
+    for other in ["N == 7", "N >= 7", "N = ", "N = NEAR", "N + 1 = 2"] {
+        assert_eq!(debugger.assignment(other), None, "{other}");
     }
     Ok(())
 }
