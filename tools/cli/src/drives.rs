@@ -303,18 +303,22 @@ fn scan(arguments: &Scan) -> Result<Status, Error> {
                 None if number == 0 => "?".to_owned(),
                 None => format!("#{number}"),
             };
-            let mut get = |register| {
+            let mut get = |register, unit: f64| {
                 let mut tries = (0..3).map(|_| bus.read_register(id, register));
-                tries.find_map(Result::ok).unwrap_or(-1)
+                let value = tries.find_map(Result::ok);
+                value.map_or_else(
+                    || "?".to_owned(),
+                    |value| (f64::from(value) * unit).to_string(),
+                )
             };
-            let delay = family.return_delay.map_or(0, |delay| get(delay) * 2);
-            let volts = get(family.voltage);
-            let (celsius, counts) = (get(family.temperature), get(family.position));
-            let volts = f64::from(volts) / 10.0;
+            let delay = family.return_delay;
+            let delay = delay.map_or_else(|| "0".to_owned(), |delay| get(delay, 2.0));
+            let (volts, celsius) = (get(family.voltage, 0.1), get(family.temperature, 1.0));
+            let counts = get(family.position, 1.0);
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "{id:3}  {name:13}  {counts:6}  {volts:4.1} V  {celsius:3} °C  {delay:3} µs  {}",
+                "{id:3}  {name:13}  {counts:>6}  {volts:>4.4} V  {celsius:>3} °C  {delay:>3} µs  {}",
                 family.name
             );
             count += 1;
@@ -423,7 +427,8 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
         let text = embed::read_file(path, embed::LIMIT).unwrap_or_default();
         if let Some(new) = with_zeros(&text, &found) {
             output::update(path, &text, new.as_bytes(), lang)?;
-            let (joints, file) = (found.len(), file());
+            let joints: Vec<&str> = found.iter().map(|it| it.joint.as_str()).collect();
+            let (joints, file) = (joints.join(", "), file());
             let written = Driving::ZeroWritten { joints, file };
             output::print(format!("{}\n", written.in_lang(lang)))?;
             return Ok(Status::Success);

@@ -66,9 +66,9 @@ tipc::message_table! {
     NotTurned
         "it has turned by less than 3 deg; its sign stays",
         "3度以上回っていないので、符号は変えません";
-    ZeroWritten { joints: usize, file: Text }
-        "sign and offset of {joints} joints are in {file} now",
-        "{joints}個の関節の符号とオフセットを{file}に書き込みました";
+    ZeroWritten { joints: String, file: Text }
+        "{file} has the signs and offsets of {joints} now",
+        "{joints}の符号とオフセットを{file}に書き込みました";
     ZeroKept { file: Text }
         "{file} is not changed, because its [[drive]] tables are written in a form that only you can edit, or would be wrong then",
         "{file}は変更していません。[[drive]]表の書き方に対応していないか、書き込むと誤りになるためです";

@@ -140,6 +140,8 @@ fn each_fault_has_its_outcome_on(robot: &str) {
             "it/robot.toml",
             "--port",
             &port,
+            "--cycles",
+            "500",
         ];
         let outcome = folder.tip(&run).expect(status);
         assert!(
@@ -260,7 +262,7 @@ fn servos_on_a_pseudo_terminal_are_found_named_watched_and_moved() {
     let found = folder.tip(&scan).expect(0).out;
     assert!(found.contains("12 servos found"), "{found}");
     assert!(
-        found.contains("STS3215") && found.contains("12.0 V"),
+        found.contains("STS3215") && found.contains("  12 V"),
         "{found}"
     );
 
@@ -378,7 +380,7 @@ fn zeros_are_written_into_the_description_and_nothing_else_changes() {
     let written = zero(&["--write"], keys).expect(0).out;
     assert_eq!(
         written,
-        "sign and offset of 2 joints are in robot.toml now\n"
+        "robot.toml has the signs and offsets of J11, J12 now\n"
     );
     let (first, second) = (offset("J11"), offset("J12"));
     let old = "joint = \"J12\"\nid = 2\noffset = ";

@@ -50,7 +50,8 @@ fn read(path: &str) -> String {
 /// The files that the lines name.
 fn provide(folder: &Folder, line: &str) {
     let hexapod = read("examples/six-legs/hexapod.toml");
-    let walk = read(match line.contains("--hardware") {
+    let is_hexapod = line.contains("--hardware") || line.contains("--robot robot.toml");
+    let walk = read(match is_hexapod {
         true => "examples/six-legs/motions/tripod.prg",
         false => "examples/walk/motions/walk.prg",
     });

@@ -145,7 +145,12 @@ fn servos_of_protocol_2_answer_in_one_frame() {
 /// The bar of a bus: no angle is silently wrong, each fault is counted, and no cycle waits for long.
 #[test]
 fn no_angle_is_wrong_on_a_bus_that_fails() {
-    for (name, servos) in [("AX-12", 12), ("XL430-W250", 12), ("STS3215", 12)] {
+    for (name, servos) in [
+        ("AX-12", 12),
+        ("XL430-W250", 12),
+        ("STS3215", 12),
+        ("moteus-mj5208", 12),
+    ] {
         let mut drives = held(name, servos, Faults::evenly(0.05));
         for number in START..START + 3000 {
             let (begin, angle) = (number * 20_000, wave(number - START));
@@ -157,7 +162,13 @@ fn no_angle_is_wrong_on_a_bus_that_fails() {
         let unused = counts.missing + counts.implausible;
         // Those of the beginning are repeated at once. What comes late may still be in time, or meet another answer on the wire.
         assert!(unused + 60 > harmful, "{name}: {counts:?} {happened:?}");
-        let most = harmful + 3 * happened.delayed + happened.duplicated;
+        // After one that is missing, the last that is asked may have no time left, where they are asked one by one.
+        let in_a_row = if drives.joints().any(|it| it.model.family.reads_many) {
+            1
+        } else {
+            2
+        };
+        let most = in_a_row * harmful + 3 * happened.delayed + happened.duplicated;
         assert!(unused < most, "{name}: {counts:?} {happened:?}");
         assert!(counts.longest < 18_000, "{name}: {} µs", counts.longest);
     }
