@@ -91,19 +91,18 @@ use trajectory::Track;
 
 /// The controller of a robot with `L` legs of `J` joints: everything that a [`ControllerView`] can do.
 #[derive(Clone, Debug)]
-pub struct Controller<'m, const L: usize, const J: usize> {
-    model: &'m Model<L, J>,
-    core: Core<'m, [LegState<'m, J>; L]>,
+pub struct Controller<const L: usize, const J: usize> {
+    core: Core<[LegState<J>; L]>,
 }
 
 /// The controller of a robot with any number of legs of `J` joints. A [`Controller`] dereferences to it
 /// as an array coerces to a slice, so that one of each `J` is compiled, whatever the number of legs.
-pub type ControllerView<'m, const J: usize> = Core<'m, [LegState<'m, J>]>;
+pub type ControllerView<const J: usize> = Core<[LegState<J>]>;
 
 /// A controller over its legs: an array of them, or a slice.
 #[derive(Clone, Debug)]
-pub struct Core<'m, S: ?Sized> {
-    robot: ModelFacts<'m>,
+pub struct Core<S: ?Sized> {
+    robot: ModelFacts,
     params: Params,
     /// Set point of the slider, mm.
     slider: Track<3>,
@@ -118,21 +117,15 @@ pub struct Core<'m, S: ?Sized> {
     legs: S,
 }
 
-impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
+impl<const L: usize, const J: usize> Controller<L, J> {
     /// Creates a robot in its initial posture with nothing controlled and standard parameters.
     #[must_use]
-    pub fn new(model: &'m Model<L, J>) -> Self {
+    pub fn new(model: &Model<L, J>) -> Self {
         let robot = ModelFacts::of(model);
         let core = Core::resting(robot).with([LegState::new(Leg::BLANK, &robot); L]);
-        let mut controller = Controller { model, core };
+        let mut controller = Controller { core };
         controller.put_legs(&model.legs);
         controller
-    }
-
-    /// Returns the robot that is controlled.
-    #[must_use]
-    pub const fn model(&self) -> &'m Model<L, J> {
-        self.model
     }
 
     /// Returns the command of every joint.
@@ -153,25 +146,25 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     }
 }
 
-impl<'m, const L: usize, const J: usize> Deref for Controller<'m, L, J> {
-    type Target = ControllerView<'m, J>;
+impl<const L: usize, const J: usize> Deref for Controller<L, J> {
+    type Target = ControllerView<J>;
 
     fn deref(&self) -> &Self::Target {
         &self.core
     }
 }
 
-impl<const L: usize, const J: usize> DerefMut for Controller<'_, L, J> {
+impl<const L: usize, const J: usize> DerefMut for Controller<L, J> {
     fn deref_mut(&mut self) -> &mut Self::Target {
         &mut self.core
     }
 }
 
-impl<'m> Core<'m, ()> {
+impl Core<()> {
     /// Returns the part of a controller that does not depend on the legs, with nothing controlled.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    fn resting(robot: ModelFacts<'m>) -> Self {
+    fn resting(robot: ModelFacts) -> Self {
         let slider = robot.slider.map_or([0.0; 3], |slider| slider.initial);
         Core {
             robot,
@@ -187,7 +180,7 @@ impl<'m> Core<'m, ()> {
     }
 
     /// Adds the legs; only this is compiled for each number of them.
-    fn with<S>(self, legs: S) -> Core<'m, S> {
+    fn with<S>(self, legs: S) -> Core<S> {
         Core {
             robot: self.robot,
             params: self.params,
@@ -202,11 +195,11 @@ impl<'m> Core<'m, ()> {
     }
 }
 
-impl<'m, const J: usize> ControllerView<'m, J> {
+impl<const J: usize> ControllerView<J> {
     /// Puts every leg in its initial posture.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    fn put_legs(&mut self, models: &'m [Leg<J>]) {
+    fn put_legs(&mut self, models: &[Leg<J>]) {
         for (leg, model) in self.legs.iter_mut().zip(models) {
             *leg = LegState::new(model, &self.robot);
         }
@@ -219,13 +212,13 @@ impl<'m, const J: usize> ControllerView<'m, J> {
     }
 
     /// Returns the facts of the model that hold for the whole robot.
-    pub(crate) const fn robot(&self) -> &ModelFacts<'m> {
+    pub(crate) const fn robot(&self) -> &ModelFacts {
         &self.robot
     }
 
-    /// Returns a joint's model; leg and joint count from 0.
-    pub(crate) fn joint(&self, leg: usize, joint: usize) -> Option<&'m Joint> {
-        self.legs.get(leg)?.own.joints.get(joint)
+    /// Returns a joint's model, with the working limits in force; leg and joint count from 0.
+    pub(crate) fn joint(&self, leg: usize, joint: usize) -> Option<&Joint> {
+        self.legs.get(leg)?.model.joints.get(joint)
     }
 
     /// Writes what every joint is commanded, leg by leg.
@@ -246,7 +239,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         u8::try_from(self.legs.len()).unwrap_or(u8::MAX)
     }
 
-    fn leg(&self, n: u8) -> Result<&LegState<'_, J>, Fault> {
+    fn leg(&self, n: u8) -> Result<&LegState<J>, Fault> {
         targets::leg(&self.legs, n)
     }
 

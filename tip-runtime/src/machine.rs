@@ -80,19 +80,19 @@ use state::State;
 /// program's end, and should be: the robot has to come to rest and to be held, or to be stopped
 /// again and again.
 #[derive(Clone, Debug)]
-pub struct Machine<'m, P, H, C, S, const L: usize, const J: usize> {
+pub struct Machine<P, H, C, S, const L: usize, const J: usize> {
     program: P,
     console: C,
     special: S,
     state: State,
     hardware: H,
-    controller: Controller<'m, L, J>,
+    controller: Controller<L, J>,
     sensors: Sensors<L, J>,
     /// The outputs of the last cycle.
     outputs: Outputs<L, J>,
 }
 
-impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J>
+impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J>
 where
     P: Program,
     H: Hardware<L, J>,
@@ -105,7 +105,7 @@ where
     /// The program was checked for another robot.
     pub fn new(
         program: P,
-        model: &'m Model<L, J>,
+        model: &Model<L, J>,
         hardware: H,
         console: C,
         special: S,
@@ -152,9 +152,9 @@ where
     }
 }
 
-impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J> {
+impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
     /// Returns a program on a robot, before its first cycle.
-    fn resting(program: P, model: &'m Model<L, J>, hardware: H, console: C, special: S) -> Self {
+    fn resting(program: P, model: &Model<L, J>, hardware: H, console: C, special: S) -> Self {
         Machine {
             program,
             console,
@@ -240,7 +240,7 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
     }
 
     /// Returns the controller.
-    pub fn controller(&self) -> &Controller<'m, L, J> {
+    pub fn controller(&self) -> &Controller<L, J> {
         &self.controller
     }
 

@@ -56,6 +56,8 @@ use crate::published::Published;
 use crate::robot::Limits;
 use crate::source::{Encoding, Source, Span};
 use section::{Found, Section, fault};
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
 use tip_runtime::model::{Body, Forces, Inverse, Joint, Point, Range, Slider, Standards};
 use toml::de::DeTable;
 
@@ -99,7 +101,7 @@ struct Leg {
 
 /// Reads a description. `name` is how diagnostics call the file.
 ///
-/// The robot's name stays in memory for good: programs and models refer to it as long as they please.
+/// Its name stays in memory, once for all robots that have it: programs and models refer to it.
 ///
 /// # Errors
 /// Everything that is wrong with the file, each fault at its location; there is no program in it.
@@ -181,6 +183,18 @@ fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
     fault(part, Span::new(location.start, location.end), reason, help)
 }
 
+/// Returns a name that stays in memory, once for all robots that have it.
+fn lasting(name: &str) -> &'static str {
+    static NAMES: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+    let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = names.get(name) {
+        return known;
+    }
+    let name: &'static str = Box::leak(name.to_owned().into_boxed_str());
+    names.insert(name);
+    name
+}
+
 /// Reads everything before anything is given up, so that every fault is found.
 fn describe(
     source: &Source,
@@ -201,13 +215,13 @@ fn describe(
     let forces = settings::forces(robot, &legs, found);
     let inverse = model::inverse(robot, chosen, &legs, found)?;
     let bus = drives::read(robot, &legs, servos, found);
-    // A name that does not end up in a robot need not stay in memory.
+    // Only names of robots stay in memory.
     let name = name.filter(|_| found.is_empty())?;
     let limits = |leg: &Leg| leg.joints.iter().map(|joint| joint.limits).collect();
     Some(Description {
         source_name: source.name().to_owned(),
         source_hash: source.hash(),
-        name: Box::leak(name.to_owned().into_boxed_str()),
+        name: lasting(name),
         limits: Limits::described(legs.iter().map(limits).collect()),
         legs,
         inverse,

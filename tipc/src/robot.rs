@@ -1,6 +1,10 @@
 //! The robots that a program can be checked for.
 
+#[cfg(feature = "robot-files")]
+use std::collections::BTreeMap;
 use std::fmt;
+#[cfg(feature = "robot-files")]
+use std::sync::{Mutex, PoisonError};
 use tip_runtime::command::{MAX, Target};
 use tip_runtime::model::{Family, Model, Range, generic, hand, titan8};
 use tip_runtime::program::Signature;
@@ -62,10 +66,16 @@ impl LimitsOfJoints for Vec<Vec<Range>> {
 }
 
 impl Limits {
-    /// Keeps the limits of a description, leg by leg. They stay in memory for good, as its name does.
+    /// Keeps the limits of a description, leg by leg. They stay in memory, once for all robots that have them.
     #[cfg(feature = "robot-files")]
     pub(crate) fn described(legs: Vec<Vec<Range>>) -> Self {
-        Limits(Box::leak(Box::new(legs)))
+        type Bits = Vec<Vec<[u64; 2]>>;
+        static KNOWN: Mutex<BTreeMap<Bits, Limits>> = Mutex::new(BTreeMap::new());
+        let bits = |range: &Range| [range.min.to_bits(), range.max.to_bits()];
+        let bits = legs.iter().map(|leg| leg.iter().map(bits).collect());
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let new = || Limits(Box::leak(Box::new(legs.clone())));
+        *known.entry(bits.collect()).or_insert_with(new)
     }
 
     /// Iterates over the limits of all joints.

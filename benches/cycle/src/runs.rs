@@ -22,7 +22,7 @@ pub trait Run {
     fn period(&self) -> f64;
 }
 
-impl<P, H, C, S, const L: usize, const J: usize> Run for Machine<'_, P, H, C, S, L, J>
+impl<P, H, C, S, const L: usize, const J: usize> Run for Machine<P, H, C, S, L, J>
 where
     P: Program,
     H: Hardware<L, J>,
@@ -69,7 +69,7 @@ pub fn walk_replayed() -> impl Run + Clone {
     walking(Replay::of(plant, |recorder| record(walking(recorder))))
 }
 
-fn walking<H: Hardware<4, 3>>(hardware: H) -> Machine<'static, Walk, H, (), (), 4, 3> {
+fn walking<H: Hardware<4, 3>>(hardware: H) -> Machine<Walk, H, (), (), 4, 3> {
     checked(Machine::new(Walk::new(), &titan8::MODEL, hardware, (), ()))
 }
 
@@ -89,7 +89,7 @@ pub fn six_legs_replayed() -> impl Run + Clone {
     tripod(Replay::of(plant, |recorder| record(tripod(recorder))))
 }
 
-fn tripod<H: Hardware<6, 3>>(hardware: H) -> Machine<'static, Tripod, H, (), (), 6, 3> {
+fn tripod<H: Hardware<6, 3>>(hardware: H) -> Machine<Tripod, H, (), (), 6, 3> {
     checked(Machine::new(Tripod::new(), &HEXAPOD, hardware, (), ()))
 }
 
@@ -104,7 +104,7 @@ pub fn grasp_replayed() -> impl Run + Clone {
     grasping(Replay::of(plant, |recorder| record(grasping(recorder))))
 }
 
-fn grasping<H: Hardware<3, 3>>(hardware: H) -> Machine<'static, Grasp, H, (), HandSpecials, 3, 3> {
+fn grasping<H: Hardware<3, 3>>(hardware: H) -> Machine<Grasp, H, (), HandSpecials, 3, 3> {
     let special = HandSpecials::new();
     checked(Machine::new(
         Grasp::new(),

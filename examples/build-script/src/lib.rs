@@ -15,7 +15,7 @@ include!(concat!(env!("OUT_DIR"), "/push_up.rs"));
 /// Never, unless the robot's model changes: the program was checked for this one.
 pub fn pushing_up<C: Console>(
     console: C,
-) -> Result<Machine<'static, PushUp, SimulatedPlant<4, 3>, C, (), 4, 3>, Mismatch> {
+) -> Result<Machine<PushUp, SimulatedPlant<4, 3>, C, (), 4, 3>, Mismatch> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
     Machine::new(PushUp::new(), &titan8::MODEL, plant, console, ())
 }

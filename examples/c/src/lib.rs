@@ -63,7 +63,7 @@ impl Hardware<LEGS, JOINTS> for Wires {
     fn stop(&mut self, _why: &Fault) {}
 }
 
-type Robot = Machine<'static, Walk, Wires, (), (), LEGS, JOINTS>;
+type Robot = Machine<Walk, Wires, (), (), LEGS, JOINTS>;
 
 static ROBOT: Mutex<Option<Robot>> = Mutex::new(None);
 

@@ -32,7 +32,7 @@ END
 /// Never, unless the robot's model changes: the program was checked for this one.
 pub fn waving<C: Console>(
     console: C,
-) -> Result<Machine<'static, Wave, SimulatedPlant<4, 3>, C, (), 4, 3>, Mismatch> {
+) -> Result<Machine<Wave, SimulatedPlant<4, 3>, C, (), 4, 3>, Mismatch> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
     Machine::new(Wave::new(), &titan8::MODEL, plant, console, ())
 }

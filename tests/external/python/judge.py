@@ -6,11 +6,13 @@ import json
 import multiprocessing
 import os
 import pickle
+import resource
 import signal
 import subprocess
 import sys
 import threading
 import time
+import types
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
@@ -145,6 +147,14 @@ def robots():
     tripod = tip.sweep("tripod.prg", robot="hexapod.toml", vary={"robot.body.mass": [8, 16]}, plant="dynamic", until=1)
     torques = tripod["peak_torque"].to_pylist()
     assert torques[1] > torques[0]
+    # A robot with numbers of its own takes memory only as long as it runs.
+    document = tip.spec("tripod.prg", robot="hexapod.toml", vary={"robot.body.mass": tip.uniform(6, 10)}, repeat=20_000, cycles=1)
+    peaks = []
+    for first in range(0, 20_000, 1000):
+        _native.run_chunk(document, first, 1000)
+        peaks.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+    assert peaks[-1] - peaks[1] < 8000, peaks
+    print(f"20,000 different robots: {(peaks[-1] - peaks[1]) / 1000:.1f} MB more than 2,000")
     print(f"hand and described robot: lifted {np.round(lifted, 1)} mm, torques {np.round(torques, 2)} N·m")
 
 
@@ -184,10 +194,30 @@ def runs():
 
 def falsifier():
     stand = "3.1\nStands\nSTAND_UP 60\nWAIT_INPOS ALL\nSLEEP 3000\nEND\n"
-    found = tip.falsify(stand, "push.x", good=0, bad=3000, tolerance=20, plant="dynamic", vary={"push.at": 3}, until=8)
-    assert 0 < found.good < found.value < 3000 and found.value - found.good <= 20
-    row = tip.sweep(stand, vary={"push.at": 3, "push.x": found.value}, plant="dynamic", until=8)
-    assert row["hash"][0].as_py() == found.row["hash"], "the case can be repeated"
+    off = dict.fromkeys(["tilt", "slip", "lost_travel", "least_margin"])
+
+    def smallest(column, limit, quantity, bad, friction):
+        # The smallest bad push and the next smaller good one are on both sides of the limit.
+        vary = {"push.at": 3, "friction": friction}
+        options = {"vary": vary, "plant": "dynamic", "until": 8}
+        found = tip.falsify(stand, quantity, good=0, bad=bad, tolerance=10, limits={**off, column: limit}, **options)
+        assert 0 < abs(found.value - found.good) <= 10 and abs(found.good) < abs(found.value), found
+        rows = tip.sweep(stand, vary={**vary, quantity: [0, found.good, found.value]}, plant="dynamic", until=8)
+        assert rows["hash"][2].as_py() == found.row["hash"], "the case can be repeated"
+        start, good, bad = (rows["forward"] if column == "lost_travel" else rows[column]).to_pylist()
+        if column == "lost_travel":
+            good, bad = start - good, start - bad
+        assert good >= limit > bad if column == "least_margin" else good <= limit < bad, (column, good, bad)
+        return found
+
+    # A floor that holds the feet, and one on which they slide. The robot falls on its side, rocks, or does not lift a foot.
+    found = smallest("tilt", 60, "push.x", 1000, 3)
+    assert found.row["falls"] > found.row["upright_falls"]
+    rocks = smallest("tilt", 5, "push.x", 1000, 3)
+    stays = smallest("least_margin", 50, "push.x", 1000, 3)
+    assert stays.value < rocks.value < found.value
+    smallest("slip", 100, "push.x", 1500, 0.3)
+    smallest("lost_travel", 100, "push.y", -1500, 0.3)
     raises(ValueError, tip.falsify, stand, "push.x", good=0, bad=1, plant="dynamic", vary={"push.at": 3}, until=4, says="should be bad, but is good")
     raises(ValueError, tip.falsify, stand, "push.x", good=0, bad=1, limits={"tip": 1}, says="unknown limits")
     print(f"falsifier: {found}")
@@ -214,9 +244,34 @@ def environments():
         count += 64 * 5
     print(f"environments: {count} control cycles a CPU-second")
     if has("stable_baselines3"):
-        env = tip.sb3_vec_env("steers.prg", 4, **options)
-        assert env.reset().shape == (4, 4)
-        assert env.step(np.full((4, 1), 100.0))[0].shape == (4, 4)
+        sb3_environments(options)
+
+
+def sb3_environments(options):
+    if not importlib.util.find_spec("torch"):
+        # The package imports torch; the module of its VecEnv does not.
+        folder = Path(importlib.util.find_spec("stable_baselines3").origin).parent
+        names = ["stable_baselines3", "stable_baselines3.common", "stable_baselines3.common.vec_env"]
+        found = importlib.util.spec_from_file_location(names[-1], folder / "common/vec_env/base_vec_env.py")
+        sys.modules |= {name: types.ModuleType(name) for name in names[:-1]}
+        sys.modules[names[-1]] = importlib.util.module_from_spec(found)
+        found.loader.exec_module(sys.modules[names[-1]])
+    from stable_baselines3.common.vec_env import VecEnv
+
+    # A class that lacks one of the abstract methods cannot be instantiated.
+    env = tip.sb3_vec_env("steers.prg", 4, **options)
+    assert isinstance(env, VecEnv) and env.get_attr("num_envs") == [4] * 4 and env.env_is_wrapped(object) == [False] * 4
+    env.seed(3)
+    first = env.reset()
+    assert first.shape == (4, 4) and first.dtype == np.float32
+    for step in range(10):
+        observations, rewards, dones, infos = env.step(np.full((4, 1), 100.0))
+        assert observations.shape == (4, 4) and rewards.shape == dones.shape == (4,) and len(infos) == 4
+        assert dones.all() == dones.any() == (step == 9), "an episode is 50 cycles, which are 10 steps"
+    assert all(info["TimeLimit.truncated"] and info["terminal_observation"].shape == (4,) for info in infos)
+    assert np.array_equal(observations, first), "the next episode begins in the same step"
+    env.close()
+    print("stable-baselines3: its VecEnv is complete")
 
 
 def notebook():

@@ -32,7 +32,7 @@ impl Tolerance {
     }
 }
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Returns the flag `INPOS_…`: arrived within JUST; true where nothing is under position or
     /// angle control.
     #[must_use]
@@ -84,7 +84,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 }
 
-impl<const J: usize> LegState<'_, J> {
+impl<const J: usize> LegState<J> {
     /// Returns true if the leg has arrived. Joints under angle control, and a third joint under
     /// position control, decide; otherwise the foot.
     fn arrived(&self, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {

@@ -23,7 +23,7 @@ impl FloorSearch {
     }
 }
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     pub(super) fn detect_floor_by_soles(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let search = match self.tasks.current() {
             Task::DetectFloor(search) => search,

@@ -11,7 +11,7 @@ use crate::fault::Fault;
 use crate::kinematics::LegPoint;
 use core::ops::RangeInclusive;
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Runs TORQUE: relative operands count from the torque commanded, or else from that sensed.
     pub(super) fn torque(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, first, count) = self.joints_of(command)?;

@@ -13,9 +13,9 @@ use crate::model::{Inverse, Leg, ModelFacts, Point, Range};
 
 /// One leg: what it is, what it is to do, and what it measured.
 #[derive(Clone, Copy, Debug)]
-pub struct LegState<'m, const J: usize> {
-    /// The leg as the robot has it.
-    pub(super) own: &'m Leg<J>,
+pub struct LegState<const J: usize> {
+    /// The working limits that the robot has.
+    pub(super) own: [Range; J],
     /// The leg with the working limits in force.
     pub(super) model: Leg<J>,
     pub(super) switches: LegSwitches<J>,
@@ -34,13 +34,13 @@ pub struct LegState<'m, const J: usize> {
     pub(super) search: Option<u16>,
 }
 
-impl<'m, const J: usize> LegState<'m, J> {
+impl<const J: usize> LegState<J> {
     /// Creates a leg in its initial posture, not controlled, with standard parameters.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    pub(super) fn new(model: &'m Leg<J>, robot: &ModelFacts<'_>) -> Self {
+    pub(super) fn new(model: &Leg<J>, robot: &ModelFacts) -> Self {
         LegState {
-            own: model,
+            own: model.joints.map(|joint| joint.limits),
             model: *model,
             switches: LegSwitches::STANDARD,
             params: LegParams::standard(robot),
@@ -117,7 +117,7 @@ impl<'m, const J: usize> LegState<'m, J> {
     }
 
     /// Returns the commands of its joints, vibrations included.
-    pub(super) fn outputs(&self, robot: &ModelFacts<'_>) -> [JointCommand; J] {
+    pub(super) fn outputs(&self, robot: &ModelFacts) -> [JointCommand; J] {
         let mut commands = self.drive.outputs();
         let Some(per_volt) = robot.vibration else {
             return commands;
@@ -187,11 +187,13 @@ impl<const J: usize> LegSwitches<J> {
     }
 }
 
-impl<const J: usize> LegState<'_, J> {
+impl<const J: usize> LegState<J> {
     /// Puts back switches and working limits.
     pub(super) fn reset_switches(&mut self) {
         self.switches = LegSwitches::STANDARD;
-        self.model = *self.own;
+        for (joint, own) in self.model.joints.iter_mut().zip(&self.own) {
+            joint.limits = *own;
+        }
     }
 
     /// Returns true if DIRECT holds for commands that name this target of the leg.
@@ -216,8 +218,8 @@ impl<const J: usize> LegState<'_, J> {
     /// Returns true if new limits left joint `m` (from 0) outside, within those of the robot.
     pub(super) fn may_be_outside(&self, m: usize, angle: f64) -> bool {
         let is_outside = self.switches.outside.get(m).is_some_and(|outside| *outside);
-        let own = self.own.joints.get(m);
-        is_outside && own.is_some_and(|own| own.limits.widened(ROUNDING).contains(angle))
+        let own = self.own.get(m);
+        is_outside && own.is_some_and(|own| own.widened(ROUNDING).contains(angle))
     }
 
     /// Takes note of joints that are inside their new limits now.

@@ -10,7 +10,7 @@ use crate::fault::Fault;
 use crate::kinematics::{self, Chain, LegPoint};
 use crate::model::{Family, Point};
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Runs PTP and REL_PTP.
     pub(super) fn move_point(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
         if command.target == Target::Floor {

@@ -10,7 +10,7 @@ use crate::hardware::JointCommand;
 use crate::kinematics::LegPoint;
 use crate::model::Point;
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Pulls a foot, or a third joint, to the place `to` (mm) by a spring of its own stiffness (N/mm
     /// along each axis), whose set point is there immediately. The rest is as COMPLIANCE_POSITION has it.
     ///

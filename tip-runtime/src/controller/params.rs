@@ -59,8 +59,8 @@ const NO_FORCES: Forces = Forces {
     contact_torque: 0.0,
 };
 
-fn forces<'m>(robot: &ModelFacts<'m>) -> &'m Forces {
-    robot.forces.unwrap_or(&NO_FORCES)
+fn forces(robot: &ModelFacts) -> &Forces {
+    robot.forces.as_ref().unwrap_or(&NO_FORCES)
 }
 
 impl FootParams {
@@ -128,8 +128,8 @@ pub(super) struct LegParams<const J: usize> {
 }
 
 impl<const J: usize> LegParams<J> {
-    pub(super) fn standard(robot: &ModelFacts<'_>) -> Self {
-        let (standards, forces) = (robot.standards, forces(robot));
+    pub(super) fn standard(robot: &ModelFacts) -> Self {
+        let (standards, forces) = (&robot.standards, forces(robot));
         LegParams {
             foot: FootParams::standard(standards, forces),
             joints: [JointParams::standard(standards, forces); J],
@@ -149,9 +149,9 @@ pub(super) struct Params {
 }
 
 impl Params {
-    pub(super) fn standard(robot: &ModelFacts<'_>) -> Self {
+    pub(super) fn standard(robot: &ModelFacts) -> Self {
         Params {
-            slider: FootParams::standard(robot.standards, forces(robot)),
+            slider: FootParams::standard(&robot.standards, forces(robot)),
             period: robot.standards.period,
             emg: true,
         }
@@ -259,7 +259,7 @@ impl<'a> Checked<'a> {
     }
 }
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Puts back every parameter and switch, as INITIAL_POSTURE and the end of a program do.
     pub(super) fn standardise(&mut self) {
         self.params = Params::standard(&self.robot);
@@ -303,7 +303,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 
     fn set_foot_field(&mut self, operands: &Checked<'_>, field: FootField) -> Result<(), Fault> {
-        let mut standard = FootParams::standard(self.robot.standards, forces(&self.robot));
+        let mut standard = FootParams::standard(&self.robot.standards, forces(&self.robot));
         let value = operands.value(0, *field(&mut standard))?;
         let target = operands.command.target;
         if target == Target::Floor {
@@ -320,7 +320,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 
     fn set_joint_field(&mut self, operands: &Checked<'_>, field: JointField) -> Result<(), Fault> {
-        let mut standard = JointParams::standard(self.robot.standards, forces(&self.robot));
+        let mut standard = JointParams::standard(&self.robot.standards, forces(&self.robot));
         let standard = *field(&mut standard);
         if let Target::Joint(n, m) = operands.command.target {
             let ([_] | []) = operands.command.values else {

@@ -8,7 +8,7 @@ use crate::command::Poll;
 use crate::fault::Fault;
 use crate::kinematics::{Chain, LegPoint};
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Brakes, then sets off for the initial posture with standard parameters.
     ///
     /// # Errors

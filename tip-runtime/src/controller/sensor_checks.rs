@@ -6,7 +6,7 @@ use crate::fault::Fault;
 use crate::hardware::SensorsView;
 use crate::kinematics::ROUNDING;
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Takes in the readings, like [`sense`](super::Controller::sense), for a controller of any
     /// size.
     pub(crate) fn sense_view(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {

@@ -61,7 +61,7 @@ impl Setpoint {
     }
 }
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Iterates over the aims of every leg, F1 first: its foot, if that is controlled, or else each
     /// of its joints; then the slider, if there is one.
     pub fn setpoints(&self) -> impl Iterator<Item = Setpoint> {
@@ -83,7 +83,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 }
 
-fn of_leg<const J: usize>(n: u8, leg: &LegState<'_, J>) -> impl Iterator<Item = Setpoint> {
+fn of_leg<const J: usize>(n: u8, leg: &LegState<J>) -> impl Iterator<Item = Setpoint> {
     let point = match &leg.drive.drive {
         Drive::Joints(_) => None,
         Drive::Foot(foot) => Some(Setpoint::of_track(Target::Foot(n), foot)),

@@ -5,7 +5,7 @@ use super::arrival::done_if;
 use crate::command::{Command, Poll};
 use crate::fault::Fault;
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Runs SLEEP: at least one cycle, and no time of a cycle too little.
     pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let sleep = self.tasks.sleep().ok_or(Fault::Domain)?;

@@ -11,7 +11,7 @@ use crate::model::Point;
 /// V_MAX during the move, as a share of its standard value (SLOW).
 const SLOW: f64 = 0.5;
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Moves every foot by the operand times `direction` along z.
     pub(super) fn stand(&mut self, command: &Command<'_>, direction: f64) -> Result<Poll, Fault> {
         let [height] = command.values else {

@@ -23,7 +23,7 @@ impl Hold {
     }
 }
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Runs ALL_STOP: every motion brakes under the limits in force; modes and targets stay.
     pub fn hold(&mut self) {
         if self.hold == Hold::Off {

@@ -8,7 +8,7 @@ use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
 use crate::model::Range;
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Runs DIRECT and TRAJECTORY. With ALL, what is locked keeps its switch.
     pub(super) fn switch_direct(&mut self, target: Target, on: bool) -> Result<(), Fault> {
         self.require_joints(target)?;
@@ -63,10 +63,10 @@ impl<const J: usize> ControllerView<'_, J> {
         let (lows, highs) = command.values.split_at(count);
         let leg = targets::leg_mut(&mut self.legs, n)?;
         let mut limited = leg.model;
-        let joints = limited.joints.iter_mut().zip(&leg.own.joints).enumerate();
+        let joints = limited.joints.iter_mut().zip(&leg.own).enumerate();
         let joints = joints.filter(|(m, _)| names(target, *m));
         for ((_, (joint, own)), (low, high)) in joints.zip(lows.iter().zip(highs)) {
-            joint.limits = within(own.limits, low, high).ok_or(Fault::Domain)?;
+            joint.limits = within(*own, low, high).ok_or(Fault::Domain)?;
         }
         leg.model = limited;
         for (m, outside) in leg.switches.outside.iter_mut().enumerate() {
@@ -80,11 +80,11 @@ impl<const J: usize> ControllerView<'_, J> {
     pub(super) fn reset_limits(&mut self, target: Target) -> Result<(), Fault> {
         self.require_joints(target)?;
         for leg in targets::feet(&mut self.legs, of_legs(target))? {
-            let joints = leg.model.joints.iter_mut().zip(&leg.own.joints);
+            let joints = leg.model.joints.iter_mut().zip(&leg.own);
             let joints = joints.zip(&mut leg.switches.outside).enumerate();
             for (m, ((joint, own), outside)) in joints {
                 if names(target, m) {
-                    joint.limits = own.limits;
+                    joint.limits = *own;
                     *outside = false;
                 }
             }

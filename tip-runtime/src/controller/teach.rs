@@ -9,7 +9,7 @@ use crate::kinematics::LegPoint;
 /// Result of TEACH_FORCE where the posture is singular.
 const UNAVAILABLE: [f64; 3] = [0.0, 0.0, -1.0];
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Measures: X, Y, Z of a foot or joint in mm; the angles (deg) or torques of a leg, or of a
     /// single joint; the force in N with which a foot, or the end of its second link (`Jn2`),
     /// pushes, which is (0, 0, −1) in a singular posture. Members beyond those are zero.

@@ -42,7 +42,7 @@ const LIMIT_MARGIN: f64 = 1.0;
 /// Number of cycles by which it is stopped before it would be there.
 const LOOKAHEAD_CYCLES: f64 = 2.0;
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Starts a search, or goes on with it.
     pub(super) fn detect_touch(
         &mut self,
@@ -51,14 +51,14 @@ impl<const J: usize> ControllerView<'_, J> {
     ) -> Result<Poll, Fault> {
         let forces = self.robot.forces.ok_or(Fault::Domain)?;
         if self.tasks.current() != Task::DetectTouch {
-            start(self, command, forces)?;
+            start(self, command, &forces)?;
             self.tasks.set(Task::DetectTouch);
-            self.press_floor(command, forces);
+            self.press_floor(command, &forces);
             return Ok(Poll::Pending);
         }
         let searching = self.legs.iter().filter(|leg| leg.search.is_some());
         unlocked(searching.into_iter().any(|leg| leg.switches.has_locked()))?;
-        self.press_floor(command, forces);
+        self.press_floor(command, &forces);
         let pressing = if is_downward(command) {
             PUSHING_JOINTS
         } else {
@@ -169,7 +169,7 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 }
 
-impl<const J: usize> LegState<'_, J> {
+impl<const J: usize> LegState<J> {
     /// Pushes the fingertip straight down by joints 1 and 2. The one with the longer lever has the
     /// search torque. A joint that comes near its limit within `look` seconds stays there while it
     /// is pushed farther.

@@ -97,7 +97,7 @@ fn fraction(value: f64) -> f64 {
     value - libm::floor(value)
 }
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Lets a joint vibrate about what it is commanded, or keep still. One that vibrates already goes
     /// on from where in its wave it is.
     ///

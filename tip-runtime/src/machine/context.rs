@@ -13,8 +13,8 @@ use crate::vibration::Vibration;
 use core::cell::Cell;
 use core::fmt::Display;
 
-pub(super) struct StepContext<'a, 'm, const J: usize> {
-    pub(super) devices: Devices<'a, 'm, J>,
+pub(super) struct StepContext<'a, const J: usize> {
+    pub(super) devices: Devices<'a, J>,
     pub(super) special: &'a mut dyn Special,
     pub(super) console: &'a mut dyn Console,
     pub(super) sink: Option<&'a mut dyn Sink>,
@@ -27,7 +27,7 @@ pub(super) struct StepContext<'a, 'm, const J: usize> {
     pub(super) ends_turn: Cell<bool>,
 }
 
-impl<const J: usize> StepContext<'_, '_, J> {
+impl<const J: usize> StepContext<'_, J> {
     fn call_special(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         self.devices.controller.begin_special()?;
         self.devices.io.variables.share();
@@ -60,7 +60,7 @@ impl<const J: usize> StepContext<'_, '_, J> {
     }
 }
 
-impl<const J: usize> Robot for StepContext<'_, '_, J> {
+impl<const J: usize> Robot for StepContext<'_, J> {
     fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let poll = match command.op {
             Op::Special => self.call_special(command)?,
@@ -123,7 +123,7 @@ impl<const J: usize> Robot for StepContext<'_, '_, J> {
     }
 }
 
-impl<const J: usize> Context for StepContext<'_, '_, J> {
+impl<const J: usize> Context for StepContext<'_, J> {
     fn key(&mut self) -> Option<u8> {
         self.ends_turn.set(true);
         self.devices.io.keyboard.take()

@@ -21,12 +21,12 @@ use core::cell::Cell;
 const KEYS_PER_CYCLE: usize = 256;
 
 /// All parts of a machine, for one cycle.
-pub(super) struct ControlCycle<'a, 'm, const J: usize> {
+pub(super) struct ControlCycle<'a, const J: usize> {
     pub(super) program: &'a mut dyn Program,
     pub(super) robot: &'a mut dyn DynHardware<J>,
     pub(super) console: &'a mut dyn Console,
     pub(super) special: &'a mut dyn Special,
-    pub(super) controller: &'a mut ControllerView<'m, J>,
+    pub(super) controller: &'a mut ControllerView<J>,
     pub(super) state: &'a mut State,
 }
 
@@ -51,7 +51,7 @@ struct Ran {
     next: Option<u32>,
 }
 
-impl<const J: usize> ControlCycle<'_, '_, J> {
+impl<const J: usize> ControlCycle<'_, J> {
     pub(super) fn run(&mut self, sink: Option<&mut dyn Sink>) -> Status {
         if let Some(emergency) = &self.state.emergency {
             self.robot.stop(&emergency.fault);
@@ -360,7 +360,7 @@ fn hardware_fault(HardwareFault(what): HardwareFault) -> Fault {
 /// Returns the readings and outputs of a cycle.
 fn sample<'a, const J: usize>(
     robot: &'a dyn DynHardware<J>,
-    controller: &ControllerView<'_, J>,
+    controller: &ControllerView<J>,
     state: &State,
 ) -> Sample<'a> {
     let sensors = robot.sensors();

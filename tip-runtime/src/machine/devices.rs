@@ -11,13 +11,13 @@ use crate::program::{Robot, SpecialVariable};
 use crate::vibration::Vibration;
 
 /// A robot with any number of legs of `J` joints, in one cycle.
-pub(super) struct Devices<'a, 'm, const J: usize> {
-    pub(super) controller: &'a mut ControllerView<'m, J>,
+pub(super) struct Devices<'a, const J: usize> {
+    pub(super) controller: &'a mut ControllerView<J>,
     pub(super) sensors: SensorsView<'a, J>,
     pub(super) io: &'a mut IoState,
 }
 
-impl<const J: usize> Devices<'_, '_, J> {
+impl<const J: usize> Devices<'_, J> {
     fn dump_variables(&mut self) {
         self.io.dump_requested = true;
         self.io.held_for_dump |= self.controller.take_hold();
@@ -107,7 +107,7 @@ fn index(number: u8) -> usize {
     usize::from(number).wrapping_sub(1)
 }
 
-impl<const J: usize> Robot for Devices<'_, '_, J> {
+impl<const J: usize> Robot for Devices<'_, J> {
     fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         match command.op {
             Op::FlushBuf => self.io.keyboard.clear(),

@@ -41,10 +41,10 @@ impl Graphs {
         &mut self,
         time: f64,
         torques: &[[f64; J]],
-        controller: &ControllerView<'_, J>,
+        controller: &ControllerView<J>,
         console: &mut dyn Console,
     ) {
-        let Some(forces) = controller.robot().forces else {
+        let Some(forces) = &controller.robot().forces else {
             return;
         };
         for (number, graph) in (0..).zip(&mut self.0) {
@@ -80,7 +80,7 @@ fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) 
 /// Fills bars with forces; full height is four times the force of a search, and a force that is not
 /// available has no height.
 fn force_bars<'a, const J: usize>(
-    controller: &ControllerView<'_, J>,
+    controller: &ControllerView<J>,
     forces: &Forces,
     bars: &'a mut [f64; MOST],
 ) -> &'a [f64] {

@@ -39,7 +39,7 @@ impl IoState {
     pub(super) fn flag<const J: usize>(
         &self,
         flag: Flag,
-        controller: &ControllerView<'_, J>,
+        controller: &ControllerView<J>,
         inputs: &Inputs,
     ) -> bool {
         match flag {

@@ -64,7 +64,7 @@ impl Simulated<3, 3> for Hand {
     }
 }
 
-impl<P, H, S, const L: usize, const J: usize> Machine<'static, P, H, (), S, L, J>
+impl<P, H, S, const L: usize, const J: usize> Machine<P, H, (), S, L, J>
 where
     P: Program,
     H: Hardware<L, J>,
@@ -80,14 +80,12 @@ where
     }
 }
 
-impl<'m, P: Program, const L: usize, const J: usize>
-    Machine<'m, P, SimulatedPlant<L, J>, (), (), L, J>
-{
+impl<P: Program, const L: usize, const J: usize> Machine<P, SimulatedPlant<L, J>, (), (), L, J> {
     /// Puts a program on a described robot, which is simulated on a level floor, without a console.
     ///
     /// # Errors
     /// The program was checked for another robot.
-    pub fn simulated_on(program: P, model: &'m Model<L, J>) -> Result<Self, Mismatch> {
+    pub fn simulated_on(program: P, model: &Model<L, J>) -> Result<Self, Mismatch> {
         Machine::new(program, model, SimulatedPlant::new(model), (), ())
     }
 }

@@ -77,14 +77,14 @@ impl State {
         }
     }
 
-    pub(super) fn pause<const J: usize>(&mut self, controller: &mut ControllerView<'_, J>) {
+    pub(super) fn pause<const J: usize>(&mut self, controller: &mut ControllerView<J>) {
         if !self.paused {
             self.paused = true;
             self.io.held_for_pause = controller.take_hold();
         }
     }
 
-    pub(super) fn resume<const J: usize>(&mut self, controller: &mut ControllerView<'_, J>) {
+    pub(super) fn resume<const J: usize>(&mut self, controller: &mut ControllerView<J>) {
         if self.paused {
             self.paused = false;
             if core::mem::take(&mut self.io.held_for_pause) {

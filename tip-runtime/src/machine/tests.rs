@@ -111,7 +111,7 @@ impl Hardware<4, 3> for Follower {
     }
 }
 
-pub(super) type Bench<S = ()> = Machine<'static, Script, Follower, Scripted, S, 4, 3>;
+pub(super) type Bench<S = ()> = Machine<Script, Follower, Scripted, S, 4, 3>;
 
 pub(super) static MODEL: Model<4, 3> = titan8::MODEL;
 

@@ -4,29 +4,29 @@ use super::{Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards
 
 /// A model without its legs.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ModelFacts<'m> {
+pub(crate) struct ModelFacts {
     pub(crate) family: Family,
     pub(crate) inverse: Inverse,
-    pub(crate) standards: &'m Standards,
+    pub(crate) standards: Standards,
     pub(crate) periods: Range,
     pub(crate) contact: f64,
     pub(crate) lamps: u8,
-    pub(crate) forces: Option<&'m Forces>,
-    pub(crate) slider: Option<&'m Slider>,
+    pub(crate) forces: Option<Forces>,
+    pub(crate) slider: Option<Slider>,
     pub(crate) vibration: Option<VibrationGain>,
 }
 
-impl<'m> ModelFacts<'m> {
-    pub(crate) const fn of<const L: usize, const J: usize>(model: &'m Model<L, J>) -> Self {
+impl ModelFacts {
+    pub(crate) const fn of<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
         ModelFacts {
             family: model.family,
             inverse: model.inverse,
-            standards: &model.standards,
+            standards: model.standards,
             periods: model.periods,
             contact: model.contact,
             lamps: model.lamps,
-            forces: model.forces.as_ref(),
-            slider: model.slider.as_ref(),
+            forces: model.forces,
+            slider: model.slider,
             vibration: model.vibration,
         }
     }

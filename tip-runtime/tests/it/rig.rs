@@ -9,7 +9,7 @@ use tip_runtime::model::{Model, generic, titan8};
 
 pub(crate) struct Rig {
     pub(crate) model: &'static Model<4, 3>,
-    pub(crate) controller: Controller<'static, 4, 3>,
+    pub(crate) controller: Controller<4, 3>,
     /// The next readings of the sensors, except the angles of joints that follow their commands.
     pub(crate) sensors: Sensors<4, 3>,
     /// Joints that stand still whatever they are commanded, where the sensors say.

@@ -47,7 +47,7 @@ fn planar<const J: usize>(lengths: [f64; J]) -> Leg<J> {
 
 /// Runs one cycle on an ideal servo.
 fn run<const L: usize, const J: usize>(
-    controller: &mut Controller<'_, L, J>,
+    controller: &mut Controller<L, J>,
     op: Op,
     target: Target,
     values: &[f64],

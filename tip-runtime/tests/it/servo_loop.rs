@@ -9,7 +9,7 @@ use tip_runtime::model::titan8;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::realtime::run_realtime;
 
-type Bench<H> = Machine<'static, List<Vec<f64>>, H, (), (), 4, 3>;
+type Bench<H> = Machine<List<Vec<f64>>, H, (), (), 4, 3>;
 
 fn bench<H: Hardware<4, 3>>(steps: &[(Op, Target, &[f64])], hardware: H) -> Bench<H> {
     let steps = steps

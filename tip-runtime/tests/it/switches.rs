@@ -22,7 +22,7 @@ fn titan(setup: &[(Op, Target, &[f64])]) -> Rig {
 }
 
 /// A hand whose joints stay where they were at first, whatever they are told.
-struct Still(Controller<'static, 3, 3>, Sensors<3, 3>);
+struct Still(Controller<3, 3>, Sensors<3, 3>);
 
 impl Still {
     fn hand() -> Self {

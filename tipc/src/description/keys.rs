@@ -140,6 +140,18 @@ pub struct Key {
     pub meaning: Bilingual,
 }
 
+impl Key {
+    /// Returns the unit of its numbers; empty if they have none.
+    pub fn unit(&self) -> &'static str {
+        let form = self.form.english;
+        match form.split_once(" in ") {
+            Some((_, unit)) => unit.split_once(',').map_or(unit, |(unit, _)| unit),
+            None if form.starts_with("[deg") => "deg",
+            None => "",
+        }
+    }
+}
+
 macro_rules! keys {
     ($(
         $part:ident $name:literal, $form:literal / $form_ja:literal, $default:expr, $meaning:literal / $meaning_ja:literal;

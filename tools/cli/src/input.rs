@@ -7,6 +7,7 @@ use tip_drives::model::{MODELS, Model};
 use tip_lint::migrate::Migration;
 use tip_runtime::model::Range;
 use tip_runtime::plant::Scene;
+use tip_sim::urdf;
 use tipc::code::Code;
 use tipc::description::{self, Description, Project};
 use tipc::diagnostic::Diagnostic;
@@ -56,13 +57,33 @@ pub(super) fn migrate(
     }
 }
 
-/// Reads the description of a robot at `path`.
-pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
-    let name = name(path);
-    match read(path, LIMIT) {
-        Ok(bytes) => tipc::description::parse_for_servos(&name, &bytes, &servos()),
-        Err(reason) => Err(Box::new(unreadable(name, reason))),
+/// Returns true if a file is called URDF by its extension.
+pub(super) fn is_urdf(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "urdf")
+}
+
+/// Reads the text of a description at `path`, or imports a URDF file; returns its name in diagnostics, too.
+pub(super) fn description(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
+    let (name, bytes) = bytes(path)?;
+    if !is_urdf(path) {
+        return Ok((name, bytes));
     }
+    let file = path.file_name().unwrap_or_default().to_string_lossy();
+    let imported = urdf::decode(&bytes).and_then(|text| urdf::import(&file, &text));
+    imported
+        .map(|import| (name.clone(), import.toml.into_bytes()))
+        .map_err(|refused| {
+            let (source, _) = Source::decode(name, &bytes, Encoding::Utf8);
+            let reason = refused.message().clone();
+            let diagnostic = Diagnostic::new(Code::Description, Span::default(), reason);
+            Box::new(Loaded::refused(source, vec![diagnostic]))
+        })
+}
+
+/// Reads the description of a robot at `path`, or imports a URDF file.
+pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
+    let (name, bytes) = description(path)?;
+    tipc::description::parse_for_servos(&name, &bytes, &servos())
 }
 
 /// Reads the `tip.toml` at `path`; `is_there` says whether there is a file that it names.

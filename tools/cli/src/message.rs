@@ -5,8 +5,8 @@ use smol_str::SmolStr;
 use tip_runtime::command::Target;
 use tip_sim::message::Awaited;
 use tipc::language::Keyword;
-use tipc::message::Text;
 use tipc::message::list::{Each, List};
+use tipc::message::{Message, Text};
 
 /// Numbers of something, as arguments of messages.
 pub(crate) mod count {
@@ -94,9 +94,9 @@ tipc::message_table! {
     FallsAreElsewhere
         "--deny falls needs a built-in plant: the falls of a process's robot are not counted",
         "--deny falls を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒は数えられません";
-    NotAnAxis { text: String }
-        "`{text}` is not a quantity with values: write NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)",
-        "`{text}` は量と値の指定ではありません。NAME=FROM..TO/STEP、NAME=A,B,C、NAME=uniform(LOW,HIGH)、NAME=normal(MEAN,DEVIATION) のように書いてください";
+    NotAnAxis { reason: Message }
+        "{reason}",
+        "{reason}";
     NotATime { text: String }
         "`{text}` is not a time above 0, such as 60s or 500ms",
         "`{text}` は60sや500msのような、0より長い時間ではありません";
@@ -342,6 +342,9 @@ tipc::message_table! {
     StoppedAfter { time: String }
         "an emergency stop after {time} s",
         "{time} sで非常停止";
+    Progress { at: Text, all: Text, fell: Text, rate: Text, left: Text }
+        "{at} of {all} runs, {fell} fell, {rate}, {left} left",
+        "{all}回中{at}回、転倒{fell}回、{rate}、残り{left}";
     Kept { runs: String, all: String, part: Text }
         "{runs} of {all} runs are in {part}; the same command with --resume goes on",
         "{part} に{all}回中{runs}回の結果があります。同じコマンドに--resumeを付けると続きを実行します";

@@ -4,15 +4,12 @@ use crate::choices::OutputOptions;
 use crate::choices::{Format, LangName, RobotName};
 use crate::error::Error;
 use crate::message::{Using, Weight};
-use crate::setup::{RobotChoice, RobotParser};
-use crate::setup::{SceneChoice, in_scene, load_scene};
+use crate::setup::{RobotChoice, SceneChoice, in_scene, load_scene};
 use crate::usage::BadValue;
 use crate::{Status, choices, input, output, report};
-use clap::builder::ValueParserFactory;
 use clap::{Args, Subcommand, ValueEnum};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use tip_runtime::printable::Printable;
 use tip_sim::urdf::Foot;
 use tip_sim::{Anatomy, Robot, mjcf, urdf};
@@ -318,11 +315,6 @@ fn height(text: &str) -> Result<f64, BadValue> {
     })
 }
 
-/// Returns true if a file is called URDF by its extension.
-fn is_urdf(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending == "urdf")
-}
-
 /// Imports a URDF file; errors are reported to standard error.
 fn read_urdf(path: &Path, options: &urdf::ImportOptions, lang: Lang) -> Option<urdf::Import> {
     let read = input::read(path, LIMIT).map_err(|reason| reason.in_lang(lang).to_string());
@@ -413,7 +405,7 @@ pub(super) struct Export {
     ///
     /// A name that 'tip robot list' shows, a description, or a URDF file to normalise
     #[arg(long, value_name = "NAME|FILE", default_value = "titan8")]
-    robot: Model,
+    robot: RobotChoice,
 
     /// Write to a file instead of standard output
     #[arg(short, long, value_name = "OUT")]
@@ -423,36 +415,14 @@ pub(super) struct Export {
     output_options: OutputOptions,
 }
 
-/// The source of the robot.
-#[derive(Clone, Debug)]
-enum Model {
-    Robot(RobotChoice),
-    Urdf(PathBuf),
-}
-
-impl ValueParserFactory for Model {
-    type Parser = RobotParser<Self>;
-
-    fn value_parser() -> Self::Parser {
-        RobotParser::new(&[])
-    }
-}
-
-impl FromStr for Model {
-    type Err = BadValue;
-
-    fn from_str(text: &str) -> Result<Self, BadValue> {
-        match is_urdf(Path::new(text)) {
-            true => Ok(Model::Urdf(text.into())),
-            false => text.parse().map(Model::Robot),
-        }
-    }
-}
-
 /// Writes the robot.
 fn export(arguments: &Export) -> Result<Status, Error> {
-    let Some(robot) = exported_robot(arguments)? else {
-        return Ok(Status::Failure);
+    let robot = match arguments.robot.load() {
+        Ok(robot) => robot.simulated()?,
+        Err(loaded) => {
+            report::diagnostics(&loaded, arguments.output_options);
+            return Ok(Status::Failure);
+        }
     };
     let text = match arguments.mjcf {
         false => urdf::export(&robot),
@@ -466,10 +436,7 @@ fn export(arguments: &Export) -> Result<Status, Error> {
     };
     match &arguments.out {
         Some(out) => {
-            let robot = match &arguments.robot {
-                Model::Robot(choice) => choice.file(),
-                Model::Urdf(path) => Some(path.as_path()),
-            };
+            let robot = arguments.robot.file();
             let scene = arguments.scene.as_ref().and_then(SceneChoice::file);
             let files: Vec<&Path> = robot.into_iter().chain(scene).collect();
             output::refuse_inputs(out, &files)?;
@@ -478,27 +445,6 @@ fn export(arguments: &Export) -> Result<Status, Error> {
         None => output::print(text)?,
     }
     Ok(Status::Success)
-}
-
-/// Loads the robot; `None` if there are errors, which were reported.
-fn exported_robot(arguments: &Export) -> Result<Option<Robot>, Error> {
-    match &arguments.robot {
-        Model::Robot(choice) => match choice.load() {
-            Ok(robot) => Ok(Some(robot.simulated()?)),
-            Err(loaded) => {
-                report::diagnostics(&loaded, arguments.output_options);
-                Ok(None)
-            }
-        },
-        Model::Urdf(path) => {
-            let choices = urdf::ImportOptions::default();
-            let Some(imported) = read_urdf(path, &choices, arguments.output_options.lang()) else {
-                return Ok(None);
-            };
-            let robot = Robot::description(&imported.toml);
-            robot.map(Some).map_err(|bad| Error::Usage(bad.to_string()))
-        }
-    }
 }
 
 #[cfg(test)]

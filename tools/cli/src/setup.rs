@@ -20,7 +20,7 @@ use tipc::message::list::Each;
 use tipc::published::{self, Published};
 use tipc::{Loaded, Robot};
 
-/// The value of `--robot`: `NAME` or `FILE.toml`.
+/// The value of `--robot`: `NAME`, `FILE.toml` or `FILE.urdf`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum RobotChoice {
     Named(RobotName),
@@ -32,7 +32,9 @@ impl FromStr for RobotChoice {
     type Err = BadValue;
 
     fn from_str(text: &str) -> Result<Self, BadValue> {
-        let is_file = Path::new(text).extension().is_some_and(|end| end == "toml");
+        let path = Path::new(text);
+        let is_toml = path.extension().is_some_and(|end| end == "toml");
+        let is_file = is_toml || input::is_urdf(path);
         if let Ok(name) = RobotName::from_str(text, true) {
             Ok(RobotChoice::Named(name))
         } else if let Some(robot) = published::find(&text.to_lowercase()) {

@@ -26,7 +26,7 @@ use table::Table;
 pub(super) use table::{Saved, is_table};
 use tally::Tally;
 use tip_runtime::printable::Printable;
-use tip_sweep::{Axis, Columns, PlantSpec, RobotSpec, Sampling, Spec, SweepError, Text};
+use tip_sweep::{Axis, AxisError, Columns, PlantSpec, RobotSpec, Sampling, Spec, SweepError, Text};
 use tip_view::{Extent, Pace, Recording};
 use tipc::message::Lang;
 
@@ -123,10 +123,9 @@ enum SamplingName {
 
 /// Parses an axis.
 fn axis(text: &str) -> Result<Axis, BadValue> {
-    text.parse().map_err(|_| {
-        BadValue(Using::NotAnAxis {
-            text: text.to_owned(),
-        })
+    text.parse().map_err(|error: AxisError| {
+        let reason = error.message();
+        BadValue(Using::NotAnAxis { reason })
     })
 }
 
@@ -191,7 +190,7 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
         progress: Mutex::default(),
         written: Condvar::new(),
     };
-    let bar = arguments.bar(work.cases, began);
+    let bar = arguments.bar(work.cases, began, lang);
     let ended = work.run(&sweep, &mut table, &mut tally, &bar);
     let elapsed = bar.elapsed();
     bar.finish_and_clear();
@@ -234,7 +233,7 @@ impl Sweep {
         let robot = match (&subject.chosen, self.source.robot()) {
             (ChosenRobot::Named(name), _) => RobotSpec::Name(name.robot().name().to_owned()),
             (_, RobotChoice::Published(robot)) => RobotSpec::Name(robot.name.to_owned()),
-            (_, choice) => RobotSpec::Description(text(choice.file())?),
+            (_, choice) => RobotSpec::Description(description(choice.file())?),
         };
         let scene = match &self.inputs.scene {
             None => None,
@@ -277,13 +276,22 @@ impl Sweep {
         files.into_iter().flatten().collect()
     }
 
-    fn bar(&self, cases: u64, began: u64) -> ProgressBar {
+    fn bar(&self, cases: u64, began: u64, lang: Lang) -> ProgressBar {
         let target = match self.quiet {
             true => ProgressDrawTarget::hidden(),
             false => ProgressDrawTarget::stderr_with_hz(RATE),
         };
         let bar = ProgressBar::with_draw_target(Some(cases), target);
-        let style = ProgressStyle::with_template(SHOWS);
+        let hole = |name: &str| name.to_owned().into();
+        let progress = Sweeping::Progress {
+            at: hole("{pos}"),
+            all: hole("{len}"),
+            fell: hole("{msg}"),
+            rate: hole("{per_sec}"),
+            left: hole("{eta}"),
+        };
+        let template = format!("{{wide_bar}} {}", progress.in_lang(lang));
+        let style = ProgressStyle::with_template(&template);
         let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
         bar.set_style(style.progress_chars("=> "));
         bar.set_position(began);
@@ -294,12 +302,19 @@ impl Sweep {
 
 /// Rate of drawing, Hz.
 const RATE: u8 = 5;
-const SHOWS: &str = "{wide_bar} {pos} of {len} runs, {msg} fell, {per_sec}, {eta} left";
 
 /// Reads a file that has been read before.
 fn text(path: Option<&Path>) -> Result<String, Error> {
     let path = path.unwrap_or(Path::new(""));
     fs::read_to_string(path).map_err(|error| Error::Failed(format!("{}: {error}", path.display())))
+}
+
+/// Reads a description that has been read before, or imports it again.
+fn description(path: Option<&Path>) -> Result<String, Error> {
+    let path = path.unwrap_or(Path::new(""));
+    let failed = || Error::Failed(format!("{}: it has changed meanwhile", path.display()));
+    let (_, bytes) = input::description(path).map_err(|_| failed())?;
+    String::from_utf8(bytes).map_err(|_| failed())
 }
 
 /// The cases that are left, and the threads that run them.

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from os import PathLike
 
 from . import _native
-from ._sweep import _file, _is_description
+from ._sweep import _file, _robot
 
 
 @dataclass(frozen=True)
@@ -24,16 +24,13 @@ class Diagnostic:
         return f"{self.line}:{self.column}: {self.level}[{self.code}]: {self.reason}"
 
 
-def check(program: str | PathLike, *, robot: str = "titan8", lang: str = "en") -> list[Diagnostic]:
+def check(program: str | PathLike, *, robot: str | PathLike = "titan8", lang: str = "en") -> list[Diagnostic]:
     """Checks a program for a robot and returns its errors and warnings.
 
-    `program` is a path, or the text of a program if it has more than one line; `robot` is a name or the path of a
-    description; `lang` is "en" or "ja".
+    `program` is a path, or the text of a program if it has more than one line; `robot` is that of `spec`; `lang` is "en" or "ja".
     """
     name, text = _file(program, "program.prg", encoding=None)
-    described = _is_description(robot)
-    robot_text = _file(robot, "robot.toml")[1] if described else robot
-    found = _native.check(name, text, robot_text, described, lang == "ja")
+    found = _native.check(name, text, json.dumps(_robot(robot)), lang == "ja")
     return [_diagnostic(json.loads(line)) for line in found]
 
 

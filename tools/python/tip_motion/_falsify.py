@@ -39,8 +39,8 @@ def falsify(
     """Bisects between a value of a quantity that a program withstands and one that it does not.
 
     A run is bad if the robot falls or stops in an emergency, or if it exceeds one of `limits`: "tilt" (deg), "slip" and
-    "lost_travel" (mm, compared with the run at `good`), or falls below "least_margin" (mm). The given ones replace the defaults of
-    `LIMITS`; None switches one off. Every run is deterministic, so the result is a case that anyone can repeat:
+    "lost_travel" (mm, compared with the run at `good`), or falls below "least_margin" (mm). A robot with mass that rocks and stands
+    again has not fallen. The given limits replace the defaults of `LIMITS`; None switches one off. Every run is deterministic, so the result is a case that anyone can repeat:
     `sweep` with `vary={quantity: [value]}`. Where good and bad values alternate, it is one of the borders.
     """
     limits = {**LIMITS, **(limits or {})}
@@ -75,7 +75,9 @@ def falsify(
 
 
 def _reason(row, start, limits):
-    if row.get("falls", 0) > 0:
+    # A robot with mass that came to stand again has not fallen; what it went through is up to the limits.
+    stood = row["upright_falls"] if "energy" in row and "falls" in row else 0
+    if row.get("falls", 0) > stood:
         return f"the robot falls after {row['first_fall']:.3f} s"
     if row["end"] not in ("END", "EXIT", "limit"):
         return f"emergency stop: {row['end']}"

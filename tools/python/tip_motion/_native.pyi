@@ -11,7 +11,7 @@ def case_values(spec: str, case: int) -> list[tuple[str, float]]:
 def run_chunk(spec: str, first: int, count: int) -> list[tuple[str, str, str, bytes | list[str]]]:
     """Runs some cases, and returns name, unit, type and values of each column."""
 
-def check(name: str, text: bytes, robot: str, description: bool, japanese: bool) -> list[str]:
+def check(name: str, text: bytes, robot: str, japanese: bool) -> list[str]:
     """Checks a program, and returns its diagnostics, one JSON object each."""
 
 @final

@@ -52,7 +52,8 @@ def spec(
 ) -> str:
     """Returns the specification of a sweep as a JSON document.
 
-    `program`, `robot` and `scene` are paths, or texts if they have more than one line; a robot and a scene may be names.
+    `program`, `robot` and `scene` are paths, or texts if they have more than one line; a robot and a scene may be names. A robot
+    is a description (TOML) or a URDF file, which is imported as `tip robot import` does.
     `vary` maps names of quantities to lists of numbers, one number, `uniform(…)` or `normal(…)`. `plant` is "scene",
     "quasi-static" or "dynamic". `until` is the longest time of a run on the robot, s. The last values of the variables
     in `record` become columns.
@@ -60,7 +61,7 @@ def spec(
     name, text = _file(program, "program.prg")
     document = {
         "program": {"name": name, "text": text},
-        "robot": {"description": _file(robot, "robot.toml")[1]} if _is_description(robot) else {"name": str(robot)},
+        "robot": _robot(robot),
         "plant": plant,
         "vary": [{"name": name, "values": _values(values)} for name, values in (vary or {}).items()],
         "sampling": sampling,
@@ -77,13 +78,23 @@ def spec(
     return json.dumps(document)
 
 
+def _robot(robot):
+    if str(robot).endswith(".urdf") or _is_xml(robot):
+        return {"urdf": _file(robot, "robot.urdf")[1]}
+    return {"description": _file(robot, "robot.toml")[1]} if _is_description(robot) else {"name": str(robot)}
+
+
+def _is_xml(text):
+    return str(text).lstrip().startswith("<")
+
+
 def _is_description(text):
     return "\n" in str(text) or str(text).endswith(".toml")
 
 
 def _file(place, name, encoding="utf-8"):
-    """Returns the name and the text of a file, or of a text with more than one line."""
-    if isinstance(place, str) and "\n" in place:
+    """Returns the name and the text of a file, or of a text: URDF, or more than one line."""
+    if isinstance(place, str) and ("\n" in place or _is_xml(place)):
         return name, place if encoding else place.encode()
     data = Path(place).read_bytes()
     if not encoding:

@@ -93,7 +93,9 @@ def sb3_vec_env(*arguments, **options):
             super().__init__(env.num_envs, env.single_observation_space, env.single_action_space)
 
         def reset(self):
-            return self._env.reset()[0]
+            observations, _ = self._env.reset(seed=self._seeds[0])
+            self._reset_seeds()
+            return observations
 
         def step_async(self, actions):
             self._actions = actions

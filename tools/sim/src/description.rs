@@ -8,8 +8,7 @@ use tipc::description::{self, Description, WithModel};
 use tipc::{Loaded, published};
 
 impl Robot {
-    /// Returns a walking robot from the text of its description (`docs/robots.md`). It stays in
-    /// memory for good.
+    /// Returns a walking robot from the text of its description (`docs/robots.md`).
     ///
     /// # Errors
     /// Everything that is wrong with the text.
@@ -26,7 +25,7 @@ impl Robot {
         Some(Self::described(&description))
     }
 
-    /// Returns a walking robot from a description that was read. It stays in memory for good.
+    /// Returns a walking robot from a description that was read.
     pub fn described(description: &Description) -> Self {
         let robot = description.with_model(BuildRobot);
         robot.with_shapes(description.shapes())
@@ -40,7 +39,7 @@ impl WithModel for BuildRobot {
     type Output = Robot;
 
     fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Robot {
-        Robot::of(Box::leak(Box::new(*model)))
+        Robot::of(model)
     }
 }
 

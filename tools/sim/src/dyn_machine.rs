@@ -47,7 +47,7 @@ pub(crate) trait DynMachine: Send {
 }
 
 impl<const L: usize, const J: usize> DynMachine
-    for Machine<'static, ProgramRunner, SimHardware, EventConsole, Box<dyn NativeCommands>, L, J>
+    for Machine<ProgramRunner, SimHardware, EventConsole, Box<dyn NativeCommands>, L, J>
 {
     fn boxed(&self) -> Box<dyn DynMachine> {
         Box::new(self.clone())

@@ -74,7 +74,7 @@ impl Limb {
 }
 
 /// A model of any size. Each size has its own; logic is outside.
-pub(crate) trait DynModel: Sync {
+pub(crate) trait DynModel: Send + Sync {
     fn anatomy(&self) -> Anatomy;
     /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it does.
     fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss>;
@@ -82,7 +82,7 @@ pub(crate) trait DynModel: Sync {
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware>;
     /// Puts a program on the robot.
     fn machine(
-        &'static self,
+        &self,
         program: ProgramRunner,
         hardware: SimHardware,
         special: Box<dyn NativeCommands>,
@@ -120,7 +120,7 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
     }
 
     fn machine(
-        &'static self,
+        &self,
         program: ProgramRunner,
         hardware: SimHardware,
         special: Box<dyn NativeCommands>,

@@ -20,7 +20,7 @@ use tipc::{Facts, Options, published};
 /// A robot before its first control cycle: its model, how it is simulated, and its SPECIAL commands.
 #[derive(Clone)]
 pub struct Robot {
-    model: &'static dyn DynModel,
+    model: Arc<dyn DynModel>,
     facts: Facts,
     hardware: Hardware,
     plant: Plant,
@@ -60,11 +60,7 @@ impl Robot {
             _ if name == titan8::MODEL.name => walker(&titan8::MODEL),
             _ if name == generic::MODEL.name => walker(&generic::MODEL),
             _ if name == hand::MODEL.name => {
-                let hand = Self::new(
-                    &hand::MODEL,
-                    Facts::of(&hand::MODEL),
-                    Hardware::Hand(simulated_hand),
-                );
+                let hand = Self::new(&hand::MODEL, Hardware::Hand(simulated_hand));
                 Ok(Robot {
                     answers: Some(NUMBERS),
                     ..hand.with_special(HandSpecials::new())
@@ -75,23 +71,22 @@ impl Robot {
     }
 
     /// Creates a walking robot of a model, such as `include_robot!` makes.
-    pub fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
-        Self::new(model, Facts::of(model), Hardware::Walker)
+    pub fn of<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
+        Self::new(model, Hardware::Walker)
     }
 
     /// Creates a robot of a model with a plant of its own.
     pub fn on<const L: usize, const J: usize>(
-        model: &'static Model<L, J>,
+        model: &Model<L, J>,
         plant: impl plant::Plant<L, J> + Clone + Send + 'static,
     ) -> Self {
-        let hardware = Hardware::Own(OfSize::boxed(plant));
-        Self::new(model, Facts::of(model), hardware)
+        Self::new(model, Hardware::Own(OfSize::boxed(plant)))
     }
 
-    fn new(model: &'static dyn DynModel, facts: Facts, hardware: Hardware) -> Self {
+    fn new<const L: usize, const J: usize>(model: &Model<L, J>, hardware: Hardware) -> Self {
         Robot {
-            model,
-            facts,
+            model: Arc::new(*model),
+            facts: Facts::of(model),
             hardware,
             plant: Plant::default(),
             scene: Scene::EMPTY,

@@ -1,7 +1,8 @@
 //! Errors of a specification, found before the first run, and of cases.
 
-use crate::message::Sweeping;
+use crate::message::{Sweeping, Texts};
 use std::fmt;
+use tipc::Loaded;
 use tipc::message::Lang;
 
 /// A reason why a sweep cannot run.
@@ -34,8 +35,14 @@ impl SweepError {
 
     /// Returns an error of another crate.
     pub(crate) fn says(error: impl fmt::Display) -> Self {
-        let text = error.to_string().trim_end().to_owned();
-        Sweeping::Says { text: text.into() }.into()
+        let text = Texts::of(|_| error.to_string());
+        Sweeping::Says { text }.into()
+    }
+
+    /// Returns the errors of a file.
+    pub(crate) fn found(loaded: &Loaded) -> Self {
+        let text = Texts::found(loaded);
+        Sweeping::Says { text }.into()
     }
 
     /// Adds the nearest of the known names, if one is near.
@@ -49,7 +56,7 @@ impl SweepError {
         self
     }
 
-    /// Returns the message in a language. Errors of robots, scenes and programs are English.
+    /// Returns the message in a language.
     pub fn text(&self, lang: Lang) -> String {
         let say = |message: Sweeping| message.in_lang(lang).to_string();
         let mut text = say(self.0.reason.clone());

@@ -1,11 +1,21 @@
 //! The messages of this crate: reasons why a sweep cannot run, each with a way out.
 
-use tipc::message::Text;
+use std::fmt;
+use tipc::diagnostic::Diagnostic;
+use tipc::message::say::Say;
+use tipc::message::{Lang, Text};
+use tipc::{Loaded, render};
 
 tipc::message_table! {
     /// A reason why a sweep cannot run.
     Sweeping;
 
+    NoValues { text: String }
+        "`{text}` is not a quantity with values: write NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)",
+        "`{text}` は量と値の指定ではありません。NAME=FROM..TO/STEP、NAME=A,B,C、NAME=uniform(LOW,HIGH)、NAME=normal(MEAN,DEVIATION) のように書いてください";
+    NotANumber { word: String, text: String }
+        "`{word}` in `{text}` is not a number: write NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)",
+        "`{text}` の `{word}` は数値ではありません。NAME=FROM..TO/STEP、NAME=A,B,C、NAME=uniform(LOW,HIGH)、NAME=normal(MEAN,DEVIATION) のように書いてください";
     CannotVary { axis: String, reason: Text }
         "cannot vary '{axis}': {reason}",
         "'{axis}' を変えられません: {reason}";
@@ -33,16 +43,19 @@ tipc::message_table! {
     NoDescription { robot: String }
         "{robot} has no description; use a robot that has one, such as a1, or --robot FILE.toml",
         "{robot} には記述ファイルがありません。a1 など記述ファイルのあるロボットか、--robot FILE.toml を使ってください";
+    NoSceneFile { scene: String }
+        "the scene {scene} has no file whose numbers could vary; write one and use --scene FILE.toml",
+        "シーン {scene} には値を変えられるファイルがありません。ファイルを書いて --scene FILE.toml を使ってください";
     NoElement { index: String }
         "there is no element {index}; elements count from 1",
         "{index}番目の要素はありません。要素は1から数えます";
     NoKey { key: String }
         "there is no {key} in a number",
         "数値の中に {key} はありません";
-    RobotRefuses { errors: Text }
+    RobotRefuses { errors: Texts }
         "the robot does not allow a value: {errors}",
         "ロボットがこの値を受け付けません: {errors}";
-    SceneRefuses { errors: Text }
+    SceneRefuses { errors: Texts }
         "the scene does not allow a value: {errors}",
         "シーンがこの値を受け付けません: {errors}";
     EmptyList
@@ -81,7 +94,55 @@ tipc::message_table! {
     Suggests { reason: Text, near: String }
         "{reason}; did you mean {near}?",
         "{reason}。{near} のことですか?";
-    Says { text: Text }
+    Says { text: Texts }
         "{text}",
         "{text}";
+}
+
+/// A text of another crate in each language.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texts {
+    english: String,
+    japanese: String,
+}
+
+impl Texts {
+    /// Returns the text that a function gives in each language.
+    pub(crate) fn of(text: impl Fn(Lang) -> String) -> Self {
+        let of = |lang| text(lang).trim_end().to_owned();
+        Texts {
+            english: of(Lang::English),
+            japanese: of(Lang::Japanese),
+        }
+    }
+
+    /// Returns the errors of a file, one line each.
+    pub(crate) fn found(loaded: &Loaded) -> Self {
+        let short = |one, lang| render::short(&loaded.source, one, lang);
+        let lines = |lang| loaded.diagnostics.iter().map(move |one| short(one, lang));
+        Texts::of(|lang| lines(lang).collect())
+    }
+
+    /// Returns the errors of a file that nobody has written: each reason with its line.
+    pub(crate) fn reasons(loaded: &Loaded) -> Self {
+        let text = loaded.source.text();
+        let line = |place: usize| {
+            let (before, after) = text.split_at_checked(place).unwrap_or((text, ""));
+            let start = before.rfind('\n').map_or(0, |end| end + 1);
+            let end = place + after.find('\n').unwrap_or(after.len());
+            text.get(start..end).unwrap_or_default().trim()
+        };
+        let said = |one: &Diagnostic, lang| {
+            let reason = one.reason.in_lang(lang).to_string();
+            format!("{reason} (`{}`)", line(one.span.start))
+        };
+        let all = |lang| loaded.diagnostics.iter().map(move |one| said(one, lang));
+        Texts::of(|lang| all(lang).collect::<Vec<_>>().join("; "))
+    }
+}
+
+impl Say for Texts {
+    fn say(&self, lang: Lang, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(lang.pick(&self.english, &self.japanese))
+    }
 }

@@ -4,6 +4,7 @@ use crate::error::SweepError;
 use crate::message::Sweeping;
 use tip_runtime::command::Port;
 use tipc::analysis::{access, flow::Flow};
+use tipc::description::{Key, Part};
 use tipc::program::{Action, Operand, Program, ScalarExpression, StepId};
 use toml::{Table, Value};
 
@@ -113,16 +114,34 @@ fn keys(path: &str) -> Vec<String> {
 }
 
 impl Quantity {
-    /// Returns its unit; empty if the program or a file decides.
+    /// Returns its unit; empty if it has none or the program decides.
     pub fn unit(&self) -> &'static str {
         match self {
-            Quantity::Variable(_) | Quantity::Scene(_) | Quantity::Robot(_) => "",
+            Quantity::Variable(_) => "",
+            Quantity::Scene(path) => unit_in(Part::SCENE, path),
+            Quantity::Robot(path) => unit_in(Part::ALL, path),
             Quantity::Push(Push::Force(_)) => "N",
             Quantity::Push(Push::At | Push::For) => "s",
             Quantity::Noise(Noise::Angle) => "deg",
             Quantity::Noise(Noise::Sole) | Quantity::Sensor(_) => "V",
         }
     }
+}
+
+/// Returns the unit of the number at a path of a file with these tables.
+fn unit_in(tables: &[Part], path: &[String]) -> &'static str {
+    // The others are places in lists.
+    let is_key = |word: &&String| word.parse::<usize>().is_err();
+    let mut keys = path.iter().rev().filter(is_key);
+    let (key, table) = (keys.next(), keys.next().map_or("", String::as_str));
+    let is_table = |part: &&Part| part.name().trim_matches(['[', ']']) == table;
+    let mut keys = tables
+        .iter()
+        .find(is_table)
+        .into_iter()
+        .flat_map(|part| part.keys());
+    keys.find(|known| key.is_some_and(|key| key == known.name))
+        .map_or("", Key::unit)
 }
 
 /// The places where a varied scalar gets its value.
@@ -203,13 +222,13 @@ impl Settings {
     ///
     /// # Errors
     /// The path leads through a number or beyond a list's end.
-    pub(crate) fn set(&mut self, path: &[String], number: f64) -> Result<(), SweepError> {
+    pub(crate) fn set(&mut self, path: &[String], number: f64) -> Result<(), Sweeping> {
         let mut file = Value::Table(std::mem::take(&mut self.table));
         let done = put(&mut file, path, number);
         if let Value::Table(table) = file {
             self.table = table;
         }
-        done.map_err(|reason| SweepError::axis(&path.join("."), reason))
+        done
     }
 
     /// Writes the file.

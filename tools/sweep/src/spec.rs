@@ -1,10 +1,14 @@
 //! The specification of a sweep: a JSON document, and the text forms of its axes.
 
-use crate::message::Sweeping;
+use crate::error::SweepError;
+use crate::message::{Sweeping, Texts};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 use tip_runtime::plant::Simulation;
+use tip_sim::{Robot, urdf};
+use tipc::message::Message;
+use tipc::published;
 
 /// Everything that determines the results of a sweep.
 ///
@@ -75,11 +79,45 @@ pub enum RobotSpec {
     Name(String),
     /// The text of a TOML description.
     Description(String),
+    /// The text of a URDF file, which is imported as `tip robot import` does without options.
+    Urdf(String),
 }
 
 impl Default for RobotSpec {
     fn default() -> Self {
         RobotSpec::Name("titan8".to_owned())
+    }
+}
+
+impl RobotSpec {
+    /// Makes the robot.
+    ///
+    /// # Errors
+    /// There is no robot of that name, or everything that is wrong with the text.
+    pub fn robot(&self) -> Result<Robot, SweepError> {
+        Ok(self.load()?.0)
+    }
+
+    /// Makes the robot, and returns the text of its description if it has one.
+    pub(crate) fn load(&self) -> Result<(Robot, Option<String>), SweepError> {
+        let described = |text: String| match Robot::description(&text) {
+            Ok(robot) => Ok((robot, Some(text))),
+            Err(error) => Err(SweepError::found(error.loaded())),
+        };
+        match self {
+            RobotSpec::Description(text) => described(text.clone()),
+            RobotSpec::Urdf(text) => match urdf::import("robot.urdf", text) {
+                Ok(import) => described(import.toml),
+                Err(error) => {
+                    let text = Texts::of(|lang| error.message().in_lang(lang).to_string());
+                    Err(Sweeping::Says { text }.into())
+                }
+            },
+            RobotSpec::Name(name) => match published::find(name) {
+                Some(published) => described(published.text.to_owned()),
+                None => Ok((Robot::named(name).map_err(SweepError::says)?, None)),
+            },
+        }
     }
 }
 
@@ -203,12 +241,19 @@ impl Values {
 }
 
 /// A text that is no axis.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct AxisError(String);
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisError(Sweeping);
+
+impl AxisError {
+    /// Returns the message, which has a text in each language.
+    pub fn message(&self) -> Message {
+        self.0.clone().into()
+    }
+}
 
 impl fmt::Display for AxisError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        self.0.fmt(f)
     }
 }
 
@@ -219,13 +264,17 @@ impl FromStr for Axis {
 
     /// Reads `NAME=100..300/20`, `NAME=200,300,400`, `NAME=uniform(0.4,1)` or `NAME=normal(20,2)`.
     fn from_str(text: &str) -> Result<Self, AxisError> {
-        let forms = "expected NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)";
+        let whole = || text.to_owned();
         let (name, values) = text
             .split_once('=')
-            .filter(|(name, _)| !name.trim().is_empty())
-            .ok_or_else(|| AxisError(format!("'{text}' has no '='; {forms}")))?;
-        let wrong = |part: &str| AxisError(format!("'{}' is not a number; {forms}", part.trim()));
-        let number = |part: &str| part.trim().parse::<f64>().map_err(|_| wrong(part));
+            .filter(|(name, values)| !name.trim().is_empty() && !values.trim().is_empty())
+            .ok_or_else(|| AxisError(Sweeping::NoValues { text: whole() }))?;
+        let number = |part: &str| {
+            let word = part.trim().to_owned();
+            let text = whole();
+            let number = word.parse::<f64>();
+            number.map_err(|_| AxisError(Sweeping::NotANumber { word, text }))
+        };
         let pair = |kind: &str| {
             let inner = values.trim().strip_prefix(kind)?.trim_start();
             inner.strip_prefix('(')?.strip_suffix(')')?.split_once(',')

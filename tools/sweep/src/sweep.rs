@@ -2,10 +2,10 @@
 
 use crate::columns::{Cell, Columns};
 use crate::error::SweepError;
-use crate::message::Sweeping;
+use crate::message::{Sweeping, Texts};
 use crate::quantity::{Noise, Override, Push, Quantity, Settings};
 use crate::sampling::{Draw, hash, noise_seed};
-use crate::spec::{PlantSpec, RobotSpec, Spec, Values};
+use crate::spec::{PlantSpec, Spec, Values};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -14,13 +14,16 @@ use tip_runtime::model::TorqueUnit;
 use tip_runtime::plant::{self, Scene};
 use tip_runtime::program::{End, Program as _};
 use tip_sim::{Event, Events, Interpreter, ProgramRunner, Replacement, Robot, Run, Timed};
+use tipc::Loaded;
 use tipc::analysis::access;
 use tipc::language::Keyword;
 use tipc::program::Program;
-use tipc::published;
 
 /// Largest number of cases.
 const CASE_LIMIT: u64 = 1_000_000_000;
+
+/// Largest number of robots that are kept for cases with the same one.
+const KEPT_ROBOTS: usize = 100;
 
 /// The end of a run that was cut off.
 pub const LIMIT: &str = "limit";
@@ -41,8 +44,8 @@ pub struct Sweep {
     robot: Robot,
     /// The description of the robot, if one of its numbers varies.
     description: Option<Settings>,
-    /// The robots of descriptions with other numbers, by their texts. A robot stays in memory for good: none is made twice.
-    described: Arc<Mutex<HashMap<String, Robot>>>,
+    /// Some robots of descriptions with other numbers, by the bits of these numbers.
+    described: Arc<Mutex<HashMap<Vec<u64>, Robot>>>,
     /// The scene file, if one of its numbers varies.
     scene: Option<Settings>,
     axes: Vec<Axis>,
@@ -83,9 +86,9 @@ impl Sweep {
     /// # Errors
     /// The first thing that is wrong: a program or robot with errors, an unknown axis, an empty range, too many cases.
     pub fn new(spec: Spec) -> Result<Self, SweepError> {
-        let (robot, description) = robot(&spec)?;
+        let (robot, description) = spec.robot.load()?;
         let loaded = tip_sim::load(&spec.program.name, &spec.program.text, &robot);
-        let loaded = loaded.map_err(SweepError::says)?;
+        let loaded = loaded.map_err(|error| SweepError::found(error.loaded()))?;
         let program = Arc::clone(loaded.program());
         let names: Vec<String> = program.scalar_names().collect();
         let events: Events = spec.events.parse().map_err(SweepError::says)?;
@@ -107,11 +110,15 @@ impl Sweep {
             }
         };
         let text = spec.scene.as_deref().unwrap_or_default();
+        let robot = with_scene(robot, text, spec.plant, SweepError::found)?;
         let scene = match varies(|of| matches!(of, Quantity::Scene(_))) {
+            true if Scene::by_name(text).is_some() => {
+                let scene = text.to_owned();
+                return Err(Sweeping::NoSceneFile { scene }.into());
+            }
             true => Some(Settings::read(text)?),
             false => None,
         };
-        let robot = with_scene(robot, text, spec.plant)?;
         let mut record = Vec::new();
         for name in &spec.record {
             let wanted = name.to_ascii_uppercase();
@@ -263,14 +270,9 @@ impl Sweep {
     fn robot_of(&self, values: &[f64]) -> Result<Robot, SweepError> {
         let mut robot = self.robot.clone();
         if let Some(description) = &self.description {
-            let of_robot = |axis: &Axis| match &axis.quantity {
-                Quantity::Robot(path) => Some(path.clone()),
-                _ => None,
-            };
-            let set = self.set(description, values, of_robot)?;
-            robot = self.described(&set)?;
+            robot = self.described(description, values)?;
             let scene = self.spec.scene.as_deref().unwrap_or_default();
-            robot = with_scene(robot, scene, self.spec.plant)?;
+            robot = with_scene(robot, scene, self.spec.plant, SweepError::found)?;
         }
         if let Some(scene) = &self.scene {
             let of_scene = |axis: &Axis| match &axis.quantity {
@@ -278,7 +280,11 @@ impl Sweep {
                 _ => None,
             };
             let set = self.set(scene, values, of_scene)?;
-            robot = with_scene(robot, &set.text(), self.spec.plant)?;
+            let refused = |loaded: &Loaded| {
+                let errors = Texts::reasons(loaded);
+                Sweeping::SceneRefuses { errors }.into()
+            };
+            robot = with_scene(robot, &set.text(), self.spec.plant, refused)?;
         }
         Ok(robot)
     }
@@ -293,25 +299,40 @@ impl Sweep {
         let mut settings = settings.clone();
         for (axis, value) in self.axes.iter().zip(values) {
             if let Some(path) = path(axis) {
-                settings.set(&path, *value)?;
+                let set = settings.set(&path, *value);
+                set.map_err(|reason| SweepError::axis(&axis.name, reason))?;
             }
         }
         Ok(settings)
     }
 
-    /// Returns the robot of a description.
-    fn described(&self, settings: &Settings) -> Result<Robot, SweepError> {
-        let text = settings.text();
-        let described = self.described.lock();
-        let mut described = described.unwrap_or_else(PoisonError::into_inner);
-        if let Some(robot) = described.get(&text) {
+    /// Returns the robot of a description with the numbers of a case.
+    fn described(&self, description: &Settings, values: &[f64]) -> Result<Robot, SweepError> {
+        let of_robot = |axis: &Axis| match &axis.quantity {
+            Quantity::Robot(path) => Some(path.clone()),
+            _ => None,
+        };
+        let of_case = self.axes.iter().zip(values);
+        let of_case = of_case.filter(|(axis, _)| matches!(axis.quantity, Quantity::Robot(_)));
+        let key: Vec<u64> = of_case.map(|(_, value)| value.to_bits()).collect();
+        let described = || {
+            let described = self.described.lock();
+            described.unwrap_or_else(PoisonError::into_inner)
+        };
+        if let Some(robot) = described().get(&key) {
             return Ok(robot.clone());
         }
+        // Not locked: other threads go on meanwhile.
+        let text = self.set(description, values, of_robot)?.text();
         let robot = Robot::description(&text).map_err(|errors| {
-            let errors = errors.to_string().trim_end().to_owned().into();
+            let errors = Texts::reasons(errors.loaded());
             SweepError::from(Sweeping::RobotRefuses { errors })
         })?;
-        described.insert(text, robot.clone());
+        let mut described = described();
+        if described.len() == KEPT_ROBOTS {
+            described.clear();
+        }
+        described.insert(key, robot.clone());
         Ok(robot)
     }
 
@@ -373,7 +394,10 @@ impl Sweep {
         let program = (self.engine)().with_replacements(replaced.collect::<Vec<_>>());
         let run = Run::of(program, &case.robot).map_err(SweepError::says)?;
         let events = self.events(case, run.period());
-        run.with_events(&events).map_err(SweepError::says)
+        run.with_events(&events).map_err(|refused| {
+            let text = Texts::of(|lang| refused.text(lang));
+            Sweeping::Says { text }.into()
+        })
     }
 
     /// Runs cases one after the other.
@@ -519,7 +543,8 @@ impl Figures {
                 .max(libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees());
         }
         // Measured angles have the errors of sensors; those of a robot with mass are at hand without.
-        match run.limbs().filter(|_| self.has_mass) {
+        let limbs = self.has_mass.then(|| run.limbs()).flatten();
+        match limbs {
             Some(limbs) => self.moved(run, &limbs.angles.concat(), &limbs.torques.concat()),
             None => self.moved(run, run.angles(), &[]),
         }
@@ -539,30 +564,19 @@ impl Figures {
     }
 }
 
-/// Makes the robot, and returns the text of its description if it has one.
-fn robot(spec: &Spec) -> Result<(Robot, Option<String>), SweepError> {
-    let described = |text: &str| Robot::description(text).map_err(SweepError::says);
-    match &spec.robot {
-        RobotSpec::Description(text) => Ok((described(text)?, Some(text.clone()))),
-        RobotSpec::Name(name) => match published::find(name) {
-            Some(published) => Ok((described(published.text)?, Some(published.text.to_owned()))),
-            None => Ok((Robot::named(name).map_err(SweepError::says)?, None)),
-        },
-    }
-}
-
-fn with_scene(robot: Robot, text: &str, plant: PlantSpec) -> Result<Robot, SweepError> {
+/// Puts a robot into a scene; `error` makes the error of a wrong text.
+fn with_scene(
+    robot: Robot,
+    text: &str,
+    plant: PlantSpec,
+    error: impl Fn(&Loaded) -> SweepError,
+) -> Result<Robot, SweepError> {
     let scene = match Scene::by_name(text) {
         Some(scene) => Ok(scene),
         None if text.is_empty() => Ok(Scene::EMPTY),
         None => tipc::description::parse_scene("scene.toml", text.as_bytes()),
     };
-    let mut scene = scene.map_err(|loaded| {
-        let lines = loaded.diagnostics.iter();
-        let lines = lines.map(|one| tipc::render::classical(&loaded.source, one));
-        let errors = lines.collect::<String>().trim_end().to_owned().into();
-        SweepError::from(Sweeping::SceneRefuses { errors })
-    })?;
+    let mut scene = scene.map_err(|loaded| error(&loaded))?;
     scene.plant = plant.simulation().or(scene.plant);
     robot.with_scene(&scene).map_err(SweepError::says)
 }

@@ -49,8 +49,8 @@ fn run() -> Option<bool> {
 #[inline(never)]
 fn measure<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
     name: &str,
-    make: fn() -> Result<Machine<'static, P, H, (), S, L, J>, Mismatch>,
-    run: fn(&mut Machine<'static, P, H, (), S, L, J>, &mut HostStream) -> bool,
+    make: fn() -> Result<Machine<P, H, (), S, L, J>, Mismatch>,
+    run: fn(&mut Machine<P, H, (), S, L, J>, &mut HostStream) -> bool,
     trace: &mut HostStream,
     report: &mut HostStream,
 ) -> Option<bool> {

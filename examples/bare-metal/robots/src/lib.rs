@@ -20,16 +20,16 @@ tip_macros::include_tip!(pub "motions/threads.prg");
 tip_macros::include_tip!(pub "../../grasp/motions/grasp.prg", robot = hand);
 
 /// TITAN VIII, its controller and its program.
-pub type Walker = Machine<'static, Walk, SimulatedPlant<4, 3>, (), (), 4, 3>;
+pub type Walker = Machine<Walk, SimulatedPlant<4, 3>, (), (), 4, 3>;
 
 /// The walk with mass.
-pub type HeavyWalker = Machine<'static, Walk, DynamicPlant<4, 3>, (), (), 4, 3>;
+pub type HeavyWalker = Machine<Walk, DynamicPlant<4, 3>, (), (), 4, 3>;
 
 /// TITAN VIII, its controller and a program with two threads.
-pub type Threaded = Machine<'static, Threads, SimulatedPlant<4, 3>, (), (), 4, 3>;
+pub type Threaded = Machine<Threads, SimulatedPlant<4, 3>, (), (), 4, 3>;
 
 /// The Hiroshima Hand, its controller and its program.
-pub type Hand = Machine<'static, Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
+pub type Hand = Machine<Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
 
 // Functions of their own, so that the plant and the program that they move leave the stack before the motion begins.
 
@@ -92,7 +92,7 @@ const SLICE: u64 = 250;
 /// Runs the first cycles of a program, with a line in the trace for each. Whether it goes on then, and all
 /// of the trace was written.
 pub fn begin<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
-    robot: &mut Machine<'_, P, H, (), S, L, J>,
+    robot: &mut Machine<P, H, (), S, L, J>,
     out: &mut impl Write,
 ) -> bool {
     let mut trace = Trace::new(out);
@@ -103,7 +103,7 @@ pub fn begin<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J:
 /// Runs a program to its end, with a line in the trace for each control cycle. Whether it ended
 /// itself, and all of the trace was written.
 pub fn run<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
-    robot: &mut Machine<'_, P, H, (), S, L, J>,
+    robot: &mut Machine<P, H, (), S, L, J>,
     out: &mut impl Write,
 ) -> bool {
     let mut trace = Trace::new(out);

@@ -13,7 +13,7 @@ use tip_runtime::model::Model;
 use tip_runtime::program::End;
 
 type Robot<'a> = Recorded<ServoBus<MemoryLink>, &'a mut Vec<u8>>;
-type Loop<'a> = Machine<'a, Feet, Robot<'a>, (), (), LEGS, JOINTS>;
+type Loop<'a> = Machine<Feet, Robot<'a>, (), (), LEGS, JOINTS>;
 
 fn description() -> Description {
     Description::parse(include_str!("../../robot.toml")).unwrap()

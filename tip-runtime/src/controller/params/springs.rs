@@ -9,7 +9,7 @@ use crate::kinematics::LegPoint;
 /// Three operands along x, y and z.
 type Axes = [f64; 3];
 
-impl<const J: usize> ControllerView<'_, J> {
+impl<const J: usize> ControllerView<J> {
     /// Carries out a command of springs and their limits; `None` if the command is none.
     pub(super) fn set_spring(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
         Some(match command.op {

@@ -133,7 +133,7 @@ fn parts(parts: &'static [&'static [Do]]) -> Parts {
     }
 }
 
-type Threaded<S = ()> = Machine<'static, Parts, Follower, Scripted, S, 4, 3>;
+type Threaded<S = ()> = Machine<Parts, Follower, Scripted, S, 4, 3>;
 
 fn machine(program: &'static [&'static [Do]], keys: &[(u64, u8)]) -> Threaded {
     let keys = Scripted::new(keys.to_vec());

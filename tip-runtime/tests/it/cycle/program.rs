@@ -11,7 +11,7 @@ pub(crate) static MODEL: Model<4, 3> = titan8::MODEL;
 
 pub(crate) type Step = list::Step<&'static [f64]>;
 
-pub(crate) type Bench = Machine<'static, List<&'static [f64]>, SimulatedPlant<4, 3>, (), (), 4, 3>;
+pub(crate) type Bench = Machine<List<&'static [f64]>, SimulatedPlant<4, 3>, (), (), 4, 3>;
 
 pub(crate) fn bench(steps: &'static [Step]) -> Bench {
     let plant = SimulatedPlant::new(&MODEL);
@@ -20,7 +20,7 @@ pub(crate) fn bench(steps: &'static [Step]) -> Bench {
 }
 
 pub(crate) type HandBench =
-    Machine<'static, List<&'static [f64]>, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
+    Machine<List<&'static [f64]>, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
 
 /// Returns the hand with its native commands and an object to grasp.
 pub(crate) fn hand_bench(steps: &'static [Step]) -> HandBench {

@@ -26,7 +26,7 @@ fn foot<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> [f64; 3] {
 /// Returns the distance of a foot from its place in a posture of its leg, from 0.
 fn gap<const L: usize, const J: usize>(
     model: &Model<L, J>,
-    bench: &Bench<'_, L, J>,
+    bench: &Bench<L, J>,
     n: usize,
     posture: &[f64; J],
 ) -> f64 {
@@ -323,9 +323,8 @@ fn every_shape_does_the_same_twice_to_the_bit() {
         let (mut one, mut other) = (bench(model, busy(model)), bench(model, busy(model)));
         for _ in 0..500 {
             assert_eq!(one.cycle(), other.cycle());
-            let bits = |bench: &Bench<'_, L, J>| {
-                bench.hardware().angles().map(|leg| leg.map(f64::to_bits))
-            };
+            let bits =
+                |bench: &Bench<L, J>| bench.hardware().angles().map(|leg| leg.map(f64::to_bits));
             assert_eq!(bits(&one), bits(&other));
         }
     }

@@ -9,13 +9,13 @@ use tip_runtime::program::Program;
 
 pub(crate) type Step = list::Step<Vec<f64>>;
 
-pub(crate) type Bench<'m, const L: usize, const J: usize> =
-    Machine<'m, List<Vec<f64>>, SimulatedPlant<L, J>, (), (), L, J>;
+pub(crate) type Bench<const L: usize, const J: usize> =
+    Machine<List<Vec<f64>>, SimulatedPlant<L, J>, (), (), L, J>;
 
 pub(crate) fn bench<const L: usize, const J: usize>(
     model: &Model<L, J>,
     steps: Vec<Step>,
-) -> Bench<'_, L, J> {
+) -> Bench<L, J> {
     let plant = SimulatedPlant::new(model);
     let program = List::new(steps, model.signature());
     Machine::new(program, model, plant, (), ()).expect("made for this robot")
@@ -25,7 +25,7 @@ pub(crate) fn bench<const L: usize, const J: usize>(
 pub(crate) fn run<const L: usize, const J: usize>(
     model: &Model<L, J>,
     steps: Vec<Step>,
-) -> (Bench<'_, L, J>, Option<Fault>) {
+) -> (Bench<L, J>, Option<Fault>) {
     let mut machine = bench(model, steps);
     for _ in 0..3000 {
         if !machine.cycle().is_running() {

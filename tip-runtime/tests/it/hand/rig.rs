@@ -31,7 +31,7 @@ pub(crate) struct Wall {
 }
 
 pub(crate) struct Hand {
-    pub(crate) controller: Controller<'static, 3, 3>,
+    pub(crate) controller: Controller<3, 3>,
     pub(crate) sensors: Sensors<3, 3>,
     /// deg/s.
     rates: [[f64; 3]; 3],

@@ -63,7 +63,7 @@ pub(crate) fn cycles(seconds: f64) -> usize {
 
 /// A controller on the hand.
 pub(crate) struct Rig {
-    pub(crate) controller: Controller<'static, 3, 3>,
+    pub(crate) controller: Controller<3, 3>,
     pub(crate) plant: Plant,
 }
 

@@ -165,7 +165,7 @@ impl Choice {
                 described(HEXAPOD_NAME, HEXAPOD.as_bytes().to_vec(), template)
             }
             Choice::Robot(RobotChoice::File(path)) => {
-                let (name, bytes) = input::bytes(path)?;
+                let (name, bytes) = input::description(path)?;
                 described(&name, bytes, Motion::of)
             }
             Choice::Robot(RobotChoice::Published(robot)) => {

@@ -78,9 +78,11 @@ impl Places {
             names.iter().position(|name| rest(name).is_some_and(is_it))
         };
         let end = place("end").unwrap_or(1);
+        let axes = names.get(1..end).unwrap_or_default();
+        let name = |axis: &String| axis.split(" [").next().unwrap_or_default().to_owned();
         let aim = place("forward").map(|place| (place, Aim::Forward));
         Places {
-            axes: names.get(1..end).unwrap_or_default().to_vec(),
+            axes: axes.iter().map(name).collect(),
             end,
             time: place("time").unwrap_or_default(),
             falls: place("falls"),
@@ -193,12 +195,14 @@ impl Tally {
             share: format!("{:.1}", 100.0 * count as f64 / self.runs.max(1) as f64),
         };
         let seconds = elapsed.as_secs_f64();
+        let rate = made as f64 / seconds.max(1e-9);
+        let digits = usize::from(rate < 10.0);
         let made = Sweeping::Made {
             file: name.to_owned().into(),
             runs: all(),
             made: made.to_string(),
             time: format!("{seconds:.1}"),
-            rate: format!("{:.0}", made as f64 / seconds.max(1e-9)),
+            rate: format!("{rate:.digits$}"),
         };
         let mut text = format!("{}\n", made.in_lang(lang));
         let mut add = |figure, value: Sweeping| text += &line(figure, value.in_lang(lang), lang);
@@ -276,7 +280,7 @@ mod tests {
         );
         assert_eq!(
             text,
-            "t.csv: 5 runs, 5 of them now in 1.0 s, 5 a second\n  falls   2 of 5, 40.0 %\n  stops   1 of 5, 20.0 %\n  \
+            "t.csv: 5 runs, 5 of them now in 1.0 s, 5.0 a second\n  falls   2 of 5, 40.0 %\n  stops   1 of 5, 20.0 %\n  \
              cut off 1 of 5, after 9 s or --cycles; --until sets another limit\n  best    900.0 mm forward: case 1, A=2\n          \
              tip view t.csv --case 1\n  worst   a fall after 3.000 s: case 4, A=5\n          tip view t.csv --case 4\n"
         );

@@ -115,7 +115,56 @@ fn imports_speak_japanese() {
     let exported = folder.tip(&[
         "robot", "export", "--urdf", "--robot", "sdf.urdf", "--lang", "ja",
     ]);
-    assert!(exported.expect(1).err.starts_with("エラー: sdf.urdf"));
+    let refused = exported.expect(1).err;
+    assert!(
+        refused.contains("sdf.urdf") && refused.contains("ルート要素が `sdf` ですが"),
+        "{refused}"
+    );
+}
+
+/// A URDF file is the robot that its description is, wherever a robot is chosen.
+#[test]
+fn a_urdf_file_is_a_robot() {
+    let folder = Folder::new("urdf-robot")
+        .file("pendulum.urdf", URDF)
+        .file("sdf.urdf", "<sdf/>")
+        .program(
+            "turn.prg",
+            "DEF_VAR ANGLE\nANGLE = 10\nPTP_ANGLE J11 ANGLE\nWAIT_INPOS J11\nEND",
+        );
+    folder
+        .tip(&["robot", "import", "pendulum.urdf", "-o", "pendulum.toml"])
+        .expect(0);
+    let with = |file: &str, arguments: &[&str]| {
+        let all = [arguments, &["--robot", file]].concat();
+        folder.tip(&all).expect(0).out
+    };
+    for arguments in [
+        &["run", "turn.prg", "--trace", "-"][..],
+        &[
+            "sweep",
+            "turn.prg",
+            "--vary",
+            "ANGLE=10,20",
+            "--vary",
+            "robot.leg.1.joint.1.limits.2=30,50",
+            "-q",
+            "-o",
+            "-",
+        ],
+    ] {
+        let described = with("pendulum.toml", arguments);
+        assert!(described.lines().count() > 4, "{described}");
+        assert_eq!(with("pendulum.urdf", arguments), described);
+    }
+    let refused = folder
+        .tip(&["run", "turn.prg", "--robot", "sdf.urdf"])
+        .expect(1)
+        .err;
+    assert!(
+        refused.contains("sdf.urdf") && refused.contains("the root element is `sdf`"),
+        "{refused}"
+    );
 }
 
 /// Four legs of three joints about x, y and y, in a file whose y is up; front right comes first, as in many files.

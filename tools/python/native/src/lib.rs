@@ -11,7 +11,7 @@ use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
 use std::sync::{Mutex, PoisonError};
-use tip_sweep::{Data, Spec, Sweep, SweepError};
+use tip_sweep::{Data, RobotSpec, Spec, Sweep, SweepError};
 use tipc::message::Lang;
 use tipc::render;
 
@@ -99,22 +99,12 @@ fn bytes<'py>(py: Python<'py>, values: impl Iterator<Item = [u8; 8]>) -> Bound<'
     PyBytes::new(py, &bytes).into_any()
 }
 
-/// Checks a program for a robot, and returns its diagnostics, one JSON object each.
+/// Checks a program for the robot of a specification, and returns its diagnostics, one JSON object each.
 #[pyfunction]
-#[pyo3(signature = (name, text, robot, description, japanese))]
-fn check(
-    name: &str,
-    text: &[u8],
-    robot: &str,
-    description: bool,
-    japanese: bool,
-) -> PyResult<Vec<String>> {
-    let robot = match description {
-        true => tip_sim::Robot::description(robot)
-            .map_err(|error| PyValueError::new_err(error.to_string()))?,
-        false => tip_sim::Robot::named(robot)
-            .map_err(|error| PyValueError::new_err(error.to_string()))?,
-    };
+fn check(name: &str, text: &[u8], robot: &str, japanese: bool) -> PyResult<Vec<String>> {
+    let robot: RobotSpec =
+        serde_json::from_str(robot).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let robot = robot.robot().map_err(value_error)?;
     let mut loaded = tip_lint::load(name, text, &robot.options());
     robot.warn(&mut loaded);
     let lang = if japanese {

@@ -1,7 +1,9 @@
 //! Axes: their text forms, their names, and what is refused.
 
+use crate::surroundings::HEXAPOD;
 use crate::{LIFT, refused, spec, sweep};
-use tip_sweep::{Axis, Spec, Sweep, Values};
+use tip_sweep::{Axis, RobotSpec, Spec, Sweep, Values, run_chunk};
+use tipc::message::Lang;
 
 fn values(text: &str) -> Values {
     text.parse::<Axis>().expect("an axis").values
@@ -23,18 +25,70 @@ fn axes_are_lists_ranges_and_distributions() {
         deviation: 2.0,
     };
     assert_eq!(values("A = normal(20,2)"), normal);
-    for wrong in [
-        "A",
-        "=3",
-        "A=",
-        "A=x",
-        "A=1..x",
-        "A=1..2/x",
-        "A=uniform(1)",
-        "A=normal(1,x)",
-    ] {
-        assert!(wrong.parse::<Axis>().is_err(), "{wrong}");
+    let forms = "write NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)";
+    let error = |text: &str| text.parse::<Axis>().expect_err(text).message();
+    for wrong in ["A", "=3", "A=", "A= "] {
+        assert_eq!(
+            error(wrong).to_string(),
+            format!("`{wrong}` is not a quantity with values: {forms}")
+        );
     }
+    for (wrong, word) in [
+        ("A=x", "x"),
+        ("A=1,,2", ""),
+        ("A=1..x", "x"),
+        ("A=1..2/x", "x"),
+        ("A=uniform(1)", "uniform(1)"),
+        ("A=normal(1,x)", "x"),
+    ] {
+        assert_eq!(
+            error(wrong).to_string(),
+            format!("`{word}` in `{wrong}` is not a number: {forms}")
+        );
+    }
+    let japanese = error("A=x").in_lang(Lang::Japanese).to_string();
+    assert!(
+        japanese.starts_with("`A=x` の `x` は数値ではありません。"),
+        "{japanese}"
+    );
+}
+
+#[test]
+fn numbers_of_files_have_the_units_of_their_keys() {
+    let units = |spec: Spec| {
+        let columns = run_chunk(&spec, 0, 1).expect("it runs");
+        let axes = columns.0.iter().take(1 + spec.vary.len()).skip(1);
+        axes.map(|column| column.unit).collect::<Vec<_>>()
+    };
+    let axes = [
+        "scene.floor.friction=1",
+        "scene.floor.height=0",
+        "scene.block.1.height=5",
+        "scene.block.1.x.1=300",
+    ];
+    let block = "[floor]\nheight = 0\n[[block]]\nx = [300, 400]\ny = [300, 400]\nheight = 5\n";
+    let scene = Spec {
+        scene: Some(block.to_owned()),
+        cycles: Some(1),
+        ..spec(LIFT, &axes)
+    };
+    assert_eq!(units(scene), ["", "mm", "mm", "mm"]);
+    let axes = [
+        "robot.body.mass=8",
+        "robot.joint.2.link.3=-100",
+        "robot.joint.2.torque=20",
+        "robot.standards.omega_max=90",
+        "robot.leg.1.turn=0",
+        "robot.initial.1=0",
+        "robot.lamps=4",
+    ];
+    let robot = Spec {
+        robot: RobotSpec::Description(HEXAPOD.to_owned()),
+        cycles: Some(1),
+        ..spec("3.1\nt\nEND\n", &axes)
+    };
+    let expected = ["kg", "mm", "N·m", "deg/s", "deg", "deg", ""];
+    assert_eq!(units(robot), expected);
 }
 
 #[test]
@@ -99,9 +153,20 @@ fn keys_of_files_are_checked_before_the_first_run() {
     };
     let slope = "[floor]\nslope = [0, 0]\n";
     assert_eq!(with(slope, "scene.floor.slope.2=0,0.1"), Ok(2));
-    assert!(with(slope, "scene.floor.slope.3=0").is_err());
+    let third = with(slope, "scene.floor.slope.3=0").expect_err("it has two");
+    assert_eq!(
+        third.to_string(),
+        "case 0 (scene.floor.slope.3=0): cannot vary 'scene.floor.slope.3': there is no element 3; elements count from 1"
+    );
     assert!(with(slope, "scene.floor.frictio=1").is_err());
     assert!(with(slope, "friction=-1").is_err());
+    let cylinder = Sweep::new(Spec {
+        robot: RobotSpec::Name("hand".to_owned()),
+        scene: Some("cylinder".to_owned()),
+        ..spec("3.1\nt\nEND\n", &["scene.object.1.mass=1"])
+    });
+    let cylinder = cylinder.expect_err("it is a name").to_string();
+    assert!(cylinder.contains("cylinder has no file"), "{cylinder}");
     let titan = refused(LIFT, &["robot.body.mass=20"]);
     assert!(titan.contains("titan8 has no description"), "{titan}");
 }

@@ -1,9 +1,11 @@
 //! Quantities of robots and scenes: a case is as if their files had the number.
 
 use crate::spec;
+use tip_sim::{Robot, urdf};
 use tip_sweep::{Columns, Data, PlantSpec, RobotSpec, Spec, Sweep};
+use tipc::message::Lang;
 
-const HEXAPOD: &str = include_str!("../../../../examples/six-legs/hexapod.toml");
+pub(crate) const HEXAPOD: &str = include_str!("../../../../examples/six-legs/hexapod.toml");
 const TRIPOD: &str = include_str!("../../../../examples/six-legs/motions/tripod.prg");
 const SCENE: &str = include_str!("../../../../examples/grasp/scene.toml");
 const GRASP: &str = include_str!("../../../../examples/grasp/motions/grasp.prg");
@@ -50,12 +52,46 @@ fn a_number_of_a_description_varies() {
         "the heavier body needs more: {torques:?}"
     );
     let refused = Sweep::new(on(HEXAPOD, &["robot.body.mass=8,-1"])).expect_err("no mass");
-    assert!(
-        refused
-            .to_string()
-            .starts_with("cannot vary 'robot.body.mass': the robot does not allow"),
-        "{refused}"
+    assert_eq!(
+        refused.to_string(),
+        "cannot vary 'robot.body.mass': the robot does not allow a value: it must be above 0 (`mass = -1.0`)"
     );
+    let japanese = refused.text(Lang::Japanese);
+    assert!(
+        japanese.starts_with("'robot.body.mass' を変えられません: ")
+            && !japanese.contains("must be"),
+        "{japanese}"
+    );
+}
+
+/// An imported robot is that of the description that `tip robot import` writes, and its numbers vary under the keys of that.
+#[test]
+fn a_robot_may_be_a_urdf_file() {
+    let robot = Robot::description(HEXAPOD).expect("a robot");
+    let exported = urdf::export(&robot);
+    let toml = urdf::import("robot.urdf", &exported)
+        .expect("it is a robot")
+        .toml;
+    let with = |robot: RobotSpec| {
+        let program = "3.1\nt\nREL_PTP F1 0 0 10\nWAIT_INPOS F1\nEND\n";
+        rows(Spec {
+            robot,
+            plant: PlantSpec::Dynamic,
+            until: 0.4,
+            ..spec(program, &["robot.body.mass=8,16"])
+        })
+    };
+    let imported = with(RobotSpec::Urdf(exported));
+    let described = with(RobotSpec::Description(toml));
+    assert_eq!(imported.to_string(), described.to_string());
+    assert_ne!(hashes(&imported)[0], hashes(&imported)[1]);
+    let broken = Spec {
+        robot: RobotSpec::Urdf("<robot/>".to_owned()),
+        ..spec(crate::LIFT, &[])
+    };
+    let refused = Sweep::new(broken).expect_err("it has no legs");
+    let reason = urdf::import("robot.urdf", "<robot/>").expect_err("it has no legs");
+    assert_eq!(refused.to_string(), reason.to_string());
 }
 
 #[test]
