@@ -4,6 +4,9 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { deflateRawSync, gzipSync } from 'node:zlib';
 import { page } from '../../tools/view/page/bundle.mjs';
 
+/** The most bytes that a visitor of the hosted playground downloads, by gzip. */
+const LIMIT = 1.6e6;
+
 const [wasm, out] = process.argv.slice(2);
 const here = import.meta.dirname;
 const root = `${here}/../..`;
@@ -47,5 +50,5 @@ writeFileSync(`${out}/hosted/playground.wasm`, module);
 const total = [index, module].reduce((sum, bytes) => sum + gzipSync(bytes, { level: 9 }).length, 0);
 const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
 console.log(`${out}/playground.html: ${megabytes(Buffer.byteLength(one))}`);
-console.log(`${out}/hosted: ${megabytes(total)} by gzip${total > 1.5e6 ? ', MORE than 1.5 MB' : ''}`);
-process.exit(total > 1.5e6 ? 1 : 0);
+console.log(`${out}/hosted: ${megabytes(total)} by gzip${total > LIMIT ? `, MORE than ${megabytes(LIMIT)}` : ''}`);
+process.exit(total > LIMIT ? 1 : 0);
