@@ -222,7 +222,7 @@ fn describe(
         source_name: source.name().to_owned(),
         source_hash: source.hash(),
         name: lasting(name),
-        limits: Limits::described(legs.iter().map(limits).collect()),
+        limits: Limits::copied(legs.iter().map(limits).collect()),
         legs,
         inverse,
         body,

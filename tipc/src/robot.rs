@@ -1,12 +1,10 @@
 //! The robots that a program can be checked for.
 
-#[cfg(feature = "robot-files")]
 use std::collections::BTreeMap;
 use std::fmt;
-#[cfg(feature = "robot-files")]
 use std::sync::{Mutex, PoisonError};
 use tip_runtime::command::{MAX, Target};
-use tip_runtime::model::{Family, Model, Range, generic, hand, titan8};
+use tip_runtime::model::{Family, Leg, Model, Range, generic, hand, titan8};
 use tip_runtime::program::Signature;
 
 /// A robot: one that the compiler knows by name, or one that someone described.
@@ -58,7 +56,6 @@ impl<const L: usize, const J: usize> LimitsOfJoints for Model<L, J> {
     }
 }
 
-#[cfg(feature = "robot-files")]
 impl LimitsOfJoints for Vec<Vec<Range>> {
     fn get(&self, leg: usize, joint: usize) -> Option<Range> {
         self.as_slice().get(leg)?.get(joint).copied()
@@ -66,9 +63,8 @@ impl LimitsOfJoints for Vec<Vec<Range>> {
 }
 
 impl Limits {
-    /// Keeps the limits of a description, leg by leg. They stay in memory, once for all robots that have them.
-    #[cfg(feature = "robot-files")]
-    pub(crate) fn described(legs: Vec<Vec<Range>>) -> Self {
+    /// Keeps the limits of a robot, leg by leg. They stay in memory, once for all robots that have them.
+    pub(crate) fn copied(legs: Vec<Vec<Range>>) -> Self {
         type Bits = Vec<Vec<[u64; 2]>>;
         static KNOWN: Mutex<BTreeMap<Bits, Limits>> = Mutex::new(BTreeMap::new());
         let bits = |range: &Range| [range.min.to_bits(), range.max.to_bits()];
@@ -99,6 +95,19 @@ impl fmt::Debug for Limits {
 impl Facts {
     /// Returns the facts of a model.
     pub const fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
+        Self::with(model, Limits(model))
+    }
+
+    /// Returns the facts of a model that need not stay in memory.
+    pub fn copied<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
+        let limits = |leg: &Leg<J>| leg.joints.iter().map(|joint| joint.limits).collect();
+        Self::with(
+            model,
+            Limits::copied(model.legs.iter().map(limits).collect()),
+        )
+    }
+
+    const fn with<const L: usize, const J: usize>(model: &Model<L, J>, limits: Limits) -> Self {
         Facts {
             signature: model.signature(),
             period: model.standards.period,
@@ -106,7 +115,7 @@ impl Facts {
             lamps: model.lamps,
             has_forces: model.forces.is_some(),
             has_slider: model.slider.is_some(),
-            limits: Limits(model),
+            limits,
         }
     }
 }

@@ -86,7 +86,7 @@ impl Robot {
     fn new<const L: usize, const J: usize>(model: &Model<L, J>, hardware: Hardware) -> Self {
         Robot {
             model: Arc::new(*model),
-            facts: Facts::of(model),
+            facts: Facts::copied(model),
             hardware,
             plant: Plant::default(),
             scene: Scene::EMPTY,

@@ -8,7 +8,7 @@ use tipc::{Facts, Options, Robot};
 fn robot<const J: usize>() -> Robot {
     let joint = Joint::revolute([1.0, 0.0, 0.0], [0.0, 0.0, 10.0]);
     let model = Model::generic("chain", [Leg::at([0.0; 3], [joint; J])]);
-    Robot::Described(Facts::of(Box::leak(Box::new(model))))
+    Robot::Described(Facts::copied(&model))
 }
 
 /// Returns what follows `=` in the first record that is not an equation.
