@@ -5,21 +5,12 @@ use super::protocol::{
     Breakpoint, DataBreakpointInfo, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints,
     SetFunctionBreakpoints, SourceBreakpoint,
 };
-use super::session::{Answer, Session, read};
+use super::session::{Answer, BreakpointNumbers, Session, read};
 use super::{Debuggee, Launcher};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_sim::debug::{DebugError, Placed, When};
 use tipc::message::Lang;
-
-/// The numbers of a breakpoint.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Numbers {
-    /// The number that the client knows; a restart keeps it.
-    pub(super) client: u32,
-    /// The number in the debugger, if the breakpoint could be placed.
-    pub(super) debugger: Option<u32>,
-}
 
 /// A kind of breakpoints; a client replaces all of a kind together.
 #[derive(Clone, Copy)]
@@ -190,7 +181,7 @@ impl<L: Launcher> Session<L> {
                 .next()
                 .map_or_else(|| self.new_number(), |one| one.client);
             let debugger = answer.id.replace(client);
-            all.push(Numbers { client, debugger });
+            all.push(BreakpointNumbers { client, debugger });
         }
         self.breakpoints[kind as usize] = all;
         Ok(Some(json!({ "breakpoints": values(answers) })))

@@ -1,6 +1,5 @@
 //! The state of a session: requests are dispatched, and responses and events are queued. It does no input or output.
 
-use super::breakpoints::Numbers;
 use super::protocol::{
     Capabilities, Client, Event, Filter, Launch, Request, Response, Restart, Sent,
 };
@@ -19,6 +18,15 @@ pub(super) const MAIN: i64 = 1;
 /// Number of control cycles that are run between two looks for requests.
 const PORTION: u64 = 500;
 
+/// The numbers of a breakpoint.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BreakpointNumbers {
+    /// The number that the client knows; a restart keeps it.
+    pub(super) client: u32,
+    /// The number in the debugger, if the breakpoint could be placed.
+    pub(super) debugger: Option<u32>,
+}
+
 /// A session with one client.
 #[derive(Debug)]
 pub struct Session<L> {
@@ -30,9 +38,9 @@ pub struct Session<L> {
     pub(super) launch: Launch,
     pub(super) debuggee: Option<Debuggee>,
     /// The numbers of breakpoints by kind, in the order of the request that set them.
-    pub(super) breakpoints: [Vec<Numbers>; 3],
+    pub(super) breakpoints: [Vec<BreakpointNumbers>; 3],
     /// Those of before a restart, until they are set again.
-    pub(super) kept: [Vec<Numbers>; 3],
+    pub(super) kept: [Vec<BreakpointNumbers>; 3],
     /// The last number that a breakpoint was given.
     pub(super) numbered: u32,
     /// The last request of each kind that set breakpoints.
