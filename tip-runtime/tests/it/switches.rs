@@ -250,6 +250,19 @@ fn a_joint_under_a_foot_mode_needs_the_whole_leg() {
 }
 
 // clauses: 16.2
+/// [16.2]: a lock is checked after domains ([2.21]).
+#[test]
+fn a_result_that_is_not_finite_comes_before_a_lock() {
+    const HUGE: f64 = 1.7e308;
+    let mut rig = titan(&[
+        (Op::EmgOff, Target::None, &[]),
+        (Op::PtpAngle, J11, &[HUGE]),
+        (Op::Lock, ALL, &[]),
+    ]);
+    assert_eq!(rig.fault(Op::RelPtpAngle, J11, &[HUGE]), Fault::Domain);
+    assert_eq!(rig.fault(Op::RelPtpAngle, J11, &[1.0]), Fault::InvalidMode);
+}
+
 #[test]
 fn compliance_of_all_passes_over_what_is_locked() {
     let mut hand = Still::hand();
