@@ -117,7 +117,7 @@ for (const name of ['walk', 'grasp', 'hexapod']) {
       assert.ok((await told()).every((text) => text === '–' || /  Δ [+-][\d.]+$/.test(text)), (await told()).join());
       assert.match(await page.textContent('#plot-time'), /  Δ \+\d+\.\d{3} s$/);
       await page.click('#plot-mark');
-      assert.ok((await told()).every((text) => !text.includes('Δ')));
+      await page.waitForFunction(() => [...document.querySelectorAll('.signal output')].every((one) => !one.textContent.includes('Δ')));
     });
 
     test('the last label of the axis of time is whole', async () => {
