@@ -151,7 +151,7 @@ pub enum Reads {
 enum Parsed {
     /// A frame, and the number of its bytes.
     Frame(Frame, usize),
-    /// What is here may become a frame.
+    /// The beginning of a frame, perhaps; more bytes decide.
     Unfinished,
     /// A line that is no frame, and the number of its bytes.
     Line(usize),

@@ -272,7 +272,7 @@ pub struct Request {
     pub from: u8,
     /// True if the controller answers.
     pub is_answered: bool,
-    /// What it reads and writes.
+    /// Registers to read and to write, as the frame encodes them.
     pub payload: Vec<u8, 64>,
 }
 

@@ -78,9 +78,9 @@ pub enum Stop {
     Label(StepId),
     /// With RETURN or SUBEND.
     Return,
-    /// With END or EXIT.
+    /// END or EXIT.
     End,
-    /// With THREADEND.
+    /// THREADEND.
     ThreadEnd,
 }
 

@@ -15,7 +15,7 @@ use tipc::diagnostic::{Diagnostic, Edit, Fix};
 use tipc::source::Source;
 use tipc::syntax::Module;
 
-/// What knows the changes for a diagnostic.
+/// A function that knows the changes for a diagnostic.
 pub(crate) type Fixer = fn(&Site<'_>) -> Option<Fix>;
 
 /// Sources of fixes, asked in this order. The first answer counts.

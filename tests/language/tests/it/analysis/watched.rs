@@ -19,7 +19,7 @@ pub(crate) struct Watched {
     name: String,
     engine: Interpreter,
     assignment: Assignment,
-    /// Of the main program and each thread: true if its step is reached "not taken"; `None` if that cannot be seen from
+    /// A mark for the main program and each thread: true if its step is reached "not taken"; `None` if that cannot be seen from
     /// outside.
     not_taken: [Option<bool>; 1 + THREADS],
     /// The thread that runs.
