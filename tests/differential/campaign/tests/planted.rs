@@ -44,7 +44,19 @@ const FAULTS: &[Fault] = &[
         edition: Edition::V3_2,
         tamper: |code| code.replace("self . not_taken = place . not_taken ;", ""),
         word: "ELSE",
-        lines: 24,
+        lines: 45,
+    },
+    Fault {
+        edition: Edition::V3_2,
+        tamper: with_another_addition,
+        word: "@TIMER",
+        lines: 30,
+    },
+    Fault {
+        edition: Edition::V3_2,
+        tamper: without_lock_checks,
+        word: "LOCK",
+        lines: 30,
     },
 ];
 
@@ -62,6 +74,42 @@ fn in_wrong_order(code: String) -> String {
         }
         _ => code,
     }
+}
+
+/// Lets timers that have grown show one addition more. They grow in the runtime, which both engines share.
+fn with_another_addition(mut code: String) -> String {
+    for timer in 0..8 {
+        let reading = format!("cx . reading (Reading :: Timer ({timer})) ? [0]");
+        let time = "if time > 0.0 { time + cx.period() } else { time }";
+        code = code.replace(&reading, &format!("({{ let time = {reading}; {time} }})"));
+    }
+    code
+}
+
+/// Passes over commands that are refused because a joint is locked. The runtime checks locks, for both engines; what it
+/// answers goes through generated code if an operand is no constant.
+fn without_lock_checks(code: String) -> String {
+    let code = code.replace("cx . ask (command ,", "past_locks (cx , command ,");
+    format!(
+        "{code}
+        #[allow(dead_code)]
+        fn past_locks(
+            cx: &mut dyn ::tip_runtime::program::Context,
+            command: &::tip_runtime::command::Command<'_>,
+            at: &mut u32,
+            next: u32,
+        ) -> Result<::tip_runtime::program::Flow, ::tip_runtime::fault::Fault> {{
+            use ::tip_runtime::command::Op;
+            let moves = matches!(command.op, Op::Ptp | Op::PtpAngle | Op::VelControl | Op::OmegaControl);
+            match cx.ask(command, at, next) {{
+                Err(::tip_runtime::fault::Fault::InvalidMode) if moves => {{
+                    *at = next;
+                    Ok(::tip_runtime::program::Flow::Next)
+                }}
+                answer => answer,
+            }}
+        }}"
+    )
 }
 
 #[test]

@@ -122,7 +122,7 @@ impl Writer {
     }
 
     fn timed(&mut self) {
-        let timer = self.random.below(8);
+        let timer = self.timer();
         let command = self.pick(&[
             "START_TIMER",
             "START_TIMER",
@@ -145,10 +145,11 @@ impl Writer {
     /// Calm programs command no joint while it is locked, unless another thread does.
     fn locked(&mut self) {
         let (foot, joint) = (self.foot(), self.joint());
-        let target = self.pick(&[foot, joint, "ALL".to_owned()]);
+        let target = self.pick(&[foot.clone(), joint, "ALL".to_owned()]);
         self.line(&format!("LOCK {target}"));
         match self.is_calm() {
             true => self.scalar_equation(),
+            false if self.random.once_in(3) => self.line(&format!("PTP_ANGLE {foot} LOW")),
             false => self.robot_command(),
         }
         if self.is_calm() || self.random.once_in(2) {
@@ -208,9 +209,17 @@ impl Writer {
             0 | 1 => format!("@AGL_{joint}"),
             2 if senses(self.robot, Teach::Torque) => format!("@TRQ_{joint}"),
             3 => "VAR_SPECIAL_1".to_owned(),
-            _ => format!("@TIMER{}", self.random.below(8)),
+            _ => format!("@TIMER{}", self.timer()),
         };
         format!("{minus}{reading}")
+    }
+
+    /// Any timer, and most often the first: it runs when it is read.
+    fn timer(&mut self) -> u64 {
+        match self.random.once_in(3) {
+            true => self.random.below(8),
+            false => 0,
+        }
     }
 
     /// A struct that the robot measures or native code shares, of the type of `like`.
