@@ -137,7 +137,8 @@ impl Table {
             let has_header = tally.has_header();
             return Ok((Table { out, has_header }, tally));
         }
-        let file = File::create(&unfinished).map_err(failed)?;
+        // The name that the user gave says more than that of the unfinished table.
+        let file = File::create(&unfinished).map_err(|error| Error::cannot_write(path, error))?;
         output::replace(&specification(path), saved.text())?;
         let path = unfinished;
         let table = Table {

@@ -233,7 +233,7 @@ fn what_is_wrong_is_refused_before_the_first_run() {
         .tip(&["sweep", "lift.prg", "-o", "nowhere/runs.csv"])
         .expect(1);
     assert!(
-        outcome.err.contains("nowhere/runs.csv.part"),
+        outcome.err.contains("nowhere/runs.csv: "),
         "{}",
         outcome.err
     );
