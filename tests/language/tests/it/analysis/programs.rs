@@ -12,7 +12,7 @@ use tipc::program::Program;
 use tipc::{Options, Robot};
 
 /// Default number of random programs of each edition: enough to reach reads that find a value on some paths only.
-/// `TIP_PROGRAMS=100000` before a run in release mode takes so many.
+/// `TIP_PROGRAMS=50000` before a run of `no_run_contradicts` in release mode takes so many.
 const SEEDS: u64 = 1_000;
 
 /// Maximum number of traces that are kept.
