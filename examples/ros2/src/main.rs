@@ -1,4 +1,5 @@
 //! `walk.prg` as a node of a ROS 2 graph: see the README beside it.
+#![expect(clippy::disallowed_macros, reason = "an example prints")]
 
 mod messages;
 
