@@ -1,0 +1,72 @@
+// The page of a table of runs. PAGES is the folder that `run` has put it into.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { launch } from './browsers.mjs';
+
+/** The place of `name` in texts that canvases were asked to draw. */
+const named = (texts, name) => texts.filter(({ text }) => text === name);
+
+for (const width of [1440, 390]) {
+  describe(`a page of ${width} pixels`, () => {
+    let browser, page, drawn;
+    before(async () => {
+      browser = await launch();
+      page = await browser.newPage({ viewport: { width, height: 900 } });
+      // What is drawn into a canvas is nowhere in the document.
+      await page.addInitScript(() => {
+        window.drawn = [];
+        const { prototype } = CanvasRenderingContext2D;
+        const { fillText, lineTo } = prototype;
+        prototype.fillText = function (text, x, y) {
+          const long = this.measureText(text).width;
+          const left = x - { left: 0, center: long / 2, right: long }[this.textAlign];
+          window.drawn.push({ id: this.canvas.id, text, x, y, left, right: left + long });
+          fillText.call(this, text, x, y);
+        };
+        prototype.lineTo = function (x, y) {
+          window.drawn.push({ id: this.canvas.id, x, y });
+          lineTo.call(this, x, y);
+        };
+      });
+      await page.goto(`file://${process.env.PAGES}/runs.html`);
+      await page.waitForFunction(() => document.getElementById('count').textContent === '4 runs');
+      drawn = (await page.evaluate(() => window.drawn)).filter(({ id }) => id === 'parallel');
+    });
+    after(() => browser?.close());
+
+    test('a result that is nearly the same in all runs is drawn so, others over the whole height', () => {
+      const texts = drawn.filter(({ text }) => text);
+      const ys = (name) => {
+        const [{ x }] = named(texts, name);
+        return drawn.filter((point) => !point.text && Math.abs(point.x - x) < 12).map(({ y }) => y);
+      };
+      const spread = (all) => Math.max(...all) - Math.min(...all);
+      // The line of the axis itself ends at its foot; the first column has only moves.
+      const runs = (name) => ys(name).filter((y) => y !== Math.max(...ys(name)));
+      assert.ok(spread(ys('forward [mm]')) > 150, `${spread(ys('forward [mm]'))}`);
+      for (const name of ['least_margin [mm]', 'tilt [deg]']) assert.ok(spread(runs(name)) < 5, `${name}: ${runs(name)}`);
+    });
+
+    test('no words of the axes lie over each other', () => {
+      const texts = drawn.filter(({ text }) => text);
+      assert.equal(named(texts, 'least_margin [mm]').length, 1);
+      for (const [n, one] of texts.entries()) {
+        for (const other of texts.slice(n + 1)) {
+          const apart = one.right < other.left || other.right < one.left || Math.abs(one.y - other.y) >= 12;
+          assert.ok(apart, `${one.text} and ${other.text}`);
+        }
+      }
+    });
+
+    test('the words at the top are above all lines', () => {
+      const top = Math.min(...drawn.filter(({ text }) => !text).map(({ y }) => y));
+      for (const { text, y } of drawn.filter(({ text, y }) => text && y < 200)) assert.ok(y <= top - 4, `${text} at ${y}, lines from ${top}`);
+    });
+
+    test('only the plot scrolls sideways, not the page', async () => {
+      const [page1, plot] = await page.evaluate(() => [document.documentElement, document.querySelector('.sideways')].map((part) => part.scrollWidth > part.clientWidth));
+      assert.deepEqual([page1, plot], [false, width < 1000]);
+      assert.equal(await page.textContent('#clear'), 'clear selection');
+    });
+  });
+}
