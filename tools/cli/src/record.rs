@@ -145,7 +145,7 @@ impl RecordedArguments {
   tip run walk.prg --trace walk.jsonl --trace-motion
   tip view walk.jsonl --program walk.prg       the run of that trace
   tip run walk.prg --trace slow.jsonl --trace-motion --events '20:set SPEED=200'
-  tip view walk.jsonl slow.jsonl --program walk.prg   both: plots over each other, the second robot as a ghost
+  tip view walk.jsonl slow.jsonl --program walk.prg   both, into walk-slow.html: plots over each other, the second robot as a ghost
   tip view walk.prg -o - > walk.html           to standard output
   tip view runs.csv                            the table of 'tip sweep': plots, and the worst cases first
   tip view runs.csv --case 3                   the run of a row of that table
@@ -179,7 +179,7 @@ pub(super) struct View {
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     case: Option<u64>,
 
-    /// The page; else FILE.html next to FILE
+    /// The page; else FILE.html next to FILE, or FILE-OTHER.html
     ///
     /// '-' is standard output
     #[arg(short, long, value_name = "OUT.html")]
@@ -224,7 +224,10 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     };
     output::replace(&out, &page)?;
     if !arguments.quiet {
-        report::complain(&summary(&recording, &out, page.len()));
+        report::complain(&match &other {
+            Some(other) => comparison(&recording, other, &out, page.len()),
+            None => summary(&recording, &out, page.len()),
+        });
         if !arguments.is_trace(&recorded.file) {
             recorded.report_wait(&recording);
         }
@@ -249,9 +252,17 @@ const MAX_TRACE: usize = 1024;
 impl View {
     /// Returns the path of the page.
     fn out(&self) -> PathBuf {
-        match &self.out {
-            Some(out) => out.clone(),
-            None => beside(&self.recorded.file, "html"),
+        let page = beside(&self.recorded.file, "html");
+        match (&self.out, &self.other) {
+            (Some(out), _) => out.clone(),
+            (None, None) => page,
+            // A page of the first run alone stays as it is.
+            (None, Some(other)) => {
+                let mut name = page.file_stem().unwrap_or_default().to_owned();
+                name.push("-");
+                name.push(beside(other, "html").file_name().unwrap_or_default());
+                page.with_file_name(name)
+            }
         }
     }
 
@@ -347,17 +358,32 @@ impl View {
 
 /// Returns the summary of a page.
 fn summary(recording: &Recording, out: &Path, bytes: usize) -> String {
-    let (name, cycles) = (
-        Printable::line(output::name(out)),
-        plural(recording.cycles as usize, "cycle"),
-    );
+    let (name, size) = (Printable::line(output::name(out)), kilobytes(bytes));
+    format!("{name}: {}, {size}\n", figures(recording))
+}
+
+/// Returns the summary of a page that compares two runs.
+fn comparison(recording: &Recording, other: &Recording, out: &Path, bytes: usize) -> String {
+    let (name, size) = (Printable::line(output::name(out)), kilobytes(bytes));
+    let [one, other] = [recording, other]
+        .map(|run| format!("{}: {}", Printable::line(&run.script.name), figures(run)));
+    format!("{name}: {size}\n  {one}\n  {other}\n")
+}
+
+/// Returns how long a run took, and how often the robot fell.
+fn figures(recording: &Recording) -> String {
+    let cycles = plural(recording.cycles as usize, "cycle");
     let time = recording.time(recording.cycles) / 1000.0;
     let falls = match recording.falls.len() {
         0 => String::new(),
         falls => format!(", {}", plural(falls, "fall")),
     };
-    let size = (bytes as f64 / 1000.0).round();
-    format!("{name}: {time:.3} s of robot time, {cycles}{falls}, {size} kB\n")
+    format!("{time:.3} s of robot time, {cycles}{falls}")
+}
+
+/// Returns the size of a page.
+fn kilobytes(bytes: usize) -> String {
+    format!("{} kB", (bytes as f64 / 1000.0).round())
 }
 
 /// `tip log`

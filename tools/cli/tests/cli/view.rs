@@ -105,6 +105,21 @@ fn two_runs_are_compared_on_one_page() {
         assert_eq!(data(&page, "compared"), alone(other), "{ends:?}");
         assert_ne!(alone(one), alone(other), "{ends:?}");
     }
+    // A page of both has its own name, and does not take the place of one of the first run.
+    folder.tip(&["view", "a.jsonl", "-q"]).expect(0);
+    let alone = folder.read("a.html");
+    let outcome = folder.tip(&["view", "a.jsonl", "b.prg"]).expect(0);
+    assert_eq!(folder.read("a.html"), alone);
+    assert!(folder.has("a-b.html"));
+    // The joint of b goes twice as far and takes longer.
+    let lines: Vec<_> = outcome.err.lines().collect();
+    let [size, first, second] = lines.as_slice() else {
+        panic!("{lines:?}");
+    };
+    assert!(size.starts_with("a-b.html: "), "{size}");
+    assert!(first.starts_with("  a.jsonl: 0."), "{first}");
+    assert!(second.starts_with("  b.prg: 0."), "{second}");
+    assert_ne!(first.split_once(": "), second.split_once(": "));
     // With --program both are traces of it.
     folder
         .tip(&[
