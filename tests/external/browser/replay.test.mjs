@@ -319,6 +319,52 @@ test('two runs are on one page: their plots, and the second robot as a ghost', a
   await view.close();
 });
 
+test('two runs that are compared both tell their ends, in both languages', async () => {
+  for (const [locale, ends] of [
+    ['en', /^walk: EXIT after (\d+\.\d{3}) s · slow: EXIT after (\d+\.\d{3}) s$/],
+    ['ja', /^walk: (\d+\.\d{3}) s 後に EXIT · slow: (\d+\.\d{3}) s 後に EXIT$/],
+  ]) {
+    const { page, close } = await open(browser, `${pages}/compare.html`, { locale });
+    const [, first, second] = (await page.textContent('#outcome')).match(ends);
+    assert.ok(Number(first) < Number(second), `${first} ${second}`);
+    await close();
+  }
+});
+
+test('a run of drives, which do not tell where the body is, is compared at one place', async () => {
+  const shown = [];
+  for (const name of ['drives', 'mixed']) {
+    const { page, close } = await open(browser, `${pages}/${name}.html`);
+    shown.push(await picture(page));
+    await close();
+  }
+  assert.equal(differences(...shown), 0);
+});
+
+test('an emergency stop has the time of the terminal everywhere, and its line is marked', async () => {
+  // Two cycles of 20 ms ran; in the third one the clock stands still, and a trace has no record of it.
+  for (const [name, last] of [['stops', 2], ['stops-traced', 1]]) {
+    const { page, close } = await open(browser, `${pages}/${name}.html`);
+    const now = async () => [await page.textContent('#now-cycle'), await page.textContent('#now-time'), await lit(page)];
+    assert.match(await page.textContent('#outcome'), /^emergency stop after 0\.040 s: .*, line 5$/);
+    await page.keyboard.press('End');
+    await page.waitForSelector('#source .stopped');
+    assert.deepEqual(await now(), [`${last} / ${last}`, '0.040 s', 5]);
+    assert.equal(await page.textContent('#now-line'), '5');
+    assert.equal(await page.locator('#source .lit').count(), 1);
+    // All of the line can be read on its ground.
+    await page.evaluate(axe.source);
+    assert.deepEqual(await page.evaluate(async () => (await axe.run('#source')).violations.map(({ id }) => id)), []);
+    assert.match(await page.textContent('#plot-time'), /^0\.040 s$/);
+    await page.click('#log-tab');
+    assert.equal(await page.textContent('.mark.fault time'), '0.040 s');
+    await page.click('#back');
+    await page.waitForFunction(() => !document.querySelector('#source .stopped'));
+    assert.deepEqual(await now(), [`${last - 1} / ${last}`, `0.0${last * 2}0 s`, last + 2]);
+    await close();
+  }
+});
+
 test('from where a variable got its value, one goes on to the assignment before', async () => {
   const view = await open(browser, `${pages}/walk.html`);
   const { page } = view;

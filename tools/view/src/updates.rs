@@ -318,6 +318,8 @@ pub(crate) struct Ended<'a> {
     error: Option<&'a str>,
     kind: Option<&'a str>,
     line: Option<u32>,
+    /// Time of the robot until then, ms.
+    time: f64,
 }
 
 fn each<'a, T, U>(list: &'a [At<T>], of: impl Fn(u64, &'a T) -> U) -> Vec<U> {
@@ -434,24 +436,20 @@ impl Outline {
 
 impl<'a> Ended<'a> {
     pub(crate) fn of(recording: &'a Recording) -> Self {
+        let by = |how| Ended {
+            how,
+            time: recording.time(recording.cycles),
+            ..Ended::default()
+        };
         match &recording.outcome {
-            Outcome::Program(word) => Ended {
-                how: word,
-                ..Ended::default()
-            },
-            Outcome::Interrupted => Ended {
-                how: "interrupted",
-                ..Ended::default()
-            },
-            Outcome::Limit => Ended {
-                how: "limit",
-                ..Ended::default()
-            },
+            Outcome::Program(word) => by(word),
+            Outcome::Interrupted => by("interrupted"),
+            Outcome::Limit => by("limit"),
             Outcome::Emergency(stop) => Ended {
-                how: "emergency",
                 error: Some(&stop.error),
                 kind: Some(&stop.kind),
                 line: recording.script.lines.get(stop.step as usize).copied(),
+                ..by("emergency")
             },
         }
     }

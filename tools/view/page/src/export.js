@@ -74,7 +74,7 @@ export function exporting(player, stage) {
     const made = new Gif(canvas, Math.min(rate(), SLIDES));
     await each(async () => {
       stage.drawFine();
-      made.add(clockTime(player.time), player.recording.messageAt(player.cycle));
+      made.add(clockTime(player.recording.told(player.time)), player.recording.messageAt(player.cycle));
       await new Promise((go) => setTimeout(go));
     }, SLIDES);
     if (!stopped) save(made.end(), `${stem}.gif`);

@@ -120,7 +120,7 @@ function build(requests, recording, stage) {
     knobs.show();
     if (!player.following) showStatus();
   });
-  player.onRest(() => editor.light(recording.lineAt(player.cycle), recording.threadsAt(player.cycle)));
+  player.onRest(() => editor.light(recording.markedLineAt(player.cycle), recording.threadsAt(player.cycle)));
   player.onState(showStatus);
   whenSpoken(showStatus);
   whenSpoken(() => listMarks(player));

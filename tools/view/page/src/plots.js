@@ -59,8 +59,9 @@ export class Plots {
 
   showValues() {
     const { looked, mark } = this;
+    const told = (time) => this.recording.told(time);
     const signed = (text) => (text.startsWith('-') ? text : `+${text}`);
-    element('plot-time').textContent = clockTime(looked) + (mark === undefined ? '' : `  Δ ${signed(clockTime(looked - mark))}`);
+    element('plot-time').textContent = clockTime(told(looked)) + (mark === undefined ? '' : `  Δ ${signed(clockTime(told(looked) - told(mark)))}`);
     for (const { group, signals, outputs } of this.charts) {
       const said = (value) => (value === undefined ? '–' : group.unit ? fixed(value, 1) : shown(value));
       signals.forEach((signal, n) => {

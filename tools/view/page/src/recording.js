@@ -78,6 +78,21 @@ export class Recording {
     return this.script.lines[this.stepAt(cycle)];
   }
 
+  /** Whether a fault ended the run in this cycle, or right after it: a trace has no record of the cycle of a fault. */
+  isStoppedAt(cycle) {
+    return this.outcome.how === 'emergency' && cycle === this.cycles - 1;
+  }
+
+  /** The line to mark: that which stopped the run, else that which runs. */
+  markedLineAt(cycle) {
+    return (this.isStoppedAt(cycle) && this.outcome.line) || this.lineAt(cycle);
+  }
+
+  /** A time as the terminal tells it, ms: it stands still in the cycle of a fault, which here takes as long as others. */
+  told(time) {
+    return time > this.duration ? time : Math.min(time, this.outcome.time ?? time);
+  }
+
   /** The next cycle after `cycle` in which a line begins to run, around the end; none if it never does. */
   nextRunOf(line, cycle) {
     const steps = new Set(this.stepsOfLine.get(line));

@@ -38,8 +38,8 @@ export async function openReplay(held) {
   source(player, plot);
   state(player, plot);
   whenSpoken(() => {
-    element('outcome').textContent = endOf(recording);
-    element('outcome').classList.toggle('bad', recording.outcome.how === 'emergency');
+    element('outcome').textContent = other ? [recording, other].map((run) => `${stem(run)}: ${endOf(run)}`).join(' · ') : endOf(recording);
+    element('outcome').classList.toggle('bad', recording.outcome.how === 'emergency' || other?.outcome?.how === 'emergency');
   });
   whenSpoken(() => listMarks(player));
   if (stage) {
@@ -74,6 +74,11 @@ export async function openReplay(held) {
   requestAnimationFrame(() => setTimeout(charts));
   // A page around this one may have it play at once.
   if (dataset.plays !== undefined) player.play();
+}
+
+/** The name of a run's file, without folders and extension. */
+function stem({ script }) {
+  return script.name.replace(/^.*[/\\]/, '').replace(/\.[^.]*$/, '');
 }
 
 /** The cycle of `#cycle=611`. */

@@ -40,7 +40,7 @@
 //   text       {version, by, text}: the text of the editor
 //   findings   {version, findings, good}: what is found in it, and whether it is a program. Each has `level`, `code`, `from`
 //              and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`
-//   status     {playing, speed, late, over, outcome, running, changed, overtaken}: whether the run keeps up, how it ended,
+//   status     {playing, speed, late, over, outcome, running, changed, overtaken}: whether the run keeps up, how and when it ended,
 //              which version of the text runs, whether that of the editor is not the file's, and whether someone else
 //              has changed the file
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,

@@ -74,12 +74,14 @@ export function source(player, plot) {
   }).observe(list);
   let lit;
   const light = () => {
-    const line = recording.lineAt(player.cycle);
-    if (lit?.value === line) return;
+    const line = recording.markedLineAt(player.cycle);
+    const stopped = recording.isStoppedAt(player.cycle);
+    if (lit?.value === line && lit.classList.contains('stopped') === stopped) return;
     lit?.removeAttribute('aria-current');
-    lit?.classList.remove('lit');
+    lit?.classList.remove('lit', 'stopped');
     lit = rows[line - 1];
     if (!lit) return;
+    lit.classList.toggle('stopped', stopped);
     lit.classList.add('lit');
     lit.setAttribute('aria-current', 'true');
     intoView();

@@ -139,7 +139,12 @@ export class Stage {
     this.place = recording.between(time);
     this.posture = recording.posture(this.place);
     this.solid.pose(this.posture);
-    this.ghost?.pose(this.other.posture(this.other.between(time)));
+    if (this.ghost) {
+      const posture = this.other.posture(this.other.between(time));
+      // Drives do not tell where the body is: robots are compared at one place then.
+      if (!this.posture.pose || !posture.pose) posture.pose = this.posture.pose;
+      this.ghost.pose(posture);
+    }
     this.surroundings.move(this.place, this.posture.pose);
     this.ends = feet(this.robot, this.posture);
     this.marks.begin();

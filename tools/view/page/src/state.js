@@ -64,7 +64,7 @@ export function state(player, plot, assign) {
     const alarm = alarmAt(player);
     element('alert').hidden = !alarm;
     element('alert').textContent = alarm;
-    element('now-line').textContent = recording.lineAt(cycle) ?? '–';
+    element('now-line').textContent = recording.markedLineAt(cycle) ?? '–';
     showMargin(player);
   };
   const showState = () => {
@@ -236,7 +236,7 @@ function showMargin({ recording, cycle, time }) {
 
 /** What has just gone wrong, in words. */
 function alarmAt({ recording, cycle, time }) {
-  if (recording.outcome.how === 'emergency' && cycle === recording.cycles - 1) return word('fault');
+  if (recording.isStoppedAt(cycle)) return word('fault');
   const fall = recording.falls[countUpTo(recording.falls, cycle, (one) => one.cycle) - 1];
   return fall && time - recording.endOf(fall.cycle) < ANNOUNCED ? word('fell') : '';
 }
@@ -251,11 +251,11 @@ function rounded(values) {
 }
 
 /** How a run ended, and when. */
-export function endOf({ outcome, duration }) {
+export function endOf({ outcome }) {
   const key = { limit: 'endedLimit', interrupted: 'endedInterrupted', emergency: 'endedEmergency' }[outcome.how] ?? 'endedProgram';
   const line = outcome.line ? `, ${word('line')} ${outcome.line}` : '';
   const why = outcome.error ? `: ${outcome.error}${line}` : '';
-  return word(key, outcome.how, clockTime(duration)) + why;
+  return word(key, outcome.how, clockTime(outcome.time)) + why;
 }
 
 /** All that happened besides the motion. */
@@ -271,7 +271,7 @@ export function listMarks(player) {
   const rows = recording.marks.map((mark) => {
     const button = make('button', { type: 'button', className: `mark ${mark.kind}` });
     button.append(
-      make('time', { textContent: clockTime(recording.endOf(mark.cycle)) }),
+      make('time', { textContent: clockTime(recording.told(recording.endOf(mark.cycle))) }),
       make('span', { className: 'kind', textContent: '' }),
       make('span', { textContent: words[mark.kind](mark) }),
     );

@@ -27,13 +27,14 @@ export function timeline(player) {
   whenSpoken(showState);
   player.onMove(() => {
     const { place, lastPlace } = player;
+    const time = clockTime(recording.told(player.time));
     slider.min = recording.first ?? 0;
     slider.max = lastPlace;
     slider.value = place;
-    const text = `${word('cycle')} ${place}, ${clockTime(player.time)}`;
+    const text = `${word('cycle')} ${place}, ${time}`;
     slider.setAttribute('aria-valuetext', text);
     element('now-cycle').textContent = `${place} / ${lastPlace}`;
-    element('now-time').textContent = clockTime(player.time);
+    element('now-time').textContent = time;
   });
   return { draw: () => drawMarks(strip, player) };
 }

@@ -24,6 +24,18 @@ fn unpacked(recording: &Recording) -> Vec<Value> {
 const WALKS: &str = "3.1\nWalks\nDEF_VAR HEIGHT\nHEIGHT = 0.1\nSTAND_UP 60\nWAIT_INPOS ALL\nHEIGHT = -1000.7\nMESSAGE up\nEND\n";
 
 #[test]
+fn a_stop_is_told_with_its_line_and_the_time_that_passed_until_then() {
+    // Two cycles of 20 ms run; the clock stands still in the third.
+    let recording = record("3.1\nStops\nREM\nREM\nPTP F1 0 0 0\nEND\n");
+    let outcome = &unpacked(&recording)[2]["outcome"];
+    assert_eq!(outcome["how"], "emergency");
+    assert_eq!(
+        (&outcome["time"], &outcome["line"]),
+        (&40.0.into(), &5.into())
+    );
+}
+
+#[test]
 fn what_is_packed_is_what_was_recorded() {
     let recording = record(WALKS);
     let updates = unpacked(&recording);
