@@ -179,7 +179,7 @@ pub(super) struct View {
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     case: Option<u64>,
 
-    /// The page; else FILE.html next to FILE, or FILE-OTHER.html
+    /// The page; else FILE.html or FILE-OTHER.html
     ///
     /// '-' is standard output
     #[arg(short, long, value_name = "OUT.html")]
