@@ -259,6 +259,12 @@ impl Resolver<'_> {
     /// Returns the command that an unknown word is near to, or what such a word may be.
     fn near_command(&self, word: &str) -> Message {
         let edition = self.names.edition;
+        let mut later = Edition::ALL.iter();
+        let later = later.find_map(|later| commands::find_in(word, *later));
+        if let Some(Command { name, since, .. }) = later {
+            let (word, edition) = ((*name).into(), *since);
+            return Suggestion::OfEdition { word, edition }.into();
+        }
         let names = || commands::names(edition);
         let is_searched = !self.found.are_many();
         let near = || {

@@ -107,6 +107,7 @@ impl Jumps<'_> {
             };
             let help = match near {
                 Some(near) => Structuring::DidYouMean { near: near.into() },
+                None if kind == JumpKind::Thread => Structuring::WriteThread { name: name.into() },
                 None => Structuring::DeclareLabel { name: name.into() },
             };
             let reason = Structuring::NoSuchLabel { name: name.into() };

@@ -490,6 +490,9 @@ messages! {
     DeclareLabel { name: SmolStr }
         "put `{name}:` before the statement that is meant",
         "飛び先の文の前に `{name}:` を書いてください";
+    WriteThread { name: SmolStr }
+        "write the thread: `THREAD {name}:` … `THREADEND`",
+        "スレッドを `THREAD {name}:` … `THREADEND` と書いてください";
     PlainLabel { name: SmolStr } ["E205-20"]
         "`{name}` is a plain label, not a SUBROUTINE",
         "`{name}` は普通のラベルで、SUBROUTINEではありません";

@@ -1,7 +1,7 @@
 //! Messages in words, in one language or another.
 
 use super::Message;
-use crate::language::{Bilingual, Keyword};
+use crate::language::{Bilingual, Edition, Keyword};
 use std::fmt::{self, Debug, Display, Formatter};
 use tip_runtime::command::Target;
 
@@ -64,7 +64,16 @@ macro_rules! alike {
     };
 }
 
-alike!(char, f64, u32, usize, &'static str, Keyword, Target);
+alike!(
+    char,
+    f64,
+    u32,
+    usize,
+    &'static str,
+    Edition,
+    Keyword,
+    Target
+);
 
 impl Bilingual {
     /// Returns the text in a language.

@@ -2,7 +2,7 @@
 
 use super::list::List;
 use super::say::Decimal;
-use crate::language::Keyword;
+use crate::language::{Edition, Keyword};
 use smol_str::SmolStr;
 
 messages! {
@@ -416,6 +416,10 @@ messages! {
     GotoLoop
         "GOTO without a label goes to the `LOOP:` above: name the label, as `GOTO L1:`",
         "ラベルのないGOTOは上の `LOOP:` へ飛びます。`GOTO L1:` のように飛び先を書いてください";
+
+    OfEdition { word: SmolStr, edition: Edition }
+        "{word} came with edition {edition}: write `{edition}` in line 1",
+        "{word}は{edition}版からの語です。1行目に `{edition}` と書いてください";
 
     // Blocks.
     Closes { opener: Keyword, closer: Keyword }

@@ -4,7 +4,7 @@ use super::comment::is_comment;
 use super::reader::{Fault, Parsed, Reader};
 use crate::language::commands::Meaning;
 use crate::language::functions::Operation;
-use crate::language::{Keyword, commands, functions};
+use crate::language::{Edition, Keyword, commands, functions};
 use crate::lex::{Kind, Token};
 use crate::message::list::List;
 use crate::message::{Message, Parsing, Suggestion};
@@ -12,6 +12,7 @@ use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
 use smol_str::SmolStr;
+use tip_runtime::command::Reading;
 use tip_runtime::function::Function;
 
 /// Words that end an operand list in conditions and FOR; no variable has such a name.
@@ -357,6 +358,11 @@ fn suggest_for_name(word: &str) -> Message {
             true => Suggestion::NoArray { name }.into(),
             false => no_function(&name).1,
         };
+    }
+    let name = upper_case(word.trim_start_matches(['-', '+']));
+    if name.parse::<Reading>().is_ok() {
+        let (word, edition) = (name, Edition::V3_2);
+        return Suggestion::OfEdition { word, edition }.into();
     }
     match word.contains(['(', ')']) {
         true => Parsing::NoParentheses.into(),

@@ -1,7 +1,7 @@
 //! Arguments to try messages with.
 
 use crate::language::keywords::KEYWORDS;
-use crate::language::{Bilingual, Keyword};
+use crate::language::{Bilingual, Edition, Keyword};
 use crate::message::list::{Alternatives, Both, Each, Faults, List, OneOf, Pieces, Quoted};
 use crate::message::{Cut, Decimal, Letter, Message, Parsing, Text};
 use smol_str::SmolStr;
@@ -66,6 +66,12 @@ impl Sample for Bilingual {
 impl Sample for SmolStr {
     fn sample(turn: usize) -> Self {
         String::sample(turn).into()
+    }
+}
+
+impl Sample for Edition {
+    fn sample(turn: usize) -> Self {
+        Edition::ALL[turn % Edition::ALL.len()]
     }
 }
 

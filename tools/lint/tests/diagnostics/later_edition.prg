@@ -1,0 +1,4 @@
+3.1
+A title
+LOCK F1
+END
