@@ -168,7 +168,7 @@ pub fn migrate_to(
         let version = version_number(source.slice(version_word(&source)));
         version == Some(Edition::V3_2.number())
     };
-    let mut migration = match edition >= Edition::V3_2 && says_next() {
+    let mut migration = match says_next() {
         true => unchanged(name, bytes, encoding),
         false => migrate(name, bytes, encoding)?,
     };

@@ -74,6 +74,19 @@ fn a_program_of_3_1_is_copied_and_said_to_be_one() {
     );
 }
 
+// clauses: 10.1
+#[test]
+fn a_program_of_3_2_stays_one_and_is_said_to_be_one() {
+    let folder = Folder::new("migrate-next").file("new.prg", "3.2\ntitle\nEND\n");
+    for options in [&[][..], &["--to", "3.2"]] {
+        let outcome = folder.tip(&[&["migrate", "new.prg"], options].concat());
+        assert_eq!(
+            outcome.expect(0).err,
+            "new.prg: is a program of version 3.2 already, nothing is changed\n"
+        );
+    }
+}
+
 #[test]
 fn the_report_has_forms_for_tools() {
     let folder = Folder::new("migrate-tools").file("old.prg", OLD);

@@ -1,6 +1,7 @@
 //! Messages about programs of older versions.
 
 use super::{Changes, Declared, Loads, Questions};
+use tipc::language::Edition;
 use tipc::message::{Message, Text};
 
 tipc::message_table! {
@@ -119,9 +120,9 @@ tipc::message_table! {
         "これは3.1の文ではありません({title}: {reason})。何のことですか?";
 
     // The sentence at the end of the report.
-    AlreadyCurrent { file: Text }
-        "{file}: is a program of version 3.1 already, nothing is changed",
-        "{file}: すでにバージョン3.1のプログラムです。何も変えません";
+    AlreadyCurrent { file: Text, version: Edition }
+        "{file}: is a program of version {version} already, nothing is changed",
+        "{file}: すでにバージョン{version}のプログラムです。何も変えません";
     Migrated { file: Text, changes: Changes, loads: Loads }
         "{file}: {changes}, {loads}",
         "{file}: {changes}、{loads}";

@@ -5,8 +5,10 @@ use crate::message::Loads;
 use crate::message::Migrating;
 use std::fmt::Write;
 use tip_runtime::printable::Printable;
+use tipc::language::Edition;
 use tipc::message::Lang;
 use tipc::message::list::List;
+use tipc::parse::header::{version_number, version_word};
 use tipc::render::{push_member, push_number, push_string};
 
 /// Returns every question with its line, or every change; one sentence at the end.
@@ -29,7 +31,12 @@ fn summary(migration: &Migration) -> Migrating {
     let file = migration.source.name().to_owned().into();
     let (changes, questions) = (migration.changes().count(), migration.questions().count());
     match (changes, questions) {
-        (0, 0) => Migrating::AlreadyCurrent { file },
+        (0, 0) => {
+            let source = &migration.source;
+            let version = version_number(source.slice(version_word(source)));
+            let version = Edition::of(version.unwrap_or_default());
+            Migrating::AlreadyCurrent { file, version }
+        }
         (_, 0) => Migrating::Migrated {
             file,
             changes: changes.into(),
