@@ -106,9 +106,18 @@ tipc::message_table! {
     HasPart { part: Text }
         "{part} holds an unfinished table: add --resume to go on with it, or remove the file",
         "{part} に書きかけの表があります。--resumeを付けて続きを実行するか、ファイルを削除してください";
+    NotAFile { file: Text }
+        "{file} is not a file: '-o -' writes the table to standard output",
+        "{file} はファイルではありません。標準出力に書くには '-o -' を指定してください";
+    NoSweep { file: Text }
+        "{file} is where the specification of the sweep goes, and has something else: move it, or choose another name with -o",
+        "{file} にはスイープの仕様を書きますが、別の内容があります。移動するか、-oで別の名前を指定してください";
     OtherSweep { file: Text }
         "{file} belongs to another sweep, with another program, robot, scene or options: use its options, or another file",
         "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプションのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+    OneTable
+        "a table is not compared with another file: give it alone",
+        "表はほかのファイルと比べられません。表だけを指定してください";
     CaseNeedsTable
         "--case needs the table of a sweep: tip view runs.csv --case 3",
         "--caseにはスイープの表が必要です: tip view runs.csv --case 3";
@@ -324,6 +333,9 @@ tipc::message_table! {
     Share { count: String, all: String, share: String }
         "{count} of {all}, {share} %",
         "{all}回中{count}回、{share}%";
+    Idle { axis: String }
+        "warning: {axis} changes nothing while the robot walks without mass: --plant dynamic",
+        "警告: 質量のないプラントで歩く間は、{axis} を変えても結果は変わりません: --plant dynamic";
     CutOff { count: String, all: String, time: String }
         "{count} of {all}, after {time} s or --cycles; --until sets another limit",
         "{all}回中{count}回({time} sまたは--cycles)。--untilで上限を変えられます";
@@ -706,6 +718,9 @@ tipc::message_table! {
     KeysCycle
         "c: one control cycle; C: the same backwards",
         "c: 1サイクル、C: その逆";
+    KeysThread
+        "t: look at the next thread",
+        "t: 次のスレッドを見る";
     KeysLine
         "l: to the line of the cursor; L: back to it",
         "l: カーソルの行まで、L: その行まで戻る";

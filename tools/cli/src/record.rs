@@ -274,7 +274,10 @@ impl View {
             (None, Some(case)) => file.with_extension(format!("{case}.html")),
             _ => self.out(),
         };
-        output::refuse_inputs(&out, &[file])?;
+        if self.other.is_some() {
+            return Err(Error::Usage(Using::OneTable.in_lang(lang).to_string()));
+        }
+        output::refuse_inputs(&out, &[file, &sweep::specification(file)])?;
         if let Some(case) = self.case {
             let recording = sweep::record(file, case, lang)?;
             let page = recording.to_page();

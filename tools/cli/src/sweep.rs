@@ -23,7 +23,7 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::{fs, thread};
 use table::Table;
-pub(super) use table::{Saved, is_table};
+pub(super) use table::{Saved, is_table, specification};
 use tally::Tally;
 use tip_runtime::printable::Printable;
 use tip_sweep::{Axis, AxisError, Columns, PlantSpec, RobotSpec, Sampling, Spec, SweepError, Text};
@@ -33,7 +33,7 @@ use tipc::message::Lang;
 /// `tip sweep`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
-  tip sweep walk.prg --vary STRIDE=160..240/20 --vary friction=0.4,0.9 -o runs.csv
+  tip sweep walk.prg --vary STRIDE=160..240/20 --vary SPEED=200,300 --until 100s -o runs.csv
   tip sweep walk.prg --vary 'STRIDE=uniform(150,250)' --repeat 20 --seed 7 --until 60s --deny falls -o runs.csv
   tip sweep walk.prg --plant dynamic --vary push.x=0..40/20 --until 5s -o pushed.csv
   tip sweep grasp.prg --robot hand --scene scene.toml --vary scene.object.1.friction=0.3,0.6 -o grasps.csv
@@ -169,6 +169,10 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     let spec = arguments.spec(&subject)?;
     let usage = |error: SweepError| Error::Usage(error.text(lang));
     let sweep = tip_sweep::Sweep::new(spec.clone()).map_err(usage)?;
+    if let Some(axis) = sweep.idle_axis().filter(|_| !arguments.quiet) {
+        let axis = axis.to_owned();
+        complain(&format!("{}\n", Sweeping::Idle { axis }.in_lang(lang)));
+    }
     let (mut table, mut tally) = match input::is_stream(&arguments.out) {
         true if arguments.resume => {
             return Err(Error::Usage(
@@ -178,7 +182,10 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
         true => (Table::stream(), Tally::default()),
         false => {
             output::refuse_inputs(&arguments.out, &arguments.files())?;
-            Table::open(&arguments.out, &Saved::new(spec), arguments.resume, lang)?
+            // A run says which columns there are.
+            let header = arguments.resume.then(|| sweep.run(0, 1)).transpose();
+            let header = header.map_err(usage)?.map(|columns| columns.csv_header());
+            Table::open(&arguments.out, &Saved::new(spec), header.as_deref(), lang)?
         }
     };
     let began = tally.runs;

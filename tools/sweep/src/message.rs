@@ -67,6 +67,12 @@ tipc::message_table! {
     EmptyRange
         "the range is empty: the step leads away from its end",
         "範囲が空です: 刻みが終わりから遠ざかる向きです";
+    NoStep
+        "the step is 0",
+        "刻みが0です";
+    Negative
+        "no time or deviation is below 0",
+        "時間や標準偏差は0より小さくできません";
     LongRange
         "the range has more than 1,000,000 values",
         "範囲に1,000,000を超える値があります";

@@ -212,10 +212,13 @@ impl Values {
             Values::List(list) if !are_finite(list) => Err(Sweeping::NotFinite),
             Values::List(list) => Ok(Some(list.clone())),
             Values::Range { from, to, step } => {
-                if !are_finite(&[*from, *to, *step]) {
+                if !are_finite(&[*from, *to, *step, to - from]) {
                     return Err(Sweeping::NotFinite);
                 }
-                if *step == 0.0 || (to - from) * step < 0.0 {
+                if *step == 0.0 {
+                    return Err(Sweeping::NoStep);
+                }
+                if (to - from) * step < 0.0 {
                     return Err(Sweeping::EmptyRange);
                 }
                 // A last value that only rounding keeps beyond the end belongs to the range.
@@ -226,16 +229,20 @@ impl Values {
                 let values = (0..=steps as u32).map(|index| from + f64::from(index) * step);
                 Ok(Some(values.collect()))
             }
-            Values::Uniform { low, high } => match are_finite(&[*low, *high]) && low <= high {
-                true => Ok(None),
-                false => Err(Sweeping::UpsideDown),
-            },
-            Values::Normal { mean, deviation } => {
-                match are_finite(&[*mean, *deviation]) && *deviation >= 0.0 {
-                    true => Ok(None),
-                    false => Err(Sweeping::NegativeDeviation),
-                }
+            Values::Uniform { low, high } if !are_finite(&[*low, *high, high - low]) => {
+                Err(Sweeping::NotFinite)
             }
+            Values::Uniform { low, high } if low > high => Err(Sweeping::UpsideDown),
+            // No sample is farther from the mean than 10 deviations.
+            Values::Normal { mean, deviation }
+                if !are_finite(&[mean.abs() + 10.0 * deviation.abs()]) =>
+            {
+                Err(Sweeping::NotFinite)
+            }
+            Values::Normal { deviation, .. } if *deviation < 0.0 => {
+                Err(Sweeping::NegativeDeviation)
+            }
+            Values::Uniform { .. } | Values::Normal { .. } => Ok(None),
         }
     }
 }

@@ -54,6 +54,8 @@ pub struct Sweep {
     cases: u64,
     /// Number of the robot's units of torque in 1 N·m.
     torque_unit: f64,
+    /// True if the robot walks without mass.
+    is_massless: bool,
 }
 
 /// Makes the program of a run.
@@ -67,6 +69,30 @@ struct Axis {
     list: Option<Vec<f64>>,
     values: Values,
     start: Override,
+}
+
+impl Axis {
+    /// Returns the least and the greatest value, if there are such.
+    fn bounds(&self) -> Option<(f64, f64)> {
+        match (&self.values, &self.list) {
+            (Values::Uniform { low, high }, _) => Some((*low, *high)),
+            (_, Some(list)) => {
+                let wider =
+                    |(low, high): (f64, f64), value: &f64| (value.min(low), value.max(high));
+                Some(list.iter().fold((list[0], list[0]), wider))
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns true if a deviation or a time is below 0.
+    fn is_below_zero(&self) -> bool {
+        let is_length = matches!(
+            self.quantity,
+            Quantity::Noise(_) | Quantity::Push(Push::At | Push::For)
+        );
+        is_length && self.bounds().is_some_and(|(low, _)| low < 0.0)
+    }
 }
 
 /// A case: the values of all axes, and the robot in its scene.
@@ -97,6 +123,9 @@ impl Sweep {
             let new = axis_of(axis, &program)?;
             if axes.iter().any(|other| other.quantity == new.quantity) {
                 return Err(SweepError::axis(&axis.name, Sweeping::VariedTwice));
+            }
+            if new.is_below_zero() {
+                return Err(SweepError::axis(&axis.name, Sweeping::Negative));
             }
             axes.push(new);
         }
@@ -137,7 +166,7 @@ impl Sweep {
         let forces = robot.anatomy().forces;
         let unit = forces.map_or(TorqueUnit::NewtonMetre, |forces| forces.unit);
         let interpreted = Interpreter::new(Arc::clone(&program));
-        let sweep = Sweep {
+        let mut sweep = Sweep {
             spec,
             program,
             engine: Arc::new(move || ProgramRunner::new(interpreted.clone())),
@@ -151,10 +180,12 @@ impl Sweep {
             record,
             cases,
             torque_unit: unit.per_newton_metre(),
+            is_massless: false,
         };
         // Refuses what only a run can refuse: keys of files, values out of range, inputs that the robot lacks.
         let first = sweep.case(0)?;
-        sweep.start(&first)?;
+        let motion = sweep.start(&first)?.motion();
+        sweep.is_massless = motion.is_some_and(|motion| motion.unmodelled.is_some());
         sweep.try_bounds(&first.values)?;
         Ok(sweep)
     }
@@ -189,12 +220,8 @@ impl Sweep {
     /// Tries the least and the greatest value of each axis with the first ones of the others.
     fn try_bounds(&self, first: &[f64]) -> Result<(), SweepError> {
         for (index, axis) in self.axes.iter().enumerate() {
-            let (low, high) = match (&axis.values, &axis.list) {
-                (Values::Uniform { low, high }, _) => (*low, *high),
-                (_, Some(list)) => list.iter().fold((list[0], list[0]), |(low, high), value| {
-                    (value.min(low), value.max(high))
-                }),
-                _ => continue,
+            let Some((low, high)) = axis.bounds() else {
+                continue;
             };
             for bound in [low, high] {
                 let mut values = first.to_vec();
@@ -219,6 +246,17 @@ impl Sweep {
     /// Names of the axes.
     pub fn axes(&self) -> impl Iterator<Item = &str> {
         self.axes.iter().map(|axis| axis.name.as_str())
+    }
+
+    /// Returns the axis that changes no run: friction, if the robot walks without mass.
+    pub fn idle_axis(&self) -> Option<&str> {
+        let is_friction = |axis: &&Axis| match &axis.quantity {
+            Quantity::Scene(path) => path == &["floor", "friction"],
+            _ => false,
+        };
+        let idle = self.axes.iter().find(is_friction);
+        let idle = idle.filter(|_| self.is_massless);
+        idle.map(|axis| axis.name.as_str())
     }
 
     /// Returns a case by its number. It depends on the specification and the number alone.

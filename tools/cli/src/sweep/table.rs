@@ -57,7 +57,7 @@ pub(crate) fn is_table(path: &Path) -> bool {
 }
 
 /// Returns the path of the specification of a table.
-fn specification(table: &Path) -> PathBuf {
+pub(crate) fn specification(table: &Path) -> PathBuf {
     match table.extension() {
         Some(end) if end == "part" => table.with_extension("").with_extension("sweep.json"),
         _ => table.with_extension("sweep.json"),
@@ -96,50 +96,71 @@ impl Table {
         }
     }
 
-    /// Begins a table, or goes on with one whose rows are counted.
+    /// Begins a table, or goes on with one whose `header` is that of the sweep and whose rows are counted.
     ///
     /// # Errors
-    /// A file cannot be written, or there is an unfinished table that must not be lost.
+    /// A file cannot be written, or there is something that must not be lost: an unfinished table, a device, another
+    /// file in the place of the specification.
     pub(super) fn open(
         path: &Path,
         saved: &Saved,
-        resume: bool,
+        header: Option<&str>,
         lang: Lang,
     ) -> Result<(Self, Tally), Error> {
-        let unfinished = part(path);
         let refuse = |why: Using| Err(Error::Failed(why.in_lang(lang).to_string()));
+        // A new table takes the place of a file, not of a link to it.
+        let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+            let file = path.display().to_string().into();
+            return refuse(Using::NotAFile { file });
+        }
+        let unfinished = part(path);
         let failed = |error| Error::cannot_write(&unfinished, error);
         let (has_part, is_there) = (unfinished.exists(), path.exists());
-        if has_part && !resume {
+        if has_part && header.is_none() {
             let part = unfinished.display().to_string().into();
             return refuse(Using::HasPart { part });
         }
-        if resume && (has_part || is_there) {
+        let other_sweep = || {
+            let file = path.display().to_string().into();
+            refuse(Using::OtherSweep { file })
+        };
+        if let Some(header) = header.filter(|_| has_part || is_there) {
             if Saved::of(path, lang)? != *saved {
-                let file = path.display().to_string().into();
-                return refuse(Using::OtherSweep { file });
+                return other_sweep();
             }
             let mut tally = Tally::default();
             let out = if has_part {
                 let options = OpenOptions::new().read(true).write(true).open(&unfinished);
                 let mut file = options.map_err(failed)?;
-                let end = count(&file, &mut tally).map_err(failed)?;
-                // A kill may have left a piece of a row.
+                let (end, is_whole) = count(&file, header, &mut tally).map_err(failed)?;
+                if end == 0 && !is_whole {
+                    return other_sweep();
+                }
+                // A kill may have left a piece of a row, and a power failure rows of zeros.
                 let cut = file.set_len(end).and_then(|()| file.seek(SeekFrom::End(0)));
                 cut.map_err(failed)?;
                 let path = unfinished;
                 Out::Part { file, path }
             } else {
                 let file = File::open(path).map_err(failed)?;
-                count(&file, &mut tally).map_err(failed)?;
+                let (_, is_whole) = count(&file, header, &mut tally).map_err(failed)?;
+                if !is_whole {
+                    return other_sweep();
+                }
                 Out::Complete
             };
             let has_header = tally.has_header();
             return Ok((Table { out, has_header }, tally));
         }
+        let specified = specification(path);
+        if specified.exists() && Saved::of(path, lang).is_err() {
+            let file = specified.display().to_string().into();
+            return refuse(Using::NoSweep { file });
+        }
         // The name that the user gave says more than that of the unfinished table.
         let file = File::create(&unfinished).map_err(|error| Error::cannot_write(path, error))?;
-        output::replace(&specification(path), saved.text())?;
+        output::replace(&specified, saved.text())?;
         let path = unfinished;
         let table = Table {
             out: Out::Part { file, path },
@@ -192,17 +213,26 @@ impl Table {
     }
 }
 
-/// Counts the complete rows of a table, and returns their end.
-fn count(file: &File, tally: &mut Tally) -> io::Result<u64> {
+/// Counts the complete rows of a table up to the first line that is not the next one of the sweep. Returns their end,
+/// and true if there is no such line.
+fn count(file: &File, header: &str, tally: &mut Tally) -> io::Result<(u64, bool)> {
     let (mut end, mut line) = (0, Vec::new());
     let mut reader = BufReader::new(file);
     loop {
         line.clear();
         let length = reader.read_until(b'\n', &mut line)?;
         if !line.ends_with(b"\n") {
-            return Ok(end);
+            return Ok((end, true));
+        }
+        let text = String::from_utf8_lossy(&line);
+        let is_next = match tally.has_header() {
+            false => text == header,
+            true => tally.takes(text.trim_end()),
+        };
+        if !is_next {
+            return Ok((end, false));
         }
         end += length as u64;
-        tally.add(String::from_utf8_lossy(&line).trim_end());
+        tally.add(text.trim_end());
     }
 }

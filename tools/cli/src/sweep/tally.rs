@@ -28,6 +28,8 @@ pub(super) struct Tally {
 /// The places of columns in a row.
 #[derive(Debug)]
 struct Places {
+    /// Number of columns.
+    columns: usize,
     /// The names of the axes, which are after the number of the case.
     axes: Vec<String>,
     end: usize,
@@ -82,6 +84,7 @@ impl Places {
         let name = |axis: &String| axis.split(" [").next().unwrap_or_default().to_owned();
         let aim = place("forward").map(|place| (place, Aim::Forward));
         Places {
+            columns: names.len(),
             axes: axes.iter().map(name).collect(),
             end,
             time: place("time").unwrap_or_default(),
@@ -124,6 +127,13 @@ impl Tally {
     /// Returns true if it has a header.
     pub(super) fn has_header(&self) -> bool {
         self.places.is_some()
+    }
+
+    /// Returns true if a line has the number of the next case, and a value in each column.
+    pub(super) fn takes(&self, line: &str) -> bool {
+        let case = fields(line).next();
+        case == Some(self.runs.to_string())
+            && self.places.as_ref().map(|places| places.columns) == Some(fields(line).count())
     }
 
     /// Adds a line of the table: the header, then rows.

@@ -383,3 +383,79 @@ fn a_table_and_its_runs_have_pages() {
     let outcome = folder.tip(&["view", "other.csv", "--case", "0"]).expect(1);
     assert!(outcome.err.contains("other.sweep.json"), "{}", outcome.err);
 }
+
+#[test]
+fn an_unfinished_table_that_something_has_changed_is_cut_or_refused() {
+    let folder = folder("sweep-changed");
+    let sweep = |options: &[&str]| {
+        let sweep = [
+            "sweep",
+            "lift.prg",
+            "--vary",
+            "Z=10..50/10",
+            "-o",
+            "runs.csv",
+        ];
+        folder.tip(&[&sweep[..], options].concat())
+    };
+    sweep(&[]).expect(0);
+    let whole = folder.read("runs.csv");
+    let lines: Vec<&str> = whole.split_inclusive('\n').collect();
+    let gap = [&lines[..3], &lines[4..]].concat().concat();
+    let zeros = lines[..4].concat() + &"\0".repeat(300) + "\n";
+    let short = lines[..4].concat() + "3,40,END\n";
+    for part in [gap, zeros, short] {
+        std::fs::remove_file(folder.path("runs.csv")).expect("a table");
+        std::fs::write(folder.path("runs.csv.part"), part).expect("it is ours");
+        sweep(&["--resume"]).expect(0);
+        assert_eq!(folder.read("runs.csv"), whole);
+    }
+    std::fs::write(folder.path("runs.csv.part"), "my notes\n").expect("it is ours");
+    let outcome = sweep(&["--resume"]).expect(1);
+    assert!(outcome.err.contains("another sweep"), "{}", outcome.err);
+    assert_eq!(folder.read("runs.csv.part"), "my notes\n");
+    std::fs::remove_file(folder.path("runs.csv.part")).expect("it is ours");
+    std::fs::write(folder.path("runs.csv"), lines[..3].concat() + "x\n").expect("it is ours");
+    sweep(&["--resume"]).expect(1);
+}
+
+#[test]
+fn a_table_takes_the_place_of_files_only() {
+    let folder = folder("sweep-places")
+        .file("far/table.csv", "old")
+        .file("foreign.sweep.json", "{\"mine\": 1}");
+    std::os::unix::fs::symlink("far/table.csv", folder.path("link.csv")).expect("a link");
+    let sweep = |out: &str| folder.tip(&["sweep", "lift.prg", "--vary", "Z=10,20", "-o", out]);
+    sweep("link.csv").expect(0);
+    assert!(folder.path("link.csv").is_symlink());
+    assert!(folder.read("far/table.csv").starts_with("case,"));
+    for out in ["/dev/null", "far"] {
+        let outcome = sweep(out).expect(1);
+        assert!(outcome.err.contains("is not a file"), "{}", outcome.err);
+    }
+    let outcome = sweep("foreign.csv").expect(1);
+    assert!(outcome.err.contains("something else"), "{}", outcome.err);
+    assert_eq!(folder.read("foreign.sweep.json"), "{\"mine\": 1}");
+    sweep("runs.csv").expect(0);
+    for arguments in [
+        &["runs.csv", "-o", "runs.sweep.json"][..],
+        &["runs.csv", "lift.prg"],
+    ] {
+        let outcome = folder.tip(&[&["view"], arguments].concat());
+        assert_ne!(outcome.status, 0, "{outcome:#?}");
+    }
+    folder.tip(&["view", "runs.csv", "--case", "1"]).expect(0);
+}
+
+#[test]
+fn friction_without_mass_is_warned_of() {
+    let folder = folder("sweep-idle");
+    let sweep = |options: &[&str]| {
+        let sweep = ["sweep", "lift.prg", "--vary", "friction=0.4,0.9", "-o", "-"];
+        folder.tip(&[&sweep[..], options].concat()).expect(0).err
+    };
+    let warning = "warning: friction changes nothing";
+    assert!(sweep(&[]).contains(warning));
+    assert!(!sweep(&["-q"]).contains(warning));
+    assert!(!sweep(&["--plant", "dynamic", "--until", "0.1s"]).contains(warning));
+}

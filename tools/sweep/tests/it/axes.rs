@@ -2,7 +2,7 @@
 
 use crate::surroundings::HEXAPOD;
 use crate::{LIFT, refused, spec, sweep};
-use tip_sweep::{Axis, RobotSpec, Spec, Sweep, Values, run_chunk};
+use tip_sweep::{Axis, PlantSpec, RobotSpec, Spec, Sweep, Values, run_chunk};
 use tipc::message::Lang;
 
 fn values(text: &str) -> Values {
@@ -106,7 +106,6 @@ fn a_range_includes_both_ends_if_its_step_meets_them() {
 fn empty_axes_are_refused() {
     let empty = "cannot vary 'Z': the range is empty: the step leads away from its end";
     assert_eq!(refused(LIFT, &["Z=10..30/-5"]), empty);
-    assert_eq!(refused(LIFT, &["Z=10..30/0"]), empty);
     let upside_down = refused(LIFT, &["Z=uniform(2,1)"]);
     assert_eq!(
         upside_down,
@@ -118,6 +117,43 @@ fn empty_axes_are_refused() {
         refused(LIFT, &["Z=1..1000000/2", "push.x=1..1000000/2"]),
         "these are 250000000000 cases, more than 1000000000; take wider steps, or random values: NAME=uniform(LOW,HIGH)"
     );
+}
+
+#[test]
+fn values_that_no_quantity_has_are_refused() {
+    for (axis, reason) in [
+        ("Z=1..3/0", "the step is 0"),
+        ("Z=3..1", "the range is empty"),
+        ("Z=-1e308..1e308/1e308", "not a finite number"),
+        ("Z=uniform(-1e308,1e308)", "not a finite number"),
+        ("Z=normal(1.7e308,1e308)", "not a finite number"),
+        ("push.at=-5", "no time or deviation is below 0"),
+    ] {
+        let said = refused(LIFT, &[axis]);
+        assert!(said.contains(reason), "{said}");
+    }
+    for axis in ["Z=uniform(-8e307,8e307)", "Z=normal(20,0)", "Z=-5"] {
+        assert!(sweep(LIFT, &[axis]).is_ok(), "{axis}");
+    }
+}
+
+#[test]
+fn friction_changes_no_walk_without_mass() {
+    let idle = |plant, axes: &[&str]| {
+        let spec = Spec {
+            plant,
+            ..spec(LIFT, axes)
+        };
+        let sweep = Sweep::new(spec).expect("a sweep");
+        sweep.idle_axis().map(str::to_owned)
+    };
+    let friction = ["Z=10,20", "friction=0.4,0.9"];
+    assert_eq!(
+        idle(PlantSpec::QuasiStatic, &friction).as_deref(),
+        Some("friction")
+    );
+    assert_eq!(idle(PlantSpec::Dynamic, &friction), None);
+    assert_eq!(idle(PlantSpec::QuasiStatic, &["Z=10,20"]), None);
 }
 
 #[test]
