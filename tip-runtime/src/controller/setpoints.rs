@@ -5,6 +5,7 @@ use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::Target;
 use crate::controller::drive::{Drive, THIRD};
+use crate::model::Range;
 
 /// Control mode of a foot or joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +71,12 @@ impl<const J: usize> ControllerView<J> {
         let slider = self.robot.slider.is_some();
         let slider = slider.then(|| Setpoint::of_track(Target::Floor, &self.slider));
         legs.chain(slider)
+    }
+
+    /// Iterates over the working limits in force of every joint, leg by leg, deg (SET_LIMIT).
+    pub fn limits(&self) -> impl Iterator<Item = Range> {
+        let joints = self.legs.iter().flat_map(|leg| &leg.model.joints);
+        joints.map(|joint| joint.limits)
     }
 
     /// Iterates over the locked joints of every leg, F1 first (LOCK).

@@ -358,13 +358,31 @@ fn id(arguments: &Id) -> Result<Status, Error> {
     Ok(Status::Success)
 }
 
-/// Reads a line of the keyboard; `None` at its end.
-fn answer(question: &Driving, lang: Lang) -> Result<Option<String>, Error> {
-    report::complain(&format!("{}: ", question.in_lang(lang)));
-    let mut line = String::new();
-    let read = io::stdin().lock().read_line(&mut line);
-    let count = read.map_err(|error| Error::Failed(error.to_string()))?;
-    Ok((count > 0).then(|| line.trim().to_owned()))
+/// An answer to a question about a joint.
+enum Answer {
+    /// It is in its place.
+    Done,
+    /// It is left out.
+    Skip,
+    /// The input has ended.
+    Ended,
+}
+
+/// Asks until the answer is RETURN alone, `s`, or the end of the input.
+fn answer(question: &Driving, lang: Lang) -> Result<Answer, Error> {
+    loop {
+        report::complain(&format!("{}: ", question.in_lang(lang)));
+        let mut line = String::new();
+        let read = io::stdin().lock().read_line(&mut line);
+        if read.map_err(|error| Error::Failed(error.to_string()))? == 0 {
+            return Ok(Answer::Ended);
+        }
+        match line.trim() {
+            "" => return Ok(Answer::Done),
+            "s" => return Ok(Answer::Skip),
+            _ => {}
+        }
+    }
 }
 
 fn zero(arguments: &Zero) -> Result<Status, Error> {
@@ -394,18 +412,18 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
         let question = Driving::AtZero {
             joint: joint.clone(),
         };
-        match answer(&question, lang)?.as_deref() {
-            None => break,
-            Some("s") => continue,
-            Some(_) => {}
+        match answer(&question, lang)? {
+            Answer::Ended => break,
+            Answer::Skip => continue,
+            Answer::Done => {}
         }
         let offset = motor_angle(&mut connection, place)?;
         let question = Driving::AtPositive {
             joint: joint.clone(),
         };
         let turned = match answer(&question, lang)? {
-            Some(_) => motor_angle(&mut connection, place)? - offset,
-            None => 0.0,
+            Answer::Done => motor_angle(&mut connection, place)? - offset,
+            Answer::Skip | Answer::Ended => 0.0,
         };
         let sign = if turned.abs() < 3.0 {
             report::complain(&format!("{}\n", Driving::NotTurned.in_lang(lang)));
@@ -423,6 +441,11 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
     }
     let path = &arguments.robot.file;
     let file = || path.display().to_string().into();
+    if found.is_empty() {
+        let none = Driving::ZeroNone { file: file() };
+        report::complain(&format!("{}\n", none.in_lang(lang)));
+        return Ok(Status::Success);
+    }
     if arguments.write {
         let text = embed::read_file(path, embed::LIMIT).unwrap_or_default();
         if let Some(new) = with_zeros(&text, &found) {

@@ -257,10 +257,7 @@ impl Job<'_> {
         let anatomy = robot.anatomy();
         let options = self.arguments.source.options(robot.options().robot);
         let mut run = begun.with_console(screen);
-        let is_live = match &self.connection {
-            Some(connection) => !connection.is_simulated() || self.arguments.realtime,
-            None => self.arguments.realtime,
-        };
+        let is_live = self.is_live();
         let mut connection = self.connection.take();
         let mut watch = Watch {
             job: self,
@@ -340,8 +337,14 @@ impl Job<'_> {
         }
     }
 
+    /// Returns true for a run in real time: a line of status follows it then.
+    fn is_live(&self) -> bool {
+        let moves = |connection: &Connection| !connection.is_simulated();
+        self.arguments.realtime || self.connection.as_ref().is_some_and(moves)
+    }
+
     fn progress(&self) -> Progress {
-        match (self.arguments.quiet, self.arguments.realtime) {
+        match (self.arguments.quiet, self.is_live()) {
             (true, _) => Progress::hidden(),
             // The output of a process would be mixed with its line.
             (false, false) if self.process.is_some() => Progress::hidden(),

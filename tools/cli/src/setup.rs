@@ -42,7 +42,7 @@ impl FromStr for RobotChoice {
         } else if is_file {
             Ok(RobotChoice::File(text.into()))
         } else {
-            Err(BadValue(unknown_robot(text)))
+            Err(BadValue(unknown_robot(text, &[])))
         }
     }
 }
@@ -113,9 +113,9 @@ impl ValueParserFactory for RobotChoice {
 /// Minimum similarity of a suggested name, from 0 to 1.
 const MIN_SIMILARITY: f64 = 0.75;
 
-/// Returns the message about an unknown robot.
-fn unknown_robot(text: &str) -> Using {
-    let names: Vec<String> = robot_names(&[]).into_iter().map(str::to_owned).collect();
+/// Returns the message about an unknown robot, where there are `others` too.
+pub(super) fn unknown_robot(text: &str, others: &[&'static str]) -> Using {
+    let names: Vec<String> = robot_names(others).into_iter().map(str::to_owned).collect();
     let small = text.to_lowercase();
     let similarity = |name: &String| strsim::jaro_winkler(&small, name);
     let near = names

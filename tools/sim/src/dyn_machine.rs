@@ -9,6 +9,7 @@ use tip_runtime::controller::Setpoint;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
+use tip_runtime::model::Range;
 use tip_runtime::program::Robot;
 use tip_runtime::record::Sink;
 use tip_runtime::special::{Call, Special};
@@ -36,6 +37,8 @@ pub(crate) trait DynMachine: Send {
     fn setpoints(&self) -> Vec<Setpoint>;
     /// Returns the locked joints.
     fn locked(&self) -> Vec<Target>;
+    /// Returns the working limits in force, leg by leg, deg.
+    fn limits(&self) -> Vec<Range>;
     fn thread_runs(&self, thread: u8) -> bool;
     /// Returns the time of a timer, ms.
     fn timer(&self, n: u8) -> f64;
@@ -128,6 +131,10 @@ impl<const L: usize, const J: usize> DynMachine
 
     fn locked(&self) -> Vec<Target> {
         self.controller().locked().collect()
+    }
+
+    fn limits(&self) -> Vec<Range> {
+        self.controller().limits().collect()
     }
 
     fn thread_runs(&self, thread: u8) -> bool {

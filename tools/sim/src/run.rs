@@ -15,6 +15,7 @@ use tip_runtime::command::{Flag, Target};
 use tip_runtime::console::Console;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Mismatch, Status};
+use tip_runtime::model::Range;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, Sink, state_hash};
 
@@ -398,6 +399,11 @@ impl Run {
     /// Returns the joints that the program locked.
     pub fn locked(&self) -> Vec<Target> {
         self.machine.locked()
+    }
+
+    /// Returns the working limits in force of each joint, leg by leg, deg.
+    pub fn limits(&self) -> Vec<Range> {
+        self.machine.limits()
     }
 
     /// Returns the command of each joint in the last cycle, leg by leg.

@@ -105,6 +105,7 @@ fn draw_keys(app: &App, frame: &mut Frame<'_>, area: Rect) {
         DebugText::KeysInto,
         DebugText::KeysOut,
         DebugText::KeysCycle,
+        DebugText::KeysThread,
         DebugText::KeysLine,
         DebugText::KeysGo,
         DebugText::KeysBreak,

@@ -201,7 +201,7 @@ fn a_question_mark_explains_the_keys_until_the_next_key() {
         press(&mut app, "?");
         let shown = screen(&app, 80, 24);
         // Each key that moves, sets or asks for something, and nothing of the program.
-        for key in "rRnNsSoOcClLgbBfwWieq".chars() {
+        for key in "rRnNsSoOcCtlLgbBfwWieq".chars() {
             assert!(shown.contains(key), "{key} in\n{shown}");
         }
         assert!(!shown.contains("歩数"), "{shown}");

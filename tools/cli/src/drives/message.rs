@@ -15,6 +15,9 @@ tipc::message_table! {
     CannotOpen { port: Text, error: Text }
         "cannot open {port}: {error}. Is it plugged in, used by another program, or yours to open (group dialout)?",
         "{port}を開けません: {error}。接続、他のプログラムによる使用、権限(dialoutグループ)を確かめてください";
+    NoSimulatedPort
+        "'simulated' needs the servos of a robot.toml: start `tip drives simulate robot.toml`, and give the port that it prints",
+        "'simulated' にはrobot.tomlのサーボが必要です。`tip drives simulate robot.toml` を起動し、表示されるポートを指定してください";
     NotSimulated { text: String }
         "`{text}` is not a list of faults: write faults=0.01 (or corrupt, drop, duplicate, delay, truncate) and unplug=ID@S (or reset, overheat, block, sag), separated by commas",
         "`{text}` は故障の並びではありません。faults=0.01(または corrupt、drop、duplicate、delay、truncate)と unplug=ID@S(または reset、overheat、block、sag)をコンマで区切ってください";
@@ -69,6 +72,9 @@ tipc::message_table! {
     ZeroWritten { joints: String, file: Text }
         "{file} has the signs and offsets of {joints} now",
         "{joints}の符号とオフセットを{file}に書き込みました";
+    ZeroNone { file: Text }
+        "no joint was turned to its angle 0; {file} stays as it is",
+        "角度0に合わせた関節はありません。{file}は変えません";
     ZeroKept { file: Text }
         "{file} is not changed, because its [[drive]] tables are written in a form that only you can edit, or would be wrong then",
         "{file}は変更していません。[[drive]]表の書き方に対応していないか、書き込むと誤りになるためです";

@@ -85,12 +85,12 @@ impl Port for AnyPort {
 /// Opens a serial port.
 pub(crate) fn open_serial(port: &str, baud: u32, lang: Lang) -> Result<AnyPort, Error> {
     let opened = Serial::open(Path::new(port), baud).map_err(|error| {
-        let (port, error) = (port.to_owned().into(), error.to_string().into());
-        Error::Failed(
-            Driving::CannotOpen { port, error }
-                .in_lang(lang)
-                .to_string(),
-        )
+        let (name, error) = (port.to_owned().into(), error.to_string().into());
+        let reason = match port.split(':').next() {
+            Some(SIMULATED) => Driving::NoSimulatedPort,
+            _ => Driving::CannotOpen { port: name, error },
+        };
+        Error::Failed(reason.in_lang(lang).to_string())
     })?;
     if let Some(time) = Serial::latency_timer(Path::new(port)).filter(|time| *time > 2) {
         realtime::warn(&[Driving::Adapter { time }], lang);

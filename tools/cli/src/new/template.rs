@@ -4,7 +4,7 @@ use super::motion;
 use crate::choices::RobotName;
 use crate::input;
 use crate::message::Making;
-use crate::setup::{RobotChoice, RobotParser};
+use crate::setup::{RobotChoice, RobotParser, unknown_robot};
 use crate::usage::BadValue;
 use clap::builder::ValueParserFactory;
 use std::str::FromStr;
@@ -39,7 +39,11 @@ impl FromStr for Choice {
     fn from_str(text: &str) -> Result<Self, BadValue> {
         match text.eq_ignore_ascii_case(HEXAPOD_NAME) {
             true => Ok(Choice::Hexapod),
-            false => text.parse().map(Choice::Robot),
+            false => {
+                let chosen = text.parse().map(Choice::Robot);
+                let unknown = |_| BadValue(unknown_robot(text, &[HEXAPOD_NAME]));
+                chosen.map_err(unknown)
+            }
         }
     }
 }

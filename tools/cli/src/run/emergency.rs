@@ -146,11 +146,11 @@ impl Stopped<'_> {
 impl Stopped<'_> {
     /// Returns the last measured states of all joints, leg by leg.
     fn joints(&self) -> impl Iterator<Item = JointState> {
-        let limits = (1..).zip(&self.anatomy.legs).flat_map(|(leg, limb)| {
+        let joints = (1..).zip(&self.anatomy.legs).flat_map(|(leg, limb)| {
             let joints = (1..).zip(&limb.joints);
-            joints.map(move |(joint, of)| (Target::Joint(leg, joint), of.limits))
+            joints.map(move |(joint, _)| Target::Joint(leg, joint))
         });
-        let states = limits.zip(self.run.angles());
+        let states = joints.zip(self.run.limits()).zip(self.run.angles());
         states.map(|((joint, limits), angle)| JointState {
             joint,
             angle: rounded(*angle),

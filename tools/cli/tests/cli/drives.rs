@@ -367,8 +367,8 @@ fn zeros_are_written_into_the_description_and_nothing_else_changes() {
         drop(input);
         Outcome::of(child.wait_with_output().expect("it ends"))
     };
-    // Each joint takes two lines; the third one is skipped, and no answer for the fourth ends it.
-    let keys = "\n\n\n\ns\n";
+    // Each joint takes two lines; the third one is skipped, and no answer for the fourth ends it. A word is no answer.
+    let keys = "\n\nquit\n\n\ns\n";
     let printed = zero(&[], keys).expect(0).out;
     assert_eq!(folder.read("robot.toml"), text);
     let offset = |joint: &str| {
@@ -377,6 +377,9 @@ fn zeros_are_written_into_the_description_and_nothing_else_changes() {
         let (_, offset) = line.split_once("offset = ").expect("an offset");
         offset.to_owned()
     };
+    let skipped = zero(&["--write"], "s\n").expect(0).err;
+    assert!(skipped.contains("robot.toml stays as it is"), "{skipped}");
+    assert_eq!(folder.read("robot.toml"), text);
     let written = zero(&["--write"], keys).expect(0).out;
     assert_eq!(
         written,

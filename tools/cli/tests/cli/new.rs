@@ -217,6 +217,11 @@ fn a_crate_that_cannot_be_made_leaves_nothing() {
         outcome.err.contains("did you mean `titan8`?"),
         "{outcome:#?}"
     );
+    let outcome = folder.tip(&["new", "demo", "--robot", "hexapd"]).expect(2);
+    assert!(
+        outcome.err.contains("did you mean `hexapod`?"),
+        "{outcome:#?}"
+    );
     let outcome = folder.tip(&["new", "demo", "--workspace", "."]).expect(1);
     assert!(
         outcome

@@ -127,6 +127,17 @@ fn a_joint_at_its_limit_is_shown_with_its_angle_and_its_limits() {
     );
 }
 
+// clauses: 16.3
+#[test]
+fn limits_are_those_that_the_program_set() {
+    let folder = Folder::new("stops-set").file(
+        "set.prg",
+        "3.2\nt\nSET_LIMIT J11 -10 10\nOMEGA_CONTROL J11 30\nSLEEP 1000\nEND\n",
+    );
+    let err = folder.tip(&["run", "set.prg"]).expect(3).err;
+    assert!(err.contains("its limits are -10 and 10 deg"), "{err}");
+}
+
 #[test]
 fn people_see_the_values_at_their_places() {
     let statements = "DEF_VAR N\nDEF_POS P\nN = 900\nP.X = -391\nP.Y = 201\nP.Z = N\nPTP F1 P\nWAIT_INPOS ALL\nEND";
