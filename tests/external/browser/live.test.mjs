@@ -201,6 +201,22 @@ test('finds an error where it is written, and runs the program when it is put ri
   assert.match(readFileSync(server.file, 'utf8'), /^3\.1\nNew: Counts/);
 });
 
+test('runs the text that stands there, while the one before is still on its way', async () => {
+  const { page, close } = await visit(browser, server.address, { viewport: SMALL }, (page) =>
+    page.routeWebSocket(/live/, (socket) => {
+      const session = socket.connectToServer();
+      session.onMessage((message) => setTimeout(() => socket.send(message), 700));
+    }),
+  );
+  await write(page, 2, 'New: ');
+  // The text is sent when no key came for a while.
+  await page.waitForTimeout(300);
+  await page.keyboard.type('and newer: ');
+  await page.click('#restart');
+  await says(page, '#title', 'New: and newer: Counts');
+  await close();
+});
+
 test('shows another text when its file changes', async () => {
   const { page } = view;
   writeFileSync(server.file, readFileSync(server.file, 'utf8').replace('Counts,', 'Changed:'));

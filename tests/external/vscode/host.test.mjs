@@ -46,18 +46,17 @@ async function show(file) {
 async function goTo(line) {
   await page.keyboard.press('Control+G');
   await page.locator('.quick-input-widget input').fill(`:${line}`);
-  await page.keyboard.press('Enter');
-  await page.locator('.quick-input-widget').waitFor({ state: 'hidden' });
+  await pressed('Enter', page.locator('.quick-input-widget'), 'hidden');
 }
 
-/** Presses keys until they have shown something: while an editor is busy it may pass them over. */
-async function pressed(keys, shown) {
+/** Presses keys until they have shown or hidden something: while an editor is busy it may pass them over. */
+async function pressed(keys, part, state = 'visible') {
   for (let times = 0; times < 10; times += 1) {
     await page.keyboard.press(keys);
-    const isThere = await shown.waitFor({ timeout: 3000 }).then(() => true, () => false);
-    if (isThere) return;
+    const isSo = await part.waitFor({ state, timeout: 3000 }).then(() => true, () => false);
+    if (isSo) return;
   }
-  assert.fail(`${keys} shows nothing`);
+  assert.fail(`${keys}: never ${state}`);
 }
 
 /** A word in the editor. */

@@ -115,19 +115,24 @@ export class Editor {
     return this.view.state.doc.toString();
   }
 
-  /** Sends the text at once, and then a request about it. */
-  ask(request) {
-    this.sendText();
-    return this.requests.send(request);
-  }
-
-  /** The answer to a question about the text as it stands; nothing if it has changed before the session could have it. */
-  async inquire(question) {
+  /** Lets the session have the text as it stands before whatever is sent next; false if another one stands here then. */
+  async catchUp() {
     const { text } = this;
     this.sendText();
     // What was sent before is still on its way; this text follows it.
     if (!this.reaches(text)) await new Promise((go) => this.behind.push(go));
-    return text === this.text && this.reaches(text) ? this.requests.ask(question) : undefined;
+    return text === this.text && this.reaches(text);
+  }
+
+  /** Sends a request about the text as it stands. */
+  async ask(request) {
+    await this.catchUp();
+    this.requests.send(request);
+  }
+
+  /** The answer to a question about the text as it stands; nothing if it has changed before the session could have it. */
+  async inquire(question) {
+    return (await this.catchUp()) ? this.requests.ask(question) : undefined;
   }
 
   /** Whether the session has a text, or has it before whatever is sent now. */
