@@ -163,7 +163,7 @@ export class Editor {
   }
 
   follow({ version, by, text }) {
-    const edited = this.version && this.text !== this.known;
+    const edited = this.version && this.text !== (this.waits ? this.sent : this.known);
     [this.version, this.known, this.waits] = [version, text, false];
     if (text === this.text) return;
     if (edited && by === this.own) {
