@@ -71,7 +71,7 @@ describe('one file', () => {
     await page.click('#state-tab');
     assert.notEqual(await page.locator('#joint-rows td').nth(0).textContent(), '–');
     await page.click('#lesson-after');
-    await says(page, '#file', 'walk.prg');
+    await says(page, '#file', '01-hello');
     await close();
   });
 
@@ -86,7 +86,7 @@ describe('one file', () => {
     await says(page, '#title', 'Mine');
     await page.waitForFunction(() => location.hash.includes('program='));
     await page.click('#original');
-    await says(page, '#file', 'walk.prg');
+    await says(page, '#file', '01-hello');
     assert.notEqual(await page.textContent('#title'), 'Mine');
     assert.equal((await page.locator('#editor .cm-line').all()).length, length);
     await close();
