@@ -263,6 +263,7 @@ fn a_result_that_is_not_finite_comes_before_a_lock() {
     assert_eq!(rig.fault(Op::RelPtpAngle, J11, &[1.0]), Fault::InvalidMode);
 }
 
+// clauses: 16.2
 #[test]
 fn compliance_of_all_passes_over_what_is_locked() {
     let mut hand = Still::hand();

@@ -432,7 +432,7 @@ impl<P: Port> Drives<P> {
     /// that is left, deg.
     ///
     /// # Errors
-    /// The same failures as in a run.
+    /// Any failure that would stop a run.
     pub fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
         self.read_cycle()?;
         let mut commands: Vec<JointCommand, SERVOS> = Vec::new();

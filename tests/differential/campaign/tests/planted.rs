@@ -44,19 +44,19 @@ const FAULTS: &[Fault] = &[
         edition: Edition::V3_2,
         tamper: |code| code.replace("self . not_taken = place . not_taken ;", ""),
         word: "ELSE",
-        lines: 45,
+        lines: 24,
     },
     Fault {
         edition: Edition::V3_2,
         tamper: with_another_addition,
         word: "@TIMER",
-        lines: 30,
+        lines: 24,
     },
     Fault {
         edition: Edition::V3_2,
         tamper: without_lock_checks,
         word: "LOCK",
-        lines: 30,
+        lines: 24,
     },
 ];
 

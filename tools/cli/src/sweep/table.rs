@@ -96,7 +96,8 @@ impl Table {
         }
     }
 
-    /// Begins a table, or goes on with one whose `header` is that of the sweep and whose rows are counted.
+    /// Starts a table, or resumes one if there is a `header`, the first line of the sweep's table. Counts the rows of a
+    /// resumed table.
     ///
     /// # Errors
     /// A file cannot be written, or there is something that must not be lost: an unfinished table, a device, another

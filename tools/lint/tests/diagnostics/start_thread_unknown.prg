@@ -1,0 +1,4 @@
+3.2
+A title
+START_THREAD WATCH:
+END
