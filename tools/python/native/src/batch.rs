@@ -1,6 +1,6 @@
 //! Many runs that go on together, for learning.
 
-use crate::signal::Signal;
+use crate::run::Signal;
 use crate::{sweep_of, value_error, within};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -95,8 +95,7 @@ impl Batch {
             for (index, run) in runs.iter_mut().enumerate() {
                 let values = &values[index * self.actions.len()..];
                 for (name, value) in self.actions.iter().zip(values) {
-                    let set = run.set(name, *value);
-                    set.map_err(|error| PyValueError::new_err(error.to_string()))?;
+                    run.set(name, *value).map_err(value_error)?;
                 }
                 let last = run.cycles() + self.cycles;
                 let ending = run.to_end(tip_sim::Limit::cycles(last));

@@ -5,13 +5,13 @@
 
 mod batch;
 mod run;
-mod signal;
 
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
+use std::fmt::Display;
 use std::sync::{Mutex, PoisonError};
-use tip_sweep::{Data, RobotSpec, Spec, Sweep, SweepError};
+use tip_sweep::{Data, RobotSpec, Spec, Sweep};
 use tipc::message::Lang;
 use tipc::render;
 
@@ -24,14 +24,13 @@ fn sweep_of(json: &str) -> PyResult<Sweep> {
     if let Some((_, sweep)) = last.as_ref().filter(|(known, _)| known == json) {
         return Ok(sweep.clone());
     }
-    let spec: Spec =
-        serde_json::from_str(json).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let spec: Spec = serde_json::from_str(json).map_err(value_error)?;
     let sweep = Sweep::new(spec).map_err(value_error)?;
     *last = Some((json.to_owned(), sweep.clone()));
     Ok(sweep)
 }
 
-fn value_error(error: SweepError) -> PyErr {
+fn value_error(error: impl Display) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
@@ -102,15 +101,13 @@ fn bytes<'py>(py: Python<'py>, values: impl Iterator<Item = [u8; 8]>) -> Bound<'
 /// Checks a program for the robot of a specification, and returns its diagnostics, one JSON object each.
 #[pyfunction]
 fn check(name: &str, text: &[u8], robot: &str, japanese: bool) -> PyResult<Vec<String>> {
-    let robot: RobotSpec =
-        serde_json::from_str(robot).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let robot: RobotSpec = serde_json::from_str(robot).map_err(value_error)?;
     let robot = robot.robot().map_err(value_error)?;
     let mut loaded = tip_lint::load(name, text, &robot.options());
     robot.warn(&mut loaded);
-    let lang = if japanese {
-        Lang::Japanese
-    } else {
-        Lang::English
+    let lang = match japanese {
+        true => Lang::Japanese,
+        false => Lang::English,
     };
     let facts = robot.options().robot;
     let all = loaded.diagnostics.iter();
