@@ -74,8 +74,6 @@ pub struct Counters {
     pub asked: u64,
     /// Answers that came intact, complete and in time.
     pub answered: u64,
-    /// Answers that came twice with different contents: neither is used.
-    pub contradictory: u64,
     /// Bytes that belonged to no valid answer.
     pub discarded: u64,
     /// Bytes sent and received.
@@ -112,7 +110,6 @@ impl<P: Port> Bus<P> {
             counters: Counters {
                 asked: 0,
                 answered: 0,
-                contradictory: 0,
                 discarded: 0,
                 bytes: 0,
             },
@@ -166,17 +163,9 @@ impl<P: Port> Bus<P> {
         if self.protocol == Protocol::Moteus {
             return self.exchange(id, moteus::query, limit);
         }
-        let mut found = None;
         let parameters = self.of_window(window)?;
         let request = self.protocol.request(id, instruction::READ, &parameters)?;
-        self.ask(&request, 1)?;
-        let limit = limit.min(self.port.now() + self.longest(1, window.length.into()));
-        self.collect(Reads::Answers(window.length.into()), limit, |frame| {
-            found = (frame.id == id).then_some(frame);
-            found.is_some()
-        })?;
-        self.counters.answered += u64::from(found.is_some());
-        found.ok_or(BusError::NoAnswer)
+        self.ask_one(id, &request, window.length.into(), limit)
     }
 
     /// Reads one register of a servo.
@@ -218,15 +207,8 @@ impl<P: Port> Bus<P> {
         let bytes = &bytes[..register.width.into()];
         parameters.extend_from_slice(bytes).map_err(|_| TooLong)?;
         let request = self.protocol.request(id, instruction::WRITE, &parameters)?;
-        self.ask(&request, 1)?;
-        let limit = self.port.now() + self.longest(1, 0);
-        let mut found = None;
-        self.collect(Reads::Answers(0), limit, |frame| {
-            found = (frame.id == id).then_some(frame.code);
-            found.is_some()
-        })?;
-        self.counters.answered += u64::from(found.is_some());
-        found.ok_or(BusError::NoAnswer)
+        let answer = self.ask_one(id, &request, 0, u64::MAX)?;
+        Ok(answer.code)
     }
 
     /// Writes the same register of many servos. There are no answers.
@@ -301,7 +283,7 @@ impl<P: Port> Bus<P> {
         found
             .resize(ids.len().min(SERVOS), None)
             .map_err(|_| BusError::TooLong)?;
-        let (mut missing, mut contradictory) = (found.len(), 0);
+        let mut missing = found.len();
         self.collect(Reads::Answers(window.length.into()), limit, |frame| {
             let place = ids.iter().position(|id| *id == frame.id);
             let Some(slot) = place.and_then(|place| found.get_mut(place)) else {
@@ -313,15 +295,11 @@ impl<P: Port> Bus<P> {
                     missing -= 1;
                     *slot = Some(new);
                 }
-                Some(old) if *old != new => {
-                    contradictory += 1;
-                    old.is_doubtful = true;
-                }
+                Some(old) if *old != new => old.is_doubtful = true,
                 Some(_) => {}
             }
             missing == 0
         })?;
-        self.counters.contradictory += contradictory;
         for (place, frame) in found.iter().enumerate() {
             if let Some(frame) = frame.as_ref().filter(|frame| !frame.is_doubtful) {
                 self.counters.answered += 1;
@@ -453,8 +431,26 @@ impl<P: Port> Bus<P> {
         let sender = moteus::sender(self.requests);
         self.ask(&request(id, sender), 1)?;
         let limit = limit.min(self.port.now() + self.longest(1, 0));
+        self.answer_of(id, Reads::AnswersTo(sender), limit)
+    }
+
+    /// Sends a request to one servo and waits for its answer with this many parameters.
+    fn ask_one(
+        &mut self,
+        id: u8,
+        request: &[u8],
+        parameters: usize,
+        limit: u64,
+    ) -> Result<Frame, BusError> {
+        self.ask(request, 1)?;
+        let limit = limit.min(self.port.now() + self.longest(1, parameters));
+        self.answer_of(id, Reads::Answers(parameters), limit)
+    }
+
+    /// Waits for the answer of a servo.
+    fn answer_of(&mut self, id: u8, reads: Reads, limit: u64) -> Result<Frame, BusError> {
         let mut found = None;
-        self.collect(Reads::AnswersTo(sender), limit, |frame| {
+        self.collect(reads, limit, |frame| {
             found = (frame.id == id).then_some(frame);
             found.is_some()
         })?;
@@ -526,7 +522,6 @@ impl<P: Port> Bus<P> {
         }
         for byte in bytes.iter().take(count) {
             self.decoder.push(*byte);
-            // What the decoder holds is judged by `collect`.
         }
         self.counters.bytes += count as u64;
         Ok(count)
@@ -564,6 +559,7 @@ impl<P: Port> Bus<P> {
 struct Answer {
     error: u8,
     bytes: Vec<u8, 32>,
+    /// Another answer had other contents: neither is used.
     is_doubtful: bool,
 }
 

@@ -48,11 +48,6 @@ impl Joint {
     fn torque_limit(&self) -> i32 {
         (self.torque * f64::from(self.model.full_torque)) as i32
     }
-
-    /// Returns the smallest difference of joint angles that the servo can tell, deg.
-    pub fn resolution(&self) -> f64 {
-        360.0 / self.model.turn / self.gear
-    }
 }
 
 /// Treatment of the robot when its program does not move it any more.
@@ -63,11 +58,6 @@ pub enum Policy {
     Hold,
     /// The torque falls to nothing, slowly.
     Relax,
-}
-
-impl Policy {
-    /// The policies with their names in robot files.
-    pub const ALL: [(&'static str, Policy); 2] = [("hold", Policy::Hold), ("relax", Policy::Relax)];
 }
 
 /// Limits beyond which the robot is stopped.
@@ -519,8 +509,8 @@ impl<P: Port> Drives<P> {
             .joints
             .iter()
             .map(|state| {
-                let left =
-                    state.joint.torque * self.torque * f64::from(state.joint.model.full_torque);
+                let full = f64::from(state.joint.model.full_torque);
+                let left = state.joint.torque * self.torque * full;
                 (state.joint.id, left as i32)
             })
             .collect();
@@ -538,11 +528,6 @@ impl<P: Port> Drives<P> {
                 let _ = self.persist(number, |bus| bus.write(id, watchdog, 0));
             }
         }
-    }
-
-    fn reads_many(&self) -> bool {
-        let first = self.joints.first();
-        first.is_none_or(|state| state.joint.model.family.reads_many)
     }
 
     /// Repeats a request as often as a servo may be silent.
@@ -598,15 +583,10 @@ impl<P: Port> Drives<P> {
             let taken = reading
                 .as_ref()
                 .is_some_and(|reading| state.accept(reading, now, self.is_held));
-            match (taken, reading) {
-                (true, _) => state.silence = 0,
-                (false, reading) => {
-                    state.silence += 1;
-                    match reading {
-                        Some(_) => self.counts.implausible += 1,
-                        None => self.counts.missing += 1,
-                    }
-                }
+            state.silence = if taken { 0 } else { state.silence + 1 };
+            match reading {
+                Some(_) => self.counts.implausible += u64::from(!taken),
+                None => self.counts.missing += 1,
             }
             if let Some(torque) = reading.as_ref().and_then(|reading| reading.torque) {
                 state.off = if torque == 0 { state.off + 1 } else { 0 };
@@ -627,8 +607,8 @@ impl<P: Port> Drives<P> {
                 return self.fail(Some(*number), Problem::Reset);
             }
         }
-        if !self.reads_many() {
-            self.first = (self.first + asked) % self.joints.len().max(1);
+        if !family.reads_many {
+            self.first = (self.first + asked) % self.joints.len();
         }
         Ok(())
     }

@@ -567,14 +567,11 @@ impl SimulatedBus {
             instruction::WRITE => {
                 if let Some(start) = word(first) {
                     for place in self.addressed(frame.id) {
-                        let answers = frame.id != BROADCAST;
-                        let family = self.servos[place].model.family;
                         // The answer has the identity that it had.
-                        if answers {
+                        if frame.id != BROADCAST {
                             self.answer(place, &[], 0);
                         }
                         self.servos[place].write(start, rest);
-                        debug_assert!(family.protocol == self.protocol);
                     }
                 }
             }
