@@ -1,9 +1,158 @@
-//! Errors of a specification, found before the first run, and of cases.
+//! Errors of a specification, found before the first run, and of cases; and their messages: reasons why a sweep cannot run, each
+//! with a way out.
 
-use crate::message::{Sweeping, Texts};
 use std::fmt;
-use tipc::Loaded;
-use tipc::message::Lang;
+use tipc::diagnostic::Diagnostic;
+use tipc::message::say::Say;
+use tipc::message::{Lang, Text};
+use tipc::{Loaded, render};
+
+tipc::message_table! {
+    /// A reason why a sweep cannot run.
+    Sweeping;
+
+    NoValues { text: String }
+        "`{text}` is not a quantity with values: write NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)",
+        "`{text}` は量と値の指定ではありません。NAME=FROM..TO/STEP、NAME=A,B,C、NAME=uniform(LOW,HIGH)、NAME=normal(MEAN,DEVIATION) のように書いてください";
+    NotANumber { word: String, text: String }
+        "`{word}` in `{text}` is not a number: write NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)",
+        "`{text}` の `{word}` は数値ではありません。NAME=FROM..TO/STEP、NAME=A,B,C、NAME=uniform(LOW,HIGH)、NAME=normal(MEAN,DEVIATION) のように書いてください";
+    CannotVary { axis: String, reason: Text }
+        "cannot vary '{axis}': {reason}",
+        "'{axis}' を変えられません: {reason}";
+    InCase { case: String, values: Text, reason: Text }
+        "case {case} ({values}): {reason}",
+        "ケース{case} ({values}): {reason}";
+    UnknownQuantity
+        "this is neither a variable of the program nor a quantity of robot, scene, push, noise or sensor",
+        "プログラムの変数でも、robot・scene・push・noise・sensor の量でもありません";
+    UnknownVariable { name: String }
+        "cannot record '{name}': this is not a variable of the program",
+        "'{name}' を記録できません: プログラムの変数ではありません";
+    NotAnInput { input: String }
+        "'{input}' is not an input",
+        "'{input}' は入力ではありません";
+    Unused
+        "the program does not use it",
+        "プログラムで使われていません";
+    ComputedFirst { line: u32 }
+        "line {line} computes it before its first use; vary what it is computed from",
+        "{line}行目で、最初に使う前に計算されます。計算の元になる量を変えてください";
+    VariedTwice
+        "it is varied twice",
+        "2回指定されています";
+    NoDescription { robot: String }
+        "{robot} has no description; use a robot that has one, such as a1, or --robot FILE.toml",
+        "{robot} には記述ファイルがありません。a1 など記述ファイルのあるロボットか、--robot FILE.toml を使ってください";
+    NoSceneFile { scene: String }
+        "the scene {scene} has no file whose numbers could vary; write one and use --scene FILE.toml",
+        "シーン {scene} には値を変えられるファイルがありません。ファイルを書いて --scene FILE.toml を使ってください";
+    NoElement { index: String }
+        "there is no element {index}; elements count from 1",
+        "{index}番目の要素はありません。要素は1から数えます";
+    NoKey { key: String }
+        "there is no {key} in a number",
+        "数値の中に {key} はありません";
+    RobotRefuses { errors: Texts }
+        "the robot does not allow a value: {errors}",
+        "ロボットがこの値を受け付けません: {errors}";
+    SceneRefuses { errors: Texts }
+        "the scene does not allow a value: {errors}",
+        "シーンがこの値を受け付けません: {errors}";
+    EmptyList
+        "the list of values is empty",
+        "値のリストが空です";
+    NotFinite
+        "a value is not a finite number",
+        "有限の数でない値があります";
+    EmptyRange
+        "the range is empty: the step leads away from its end",
+        "範囲が空です: 刻みが終わりから遠ざかる向きです";
+    NoStep
+        "the step is 0",
+        "刻みが0です";
+    Negative
+        "no time or deviation is below 0",
+        "時間や標準偏差は0より小さくできません";
+    LongRange
+        "the range has more than 1,000,000 values",
+        "範囲に1,000,000を超える値があります";
+    UpsideDown
+        "the lower bound is above the upper one",
+        "下限が上限より大きくなっています";
+    NegativeDeviation
+        "the standard deviation is negative or no number",
+        "標準偏差が負か、数ではありません";
+    NoRepeat
+        "the number of repeats is 0",
+        "繰り返しの数が0です";
+    ManyCases { count: String, limit: String }
+        "these are {count} cases, more than {limit}; take wider steps, or random values: NAME=uniform(LOW,HIGH)",
+        "ケースの数が{count}で、上限の{limit}を超えます。刻みを広げるか、乱数 NAME=uniform(LOW,HIGH) を使ってください";
+    NoCase { case: String, count: String }
+        "there is no case {case}; the sweep has {count}, which count from 0",
+        "ケース{case}はありません。ケースは0から数えて{count}個です";
+    NoTime
+        "the longest time of a run must be above 0 s",
+        "実行時間の上限は0 sより大きくしてください";
+    OtherProgram
+        "the compiled program was not compiled from the text of the specification",
+        "コンパイル済みのプログラムは、指定のテキストからコンパイルされたものではありません";
+    Suggests { reason: Text, near: String }
+        "{reason}; did you mean {near}?",
+        "{reason}。{near} のことですか?";
+    Says { text: Texts }
+        "{text}",
+        "{text}";
+}
+
+/// A text of another crate in each language.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texts {
+    english: String,
+    japanese: String,
+}
+
+impl Texts {
+    /// Returns the text that a function gives in each language.
+    pub(crate) fn of(text: impl Fn(Lang) -> String) -> Self {
+        let of = |lang| text(lang).trim_end().to_owned();
+        Texts {
+            english: of(Lang::English),
+            japanese: of(Lang::Japanese),
+        }
+    }
+
+    /// Returns the errors of a file, one line each.
+    pub(crate) fn found(loaded: &Loaded) -> Self {
+        let short = |one, lang| render::short(&loaded.source, one, lang);
+        let lines = |lang| loaded.diagnostics.iter().map(move |one| short(one, lang));
+        Texts::of(|lang| lines(lang).collect())
+    }
+
+    /// Returns the errors of a file that nobody has written: each reason with its line.
+    pub(crate) fn reasons(loaded: &Loaded) -> Self {
+        let text = loaded.source.text();
+        let line = |place: usize| {
+            let (before, after) = text.split_at_checked(place).unwrap_or((text, ""));
+            let start = before.rfind('\n').map_or(0, |end| end + 1);
+            let end = place + after.find('\n').unwrap_or(after.len());
+            text.get(start..end).unwrap_or_default().trim()
+        };
+        let said = |one: &Diagnostic, lang| {
+            let reason = one.reason.in_lang(lang).to_string();
+            format!("{reason} (`{}`)", line(one.span.start))
+        };
+        let all = |lang| loaded.diagnostics.iter().map(move |one| said(one, lang));
+        Texts::of(|lang| all(lang).collect::<Vec<_>>().join("; "))
+    }
+}
+
+impl Say for Texts {
+    fn say(&self, lang: Lang, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(lang.pick(&self.english, &self.japanese))
+    }
+}
 
 /// A reason why a sweep cannot run.
 #[derive(Clone, Debug, PartialEq)]

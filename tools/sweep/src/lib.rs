@@ -4,9 +4,7 @@
 
 mod columns;
 mod error;
-mod message;
 mod quantity;
-mod sampling;
 mod spec;
 mod sweep;
 

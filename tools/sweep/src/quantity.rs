@@ -1,7 +1,6 @@
 //! Quantities that a sweep varies: their names, and how a value reaches a run.
 
-use crate::error::SweepError;
-use crate::message::Sweeping;
+use crate::error::{SweepError, Sweeping};
 use tip_runtime::command::Port;
 use tipc::analysis::{access, flow::Flow};
 use tipc::description::{Key, Part};

@@ -1,11 +1,9 @@
 //! A sweep that is ready to run.
 
 use crate::columns::{Cell, Columns};
-use crate::error::SweepError;
-use crate::message::{Sweeping, Texts};
+use crate::error::{SweepError, Sweeping, Texts};
 use crate::quantity::{Noise, Override, Push, Quantity, Settings};
-use crate::sampling::{Draw, hash, noise_seed};
-use crate::spec::{PlantSpec, Spec, Values};
+use crate::spec::{Draw, PlantSpec, Spec, Values, hash, noise_seed};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -541,7 +539,7 @@ impl Sweep {
 }
 
 /// Figures that are gathered cycle by cycle.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Figures {
     hash: u64,
     angles: Vec<f64>,
@@ -561,13 +559,8 @@ impl Figures {
         let has_mass =
             run.limbs().is_some_and(|limbs| !limbs.forces.is_empty()) || run.grasp().is_some();
         Figures {
-            hash: 0,
-            angles: Vec::new(),
-            speed: 0.0,
-            tilt: 0.0,
             has_mass,
-            torque: 0.0,
-            energy: 0.0,
+            ..Figures::default()
         }
     }
 
