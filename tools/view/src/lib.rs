@@ -7,15 +7,14 @@ pub mod live;
 mod page;
 mod recorder;
 mod recording;
-mod skeleton;
 mod trace;
 mod updates;
 
 pub use page::sweep_page;
 pub use recorder::{Extent, RecordError};
 pub use recording::{
-    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Slip, Stop, Tick,
+    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Skeleton, Slip, Stop, Tick,
+    robot_frame,
 };
-pub use skeleton::{Skeleton, robot_frame};
 pub use tip_sim;
 pub use trace::TraceError;

@@ -21,18 +21,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod buffer;
-mod language_service;
 mod request;
 mod runner;
 mod session;
-mod text_checker;
-mod update;
+mod text;
 
 pub use request::ClientRequest;
-pub use session::{Session, Setup};
-pub use text_checker::{CheckedText, TextChecker, UncheckedText};
-pub use update::Viewer;
+pub use session::{Session, Setup, Viewer};
+pub use text::{CheckedText, TextChecker, UncheckedText};
 
 /// The most bytes that a request may have; the text of a program takes most of it.
 pub const MOST_BYTES: usize = 2 << 20;

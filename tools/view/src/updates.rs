@@ -1,8 +1,7 @@
 //! A recording as updates: what a page is told of a run, in JSON. `page/src/session.js` lists them. A page that replays a run
 //! holds all of them; a page of a run that goes on gets them one by one.
 
-use crate::recording::{self, At, Frame, Outcome, Recording};
-use crate::skeleton::Skeleton;
+use crate::recording::{At, Frame, Outcome, Recording, Script, Skeleton};
 use serde::Serialize;
 use tip_runtime::command::Target;
 use tip_runtime::controller::Mode;
@@ -23,7 +22,7 @@ struct Begin<'a> {
     run: u64,
     robot: Robot<'a>,
     scene: Scene,
-    script: Script<'a>,
+    script: &'a Script,
     channels: Vec<String>,
     inputs: &'a [String],
 }
@@ -117,7 +116,7 @@ pub(crate) fn begin(recording: &Recording, run: u64, inputs: &[String]) -> Strin
         run,
         robot: Robot::of(&recording.robot),
         scene: Scene::of(&recording.scene),
-        script: Script::of(&recording.script),
+        script: &recording.script,
         channels: channels(recording).into_iter().map(|it| it.name).collect(),
         inputs,
     })
@@ -301,17 +300,6 @@ enum Outline {
     Box(f64, f64),
 }
 
-#[derive(Serialize)]
-struct Script<'a> {
-    name: &'a str,
-    title: &'a str,
-    text: &'a str,
-    lines: &'a [u32],
-    scalars: &'a [String],
-    #[serde(skip_serializing_if = "<[String]>::is_empty")]
-    threads: &'a [String],
-}
-
 #[derive(Default, Serialize)]
 pub(crate) struct Ended<'a> {
     how: &'a str,
@@ -365,19 +353,6 @@ impl Scene {
             slope: scene.floor.slope,
             objects: objects.map(Outline::of).collect(),
             blocks: blocks.map(Block::of).collect(),
-        }
-    }
-}
-
-impl<'a> Script<'a> {
-    fn of(script: &'a recording::Script) -> Self {
-        Script {
-            name: &script.name,
-            title: &script.title,
-            text: &script.text,
-            lines: &script.lines,
-            scalars: &script.scalars,
-            threads: &script.threads,
         }
     }
 }

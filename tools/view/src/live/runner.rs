@@ -3,7 +3,7 @@
 use super::request::{Refusal, is_stop, refuse, refuse_since};
 use crate::RecordError;
 use crate::recorder::{self, Recorder};
-use crate::recording::{Outcome, Recording, Script};
+use crate::recording::{Frame, Outcome, Recording, Script};
 use std::collections::VecDeque;
 use tip_sim::{Event, Events, Interpreter, Robot, Run, Timeline};
 use tipc::Loaded;
@@ -181,7 +181,7 @@ impl Runner {
     }
 
     /// Returns the robot's last state, if it is not among the frames.
-    pub(super) fn pending(&self) -> Option<&crate::recording::Frame> {
+    pub(super) fn pending(&self) -> Option<&Frame> {
         self.recorder.pending.as_ref()
     }
 }
