@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::io::{self, Write};
 use tip_runtime::model::TorqueUnit;
 use tip_sim::urdf::frame::{foot, joint};
-use tip_view::{Frame, Recording, robot_frame};
+use tip_view::{Frame, Recording};
 
 /// Writes the frames of a recording as CSV: [`Pace`](tip_view::Pace) says which cycles have one.
 ///
@@ -108,12 +108,9 @@ impl<'a> Table<'a> {
         let cycle = frame.cycle;
         self.catch_up(cycle);
         let since = |at: u64| (self.from..=cycle).contains(&at);
-        let commands = recording.commands.iter();
         let before = recording.commands.partition_point(|at| at.cycle <= cycle);
-        let command = commands
-            .take(before)
-            .next_back()
-            .filter(|at| since(at.cycle));
+        let last = recording.commands[..before].last();
+        let command = last.filter(|at| since(at.cycle));
         let mut row = vec![
             cycle.to_string(),
             number(frame.time),
@@ -128,7 +125,16 @@ impl<'a> Table<'a> {
         row.extend(self.body(frame));
         row.extend(frame.angles.iter().flatten().map(|angle| number(*angle)));
         row.extend(frame.torques.iter().flatten().map(|torque| number(*torque)));
-        row.extend(self.feet(frame));
+        for (leg, foot) in recording.robot.feet(frame).enumerate() {
+            row.extend(foot.map(number));
+            row.push(
+                frame
+                    .loads
+                    .get(leg)
+                    .map(|load| number(*load))
+                    .unwrap_or_default(),
+            );
+        }
         row.extend(frame.slider.iter().flatten().map(|at| number(*at)));
         for thing in &frame.objects {
             let [x, y, _] = thing.position;
@@ -178,19 +184,6 @@ impl<'a> Table<'a> {
         pose.into_iter()
             .chain([margin, falls.to_string()])
             .collect()
-    }
-
-    /// Returns the place of each foot, in the world if the robot walks, and its load.
-    fn feet(&self, frame: &Frame) -> Vec<String> {
-        let body = frame.pose.as_ref().map(robot_frame);
-        let legs = self.recording.robot.legs.iter().zip(&frame.angles);
-        let feet = legs.enumerate().flat_map(|(leg, (limb, angles))| {
-            let foot = limb.foot(angles);
-            let [x, y, z] = body.map_or(foot, |body| body.point(foot)).map(number);
-            let load = frame.loads.get(leg).copied();
-            [x, y, z, load.map(number).unwrap_or_default()]
-        });
-        feet.collect()
     }
 }
 

@@ -1,19 +1,12 @@
 //! A recording as an MCAP file, which Foxglove and Rerun show: `docs/logs.md` lists its topics.
 
-mod cdr;
-mod foxglove;
-mod own;
-mod proto;
+mod messages;
 mod scene;
-mod transforms;
 
 use ::mcap::records::MessageHeader;
 use ::mcap::{McapResult, WriteOptions, Writer};
-use cdr::Cdr;
-use foxglove::Timestamp;
-use own::{State, Variables};
+use messages::{Cdr, Encoding, State, Timestamp, Variables};
 use prost::Message;
-use prost_types::FileDescriptorSet;
 use scene::Stage;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Seek, Write};
@@ -39,7 +32,6 @@ struct Log<'a, W: Write + Seek> {
     recording: &'a Recording,
     writer: Writer<W>,
     channels: BTreeMap<&'static str, Channel>,
-    schemas: BTreeMap<&'static str, u16>,
     stage: Stage<'a>,
     variables: Variables,
     lamps: BTreeSet<u8>,
@@ -60,14 +52,6 @@ struct Topic {
     encoding: Encoding,
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum Encoding {
-    Foxglove,
-    Own,
-    /// ROS 2 message, with the text of its definition.
-    Ros(&'static str),
-}
-
 const fn topic(name: &'static str, schema: &'static str, encoding: Encoding) -> Topic {
     Topic {
         name,
@@ -79,12 +63,12 @@ const fn topic(name: &'static str, schema: &'static str, encoding: Encoding) -> 
 const DESCRIPTION: Topic = topic(
     "/robot_description",
     "std_msgs/msg/String",
-    Encoding::Ros(cdr::STRING),
+    Encoding::Ros(messages::STRING),
 );
 const JOINTS: Topic = topic(
     "/joint_states",
     "sensor_msgs/msg/JointState",
-    Encoding::Ros(cdr::JOINT_STATE),
+    Encoding::Ros(messages::JOINT_STATE),
 );
 const FIXED: Topic = topic("/tf_static", "foxglove.FrameTransforms", Encoding::Foxglove);
 const MOVING: Topic = topic("/tf", "foxglove.FrameTransforms", Encoding::Foxglove);
@@ -117,7 +101,6 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             recording,
             writer: options.create(out)?,
             channels: BTreeMap::new(),
-            schemas: BTreeMap::new(),
             stage: Stage::new(&recording.robot, &recording.scene),
             variables: Variables::of(&recording.script.scalars),
             lamps: BTreeSet::new(),
@@ -128,8 +111,8 @@ impl<'a, W: Write + Seek> Log<'a, W> {
     fn write(mut self, urdf: &str) -> McapResult<()> {
         let text = Cdr::new().text(urdf).into_bytes();
         self.put(&DESCRIPTION, 0, text)?;
-        let fixed = transforms::fixed(&self.recording.robot);
-        self.send(&FIXED, 0, &transforms::message(0, fixed))?;
+        let fixed = scene::fixed(&self.recording.robot);
+        self.send(&FIXED, 0, &scene::transforms(0, fixed))?;
         let mut log_entries = log_entries(self.recording).into_iter().peekable();
         for frame in &self.recording.frames {
             // What happens in a cycle stands before what the robot did until its end.
@@ -150,8 +133,8 @@ impl<'a, W: Write + Seek> Log<'a, W> {
     /// Writes the motion of the robot until the end of a cycle.
     fn frame(&mut self, frame: &Frame) -> McapResult<()> {
         let (robot, time) = (&self.recording.robot, nanoseconds(frame.time));
-        let moving = transforms::moving(robot, frame);
-        self.send(&MOVING, time, &transforms::message(time, moving))?;
+        let moving = scene::moving(robot, frame);
+        self.send(&MOVING, time, &scene::transforms(time, moving))?;
         let joints = self.joints(time, frame);
         self.put(&JOINTS, time, joints)?;
         let scene = self.stage.update(time, frame);
@@ -159,13 +142,13 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.send(&STATE, time, &self.state(time, frame.cycle, Some(frame)))?;
         let falls = &self.recording.falls;
         let falls = falls.partition_point(|fall| fall.cycle <= frame.cycle);
-        if let Some(body) = own::body(time, frame) {
+        if let Some(body) = messages::body(time, frame) {
             self.send(&BODY, time, &body)?;
         }
-        if let Some(margin) = own::margin(time, frame, falls) {
+        if let Some(margin) = messages::margin(time, frame, falls) {
             self.send(&MARGIN, time, &margin)?;
         }
-        if let Some(loads) = own::loads(time, frame) {
+        if let Some(loads) = messages::loads(time, frame) {
             self.put(&LOADS, time, loads)?;
         }
         Ok(())
@@ -279,7 +262,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             &self.recording.script,
             nanoseconds(self.recording.time(cycle)),
         );
-        let message = foxglove::Log {
+        let message = messages::Log {
             timestamp: Timestamp::of(time),
             level,
             message: text.to_owned(),
@@ -331,33 +314,13 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             Encoding::Ros(_) => ("ros2msg", "cdr"),
             Encoding::Foxglove | Encoding::Own => ("protobuf", "protobuf"),
         };
-        let schema = match self.schemas.get(topic.schema) {
-            Some(schema) => *schema,
-            None => {
-                let data = self.description(topic.encoding);
-                let schema = self
-                    .writer
-                    .add_schema(topic.schema, schema_encoding, &data)?;
-                *self.schemas.entry(topic.schema).or_insert(schema)
-            }
-        };
+        // A schema that is there already is not written again.
+        let data = topic.encoding.definition(self.recording);
+        let schema = self
+            .writer
+            .add_schema(topic.schema, schema_encoding, &data)?;
         self.writer
             .add_channel(schema, topic.name, encoding, &BTreeMap::new())
-    }
-
-    /// Returns the definition of a message, or the files of messages that it needs, each after
-    /// those that it needs itself.
-    fn description(&self, encoding: Encoding) -> Vec<u8> {
-        let file = match encoding {
-            Encoding::Ros(definition) => return definition.as_bytes().to_vec(),
-            Encoding::Foxglove => vec![
-                foxglove::time_file(),
-                foxglove::duration_file(),
-                foxglove::file(),
-            ],
-            Encoding::Own => vec![foxglove::time_file(), own::file(self.recording)],
-        };
-        FileDescriptorSet { file }.encode_to_vec()
     }
 }
 

@@ -1,13 +1,13 @@
 //! A recording as diagrams over time: one SVG file for paper, slides and web pages.
 
-mod page;
-
-use page::{Drawn, Page, Span, View, padded, themed};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::RGBColor;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::fmt;
-use tip_runtime::model::Point;
-use tip_sim::urdf::frame;
+use tip_sim::urdf::frame::foot;
 use tip_sim::urdf::xml::permitted;
-use tip_view::{Frame, Recording, robot_frame};
+use tip_view::{Frame, Recording};
 use tipc::message::Lang;
 
 /// A kind of diagram.
@@ -73,10 +73,7 @@ pub fn plot(
         return Err(NothingToPlot);
     }
     let heights: Vec<u32> = panels.iter().map(Panel::height).collect();
-    let names: Vec<String> = (1..)
-        .take(recording.robot.legs.len())
-        .map(frame::foot)
-        .collect();
+    let names: Vec<String> = (1..).take(recording.robot.legs.len()).map(foot).collect();
     let draw = |page: Page<'_>| -> Drawn {
         // Its characters are not looked at by what writes SVG.
         let heading = permitted(&format!(
@@ -85,12 +82,12 @@ pub fn plot(
         ));
         let areas = page.split(&heading, &names, &heights)?;
         for (panel, area) in panels.iter().zip(areas) {
-            panel.draw(&area, lang)?;
+            panel.draw(&area, &Axis::Time.in_lang(lang).to_string())?;
         }
         Ok(())
     };
-    let text = page::svg(&heights, draw).map_err(|_| NothingToPlot)?;
-    let title = Title::Page.in_lang(lang, recording.robot.is_planar);
+    let text = svg(&heights, draw).map_err(|_| NothingToPlot)?;
+    let title = Title::Page.in_lang(lang);
     Ok(themed(&text, &format!("{title}: {}", recording.robot.name)))
 }
 
@@ -110,7 +107,8 @@ enum Panel {
     Lines {
         title: String,
         time: Span,
-        axis: (Axis, &'static str),
+        /// The name of the axis that points up, with its unit.
+        axis: String,
         legs: Lines,
     },
     /// Views side by side.
@@ -126,33 +124,28 @@ impl Panel {
         }
     }
 
-    fn draw(&self, area: &page::Area<'_>, lang: Lang) -> Drawn {
-        let time_axis = Axis::Time.in_lang(lang);
+    fn draw(&self, area: &Area<'_>, time_axis: &str) -> Drawn {
         match self {
             Panel::Bars {
                 title,
                 time,
                 legs,
                 marks,
-            } => page::bars(area, title, time_axis, *time, legs, marks),
+            } => bars(area, title, time_axis, *time, legs, marks),
             Panel::Lines {
                 title,
                 time,
                 axis,
                 legs,
             } => {
-                let name = format!("{} [{}]", axis.0.in_lang(lang), axis.1);
                 let values = legs.iter().flatten().map(|(_, value)| *value);
-                let spans = (*time, padded(values));
-                page::lines(
-                    area,
-                    title,
-                    [&format!("{time_axis} [s]"), &name],
-                    spans,
-                    legs,
-                )
+                let (names, spans) = (
+                    [&*format!("{time_axis} [s]"), axis],
+                    (*time, padded(values)),
+                );
+                lines(area, title, names, spans, legs)
             }
-            Panel::Planes(views) => page::planes(area, views),
+            Panel::Planes(views) => planes(area, views),
         }
     }
 }
@@ -186,24 +179,35 @@ impl<'a> Plot<'a> {
         })
     }
 
-    fn title(&self, title: Title) -> String {
-        title.in_lang(self.lang, self.recording.robot.is_planar)
-    }
-
     fn panels(&self, diagram: Diagram) -> Vec<Panel> {
+        let robot = &self.recording.robot;
+        let (is_hand, unit) = (robot.is_planar, robot.torque_unit.symbol());
+        let limb = || if is_hand { Limb::Finger } else { Limb::Leg };
         match diagram {
             Diagram::Gait => self.gait().into_iter().collect(),
             Diagram::Feet => self.feet().into_iter().collect(),
             Diagram::Angles => {
-                let axis = (Axis::Angle, "deg");
-                self.each_joint(axis, Title::Angle, |frame| &frame.angles)
+                let limb = limb();
+                let title = |joint| Title::Angle {
+                    joint,
+                    limb: limb.clone(),
+                };
+                self.each_joint(title, (Axis::Angle, "deg"), |frame| &frame.angles)
             }
             Diagram::Torques => {
-                let unit = self.recording.robot.torque_unit.symbol();
-                let axis = (Axis::Torque, unit);
-                self.each_joint(axis, Title::Torque, |frame| &frame.torques)
+                let limb = limb();
+                let title = |joint| Title::Torque {
+                    joint,
+                    limb: limb.clone(),
+                };
+                self.each_joint(title, (Axis::Torque, unit), |frame| &frame.torques)
             }
-            Diagram::Forces => self.forces().into_iter().collect(),
+            Diagram::Forces => {
+                let title = if is_hand { Title::Pushes } else { Title::Loads };
+                let legs = self.over_time(|frame, leg| frame.loads.get(leg).copied());
+                let panel = self.lines(&title, &(Axis::Force, "N"), legs);
+                panel.into_iter().collect()
+            }
         }
     }
 
@@ -226,8 +230,12 @@ impl<'a> Plot<'a> {
                 bar.push((begin(contact.cycle), end));
             }
         }
+        let title = match recording.robot.is_planar {
+            true => Title::Contacts,
+            false => Title::Gait,
+        };
         Some(Panel::Bars {
-            title: self.title(Title::Gait),
+            title: title.in_lang(self.lang).to_string(),
             time: self.time,
             legs: bars,
             marks: recording
@@ -240,13 +248,13 @@ impl<'a> Plot<'a> {
 
     fn feet(&self) -> Option<Panel> {
         let robot = &self.recording.robot;
-        let view = |title, names: [&'static str; 2], axes: [usize; 2]| {
+        let view = |title: Title, names: [&'static str; 2], axes: [usize; 2]| {
             let legs = self.each_leg(|frame, leg| {
-                let foot = self.foot(frame, leg)?;
+                let foot = robot.feet(frame).nth(leg)?;
                 Some((foot[axes[0]], foot[axes[1]]))
             });
             View {
-                title: self.title(title),
+                title: title.in_lang(self.lang).to_string(),
                 names,
                 // Lifts are small against strides.
                 is_true: axes == [0, 1],
@@ -265,18 +273,10 @@ impl<'a> Plot<'a> {
         }))
     }
 
-    /// Returns the place of a foot, in the world if the robot walks, mm.
-    fn foot(&self, frame: &Frame, leg: usize) -> Option<Point> {
-        let limb = self.recording.robot.legs.get(leg)?;
-        let foot = limb.foot(frame.angles.get(leg)?);
-        let body = frame.pose.as_ref().map(robot_frame);
-        Some(body.map_or(foot, |body| body.point(foot)))
-    }
-
     fn each_joint(
         &self,
-        axis: (Axis, &'static str),
-        title: fn(usize) -> Title,
+        title: impl Fn(usize) -> Title,
+        axis: (Axis, &str),
         of: impl Fn(&Frame) -> &Vec<Vec<f64>>,
     ) -> Vec<Panel> {
         let joints = self
@@ -287,24 +287,18 @@ impl<'a> Plot<'a> {
             .map_or(0, |leg| leg.joints.len());
         let panels = (0..joints).filter_map(|joint| {
             let legs = self.over_time(|frame, leg| of(frame).get(leg)?.get(joint).copied());
-            let has_values = legs.iter().any(|leg| !leg.is_empty());
-            has_values.then(|| Panel::Lines {
-                title: self.title(title(joint + 1)),
-                time: self.time,
-                axis,
-                legs,
-            })
+            self.lines(&title(joint + 1), &axis, legs)
         });
         panels.collect()
     }
 
-    fn forces(&self) -> Option<Panel> {
-        let legs = self.over_time(|frame, leg| frame.loads.get(leg).copied());
+    /// Returns the panel of some lines, if there are values.
+    fn lines(&self, title: &Title, (axis, unit): &(Axis, &str), legs: Lines) -> Option<Panel> {
         let has_values = legs.iter().any(|leg| !leg.is_empty());
         has_values.then(|| Panel::Lines {
-            title: self.title(Title::Force),
+            title: title.in_lang(self.lang).to_string(),
             time: self.time,
-            axis: (Axis::Force, "N"),
+            axis: format!("{} [{unit}]", axis.in_lang(self.lang)),
             legs,
         })
     }
@@ -327,79 +321,360 @@ impl<'a> Plot<'a> {
     }
 }
 
-/// Title of a diagram; joints count from 1.
-#[derive(Clone, Copy)]
-enum Title {
-    Page,
-    Gait,
-    FeetFromAbove,
-    FeetFromTheSide,
-    Fingertips,
-    Angle(usize),
-    Torque(usize),
-    Force,
+tipc::message_table! {
+    /// Titles of the page and of diagrams; joints count from 1.
+    Title;
+
+    Page
+        "Motion of a robot",
+        "ロボットの動作";
+    Contacts
+        "Contacts: fingertips that touch something",
+        "接触図 (何かに触れている指先)";
+    Gait
+        "Gait diagram: feet on the ground",
+        "歩容線図 (接地している脚)";
+    FeetFromAbove
+        "Foot paths from above (world)",
+        "足先軌跡・上面図 (世界座標系)";
+    FeetFromTheSide
+        "Foot paths from the side (world)",
+        "足先軌跡・側面図 (世界座標系)";
+    Fingertips
+        "Fingertip paths",
+        "指先軌跡";
+    Angle { joint: usize, limb: Limb }
+        "Angle of joint {joint} of each {limb}",
+        "各{limb}の第{joint}関節の角度";
+    Torque { joint: usize, limb: Limb }
+        "Torque of joint {joint} of each {limb}",
+        "各{limb}の第{joint}関節のトルク";
+    Pushes
+        "Force of each fingertip",
+        "各指先の力";
+    Loads
+        "Load on each foot",
+        "各脚の荷重";
 }
 
-impl Title {
-    /// Hands have fingers, other robots legs.
-    fn in_lang(self, lang: Lang, is_hand: bool) -> String {
-        match lang {
-            Lang::Japanese => self.japanese(if is_hand { "指" } else { "脚" }, is_hand),
-            _ => self.english(if is_hand { "finger" } else { "leg" }, is_hand),
-        }
-    }
+tipc::message_table! {
+    /// Parts of robots.
+    Limb;
 
-    fn english(self, limb: &str, is_hand: bool) -> String {
-        match self {
-            Title::Page => "Motion of a robot".to_owned(),
-            Title::Gait if is_hand => "Contacts: fingertips that touch something".to_owned(),
-            Title::Gait => "Gait diagram: feet on the ground".to_owned(),
-            Title::FeetFromAbove => "Foot paths from above (world)".to_owned(),
-            Title::FeetFromTheSide => "Foot paths from the side (world)".to_owned(),
-            Title::Fingertips => "Fingertip paths".to_owned(),
-            Title::Angle(joint) => format!("Angle of joint {joint} of each {limb}"),
-            Title::Torque(joint) => format!("Torque of joint {joint} of each {limb}"),
-            Title::Force if is_hand => "Force of each fingertip".to_owned(),
-            Title::Force => "Load on each foot".to_owned(),
-        }
-    }
+    Finger "finger", "指";
+    Leg "leg", "脚";
+}
 
-    fn japanese(self, limb: &str, is_hand: bool) -> String {
-        match self {
-            Title::Page => "ロボットの動作".to_owned(),
-            Title::Gait if is_hand => "接触図 (何かに触れている指先)".to_owned(),
-            Title::Gait => "歩容線図 (接地している脚)".to_owned(),
-            Title::FeetFromAbove => "足先軌跡・上面図 (世界座標系)".to_owned(),
-            Title::FeetFromTheSide => "足先軌跡・側面図 (世界座標系)".to_owned(),
-            Title::Fingertips => "指先軌跡".to_owned(),
-            Title::Angle(joint) => format!("各{limb}の第{joint}関節の角度"),
-            Title::Torque(joint) => format!("各{limb}の第{joint}関節のトルク"),
-            Title::Force if is_hand => "各指先の力".to_owned(),
-            Title::Force => "各脚の荷重".to_owned(),
+tipc::message_table! {
+    /// Labels of axes.
+    Axis;
+
+    Time "time", "時間";
+    Angle "angle", "角度";
+    Torque "torque", "トルク";
+    Force "force", "力";
+}
+
+/// From one value to another.
+type Span = (f64, f64);
+
+/// A part of the page.
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+type Failed<'a> = DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>;
+
+/// Result of drawing.
+type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+const WIDTH: u32 = 960;
+const HEADING: u32 = 64;
+const FONT: &str = "sans-serif";
+const SMALL: i32 = 12;
+const TITLE: i32 = 15;
+const LARGE: i32 = 20;
+/// Left of the axes, where the numbers are.
+const LEFT: u32 = 64;
+
+/// An empty page.
+struct Page<'a>(Area<'a>);
+
+/// Draws diagrams of these heights on a page.
+fn svg(
+    heights: &[u32],
+    draw: impl FnOnce(Page<'_>) -> Drawn,
+) -> Result<String, Box<dyn std::error::Error>> {
+    let mut text = String::new();
+    let height = HEADING + heights.iter().sum::<u32>();
+    let area = SVGBackend::with_string(&mut text, (WIDTH, height)).into_drawing_area();
+    area.fill(&ground()).map_err(said)?;
+    draw(Page(area))?;
+    Ok(text)
+}
+
+fn said(failed: Failed<'_>) -> Box<dyn std::error::Error> {
+    failed.to_string().into()
+}
+
+impl<'a> Page<'a> {
+    /// Writes the heading and the names of the legs, and gives the parts below.
+    fn split(
+        self,
+        heading: &str,
+        names: &[String],
+        heights: &[u32],
+    ) -> Result<Vec<Area<'a>>, Box<dyn std::error::Error>> {
+        let (head, mut rest) = self.0.split_vertically(HEADING);
+        head.draw(&Text::new(
+            heading.to_owned(),
+            (16, 12),
+            (FONT, LARGE).into_font().color(&ink()),
+        ))
+        .map_err(said)?;
+        for (number, name) in names.iter().enumerate() {
+            let x = LEFT as i32 + 64 * number as i32;
+            let line = PathElement::new([(x, 50), (x + 20, 50)], leg(number).stroke_width(4));
+            head.draw(&line).map_err(said)?;
+            let style = (FONT, SMALL + 1).into_font().color(&ink());
+            head.draw(&Text::new(name.clone(), (x + 26, 44), style))
+                .map_err(said)?;
         }
+        let mut areas = Vec::new();
+        for height in heights {
+            let (area, below) = rest.split_vertically(*height);
+            areas.push(area);
+            rest = below;
+        }
+        Ok(areas)
     }
 }
 
-/// Label of an axis.
-#[derive(Clone, Copy)]
-enum Axis {
-    Time,
-    Angle,
-    Torque,
-    Force,
+/// Returns the range of all values, with some room.
+fn padded(values: impl Iterator<Item = f64> + Clone) -> Span {
+    let least = values.clone().fold(f64::INFINITY, f64::min);
+    let most = values.fold(f64::NEG_INFINITY, f64::max);
+    match least <= most {
+        true => {
+            let room = (0.05 * (most - least)).max(0.5);
+            (least - room, most + room)
+        }
+        false => (0.0, 1.0),
+    }
 }
 
-impl Axis {
-    fn in_lang(self, lang: Lang) -> &'static str {
-        let [english, japanese] = match self {
-            Axis::Time => ["time", "時間"],
-            Axis::Angle => ["angle", "角度"],
-            Axis::Torque => ["torque", "トルク"],
-            Axis::Force => ["force", "力"],
+/// Widens an empty range, so that it can be an axis.
+fn open((from, to): Span) -> std::ops::Range<f64> {
+    from..if to > from { to } else { from + 1.0 }
+}
+
+fn chart<'a, 'b>(area: &'b Area<'a>, title: &str) -> ChartBuilder<'b, 'b, SVGBackend<'a>> {
+    let mut builder = ChartBuilder::on(area);
+    builder
+        .caption(title, (FONT, TITLE).into_font().color(&ink()))
+        .margin(8)
+        .margin_right(20)
+        .x_label_area_size(38)
+        .y_label_area_size(LEFT - 8);
+    builder
+}
+
+/// Draws a line for each leg.
+fn lines(
+    area: &Area<'_>,
+    title: &str,
+    [across, up]: [&str; 2],
+    (x, y): (Span, Span),
+    legs: &[Vec<(f64, f64)>],
+) -> Drawn {
+    let mut chart = chart(area, title)
+        .build_cartesian_2d(open(x), open(y))
+        .map_err(said)?;
+    let style = (FONT, SMALL).into_font().color(&ink());
+    chart
+        .configure_mesh()
+        .x_desc(across)
+        .y_desc(up)
+        .label_style(style.clone())
+        .axis_desc_style(style)
+        .axis_style(ink())
+        .bold_line_style(grid())
+        .light_line_style(TRANSPARENT)
+        .x_labels(10)
+        .y_labels(5)
+        .x_label_formatter(&|value| rounded(*value))
+        .y_label_formatter(&|value| rounded(*value))
+        .draw()
+        .map_err(said)?;
+    for (number, points) in legs.iter().enumerate() {
+        let series = LineSeries::new(points.iter().copied(), leg(number).stroke_width(2));
+        chart.draw_series(series).map_err(said)?;
+    }
+    Ok(())
+}
+
+/// Returns a number of an axis without the dust of its steps.
+fn rounded(value: f64) -> String {
+    let value = (value * 1e6).round() / 1e6 + 0.0;
+    value.to_string()
+}
+
+/// Paths in a plane, mm.
+struct View {
+    title: String,
+    /// Names of its axes.
+    names: [&'static str; 2],
+    /// True if a unit is as long across as up.
+    is_true: bool,
+    legs: Vec<Vec<(f64, f64)>>,
+}
+
+/// Views side by side.
+fn planes(area: &Area<'_>, views: &[View]) -> Drawn {
+    let areas = area.split_evenly((1, views.len().max(1)));
+    for (area, view) in areas.iter().zip(views) {
+        let points = || view.legs.iter().flatten();
+        let x = padded(points().map(|point| point.0));
+        let y = padded(points().map(|point| point.1));
+        let spans = if view.is_true {
+            true_to_scale(area, x, y)
+        } else {
+            (x, y)
         };
-        match lang {
-            Lang::Japanese => japanese,
-            _ => english,
-        }
+        let names = view.names.map(|name| format!("{name} [mm]"));
+        lines(area, &view.title, [&names[0], &names[1]], spans, &view.legs)?;
+    }
+    Ok(())
+}
+
+/// Spans that hold these, as long across as up.
+fn true_to_scale(area: &Area<'_>, x: Span, y: Span) -> (Span, Span) {
+    let (width, height) = area.dim_in_pixel();
+    // What margins, title and numbers take.
+    let [width, height] =
+        [width.saturating_sub(92), height.saturating_sub(76)].map(|side| f64::from(side.max(1)));
+    let scale = ((x.1 - x.0) / width).max((y.1 - y.0) / height);
+    let wide = |(from, to): Span, pixels: f64| {
+        let (middle, half) = ((from + to) / 2.0, scale * pixels / 2.0);
+        (middle - half, middle + half)
+    };
+    (wide(x, width), wide(y, height))
+}
+
+/// Draws a row of bars for each leg, the first one on top, and a line at each mark.
+fn bars(
+    area: &Area<'_>,
+    title: &str,
+    across: &str,
+    time: Span,
+    legs: &[Vec<(f64, f64)>],
+    marks: &[f64],
+) -> Drawn {
+    let count = legs.len() as f64;
+    let mut chart = chart(area, title)
+        .build_cartesian_2d(open(time), 0.0..count)
+        .map_err(said)?;
+    let style = (FONT, SMALL).into_font().color(&ink());
+    chart
+        .configure_mesh()
+        .x_desc(format!("{across} [s]"))
+        .label_style(style.clone())
+        .axis_desc_style(style.clone())
+        .axis_style(ink())
+        .bold_line_style(grid())
+        .light_line_style(TRANSPARENT)
+        .disable_y_mesh()
+        .x_labels(10)
+        .y_labels(0)
+        .x_label_formatter(&|value| rounded(*value))
+        .draw()
+        .map_err(said)?;
+    for (number, bars) in (1..).zip(legs) {
+        let middle = count - f64::from(number) + 0.5;
+        let rectangles = bars.iter().map(|(from, to)| {
+            Rectangle::new(
+                [(*from, middle - 0.35), (*to, middle + 0.35)],
+                leg(usize::from(number) - 1).filled(),
+            )
+        });
+        chart.draw_series(rectangles).map_err(said)?;
+        let (x, y) = chart.backend_coord(&(time.0, middle));
+        let (left, top) = area.get_base_pixel();
+        let beside = style.pos(Pos::new(HPos::Right, VPos::Center));
+        let name = Text::new(foot(number), (x - left - 8, y - top), beside);
+        area.draw(&name).map_err(said)?;
+    }
+    let falls = marks
+        .iter()
+        .map(|at| PathElement::new([(*at, 0.0), (*at, count)], alarm().stroke_width(2)));
+    chart.draw_series(falls).map_err(said)?;
+    Ok(())
+}
+
+/// Colors on a light and on a dark background.
+type Pair = [u32; 2];
+
+const GROUND: Pair = [0xFFFFFF, 0x0D1117];
+const INK: Pair = [0x24292F, 0xE6EDF3];
+const GRID: Pair = [0xD8DEE4, 0x30363D];
+const ALARM: Pair = [0xCF222E, 0xFF7B72];
+/// Told apart by most who do not see all colours; a tenth leg does not exist.
+const LEGS: [Pair; 9] = [
+    [0xC2570C, 0xFF9E57],
+    [0x0B6BAB, 0x58B5F0],
+    [0x0A7F5A, 0x3DD6A3],
+    [0xA0307A, 0xEE8FCB],
+    [0x8A6A00, 0xE5C54B],
+    [0x5350A8, 0xABA8FF],
+    [0x7A4A3A, 0xDBA791],
+    [0x48720D, 0xA9DB5A],
+    [0x57606A, 0xB7BFC8],
+];
+
+fn light([light, _]: Pair) -> RGBColor {
+    let [_, red, green, blue] = light.to_be_bytes();
+    RGBColor(red, green, blue)
+}
+
+/// Returns the color of the background.
+fn ground() -> RGBColor {
+    light(GROUND)
+}
+
+/// Returns the color of texts and axes.
+fn ink() -> RGBColor {
+    light(INK)
+}
+
+/// Returns the color of lines that only guide the eye.
+fn grid() -> RGBColor {
+    light(GRID)
+}
+
+/// Returns the color of falls.
+fn alarm() -> RGBColor {
+    light(ALARM)
+}
+
+/// Returns the color of a leg, from 0.
+fn leg(number: usize) -> RGBColor {
+    LEGS.get(number).copied().map_or(ink(), light)
+}
+
+/// Returns the drawing with a name for those who hear it, and other colours where the reader's
+/// ground is dark.
+fn themed(svg: &str, name: &str) -> String {
+    let rule = |[light, dark]: Pair| {
+        format!(
+            "[fill=\"#{light:06X}\"]{{fill:#{dark:06X}}}[stroke=\"#{light:06X}\"]{{stroke:#{dark:06X}}}"
+        )
+    };
+    let pairs = [GROUND, INK, GRID, ALARM].into_iter().chain(LEGS);
+    let rules: String = pairs.map(rule).collect();
+    let name = permitted(name).replace('&', "&amp;").replace('<', "&lt;");
+    let head = format!(
+        "<title>{name}</title>\n<style>@media (prefers-color-scheme: dark){{{rules}}}</style>\n"
+    );
+    match svg.split_once(">\n") {
+        Some((element, rest)) => format!("{element}>\n{head}{rest}"),
+        None => svg.to_owned(),
     }
 }

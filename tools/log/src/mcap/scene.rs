@@ -1,15 +1,15 @@
-//! Objects in the scene besides the robot: forces as arrows, trails of the feet, objects.
+//! What moves: objects besides the robot, forces as arrows and trails of the feet; and the transform of each frame of the robot to
+//! the one before, under the names that its URDF file has.
 
-use super::foxglove::{
-    ArrowPrimitive, CubePrimitive, CylinderPrimitive, LinePrimitive, Pose, SceneEntity,
-    SceneUpdate, Timestamp,
+use super::messages::{
+    ArrowPrimitive, CubePrimitive, CylinderPrimitive, FrameTransform, FrameTransforms,
+    LinePrimitive, Pose, SceneEntity, SceneUpdate, Timestamp,
 };
-use super::transforms::STRAIGHT;
-use nalgebra::{Unit, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Rotation3, Unit, UnitQuaternion, Vector3};
 use std::collections::VecDeque;
 use tip_runtime::model::Point;
-use tip_runtime::plant::{Block, Floor, Object, Scene, Shape};
-use tip_sim::urdf::frame::{self, BASE, WORLD, direction, metres};
+use tip_runtime::plant::{self, Block, Floor, Object, Scene, Shape};
+use tip_sim::urdf::frame::{self, BASE, BODY, FLOOR, WORLD, direction, metres};
 use tip_view::{Frame, Skeleton, robot_frame};
 
 /// Length of an arrow for each newton, m.
@@ -58,7 +58,7 @@ impl<'a> Stage<'a> {
 
     /// Returns the `foxglove.SceneUpdate` for the end of a cycle, ns.
     pub(super) fn update(&mut self, time: u64, frame: &Frame) -> SceneUpdate {
-        let feet = self.feet(frame);
+        let feet: Vec<Point> = self.robot.feet(frame).collect();
         let mut entities = vec![self.forces(time, frame, &feet)];
         if !frame.objects.is_empty() {
             entities.push(self.things(time, frame));
@@ -90,17 +90,6 @@ impl<'a> Stage<'a> {
         } else {
             BASE
         }
-    }
-
-    /// Returns the feet there, mm.
-    fn feet(&self, frame: &Frame) -> Vec<Point> {
-        let body = frame.pose.as_ref().map(robot_frame);
-        let legs = self.robot.legs.iter().zip(&frame.angles);
-        legs.map(|(leg, angles)| {
-            let foot = leg.foot(angles);
-            body.map_or(foot, |body| body.point(foot))
-        })
-        .collect()
     }
 
     fn entity(&self, time: u64, id: &str) -> SceneEntity {
@@ -246,6 +235,106 @@ fn arrow(at: Point, force: [f64; 3], scale: f64) -> Option<ArrowPrimitive> {
         head_diameter: 0.5 * head,
         color: ARROW.into(),
     })
+}
+
+/// A frame in its parent's.
+pub(super) struct Transform {
+    parent: String,
+    child: String,
+    /// m.
+    at: [f64; 3],
+    /// x, y, z, w.
+    turned: [f64; 4],
+}
+
+/// The quaternion without a turn.
+const STRAIGHT: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
+
+impl Transform {
+    fn straight(parent: &str, child: &str, at: [f64; 3]) -> Self {
+        Transform {
+            parent: parent.to_owned(),
+            child: child.to_owned(),
+            at: metres(at),
+            turned: STRAIGHT,
+        }
+    }
+}
+
+/// Returns the transforms that never change.
+pub(super) fn fixed(robot: &Skeleton) -> Vec<Transform> {
+    let mut all = Vec::new();
+    match robot.body {
+        Some(_) => all.push(Transform::straight(BASE, BODY, [0.0; 3])),
+        None => all.push(Transform {
+            turned: standing(robot.is_planar),
+            ..Transform::straight(WORLD, BASE, [0.0; 3])
+        }),
+    }
+    for (number, leg) in (1..).zip(&robot.legs) {
+        if let Some((last, joint)) = (1..).zip(&leg.joints).last() {
+            let (parent, child) = (frame::link(number, last), frame::foot(number));
+            all.push(Transform::straight(&parent, &child, joint.link));
+        }
+    }
+    all
+}
+
+/// Returns the turn of the robot frame in the world for a robot that is bolted down.
+fn standing(is_planar: bool) -> [f64; 4] {
+    let [roll, pitch, yaw] = frame::standing(is_planar);
+    UnitQuaternion::from_euler_angles(roll, pitch, yaw)
+        .coords
+        .into()
+}
+
+/// Returns the transforms that change, at the end of a cycle.
+pub(super) fn moving(robot: &Skeleton, frame: &Frame) -> Vec<Transform> {
+    let body = frame.pose.as_ref().filter(|_| robot.body.is_some());
+    let body = body.map(|pose| Transform {
+        turned: attitude(pose),
+        ..Transform::straight(WORLD, BASE, pose.position)
+    });
+    let mut all: Vec<Transform> = body.into_iter().collect();
+    for (number, (leg, angles)) in (1..).zip(robot.legs.iter().zip(&frame.angles)) {
+        let (mut parent, mut at) = (BASE.to_owned(), leg.base);
+        for (joint, (of, angle)) in (1..).zip(leg.joints.iter().zip(angles)) {
+            let child = frame::link(number, joint);
+            let axis = Unit::new_normalize(Vector3::from(direction(of.axis)));
+            all.push(Transform {
+                turned: UnitQuaternion::from_axis_angle(&axis, angle.to_radians())
+                    .coords
+                    .into(),
+                ..Transform::straight(&parent, &child, at)
+            });
+            (parent, at) = (child, of.link);
+        }
+    }
+    all.extend(frame.slider.map(|at| Transform::straight(BASE, FLOOR, at)));
+    all
+}
+
+/// Returns the turn of the body, in axes with x forward and y left.
+fn attitude(pose: &plant::Pose) -> [f64; 4] {
+    // Each inner array is a column.
+    let turned = Rotation3::from_matrix_unchecked(Matrix3::from(robot_frame(pose).axes));
+    let turned = UnitQuaternion::from_rotation_matrix(&turned);
+    let [x, y, z] = direction(turned.imag().into());
+    [x, y, z, turned.w]
+}
+
+/// Returns `foxglove.FrameTransforms`.
+pub(super) fn transforms(time: u64, transforms: Vec<Transform>) -> FrameTransforms {
+    let all = transforms.into_iter().map(|transform| FrameTransform {
+        timestamp: Timestamp::of(time),
+        parent_frame_id: transform.parent,
+        child_frame_id: transform.child,
+        translation: transform.at.into(),
+        rotation: transform.turned.into(),
+    });
+    FrameTransforms {
+        transforms: all.collect(),
+    }
 }
 
 #[cfg(test)]
