@@ -1,13 +1,13 @@
 //! The option groups that several commands share: the program with its robot, and the inputs of a run.
 
-use super::choices::{EncodingName, LangName, OutputOptions, RobotName};
-use super::setup::{PlantChoice, RobotChoice, SceneChoice};
+use super::choices::{EncodingName, OutputOptions, RobotName};
+use super::error::Error;
+use super::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
 use super::usage::{BadValue, count};
 use crate::message::Using;
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tip_sim::event::{Event, Events, Inputs, Keys, SensorAt};
-use tipc::message::Lang;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
@@ -27,7 +27,7 @@ pub(super) struct SourceArguments {
     ///
     /// The version of the language that line 1 must name; by default that of any edition, 3.1 or 3.2
     #[arg(long, value_name = "NUMBER", value_parser = version_number)]
-    tip_version: Option<f64>,
+    pub(super) tip_version: Option<f64>,
 
     /// The encoding: auto, utf-8 or shift_jis
     ///
@@ -44,24 +44,15 @@ pub(super) struct SourceArguments {
 }
 
 impl SourceArguments {
-    /// Returns the arguments of a client without a command line.
-    pub(super) fn of_client(
-        robot: Option<RobotChoice>,
-        encoding: Option<EncodingName>,
-        lang: Lang,
-    ) -> Self {
-        SourceArguments {
-            robot,
-            tip_version: None,
-            encoding,
-            output_options: OutputOptions::of(LangName::of(lang)),
-            given: None,
-        }
-    }
-
     /// Returns the chosen robot, or the default one.
     pub(super) fn robot(&self) -> &RobotChoice {
         self.robot.as_ref().unwrap_or(&TITAN)
+    }
+
+    /// Loads the chosen robot.
+    pub(super) fn load_robot(&self) -> Result<ChosenRobot, Error> {
+        let refused = Error::refused(self.output_options);
+        self.robot().load().map_err(refused)
     }
 
     /// Returns the options of the compiler for a robot.
@@ -89,29 +80,29 @@ pub(super) fn version_number(text: &str) -> Result<f64, BadValue> {
 pub(super) struct InputArguments {
     /// Stop after this many control cycles
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
-    cycles: Option<u64>,
+    pub(super) cycles: Option<u64>,
 
     /// Keys pressed before the step of a cycle
     ///
     /// One ASCII character each, or 0x1B form
     #[arg(long, value_name = "CYCLE:CHAR,...")]
-    keys: Option<Keys>,
+    pub(super) keys: Option<Keys>,
 
     /// Request a halt before the step of this cycle
     #[arg(long, value_name = "CYCLE", value_parser = count, allow_negative_numbers = true)]
-    halt: Option<u64>,
+    pub(super) halt: Option<u64>,
 
     /// Set an input to a voltage from a cycle on
     ///
     /// VR1-3, PAW1-4, ANTENNA, J11 and so on
     #[arg(long = "sensor", value_name = "NAME=V@CYCLE")]
-    sensors: Vec<SensorAt>,
+    pub(super) sensors: Vec<SensorAt>,
 
     /// Keys, values, pushes and halts by cycle
     ///
     /// Before the step of the cycle, such as '10:key F, 300:VR1=8, 500:push 80 0 0 for 5, 900:halt'
     #[arg(long, value_name = "CYCLE:EVENT,...")]
-    events: Option<Events>,
+    pub(super) events: Option<Events>,
 
     /// The scene: cylinder, or a file
     ///
@@ -128,20 +119,6 @@ pub(super) struct InputArguments {
 }
 
 impl InputArguments {
-    /// Returns the arguments of a client without a command line.
-    pub(super) fn of_client(
-        events: Option<Events>,
-        scene: Option<SceneChoice>,
-        plant: Option<PlantChoice>,
-    ) -> Self {
-        InputArguments {
-            events,
-            scene,
-            plant,
-            ..InputArguments::default()
-        }
-    }
-
     /// Returns the events and the number of cycles.
     pub(super) fn inputs(&self) -> Inputs {
         let keys = self.keys.clone().unwrap_or_default().0;
@@ -153,5 +130,27 @@ impl InputArguments {
             events: all.collect(),
             cycles: self.cycles,
         }
+    }
+}
+
+/// A program that runs.
+#[derive(Debug, Args)]
+pub(super) struct RunArguments {
+    /// The program
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+
+    #[command(flatten)]
+    pub(super) inputs: InputArguments,
+}
+
+impl RunArguments {
+    /// Returns the files that are read.
+    pub(super) fn files(&self) -> Vec<&Path> {
+        let scene = self.inputs.scene.as_ref().and_then(SceneChoice::file);
+        let files = [Some(self.file.as_path()), self.source.robot().file(), scene];
+        files.into_iter().flatten().collect()
     }
 }

@@ -1,13 +1,11 @@
 //! `tip check`: reports the diagnostics of programs, once or after each change, and applies fixes.
 
 use crate::arguments::SourceArguments;
-use crate::choices::Format;
-use crate::choices::OutputOptions;
+use crate::choices::{Format, OutputOptions};
 use crate::error::Error;
-use crate::loader::{self, NotLoaded};
+use crate::loader;
 use crate::message::{Checking, Using};
-use crate::report::Deny;
-use crate::report::Total;
+use crate::report::{Deny, Total};
 use crate::watch::Watch;
 use crate::{Status, input, interrupt, output, project, report};
 use clap::Args;
@@ -95,7 +93,7 @@ pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
 fn watch(arguments: &Check) -> Result<Status, Error> {
     let lang = arguments.source.output_options.lang();
     if arguments.files.iter().any(|file| input::is_stream(file)) {
-        return Err(Error::Usage(Using::WatchInput.in_lang(lang).to_string()));
+        return Err(Error::usage(Using::WatchInput, lang));
     }
     interrupt::catch();
     let programs = arguments.files.iter().map(PathBuf::as_path);
@@ -128,15 +126,15 @@ const RULE: &str = "────────";
 /// Checks each file; one that does not load makes the whole command fail.
 fn check_once(arguments: &Check) -> Result<Status, Error> {
     let output_options = arguments.source.output_options;
-    let mut total = report::Total::new(output_options, arguments.quiet);
+    let mut total = Total::new(output_options, arguments.quiet);
     let mut status = Status::Success;
     let mut fixable = Fixable::default();
     for file in &arguments.files {
         let mut source = arguments.source.clone();
-        let given = source.complete(file).map_err(NotLoaded::Found);
-        let found = given.and_then(|_| match arguments.least_certainty() {
+        let found = source.complete(file);
+        let found = found.and_then(|_| match arguments.least_certainty() {
             Some(least) => {
-                let robot = source.robot().load()?.simulated()?;
+                let robot = source.load_robot()?.simulated()?;
                 let loaded = fix(file, &source, &robot, least, &total, output_options)?;
                 Ok((loaded, source.options(robot.options().robot)))
             }
@@ -150,13 +148,13 @@ fn check_once(arguments: &Check) -> Result<Status, Error> {
         });
         let (loaded, options) = match found {
             Ok(found) => found,
-            Err(NotLoaded::Found(loaded)) => {
+            Err(Error::Refused(loaded, _)) => {
                 total.check(&loaded, output_options)?;
                 total.add(&loaded);
                 total.report(output_options)?;
                 return Ok(Status::Failure);
             }
-            Err(NotLoaded::Failed(error)) => return Err(error),
+            Err(error) => return Err(error),
         };
         total.add(&loaded);
         fixable.add(&loaded, &options, output_options);
@@ -274,6 +272,6 @@ impl Fixable {
             (certain, all) if all > certain => Fixing::CanFixMore { diagnostics, all },
             _ => Fixing::CanFix { diagnostics },
         };
-        report::complain(&format!("{}\n", can.in_lang(output_options.lang())));
+        report::say(can, output_options.lang());
     }
 }

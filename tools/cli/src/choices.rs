@@ -4,13 +4,11 @@ use clap::{Args, ValueEnum};
 use std::env;
 use std::io::{self, IsTerminal};
 use tip_runtime::plant::Simulation;
-use tip_runtime::printable::Printable;
 use tipc::Robot;
 use tipc::message::Lang;
-use tipc::program::{Program, StepId};
 use tipc::published;
 use tipc::render::Style;
-use tipc::source::{Encoding, Source};
+use tipc::source::Encoding;
 
 /// The names of robots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -42,6 +40,12 @@ pub(super) fn robot_names(others: &[&'static str]) -> Vec<&'static str> {
     others.chain(built_in).chain(published).collect()
 }
 
+/// Returns the name of a value in options and files.
+pub(super) fn name(value: impl ValueEnum) -> String {
+    let value = value.to_possible_value();
+    value.map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
 /// The names of plants for walking robots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum PlantName {
@@ -50,12 +54,6 @@ pub(super) enum PlantName {
 }
 
 impl PlantName {
-    /// Returns the name in options and scenes.
-    pub(super) fn name(self) -> String {
-        let value = self.to_possible_value();
-        value.map_or_else(String::new, |value| value.get_name().to_owned())
-    }
-
     pub(super) fn simulation(self) -> Simulation {
         match self {
             PlantName::QuasiStatic => Simulation::QuasiStatic,
@@ -65,9 +63,8 @@ impl PlantName {
 }
 
 /// The names of encodings.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 pub(super) enum EncodingName {
-    #[default]
     Auto,
     #[value(name = "utf-8", alias = "utf8")]
     Utf8,
@@ -83,12 +80,6 @@ impl EncodingName {
             Encoding::Utf8 => EncodingName::Utf8,
             Encoding::ShiftJis => EncodingName::ShiftJis,
         }
-    }
-
-    /// Returns the name in options and `tip.toml`.
-    pub(super) fn name(self) -> String {
-        let value = self.to_possible_value();
-        value.map_or_else(String::new, |value| value.get_name().to_owned())
     }
 
     pub(super) fn encoding(self) -> Encoding {
@@ -225,16 +216,4 @@ fn wants_colour() -> bool {
         env::var_os("CLICOLOR_FORCE").is_some_and(|value| !value.is_empty() && value != "0");
     let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
     !is_set("NO_COLOR") && (insists || io::stderr().is_terminal() && !dumb)
-}
-
-/// Returns the line of a step with its file and position; nothing if there is no such step.
-pub(super) fn step_location(source: &Source, program: &Program, step: StepId) -> String {
-    let Some(step) = program.steps().get(step as usize) else {
-        return String::new();
-    };
-    let (line, column) = (step.line, step.column);
-    let gutter = " ".repeat(line.to_string().len());
-    let statement = Printable::line(source.line_text(line));
-    let name = Printable::line(source.name());
-    format!("{gutter}--> {name}:{line}:{column}\n{gutter} |\n{line} | {statement}\n{gutter} |\n")
 }

@@ -1,24 +1,23 @@
 //! `tip dap`: the debug adapter of `tip-ide` on standard input and output, and the loading of programs for it.
 
 use super::Status;
-use super::arguments::{InputArguments, SourceArguments};
-use super::choices::EncodingName;
-use super::error::{self, Error};
-
-use super::loader::{self, NotLoaded, Subject};
-use super::setup::{BuiltInOnly, RobotChoice, SceneChoice};
+use super::arguments::{InputArguments, RunArguments, SourceArguments};
+use super::choices::{EncodingName, LangName, OutputOptions};
+use super::error::{Error, diagnostics, is_closed};
+use super::loader::{self, Subject};
+use super::setup::{RobotChoice, SceneChoice};
 use super::usage::BadValue;
 use super::{input, output};
+use crate::message::Using;
 use clap::{Args, ValueEnum};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use tip_ide::dap::{self, Debuggee, Launch, Launcher};
 use tip_ide::transport::Connection;
-use tip_lint::message::More;
 use tip_sim::debug::Debugger;
 use tip_sim::event::EventError;
+use tipc::Options;
 use tipc::message::Lang;
-use tipc::{Loaded, Options, render};
 
 /// `tip dap`
 #[derive(Debug, Args)]
@@ -39,7 +38,7 @@ pub(super) fn dap(_: &Dap) -> Result<Status, Error> {
     let connection = Connection::new(BufReader::new(io::stdin()), io::stdout());
     match dap::serve(connection, Files) {
         Ok(()) => Ok(Status::Success),
-        Err(error) if error::is_closed(&error) => Ok(Status::Success),
+        Err(error) if is_closed(&error) => Ok(Status::Success),
         Err(error) => Err(Error::Failed(format!(
             "the client cannot be answered: {error}"
         ))),
@@ -63,21 +62,19 @@ impl Launcher for Files {
                 lang,
             ));
         }
-        let (mut source, mut inputs) = arguments(launch, path, lang)?;
-        let given = source.complete_run(path, &mut inputs);
-        given.map_err(|loaded| diagnostics(&loaded, lang))?;
-        let subject = loader::load(path, &source, &inputs, Some(BuiltInOnly::RunsAgain("dap")));
-        let Subject { loaded, robot, .. } = subject.map_err(|refused| match refused {
-            NotLoaded::Found(loaded) => diagnostics(&loaded, lang),
-            NotLoaded::Failed(error) => error.text(lang),
-        })?;
+        let mut run = arguments(launch, path, lang)?;
+        let refusal = Using::ProcessRunsOnce { command: "dap" };
+        let subject = run
+            .complete(path)
+            .and_then(|_| loader::load(path, &run, Some(refusal)));
+        let Subject { loaded, robot, .. } = subject.map_err(|error| error.text(lang))?;
         let found = diagnostics(&loaded, lang);
         let Some(program) = loaded.program else {
             return Err(found);
         };
         let debugger = Debugger::new(program, &robot).map_err(|mismatch| mismatch.to_string())?;
         let debugger = debugger
-            .with_events(&inputs.inputs().events)
+            .with_events(&run.inputs.inputs().events)
             .map_err(|refused| refused.text(lang))?;
         Ok(Debuggee {
             debugger,
@@ -89,11 +86,7 @@ impl Launcher for Files {
 }
 
 /// Converts a launch to arguments of the command line. Files are also found from the folder of the program.
-fn arguments(
-    launch: &Launch,
-    program: &Path,
-    lang: Lang,
-) -> Result<(SourceArguments, InputArguments), String> {
+fn arguments(launch: &Launch, program: &Path, lang: Lang) -> Result<RunArguments, String> {
     let wrong = |wrong: BadValue| wrong.text(lang);
     let robot = parsed(&launch.robot)
         .map_err(wrong)?
@@ -109,9 +102,22 @@ fn arguments(
     let encoding = encoding.map(|name| EncodingName::from_str(name, true));
     let events = parsed(&launch.events).map_err(|error: EventError| error.to_string())?;
     let plant = parsed(&launch.plant).map_err(wrong)?;
-    let inputs = InputArguments::of_client(events, scene, plant);
-    let source = SourceArguments::of_client(robot, encoding.transpose()?, lang);
-    Ok((source, inputs))
+    Ok(RunArguments {
+        file: program.to_owned(),
+        source: SourceArguments {
+            robot,
+            tip_version: None,
+            encoding: encoding.transpose()?,
+            output_options: OutputOptions::of(LangName::of(lang)),
+            given: None,
+        },
+        inputs: InputArguments {
+            events,
+            scene,
+            plant,
+            ..InputArguments::default()
+        },
+    })
 }
 
 fn parsed<T: std::str::FromStr>(text: &Option<String>) -> Result<Option<T>, T::Err> {
@@ -124,14 +130,4 @@ fn from_program(program: &Path, path: PathBuf) -> PathBuf {
         Some(folder) if path.is_relative() && !path.exists() => folder.join(path),
         _ => path,
     }
-}
-
-/// Returns all diagnostics, one line each.
-fn diagnostics(loaded: &Loaded, lang: Lang) -> String {
-    let lines = loaded.diagnostics.iter();
-    let lines = lines.map(|one| render::short(&loaded.source, one, lang));
-    let omitted = loaded.omitted.count();
-    let more = (omitted > 0).then(|| More::from(omitted).in_lang(lang).to_string());
-    let lines: Vec<String> = lines.chain(more).collect();
-    lines.join("\n")
 }

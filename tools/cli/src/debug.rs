@@ -7,17 +7,15 @@ mod screen;
 #[cfg(test)]
 mod tests;
 
-use super::arguments::{InputArguments, SourceArguments};
+use super::arguments::RunArguments;
 use super::error::Error;
-use super::loader::{self, Subject};
-use super::setup::BuiltInOnly;
-use super::{Status, interrupt};
+use super::{Status, interrupt, loader};
+use crate::message::Using;
 use app::App;
 use clap::Args;
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event, KeyEventKind};
 use std::io::{self, IsTerminal};
-use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tip_sim::debug::Debugger;
 
@@ -34,14 +32,8 @@ breakpoint, B one with a condition and a count of passes, f stops before each co
 routine of a name. w watches a variable, W goes back to the last assignment of one. i applies an event,
 such as 'key F', 'VR1=8' or 'N = 5'; e shows the value of an expression. Esc interrupts, ? explains, q ends.")]
 pub(super) struct Debug {
-    /// The program
-    pub(super) file: PathBuf,
-
     #[command(flatten)]
-    pub(super) source: SourceArguments,
-
-    #[command(flatten)]
-    pub(super) inputs: InputArguments,
+    pub(super) run: RunArguments,
 }
 
 /// Time to wait for a key before checking for signals.
@@ -55,9 +47,7 @@ const PORTION: u64 = 200;
 
 /// Debugs a program until the user quits.
 pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
-    let Some(app) = load(arguments)? else {
-        return Ok(Status::Failure);
-    };
+    let app = load(&arguments.run)?;
     if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
         let reason = "tip debug needs a terminal; editors start tip dap";
         return Err(Error::Usage(reason.to_owned()));
@@ -77,34 +67,20 @@ pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
     }
 }
 
-/// Loads the program; `None` if there are errors, which were reported.
-fn load(arguments: &Debug) -> Result<Option<App>, Error> {
-    let output_options = arguments.source.output_options;
-    let (source, inputs) = (&arguments.source, &arguments.inputs);
-    let subject = loader::load(
-        &arguments.file,
-        source,
-        inputs,
-        Some(BuiltInOnly::RunsAgain("debug")),
-    );
-    let Some(Subject { loaded, robot, .. }) = loader::reported(subject, source, false)? else {
-        return Ok(None);
-    };
-    let Some(program) = loaded.program else {
-        return Ok(None);
-    };
+fn load(run: &RunArguments) -> Result<App, Error> {
+    let output_options = run.source.output_options;
+    let refusal = Using::ProcessRunsOnce { command: "debug" };
+    let subject = loader::load(&run.file, run, Some(refusal))?;
+    let (subject, program) = loader::sound(subject, output_options, false)?;
     let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
-    let mut debugger = Debugger::new(program, &robot)
+    let mut debugger = Debugger::new(program, &subject.robot)
         .map_err(|mismatch| usage(&mismatch))?
-        .with_events(&inputs.inputs().events)
+        .with_events(&run.inputs.inputs().events)
         .map_err(|refused| usage(&refused))?;
     debugger.stop_at_fall(true);
-    Ok(Some(App::new(
-        debugger,
-        loaded.source,
-        &robot,
-        output_options.lang(),
-    )))
+    let lang = output_options.lang();
+    let source = subject.loaded.source;
+    Ok(App::new(debugger, source, &subject.robot, lang))
 }
 
 /// Draws the screen and handles keys until the user quits.

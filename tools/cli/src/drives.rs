@@ -124,24 +124,20 @@ impl RobotArguments {
         choices::lang(self.lang)
     }
 
-    fn setup(&self) -> Result<Option<Setup>, Error> {
-        match input::describe(&self.file) {
-            Ok(description) => Setup::new(&self.file, &description, self.lang()).map(Some),
-            Err(loaded) => {
-                let options = choices::OutputOptions::of(LangName::of(self.lang()));
-                report::diagnostics(&loaded, options);
-                Ok(None)
-            }
-        }
+    fn setup(&self) -> Result<Setup, Error> {
+        let options = choices::OutputOptions::of(LangName::of(self.lang()));
+        let description = input::describe(&self.file).map_err(Error::refused(options))?;
+        Setup::new(&self.file, &description, self.lang())
     }
 
-    fn connect(&self) -> Result<Option<Connection>, Error> {
-        let Some(setup) = self.setup()? else {
-            return Ok(None);
-        };
+    fn connect(&self) -> Result<Connection, Error> {
+        self.open(self.setup()?)
+    }
+
+    fn open(&self, setup: Setup) -> Result<Connection, Error> {
         let mut connection = setup.open(&self.file, self.port.as_deref(), self.lang())?;
         connection.connect(false)?;
-        Ok(Some(connection))
+        Ok(connection)
     }
 }
 
@@ -272,10 +268,6 @@ pub(crate) fn drives(verb: &DrivesVerb) -> Result<Status, Error> {
     }
 }
 
-fn failed(reason: &Driving, lang: Lang) -> Error {
-    Error::Failed(reason.in_lang(lang).to_string())
-}
-
 fn scan(arguments: &Scan) -> Result<Status, Error> {
     let lang = arguments.port.lang();
     let all = [FamilyName::Sts, FamilyName::Ax, FamilyName::X];
@@ -325,7 +317,7 @@ fn scan(arguments: &Scan) -> Result<Status, Error> {
         }
     }
     if count == 0 {
-        return Err(failed(&Driving::NothingFound, lang));
+        return Err(Error::failed(Driving::NothingFound, lang));
     }
     text.insert_str(
         0,
@@ -342,11 +334,11 @@ fn id(arguments: &Id) -> Result<Status, Error> {
     let (from, to) = (arguments.from, arguments.to);
     if arguments.family == FamilyName::Moteus {
         let (id, to) = (from.into(), to.into());
-        return Err(failed(&Driving::OwnTool { id, to }, lang));
+        return Err(Error::failed(Driving::OwnTool { id, to }, lang));
     }
     let mut bus = arguments.port.bus(family)?;
     if from != to && bus.read_register(to, family.model).is_ok() {
-        return Err(failed(&Driving::IdTaken { id: to.into() }, lang));
+        return Err(Error::failed(Driving::IdTaken { id: to.into() }, lang));
     }
     bus.set_id(family, from, to)
         .map_err(|error| Error::Failed(error.to_string()))?;
@@ -354,7 +346,7 @@ fn id(arguments: &Id) -> Result<Status, Error> {
         id: from.into(),
         to: to.into(),
     };
-    output::print(format!("{}\n", renamed.in_lang(lang)))?;
+    output::say(renamed, lang)?;
     Ok(Status::Success)
 }
 
@@ -387,16 +379,12 @@ fn answer(question: &Driving, lang: Lang) -> Result<Answer, Error> {
 
 fn zero(arguments: &Zero) -> Result<Status, Error> {
     let lang = arguments.robot.lang();
-    let Some(mut setup) = arguments.robot.setup()? else {
-        return Ok(Status::Failure);
-    };
+    let mut setup = arguments.robot.setup()?;
     // Where the joints are is what is to be found.
     for joint in &mut setup.joints {
         joint.limits = tip_runtime::model::Range::new(-1e6, 1e6);
     }
-    let mut connection =
-        setup.open(&arguments.robot.file, arguments.robot.port.as_deref(), lang)?;
-    connection.connect(false)?;
+    let mut connection = arguments.robot.open(setup)?;
     let joints = connection.setup.joints.iter();
     let off: Vec<(u8, i32)> = joints.map(|joint| (joint.id, 0)).collect();
     if let Some(joint) = connection.setup.joints.first() {
@@ -404,7 +392,7 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
         let sent = connection.drives().bus_mut().sync_write(register, &off);
         sent.map_err(|error| Error::Failed(error.to_string()))?;
     }
-    report::complain(&format!("{}\n", Driving::ZeroHow.in_lang(lang)));
+    report::say(Driving::ZeroHow, lang);
     let mut found = Vec::new();
     for place in 0..connection.setup.joints.len() {
         let joint = connection.setup.name(place);
@@ -426,7 +414,7 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
             Answer::Skip | Answer::Ended => 0.0,
         };
         let sign = if turned.abs() < 3.0 {
-            report::complain(&format!("{}\n", Driving::NotTurned.in_lang(lang)));
+            report::say(Driving::NotTurned, lang);
             own.sign
         } else {
             turned.signum()
@@ -442,8 +430,7 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
     let path = &arguments.robot.file;
     let file = || path.display().to_string().into();
     if found.is_empty() {
-        let none = Driving::ZeroNone { file: file() };
-        report::complain(&format!("{}\n", none.in_lang(lang)));
+        report::say(Driving::ZeroNone { file: file() }, lang);
         return Ok(Status::Success);
     }
     if arguments.write {
@@ -452,12 +439,10 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
             output::update(path, &text, new.as_bytes(), lang)?;
             let joints: Vec<&str> = found.iter().map(|it| it.joint.as_str()).collect();
             let (joints, file) = (joints.join(", "), file());
-            let written = Driving::ZeroWritten { joints, file };
-            output::print(format!("{}\n", written.in_lang(lang)))?;
+            output::say(Driving::ZeroWritten { joints, file }, lang)?;
             return Ok(Status::Success);
         }
-        let kept = Driving::ZeroKept { file: file() };
-        report::complain(&format!("{}\n", kept.in_lang(lang)));
+        report::say(Driving::ZeroKept { file: file() }, lang);
     }
     let result = Driving::ZeroResult { file: file() };
     let mut text = format!("{}\n", result.in_lang(lang));
@@ -560,19 +545,17 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
     interrupt::catch();
     let lang = arguments.robot.lang();
     if !io::stdin().is_terminal() {
-        return Err(failed(&Driving::OnlyOnTerminal, lang));
+        return Err(Error::failed(Driving::OnlyOnTerminal, lang));
     }
-    let Some(mut connection) = arguments.robot.connect()? else {
-        return Ok(Status::Failure);
-    };
+    let mut connection = arguments.robot.connect()?;
     let joints = 0..connection.setup.joints.len();
     let mut named = joints.filter(|place| connection.setup.name(*place) == arguments.joint);
     let Some(place) = named.next() else {
         let joint = arguments.joint.clone();
-        return Err(failed(&Driving::NoSuchJoint { joint }, lang));
+        return Err(Error::failed(Driving::NoSuchJoint { joint }, lang));
     };
     let joint = arguments.joint.clone();
-    report::complain(&format!("{}\n", Driving::JogHow { joint }.in_lang(lang)));
+    report::say(Driving::JogHow { joint }, lang);
     let held = connection.drives().hold();
     let mut to: Vec<f64> = {
         let drives = connection.drives();
@@ -625,9 +608,7 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
 
 fn monitor(arguments: &Monitor) -> Result<Status, Error> {
     interrupt::catch();
-    let Some(mut connection) = arguments.robot.connect()? else {
-        return Ok(Status::Failure);
-    };
+    let mut connection = arguments.robot.connect()?;
     let rewrites = io::stdout().is_terminal() && !arguments.once;
     let mut failure = None;
     loop {
@@ -701,15 +682,12 @@ fn simulate(arguments: &Simulate) -> Result<Status, Error> {
         port: None,
         lang: arguments.lang,
     };
-    let mishaps: Mishaps = (arguments.mishaps.parse())
-        .map_err(|wrong: Driving| Error::Usage(wrong.in_lang(lang).to_string()))?;
-    let Some(setup) = robot.setup()? else {
-        return Ok(Status::Failure);
-    };
+    let mishaps: Mishaps =
+        (arguments.mishaps.parse()).map_err(|wrong: Driving| Error::usage(wrong, lang))?;
+    let setup = robot.setup()?;
     pty::serve(&setup, mishaps, lang, |port| {
         let servos = setup.joints.len();
         let port = port.into();
-        let text = Driving::Simulates { servos, port };
-        output::print(format!("{}\n", text.in_lang(lang)))
+        output::say(Driving::Simulates { servos, port }, lang)
     })
 }

@@ -35,8 +35,7 @@ pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
     let Some(text) = page(&code, lang) else {
         let codes = Code::ALL.iter().map(|code| code.id().to_owned());
         let codes = Each(codes.collect());
-        let text = Using::NoCode { code, codes };
-        return Err(Error::Usage(text.in_lang(lang).to_string()));
+        return Err(Error::usage(Using::NoCode { code, codes }, lang));
     };
     output::print(format!("{text}{}", related(&code, lang)))?;
     Ok(Status::Success)
@@ -45,20 +44,18 @@ pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
 /// Returns the page of a code.
 pub(super) fn page(code: &str, lang: Lang) -> Option<&'static str> {
     let page = PAGES.iter().find(|page| page.code == code)?;
-    Some(match lang {
-        Lang::Japanese => page.japanese,
-        _ => page.english,
-    })
+    Some(lang.pick(page.english, page.japanese))
 }
 
 /// Returns the related codes: the finer ones of a class, or the class of a finer one.
 fn related(code: &str, lang: Lang) -> String {
-    let is_japanese = lang == Lang::Japanese;
     if let Some(mistake) = Mistake::ALL.iter().find(|mistake| mistake.id == code) {
         let class = mistake.class.id();
-        return match is_japanese {
-            true => format!("\n`tip explain {class}` に、{class}のほかのコードがあります。\n"),
-            false => format!("\n`tip explain {class}` lists the other codes of {class}.\n"),
+        return match lang {
+            Lang::Japanese => {
+                format!("\n`tip explain {class}` に、{class}のほかのコードがあります。\n")
+            }
+            _ => format!("\n`tip explain {class}` lists the other codes of {class}.\n"),
         };
     }
     let class = Code::ALL.iter().find(|class| class.id() == code);
@@ -68,10 +65,7 @@ fn related(code: &str, lang: Lang) -> String {
     let mut text = String::new();
     for mistake in finer {
         if text.is_empty() {
-            text += match is_japanese {
-                true => "\n## 細かいコード\n\n",
-                false => "\n## Its finer codes\n\n",
-            };
+            text += lang.pick("\n## Its finer codes\n\n", "\n## 細かいコード\n\n");
         }
         // Writing to a String cannot fail.
         let _ = writeln!(text, "- `{}`: {}", mistake.id, mistake.title(lang));

@@ -1,19 +1,18 @@
 //! The loader: the program that a command uses, the robot that it is for, and the scene around the robot.
 
-use super::arguments::{InputArguments, SourceArguments};
+use super::arguments::{RunArguments, SourceArguments};
+use super::choices::OutputOptions;
 use super::error::Error;
-use super::setup::{BuiltInOnly, ChosenRobot, PlantChoice, built_in_plant, in_scene, load_scene};
+use super::setup::{ChosenRobot, PlantChoice, in_scene, load_scene};
 use super::{embedded, input, report};
+use crate::message::Using;
 use std::fmt;
 use std::path::Path;
 use tip_runtime::plant::Scene;
 use tip_sim::{Events, Interpreter, Refused, Robot, Run};
 use tipc::Loaded;
-use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::program::Program;
-use tipc::source::Source;
-use tipc::syntax::Module;
 
 /// A loaded program with its diagnostics.
 pub(super) struct Subject {
@@ -26,39 +25,9 @@ pub(super) struct Subject {
     pub(super) scene: Scene,
 }
 
-/// A program without errors.
-pub(super) struct Checked {
-    pub(super) robot: ChosenRobot,
-    pub(super) scene: Scene,
-    pub(super) program: Program,
-    pub(super) source: Source,
-    pub(super) module: Module,
-    /// The warnings about it, which were reported.
-    pub(super) diagnostics: Vec<Diagnostic>,
-}
-
-/// A reason why there is no [`Subject`].
-pub(super) enum NotLoaded {
-    /// The description of the robot, or the scene, has errors.
-    Found(Box<Loaded>),
-    Failed(Error),
-}
-
-impl From<Box<Loaded>> for NotLoaded {
-    fn from(loaded: Box<Loaded>) -> Self {
-        NotLoaded::Found(loaded)
-    }
-}
-
-impl From<Error> for NotLoaded {
-    fn from(error: Error) -> Self {
-        NotLoaded::Failed(error)
-    }
-}
-
 /// Loads the program at `path` for a command that does not run it.
-pub(super) fn check(path: &Path, source: &SourceArguments) -> Result<Subject, NotLoaded> {
-    let chosen = source.robot().load()?;
+pub(super) fn check(path: &Path, source: &SourceArguments) -> Result<Subject, Error> {
+    let chosen = source.load_robot()?;
     let robot = chosen.simulated()?;
     Ok(Subject {
         loaded: judged(path, source, &robot),
@@ -68,26 +37,28 @@ pub(super) fn check(path: &Path, source: &SourceArguments) -> Result<Subject, No
     })
 }
 
-/// Loads the program at `path` for a command that runs it; `why` is the reason of a command that takes only the built-in plants.
+/// Loads the program at `path` for a command that runs it; `refusal` is the message of a command that takes only the built-in
+/// plants.
 pub(super) fn load(
     path: &Path,
-    source: &SourceArguments,
-    inputs: &InputArguments,
-    why: Option<BuiltInOnly>,
-) -> Result<Subject, NotLoaded> {
+    run: &RunArguments,
+    refusal: Option<Using>,
+) -> Result<Subject, Error> {
+    let RunArguments { source, inputs, .. } = run;
     let lang = source.output_options.lang();
     let plant = inputs.plant.as_ref();
-    let ours = match why {
-        Some(why) => built_in_plant(plant, why, lang)?,
-        None => plant.and_then(PlantChoice::name),
-    };
-    let chosen = source.robot().load()?;
-    let scene = load_scene(inputs.scene.as_ref(), ours)?;
+    let ours = plant.and_then(PlantChoice::name);
+    if let (Some(PlantChoice::Process(..)), Some(refusal)) = (plant, refusal) {
+        return Err(Error::usage(refusal, lang));
+    }
+    let chosen = source.load_robot()?;
+    let refused = Error::refused(source.output_options);
+    let scene = load_scene(inputs.scene.as_ref(), ours).map_err(refused)?;
     let plain = chosen.simulated()?;
     let robot = in_scene(plain.clone(), &scene)?;
     let events = inputs.inputs().events;
     if let Some(port) = events.ports().find(|port| !robot.has_input(*port)) {
-        return Err(usage(Refused::NoInput(port).text(lang)).into());
+        return Err(usage(Refused::NoInput(port).text(lang)));
     }
     // The diagnostics do not depend on the scene.
     let loaded = judged(path, source, &plain);
@@ -133,48 +104,20 @@ fn usage(reason: impl fmt::Display) -> Error {
     Error::Usage(reason.to_string())
 }
 
-/// Reports the diagnostics of a command that reports them once; `None` if a file cannot be used.
-pub(super) fn reported(
-    subject: Result<Subject, NotLoaded>,
-    source: &SourceArguments,
+/// Reports the warnings about a program unless `quiet`, and returns the program.
+///
+/// # Errors
+/// The program has errors.
+pub(super) fn sound(
+    subject: Subject,
+    output_options: OutputOptions,
     quiet: bool,
-) -> Result<Option<Subject>, Error> {
-    match subject {
-        Ok(subject) => {
-            if subject.loaded.program.is_none() || !quiet {
-                report::diagnostics(&subject.loaded, source.output_options);
-            }
-            Ok(Some(subject))
-        }
-        Err(NotLoaded::Found(loaded)) => {
-            report::diagnostics(&loaded, source.output_options);
-            Ok(None)
-        }
-        Err(NotLoaded::Failed(error)) => Err(error),
-    }
-}
-
-/// Reports the diagnostics; `None` if there is no program without errors.
-pub(super) fn checked(
-    subject: Result<Subject, NotLoaded>,
-    source: &SourceArguments,
-) -> Result<Option<Checked>, Error> {
-    let Some(subject) = reported(subject, source, false)? else {
-        return Ok(None);
+) -> Result<(Subject, Program), Error> {
+    let Some(program) = subject.loaded.program.clone() else {
+        return Err(Error::Refused(Box::new(subject.loaded), output_options));
     };
-    let Loaded {
-        source,
-        module,
-        program,
-        diagnostics,
-        ..
-    } = subject.loaded;
-    Ok(program.map(|program| Checked {
-        robot: subject.chosen,
-        scene: subject.scene,
-        program,
-        source,
-        module,
-        diagnostics,
-    }))
+    if !quiet {
+        report::diagnostics(&subject.loaded, output_options);
+    }
+    Ok((subject, program))
 }

@@ -1,11 +1,10 @@
 //! `tip lsp`: the language server of `tip-ide` on standard input and output, and the files that it needs.
 
 use super::Status;
-use super::choices::EncodingName;
 use super::error::Error;
 use super::setup::RobotChoice;
 use super::usage::BadValue;
-use super::{embedded, explain, project, sarif};
+use super::{choices, embedded, explain, project, sarif};
 use clap::Args;
 use std::collections::HashMap;
 use std::hint::black_box;
@@ -141,7 +140,7 @@ impl Workspace for Files {
 
     fn encoding(&mut self, path: &Path) -> Option<String> {
         let given = project::of(path).ok().flatten()?;
-        given.encoding.map(EncodingName::name)
+        given.encoding.map(choices::name)
     }
 
     #[cfg(unix)]
@@ -195,7 +194,7 @@ fn first_diagnostic(loaded: &Loaded, lang: Lang) -> String {
 /// Writes the page about a code to the cache of this user; returns its address.
 fn write_page(code: &str, lang: Lang) -> Option<String> {
     let text = explain::page(code, lang)?;
-    let language = if lang == Lang::Japanese { "ja" } else { "en" };
+    let language = lang.pick("en", "ja");
     let version = env!("CARGO_PKG_VERSION");
     let folder = cache()?.join("tip").join(version).join(language);
     let path = folder.join(format!("{code}.md"));

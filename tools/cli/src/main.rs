@@ -32,11 +32,10 @@ mod usage;
 mod verify;
 mod watch;
 
-use choices::{Format, OutputOptions};
+use choices::Format;
 use clap::{FromArgMatches, Parser, Subcommand};
 use error::Error;
 use std::process::ExitCode;
-use tipc::Loaded;
 
 /// Compiler, checker and simulator for T.I.P. 3.1 robot programs.
 #[derive(Debug, Parser)]
@@ -129,12 +128,12 @@ impl Verb {
     /// Returns the format of diagnostics, for commands that write no document.
     fn format(&self) -> Option<Format> {
         let output_options = match self {
-            Verb::Run(arguments) => arguments.source.output_options,
+            Verb::Run(arguments) => arguments.run.source.output_options,
             Verb::Fmt(arguments) => arguments.output_options,
-            Verb::Sweep(arguments) => arguments.source.output_options,
+            Verb::Sweep(arguments) => arguments.run.source.output_options,
             Verb::Emit(arguments) => arguments.source.output_options,
             Verb::Cycles(arguments) => arguments.source.output_options,
-            Verb::Verify(arguments) => arguments.source.output_options,
+            Verb::Verify(arguments) => arguments.run.source.output_options,
             Verb::Migrate(arguments) => arguments.output_options,
             Verb::New(arguments) => arguments.output_options,
             Verb::Robot(robot::RobotVerb::Check(arguments)) => arguments.output_options,
@@ -149,46 +148,40 @@ impl Verb {
     /// Completes the options from the nearest `tip.toml`; commands for several programs do so for each of them.
     ///
     /// # Errors
-    /// What is wrong with it, and how to show that.
-    fn complete(&mut self) -> Result<(), (Box<Loaded>, OutputOptions)> {
-        if let Verb::Run(it) = self
-            && let Some(file) = &it.hardware
-        {
-            it.source.robot = Some(setup::RobotChoice::File(file.clone()));
-        }
-        let program;
-        let (file, source, inputs, says) = match self {
-            Verb::Run(it) => (&it.file, &mut it.source, Some(&mut it.inputs), !it.quiet),
-            Verb::Verify(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
-            Verb::Sweep(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
-            Verb::Emit(it) => (&it.file, &mut it.source, None, false),
-            Verb::Cycles(it) => (&it.file, &mut it.source, None, false),
-            Verb::Debug(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
-            Verb::Log(record::Log { recorded: it, .. })
-            | Verb::Plot(record::Plot { recorded: it, .. })
-            | Verb::Serve(serve::Serve { recorded: it, .. }) => {
-                (&it.file, &mut it.source, Some(&mut it.inputs), false)
+    /// The `tip.toml` has errors.
+    fn complete(&mut self) -> Result<(), Error> {
+        match self {
+            Verb::Run(run::Run {
+                run,
+                hardware,
+                quiet,
+                ..
+            }) => {
+                if let Some(file) = hardware {
+                    run.source.robot = Some(setup::RobotChoice::File(file.clone()));
+                }
+                let given = run.complete(&run.file.clone())?;
+                if let Some(given) = given.filter(|_| !*quiet) {
+                    report::complain(&format!("{given}\n"));
+                }
+            }
+            Verb::Verify(verify::Verify { run, .. })
+            | Verb::Sweep(sweep::Sweep { run, .. })
+            | Verb::Debug(debug::Debug { run })
+            | Verb::Log(record::Log { run, .. })
+            | Verb::Plot(record::Plot { run, .. })
+            | Verb::Serve(serve::Serve { run, .. }) => {
+                run.complete(&run.file.clone())?;
             }
             Verb::View(it) => {
-                program = it.program(&it.recorded.file);
-                let recorded = &mut it.recorded;
-                (
-                    &program,
-                    &mut recorded.source,
-                    Some(&mut recorded.inputs),
-                    false,
-                )
+                let program = it.program(&it.run.file);
+                it.run.complete(&program)?;
             }
-            _ => return Ok(()),
-        };
-        let output_options = source.output_options;
-        let given = match inputs {
-            Some(inputs) => source.complete_run(file, inputs),
-            None => source.complete(file),
-        };
-        let given = given.map_err(|loaded| (loaded, output_options))?;
-        if let Some(given) = given.filter(|_| says) {
-            report::complain(&format!("{given}\n"));
+            Verb::Emit(translate::Emit { file, source, .. })
+            | Verb::Cycles(translate::Cycles { file, source }) => {
+                source.complete(file)?;
+            }
+            _ => {}
         }
         Ok(())
     }
@@ -226,11 +219,8 @@ fn main() -> ExitCode {
             });
         }
     };
-    if let Err((loaded, output_options)) = arguments.verb.complete() {
-        report::diagnostics(&loaded, output_options);
-        return exit(Status::Failure);
-    }
-    let outcome = match &arguments.verb {
+    let completed = arguments.verb.complete();
+    let outcome = completed.and_then(|()| match &arguments.verb {
         verb if verb.format() == Some(Format::Sarif) => {
             Err(Error::Usage("only tip check writes SARIF".to_owned()))
         }
@@ -256,7 +246,7 @@ fn main() -> ExitCode {
         Verb::Drives(verb) => drives::drives(verb),
         Verb::Jitter(arguments) => drives::realtime::jitter(arguments),
         Verb::Robot(verb) => robot::robot(verb),
-    };
+    });
     exit(outcome.unwrap_or_else(|error| {
         report::error(&error, usage::lang());
         error.status()

@@ -10,7 +10,7 @@ mod template;
 use super::choices::OutputOptions;
 use super::error::Error;
 use super::usage::BadValue;
-use super::{Status, output, report};
+use super::{Status, output};
 use crate::message::{Making, Using};
 use clap::Args;
 use files::File;
@@ -81,20 +81,16 @@ fn edition(text: &str) -> Result<Edition, BadValue> {
 /// Makes a crate.
 pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
-    let refused = |reason: Making| Error::Failed(reason.in_lang(lang).to_string());
-    let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(refused)?;
-    let mut template = match arguments.robot.template() {
-        Ok(template) => template.in_edition(arguments.edition),
-        Err(loaded) => {
-            report::diagnostics(&loaded, arguments.output_options);
-            return Ok(Status::Failure);
-        }
-    };
+    let failed = |reason: Making| Error::failed(reason, lang);
+    let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(failed)?;
+    let refused = Error::refused(arguments.output_options);
+    let template = arguments.robot.template().map_err(refused)?;
+    let mut template = template.in_edition(arguments.edition);
     if arguments.hardware {
         template.description = template.description.take().map(bus::with_bus);
     }
     let files = files::crate_files(place, &template, &origin, arguments.hardware);
-    files::write_crate(place, &files).map_err(refused)?;
+    files::write_crate(place, &files).map_err(failed)?;
     output::print(made(place, &template, &files, lang))?;
     Ok(Status::Success)
 }

@@ -13,7 +13,20 @@ use std::time::Duration;
 use tip_runtime::printable::{Printable, is_control};
 use tip_runtime::record::AtomicFile;
 use tipc::embed;
-use tipc::message::{Lang, Reading};
+use tipc::message::{Lang, Message, Reading};
+
+/// Writes content to the file that an option names, which none of the inputs may be, or to standard output.
+pub(super) fn write(
+    out: Option<&Path>,
+    inputs: &[&Path],
+    content: impl AsRef<[u8]>,
+) -> Result<(), Error> {
+    let Some(out) = out else {
+        return print(content);
+    };
+    refuse_inputs(out, inputs)?;
+    replace(out, content)
+}
 
 /// Replaces the content of a file, or prints it if the path is `-`. A pipe may never get a reader: a signal ends the process then.
 pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
@@ -93,6 +106,11 @@ pub(super) fn print(content: impl AsRef<[u8]>) -> Result<(), Error> {
         }
         _ => Ok(()),
     }
+}
+
+/// Prints a message on a line of its own.
+pub(super) fn say(message: impl Into<Message>, lang: Lang) -> Result<(), Error> {
+    print(format!("{}\n", message.into().in_lang(lang)))
 }
 
 /// Makes content printable for a terminal.

@@ -1,7 +1,8 @@
 //! `tip.toml`: the robot, the encoding and the scene that options leave open. The nearest file counts.
 
-use super::arguments::{InputArguments, SourceArguments};
-use super::choices::EncodingName;
+use super::arguments::{RunArguments, SourceArguments};
+use super::choices::{EncodingName, name};
+use super::error::Error;
 use super::input;
 use super::setup::{RobotChoice, SceneChoice};
 use std::path::{Path, PathBuf, absolute};
@@ -99,8 +100,8 @@ impl SourceArguments {
     ///
     /// # Errors
     /// The `tip.toml` has errors.
-    pub(super) fn complete(&mut self, program: &Path) -> Result<Option<Settings>, Box<Loaded>> {
-        let mut given = of(program)?;
+    pub(super) fn complete(&mut self, program: &Path) -> Result<Option<Settings>, Error> {
+        let mut given = of(program).map_err(Error::refused(self.output_options))?;
         if let Some(given) = &mut given {
             given.scene = given.scene_for(self.robot.as_ref()).cloned();
             complete(&mut self.robot, &mut given.robot);
@@ -110,19 +111,17 @@ impl SourceArguments {
         self.given = given.as_ref().and_then(robot);
         Ok(given.filter(Settings::is_some))
     }
+}
 
+impl RunArguments {
     /// Completes the options of a run, which also has a scene.
     ///
     /// # Errors
     /// The `tip.toml` has errors.
-    pub(super) fn complete_run(
-        &mut self,
-        program: &Path,
-        inputs: &mut InputArguments,
-    ) -> Result<Option<Settings>, Box<Loaded>> {
-        let mut given = self.complete(program)?;
+    pub(super) fn complete(&mut self, program: &Path) -> Result<Option<Settings>, Error> {
+        let mut given = self.source.complete(program)?;
         if let Some(given) = &mut given {
-            complete(&mut inputs.scene, &mut given.scene);
+            complete(&mut self.inputs.scene, &mut given.scene);
         }
         Ok(given.filter(Settings::is_some))
     }
@@ -157,7 +156,7 @@ impl Settings {
 impl fmt::Display for Settings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let robot = self.robot.as_ref().map(|robot| format!("robot {robot}"));
-        let encoding = self.encoding.map(|it| format!("encoding {}", it.name()));
+        let encoding = self.encoding.map(|it| format!("encoding {}", name(it)));
         let scene = self.scene.as_ref().map(|scene| format!("scene {scene}"));
         let given: Vec<String> = [robot, encoding, scene].into_iter().flatten().collect();
         write!(f, "{}: {}", self.file.display(), given.join(", "))

@@ -1,12 +1,11 @@
-//! Commands that record a run and write what it did: `tip view`, `tip log` and `tip plot`. `tip serve` shares their arguments.
+//! Commands that record a run and write what it did: `tip view`, `tip log` and `tip plot`. `tip serve` loads programs in the same way.
 
-use crate::arguments::{InputArguments, SourceArguments};
+use crate::arguments::RunArguments;
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Running, Sweeping, Using};
 use crate::report::plural;
 use crate::run::{LONG_WAIT, wait_message};
-use crate::setup::{BuiltInOnly, SceneChoice};
 use crate::usage::{count, quoted};
 use crate::{Status, input, interrupt, output, report, sweep};
 use clap::{Args, ValueEnum};
@@ -15,34 +14,22 @@ use std::path::{Path, PathBuf};
 use tip_log::Diagram;
 use tip_runtime::printable::Printable;
 use tip_sim::{Robot, urdf};
-use tip_view::{Extent, Outcome, Pace, Recording, TraceError};
+use tip_view::{Extent, Outcome, Pace, Recording};
 use tipc::Loaded;
+use tipc::message::Lang;
 
 /// Maximum length of a recording without `--cycles`, minutes of robot time.
 const MAX_MINUTES: f64 = 10.0;
 
-/// The arguments of commands that record a run.
-#[derive(Debug, Args)]
-pub(super) struct RecordedArguments {
-    /// The program
-    pub(super) file: PathBuf,
-
-    #[command(flatten)]
-    pub(super) source: SourceArguments,
-
-    #[command(flatten)]
-    pub(super) inputs: InputArguments,
-}
-
 /// A recording and its robot.
-pub(super) struct Recorded {
-    pub(super) recording: Recording,
-    pub(super) robot: Robot,
+struct Recorded {
+    recording: Recording,
+    robot: Robot,
 }
 
 impl Recorded {
     /// Returns the exit status for the end of the run.
-    pub(super) fn status(&self) -> Status {
+    fn status(&self) -> Status {
         match self.recording.outcome {
             Outcome::Interrupted => Status::Interrupted,
             Outcome::Emergency(_) => Status::Emergency,
@@ -51,55 +38,36 @@ impl Recorded {
     }
 }
 
-impl RecordedArguments {
-    /// Returns the files that are read.
-    pub(super) fn files(&self) -> Vec<&Path> {
-        let scene = self.inputs.scene.as_ref();
-        let scene = scene.and_then(SceneChoice::file);
-        let robot = self.source.robot().file();
-        [self.file.as_path()]
-            .into_iter()
-            .chain(robot)
-            .chain(scene)
-            .collect()
-    }
-
-    /// Runs the program until it ends, the time is over, or someone presses Ctrl-C; `None` if there are errors, which were
-    /// reported.
-    pub(super) fn record(&self, pace: Pace, why: BuiltInOnly) -> Result<Option<Recorded>, Error> {
-        let Some(Subject { loaded, robot, .. }) = self.load(&self.file, false, why)? else {
-            return Ok(None);
-        };
-        let recording = self.run(&loaded, &robot, pace)?;
+impl RunArguments {
+    /// Runs the program until it ends, the time is over, or someone presses Ctrl-C.
+    fn record(&self, pace: Pace, command: &'static str) -> Result<Recorded, Error> {
+        let refusal = Using::ProcessIsRun { command };
+        let Subject { loaded, robot, .. } = self.load(&self.file, false, refusal)?;
+        let recording = self.recording(&loaded, &robot, pace)?;
         interrupt::hold();
         self.report_wait(&recording);
         if let Outcome::Emergency(_) = recording.outcome {
             report::complain(&format!("{}\n", recording.outcome));
         }
-        Ok(Some(Recorded { recording, robot }))
+        Ok(Recorded { recording, robot })
     }
 
-    /// Loads the program and the robot in its scene; `None` if there are errors, which were reported. `why` is the reason why only
-    /// the built-in plants can be used.
+    /// Loads the program and the robot in its scene, and reports warnings unless `quiet`; `refusal` is the message that only the
+    /// built-in plants can be used.
     pub(super) fn load(
         &self,
         program: &Path,
         quiet: bool,
-        why: BuiltInOnly,
-    ) -> Result<Option<Subject>, Error> {
+        refusal: Using,
+    ) -> Result<Subject, Error> {
         interrupt::catch();
-        let subject = loader::load(program, &self.source, &self.inputs, Some(why));
-        let subject = loader::reported(subject, &self.source, quiet)?;
-        Ok(subject.filter(|subject| subject.loaded.program.is_some()))
+        let subject = loader::load(program, self, Some(refusal))?;
+        let (subject, _) = loader::sound(subject, self.source.output_options, quiet)?;
+        Ok(subject)
     }
 
     /// Runs a loaded program.
-    pub(super) fn run(
-        &self,
-        loaded: &Loaded,
-        robot: &Robot,
-        pace: Pace,
-    ) -> Result<Recording, Error> {
+    fn recording(&self, loaded: &Loaded, robot: &Robot, pace: Pace) -> Result<Recording, Error> {
         let inputs = self.inputs.inputs();
         let extent = inputs
             .cycles
@@ -110,7 +78,7 @@ impl RecordedArguments {
     }
 
     /// Reports the wait at the end of a run, and the reason of an end that nobody asked for.
-    pub(super) fn report_wait(&self, recording: &Recording) {
+    fn report_wait(&self, recording: &Recording) {
         let lang = self.source.output_options.lang();
         let wait = recording.wait.as_ref().map(wait_message);
         let lasted = recording.time(recording.cycles);
@@ -131,7 +99,7 @@ impl RecordedArguments {
             Some(wait) => Running::IsWaiting { wait },
             None => return,
         };
-        report::complain(&format!("{}\n", text.in_lang(lang)));
+        report::say(text, lang);
     }
 }
 
@@ -161,7 +129,7 @@ Exit status: 0 written, 1 the program does not load or a file cannot be read or 
 2 wrong usage, 130 interrupted; what was recorded until then is written.")]
 pub(super) struct View {
     #[command(flatten)]
-    pub(super) recorded: RecordedArguments,
+    pub(super) run: RunArguments,
 
     /// A second program or trace, to compare
     #[arg(value_name = "OTHER")]
@@ -192,31 +160,21 @@ pub(super) struct View {
 
 /// Records a run, or reads the trace of one, and writes the page that replays it.
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
-    let recorded = &arguments.recorded;
-    if sweep::is_table(&recorded.file) {
+    let run = &arguments.run;
+    if sweep::is_table(&run.file) {
         return arguments.table();
     }
     if arguments.case.is_some() {
-        let lang = recorded.source.output_options.lang();
-        return Err(Error::Usage(
-            Using::CaseNeedsTable.in_lang(lang).to_string(),
-        ));
+        return Err(Error::usage(Using::CaseNeedsTable, arguments.lang()));
     }
     let out = arguments.out();
-    let mut read = recorded.files();
+    let mut read = run.files();
     read.extend(arguments.program.as_deref());
     read.extend(arguments.other.as_deref());
     output::refuse_inputs(&out, &read)?;
-    let Some(recording) = arguments.recording(&recorded.file)? else {
-        return Ok(Status::Failure);
-    };
-    let other = match &arguments.other {
-        Some(other) => match arguments.recording(other)? {
-            Some(other) => Some(other),
-            None => return Ok(Status::Failure),
-        },
-        None => None,
-    };
+    let recording = arguments.recording(&run.file)?;
+    let other = arguments.other.as_ref();
+    let other = other.map(|other| arguments.recording(other)).transpose()?;
     interrupt::hold();
     let page = match &other {
         Some(other) => recording.to_comparison(other),
@@ -228,8 +186,8 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
             Some(other) => comparison(&recording, other, &out, page.len()),
             None => summary(&recording, &out, page.len()),
         });
-        if !arguments.is_trace(&recorded.file) {
-            recorded.report_wait(&recording);
+        if !arguments.is_trace(&run.file) {
+            run.report_wait(&recording);
         }
     }
     Ok(match recording.outcome {
@@ -250,9 +208,13 @@ fn beside(program: &Path, ending: &str) -> PathBuf {
 const MAX_TRACE: usize = 1024;
 
 impl View {
+    fn lang(&self) -> Lang {
+        self.run.source.output_options.lang()
+    }
+
     /// Returns the path of the page.
     fn out(&self) -> PathBuf {
-        let page = beside(&self.recorded.file, "html");
+        let page = beside(&self.run.file, "html");
         match (&self.out, &self.other) {
             (Some(out), _) => out.clone(),
             (None, None) => page,
@@ -268,14 +230,13 @@ impl View {
 
     /// Writes the page of a table, or that of one of its runs.
     fn table(&self) -> Result<Status, Error> {
-        let file = &self.recorded.file;
-        let lang = self.recorded.source.output_options.lang();
+        let (file, lang) = (&self.run.file, self.lang());
         let out = match (&self.out, self.case) {
             (None, Some(case)) => file.with_extension(format!("{case}.html")),
             _ => self.out(),
         };
         if self.other.is_some() {
-            return Err(Error::Usage(Using::OneTable.in_lang(lang).to_string()));
+            return Err(Error::usage(Using::OneTable, lang));
         }
         output::refuse_inputs(&out, &[file, &sweep::specification(file)])?;
         if let Some(case) = self.case {
@@ -287,15 +248,10 @@ impl View {
             }
             return Ok(Status::Success);
         }
-        let name = Printable::line(file.display()).to_string();
-        let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
-        let table = input::read(file, MAX_TRACE).map_err(|reason| failed(&reason.in_lang(lang)))?;
-        let table = String::from_utf8(table).map_err(|error| failed(&error))?;
+        let (name, table) = self.text(file)?;
         if !table.starts_with("case,") {
             let file = name.into();
-            return Err(Error::Failed(
-                Sweeping::NoTable { file }.in_lang(lang).to_string(),
-            ));
+            return Err(Error::failed(Sweeping::NoTable { file }, lang));
         }
         let page = tip_view::sweep_page(&name, &table, &format!("tip view {}", quoted(&name)));
         output::replace(&out, &page)?;
@@ -305,7 +261,7 @@ impl View {
                 runs: (table.lines().count() - 1).to_string(),
                 size: (page.len() / 1000).to_string(),
             };
-            report::complain(&format!("{}\n", page.in_lang(lang)));
+            report::say(page, lang);
         }
         Ok(Status::Success)
     }
@@ -325,37 +281,37 @@ impl View {
         }
     }
 
-    /// Runs a program, or reads a trace; `None` if there are errors, which were reported.
-    fn recording(&self, file: &Path) -> Result<Option<Recording>, Error> {
-        let (recorded, program) = (&self.recorded, self.program(file));
-        if self.program.is_none() && self.is_trace(file) && !program.exists() {
+    /// Runs a program, or reads a trace.
+    fn recording(&self, file: &Path) -> Result<Recording, Error> {
+        let (is_trace, program) = (self.is_trace(file), self.program(file));
+        if self.program.is_none() && is_trace && !program.exists() {
             let file = file.display().to_string().into();
-            let lang = recorded.source.output_options.lang();
-            let text = Using::TraceWithoutProgram { file };
-            return Err(Error::Usage(text.in_lang(lang).to_string()));
+            return Err(Error::usage(
+                Using::TraceWithoutProgram { file },
+                self.lang(),
+            ));
         }
-        let why = BuiltInOnly::Records("view");
-        let Some(Subject { loaded, robot, .. }) = recorded.load(&program, self.quiet, why)? else {
-            return Ok(None);
-        };
-        let recording = match self.is_trace(file) {
-            true => self.read(file, &loaded, &robot)?,
-            false => recorded.run(&loaded, &robot, Pace::Smooth)?,
-        };
-        Ok(Some(recording))
-    }
-
-    fn read(&self, file: &Path, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
-        let name = Printable::line(file.display()).to_string();
-        let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
-        let lang = self.recorded.source.output_options.lang();
-        let trace = input::read(file, MAX_TRACE).map_err(|reason| failed(&reason.in_lang(lang)))?;
-        let trace = String::from_utf8(trace).map_err(|error| failed(&error))?;
-        let read = Recording::from_trace(&trace, loaded, robot);
-        let mut recording = read.map_err(|error: TraceError| failed(&error))?;
+        let refusal = Using::ProcessIsRun { command: "view" };
+        let Subject { loaded, robot, .. } = self.run.load(&program, self.quiet, refusal)?;
+        if !is_trace {
+            return self.run.recording(&loaded, &robot, Pace::Smooth);
+        }
+        let (name, trace) = self.text(file)?;
+        let read = Recording::from_trace(&trace, &loaded, &robot);
+        let mut recording = read.map_err(|error| Error::Failed(format!("{name}: {error}")))?;
         // Two traces may be of one program.
         recording.script.name = name;
         Ok(recording)
+    }
+
+    /// Reads a trace or a table; returns its printable name, too.
+    fn text(&self, file: &Path) -> Result<(String, String), Error> {
+        let name = Printable::line(file.display()).to_string();
+        let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
+        let read = input::read(file, MAX_TRACE);
+        let read = read.map_err(|reason| failed(&reason.in_lang(self.lang())))?;
+        let text = String::from_utf8(read).map_err(|error| failed(&error))?;
+        Ok((name, text))
     }
 }
 
@@ -407,7 +363,7 @@ Exit status: as for 'tip run'."
 )]
 pub(super) struct Log {
     #[command(flatten)]
-    pub(super) recorded: RecordedArguments,
+    pub(super) run: RunArguments,
 
     /// The file; '-' is a table on standard output
     ///
@@ -453,13 +409,8 @@ impl LogFormat {
 /// Runs the program and writes the log.
 pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
     let (out, kind) = (&arguments.out, LogFormat::of(&arguments.out)?);
-    output::refuse_inputs(out, &arguments.recorded.files())?;
-    let Some(recorded) = arguments
-        .recorded
-        .record(kind.pace(arguments.every), BuiltInOnly::Records("log"))?
-    else {
-        return Ok(Status::Failure);
-    };
+    output::refuse_inputs(out, &arguments.run.files())?;
+    let recorded = arguments.run.record(kind.pace(arguments.every), "log")?;
     let recording = &recorded.recording;
     let mut bytes = Vec::new();
     let written: io::Result<()> = match kind {
@@ -495,7 +446,7 @@ Exit status: as for 'tip run'."
 )]
 pub(super) struct Plot {
     #[command(flatten)]
-    pub(super) recorded: RecordedArguments,
+    pub(super) run: RunArguments,
 
     /// The file; else FILE.svg next to FILE
     ///
@@ -540,19 +491,14 @@ impl DiagramName {
 /// Runs the program and writes the diagrams.
 pub(super) fn plot(arguments: &Plot) -> Result<Status, Error> {
     let out = arguments.out.clone();
-    let out = &out.unwrap_or_else(|| beside(&arguments.recorded.file, "svg"));
-    output::refuse_inputs(out, &arguments.recorded.files())?;
-    let Some(recorded) = arguments
-        .recorded
-        .record(Pace::Smooth, BuiltInOnly::Records("plot"))?
-    else {
-        return Ok(Status::Failure);
-    };
+    let out = &out.unwrap_or_else(|| beside(&arguments.run.file, "svg"));
+    output::refuse_inputs(out, &arguments.run.files())?;
+    let recorded = arguments.run.record(Pace::Smooth, "plot")?;
     let diagrams: Vec<Diagram> = match arguments.of.as_slice() {
         [] => Diagram::ALL.into(),
         some => some.iter().map(|what| what.diagram()).collect(),
     };
-    let lang = arguments.recorded.source.output_options.lang();
+    let lang = arguments.run.source.output_options.lang();
     let drawn = tip_log::plot(&recorded.recording, &diagrams, lang);
     let text = drawn.map_err(|reason| Error::cannot_write(out, reason))?;
     output::replace(out, text)?;

@@ -1,20 +1,22 @@
 //! Reports of diagnostics and errors, for people on standard error and for tools on standard output, and `--deny`.
 
-use crate::choices::Format;
-use crate::choices::OutputOptions;
+use crate::choices::{Format, OutputOptions};
 use crate::error::Error;
 use crate::message::{Checking, Using, Weight};
 use crate::output;
 use crate::sarif::Document;
 use clap::Args;
+use indicatif::ProgressStyle;
 use std::io::{self, Write};
 use tip_lint::message::More;
 use tip_runtime::printable::Printable;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
 use tipc::language::Edition;
-use tipc::message::Lang;
 use tipc::message::list::Each;
+use tipc::message::{Lang, Message};
+use tipc::program::{Program, StepId};
+use tipc::source::Source;
 use tipc::{Loaded, render};
 
 /// Maximum number of diagnostics of a file that people see.
@@ -83,7 +85,7 @@ impl Total {
                 errors: self.errors.into(),
                 warnings: self.warnings.into(),
             };
-            complain(&format!("{}\n", total.in_lang(output_options.lang())));
+            say(total, output_options.lang());
         }
         learn_more(self.codes.into_iter(), output_options);
         Ok(())
@@ -96,10 +98,7 @@ pub(super) fn check(loaded: &Loaded, output_options: OutputOptions) -> Result<()
     match output_options.message_format {
         Format::Human => {
             write_stderr(&text);
-            complain(&format!(
-                "{}\n",
-                summary(loaded).in_lang(output_options.lang())
-            ));
+            say(summary(loaded), output_options.lang());
             Ok(())
         }
         Format::Short | Format::Json => output::print(&text),
@@ -132,7 +131,7 @@ fn learn_more(codes: impl Iterator<Item = &'static str>, output_options: OutputO
         }
         _ => return,
     };
-    complain(&format!("{}\n", text.in_lang(output_options.lang())));
+    say(text, output_options.lang());
 }
 
 /// Returns the codes of the diagnostics that people see.
@@ -143,8 +142,10 @@ fn shown(loaded: &Loaded) -> impl Iterator<Item = &'static str> {
 
 /// Reports an error.
 pub(super) fn error(error: &Error, lang: Lang) {
-    if let Error::Cargo { output, .. } = error {
-        complain(output);
+    match error {
+        Error::Refused(loaded, options) => return diagnostics(loaded, *options),
+        Error::Cargo { output, .. } => complain(output),
+        _ => {}
     }
     let text = Printable::line(error.text(lang)).to_string();
     let weight = Weight::Error.in_lang(lang);
@@ -152,6 +153,11 @@ pub(super) fn error(error: &Error, lang: Lang) {
         Error::Interrupted(_) => format!("{text}\n"),
         _ => format!("{weight}: {text}\n"),
     });
+}
+
+/// Writes a message to standard error, on a line of its own.
+pub(super) fn say(message: impl Into<Message>, lang: Lang) {
+    complain(&format!("{}\n", message.into().in_lang(lang)));
 }
 
 /// Writes to standard error, made printable; errors are ignored.
@@ -167,6 +173,16 @@ pub(super) fn clear() {
 /// Writes text that may have colours to standard error.
 pub(super) fn write_stderr(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
+}
+
+/// Rate of drawing lines of progress, Hz.
+pub(super) const RATE: u8 = 5;
+
+/// Returns the style of a line of progress.
+pub(super) fn progress_style(template: &str) -> ProgressStyle {
+    let plain = ProgressStyle::default_bar();
+    let style = ProgressStyle::with_template(template);
+    style.unwrap_or(plain).progress_chars("=> ")
 }
 
 fn render(loaded: &Loaded, output_options: OutputOptions) -> String {
@@ -223,6 +239,18 @@ fn no_snippet(diagnostic: &Diagnostic, lang: Lang) -> String {
     let text = format!("{error}[{code}]: {file}: {reason}");
     let (headline, classical) = (Printable::line(text), Printable::line(diagnostic.title()));
     format!("{headline}\n  = {note}: {classical}")
+}
+
+/// Returns the line of a step with its file and position; nothing if there is no such step.
+pub(super) fn step_location(source: &Source, program: &Program, step: StepId) -> String {
+    let Some(step) = program.steps().get(step as usize) else {
+        return String::new();
+    };
+    let (line, column) = (step.line, step.column);
+    let gutter = " ".repeat(line.to_string().len());
+    let statement = Printable::line(source.line_text(line));
+    let name = Printable::line(source.name());
+    format!("{gutter}--> {name}:{line}:{column}\n{gutter} |\n{line} | {statement}\n{gutter} |\n")
 }
 
 /// Returns the result of a check.

@@ -1,7 +1,6 @@
 //! `tip robot`: lists, shows, checks, imports and exports robots.
 
-use crate::choices::OutputOptions;
-use crate::choices::{Format, LangName, RobotName};
+use crate::choices::{Format, LangName, OutputOptions, RobotName};
 use crate::error::Error;
 use crate::message::{Using, Weight};
 use crate::setup::{RobotChoice, SceneChoice, in_scene, load_scene};
@@ -353,13 +352,7 @@ fn import(arguments: &Import) -> Result<Status, Error> {
     let Some(imported) = read_urdf(path, &choices, lang) else {
         return Ok(Status::Failure);
     };
-    match &arguments.out {
-        Some(out) => {
-            output::refuse_inputs(out, &[path])?;
-            output::replace(out, &imported.toml)?;
-        }
-        None => output::print(&imported.toml)?,
-    }
+    output::write(arguments.out.as_deref(), &[path], &imported.toml)?;
     let name = Printable::line(input::name(path));
     for line in &imported.report {
         let line = line.in_lang(lang);
@@ -417,33 +410,18 @@ pub(super) struct Export {
 
 /// Writes the robot.
 fn export(arguments: &Export) -> Result<Status, Error> {
-    let robot = match arguments.robot.load() {
-        Ok(robot) => robot.simulated()?,
-        Err(loaded) => {
-            report::diagnostics(&loaded, arguments.output_options);
-            return Ok(Status::Failure);
-        }
-    };
+    let refused = Error::refused(arguments.output_options);
+    let robot = arguments.robot.load().map_err(&refused)?.simulated()?;
     let text = match arguments.mjcf {
         false => urdf::export(&robot),
-        true => match load_scene(arguments.scene.as_ref(), None) {
-            Ok(scene) => mjcf::export(&in_scene(robot, &scene)?),
-            Err(loaded) => {
-                report::diagnostics(&loaded, arguments.output_options);
-                return Ok(Status::Failure);
-            }
-        },
-    };
-    match &arguments.out {
-        Some(out) => {
-            let robot = arguments.robot.file();
-            let scene = arguments.scene.as_ref().and_then(SceneChoice::file);
-            let files: Vec<&Path> = robot.into_iter().chain(scene).collect();
-            output::refuse_inputs(out, &files)?;
-            output::replace(out, text)?;
+        true => {
+            let scene = load_scene(arguments.scene.as_ref(), None).map_err(&refused)?;
+            mjcf::export(&in_scene(robot, &scene)?)
         }
-        None => output::print(text)?,
-    }
+    };
+    let scene = arguments.scene.as_ref().and_then(SceneChoice::file);
+    let files: Vec<&Path> = arguments.robot.file().into_iter().chain(scene).collect();
+    output::write(arguments.out.as_deref(), &files, text)?;
     Ok(Status::Success)
 }
 

@@ -5,7 +5,7 @@ mod emergency;
 mod files;
 mod summary;
 
-use super::arguments::{InputArguments, SourceArguments};
+use super::arguments::RunArguments;
 use super::drives::message::Driving;
 use super::drives::realtime;
 use super::drives::robot::{Connection, Setup};
@@ -18,15 +18,15 @@ use crate::message::{Running, Using, Weight};
 use clap::Args;
 use console::{Live, Progress, Screen};
 use emergency::Stopped;
-use files::{Extras, Trace};
+use files::Trace;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use summary::{driven, fall, summary};
-
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, WaitDetector};
 use tipc::Loaded;
+use tipc::message::Lang;
 use tipc::program::Program;
 
 pub(super) use summary::{line, wait_message};
@@ -64,14 +64,8 @@ Exit status; the first that applies:
   4    the robot fell, with --deny falls; the run goes on to its end
   0    END, EXIT or --cycles used up")]
 pub(super) struct Run {
-    /// The program
-    pub(super) file: PathBuf,
-
     #[command(flatten)]
-    pub(super) source: SourceArguments,
-
-    #[command(flatten)]
-    pub(super) inputs: InputArguments,
+    pub(super) run: RunArguments,
 
     /// Write the trace; '-' is standard output
     ///
@@ -129,24 +123,27 @@ pub(super) struct Run {
     pub(super) quiet: bool,
 }
 
+impl Run {
+    fn lang(&self) -> Lang {
+        self.run.source.output_options.lang()
+    }
+}
+
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     interrupt::catch();
-    let plant = arguments.inputs.plant.as_ref();
+    let plant = arguments.run.inputs.plant.as_ref();
     let process = plant.and_then(PlantChoice::process);
     if process.is_some() {
         reject_built_in_options(arguments)?;
     }
-    let source = &arguments.source;
-    let subject = loader::load(&arguments.file, source, &arguments.inputs, None);
-    let subject = loader::reported(subject, source, arguments.quiet)?;
-    let Some(Subject {
+    let Subject {
         mut loaded, robot, ..
-    }) = subject
-    else {
-        return Ok(Status::Failure);
-    };
-    let inputs = arguments.inputs.inputs();
+    } = loader::load(&arguments.run.file, &arguments.run, None)?;
+    if loaded.program.is_none() || !arguments.quiet {
+        report::diagnostics(&loaded, arguments.run.source.output_options);
+    }
+    let inputs = arguments.run.inputs.inputs();
     if arguments.deny.rejects(&loaded) {
         return Ok(Status::Failure);
     }
@@ -175,13 +172,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     };
     // The trace comes next: it changes nothing before the end, and if it cannot be written, no log is touched.
     let trace = match (&arguments.trace, &begun) {
-        (Some(path), Some(_)) => {
-            let extras = Extras {
-                state: arguments.trace_state,
-                motion: arguments.trace_motion,
-            };
-            Some(Trace::begin(path, extras)?)
-        }
+        (Some(path), Some(_)) => Some(Trace::begin(path, arguments)?),
         _ => None,
     };
     let logs = match &arguments.out_dir {
@@ -208,7 +199,7 @@ struct Job<'a> {
 
 /// Finds the servos of a real robot, and moves it to its initial posture after a key; `None` if it was interrupted.
 fn connected(arguments: &Run, file: &Path) -> Result<Option<Connection>, Error> {
-    let lang = arguments.source.output_options.lang();
+    let lang = arguments.lang();
     let description = match input::describe(file) {
         Ok(description) => description,
         // It was loaded before, and can have changed only since.
@@ -220,9 +211,9 @@ fn connected(arguments: &Run, file: &Path) -> Result<Option<Connection>, Error> 
     if !connection.is_simulated() && !arguments.yes {
         connection.announce();
         if !io::stdin().is_terminal() {
-            return Err(Error::Usage(Driving::NeedsYes.in_lang(lang).to_string()));
+            return Err(Error::usage(Driving::NeedsYes, lang));
         }
-        report::complain(&format!("{}\n", Driving::PressReturn.in_lang(lang)));
+        report::say(Driving::PressReturn, lang);
         let mut line = String::new();
         let read = io::stdin().read_line(&mut line);
         if !read.is_ok_and(|count| count > 0) || interrupt::is_requested() {
@@ -239,9 +230,8 @@ impl Job<'_> {
     /// Returns the run before its first cycle.
     fn new_run(&self, program: Program, robot: &Robot) -> Result<tip_sim::Run, Error> {
         let run = self.start(Interpreter::new(program), robot)?.followed();
-        run.with_events(&self.inputs.events).map_err(|refused| {
-            Error::Usage(refused.text(self.arguments.source.output_options.lang()))
-        })
+        run.with_events(&self.inputs.events)
+            .map_err(|refused| Error::Usage(refused.text(self.arguments.lang())))
     }
 
     /// Runs the program and reports the end.
@@ -255,7 +245,8 @@ impl Job<'_> {
         let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
         let screen = Screen::new(self.progress(), messages, logs);
         let anatomy = robot.anatomy();
-        let options = self.arguments.source.options(robot.options().robot);
+        let source = &self.arguments.run.source;
+        let (options, lang) = (source.options(robot.options().robot), self.arguments.lang());
         let mut run = begun.with_console(screen);
         let is_live = self.is_live();
         let mut connection = self.connection.take();
@@ -268,10 +259,7 @@ impl Job<'_> {
             has_waited: false,
         };
         if is_live {
-            watch.live = Some(Live::begin(
-                self.arguments.quiet,
-                self.arguments.source.output_options.lang(),
-            ));
+            watch.live = Some(Live::begin(self.arguments.quiet, lang));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
         let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
@@ -293,20 +281,19 @@ impl Job<'_> {
                 options,
                 anatomy: &anatomy,
             };
-            report::write_stderr(&stopped.report(self.arguments.source.output_options));
+            report::write_stderr(&stopped.report(source.output_options));
         }
         if !self.arguments.quiet {
-            let lang = self.arguments.source.output_options.lang();
             let dropped = run.console::<Screen>().map_or(0, Screen::dropped);
             if dropped > 0 {
                 let texts = dropped.to_string();
-                let text = Running::LeftOut { texts };
-                report::complain(&format!("{}\n", text.in_lang(lang)));
+                report::say(Running::LeftOut { texts }, lang);
             }
             let summary = summary(&run, ending, wait.as_ref(), &self.loaded.source, lang);
             report::complain(&summary);
-            live.iter()
-                .for_each(|live| report::complain(&live.pace(lang)));
+            if let Some(live) = &live {
+                report::complain(&live.pace(lang));
+            }
             if let Some(connection) = &connection {
                 report::complain(&driven(connection, live.as_ref().map(Live::jitter), lang));
             }
@@ -328,9 +315,8 @@ impl Job<'_> {
         }
         match &self.process {
             Some(process) => {
-                let lang = self.arguments.source.output_options.lang();
                 let run = tip_sim::Run::external(program, robot, process);
-                run.map_err(|refused| Error::Failed(refused.text(lang)))
+                run.map_err(|refused| Error::Failed(refused.text(self.arguments.lang())))
             }
             None => tip_sim::Run::new(program, robot.clone())
                 .map_err(|mismatch| Error::Usage(mismatch.to_string())),
@@ -358,13 +344,11 @@ impl Job<'_> {
         match ending {
             Ending::Interrupted => Status::Interrupted,
             Ending::Emergency(_) => Status::Emergency,
-            Ending::Program(_) | Ending::Limit if fell && self.denies_falls() => Status::Fell,
+            Ending::Program(_) | Ending::Limit if fell && self.arguments.deny.falls() => {
+                Status::Fell
+            }
             Ending::Program(_) | Ending::Limit => Status::Success,
         }
-    }
-
-    fn denies_falls(&self) -> bool {
-        self.arguments.deny.falls()
     }
 }
 
@@ -389,42 +373,38 @@ impl Watch<'_> {
         if self.job.arguments.quiet {
             return;
         }
-        let denied = self.job.denies_falls();
-        let weight = if denied {
-            Weight::Error
-        } else {
-            Weight::Warning
+        let weight = match self.job.arguments.deny.falls() {
+            true => Weight::Error,
+            false => Weight::Warning,
         };
         if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
-            let lang = self.job.arguments.source.output_options.lang();
+            let lang = self.job.arguments.lang();
             let has_mass = (run.motion()).is_some_and(|motion| motion.unmodelled.is_none());
             let source = &self.job.loaded.source;
             let text = fall(&found, &weight, has_mass, source, program, lang);
-            screen.above(|| report::complain(&text));
+            screen.progress.above(|| report::complain(&text));
         }
     }
-}
 
-impl Watch<'_> {
     /// Reports what a run waits for: in the line of progress on a terminal, else once after a long wait.
     fn report_wait(&mut self, run: &mut tip_sim::Run, cycle: u64) {
         self.waits.after(run);
         let is_long = self.waits.rest(run) >= LONG_WAIT;
-        let lang = self.job.arguments.source.output_options.lang();
+        let lang = self.job.arguments.lang();
         let Some(screen) = run.console::<Screen>() else {
             return;
         };
-        if screen.is_due(cycle) {
+        if screen.progress.is_due(cycle) {
             let wait = self.waits.now(run);
             let text = wait.map(|wait| format!(" | {}", wait_message(&wait).in_lang(lang)));
-            screen.waits(text.unwrap_or_default());
+            screen.progress.waits(text.unwrap_or_default());
         } else if is_long && !self.has_waited && self.live.is_none() && !self.job.arguments.quiet {
             let Some(wait) = self.waits.now(run) else {
                 return;
             };
             let wait = wait_message(&wait);
-            let text = Running::GoesOn { wait };
-            screen.above(|| report::complain(&format!("{}\n", text.in_lang(lang))));
+            let progress = &screen.progress;
+            progress.above(|| report::say(Running::GoesOn { wait }, lang));
         }
         self.has_waited = is_long;
     }
@@ -452,7 +432,7 @@ impl Observer for Watch<'_> {
         }
         let cycle = run.cycles().saturating_sub(1);
         if let Some(screen) = run.console_mut::<Screen>() {
-            screen.at(cycle);
+            screen.progress.at(cycle);
         }
         self.report_wait(run, cycle);
         if let Some(live) = &mut self.live {
@@ -463,13 +443,12 @@ impl Observer for Watch<'_> {
 
 /// Refuses options that need a built-in plant.
 fn reject_built_in_options(arguments: &Run) -> Result<(), Error> {
-    let refused = if arguments.inputs.scene.is_some() {
+    let refused = if arguments.run.inputs.scene.is_some() {
         Using::SceneIsElsewhere
     } else if arguments.deny.falls() {
         Using::FallsAreElsewhere
     } else {
         return Ok(());
     };
-    let lang = arguments.source.output_options.lang();
-    Err(Error::Usage(refused.in_lang(lang).to_string()))
+    Err(Error::usage(refused, arguments.lang()))
 }

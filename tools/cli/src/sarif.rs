@@ -77,10 +77,7 @@ impl Document {
                     "semanticVersion": env!("CARGO_PKG_VERSION"),
                     "rules": rules,
                 } },
-                "language": match self.lang {
-                    Lang::Japanese => "ja",
-                    _ => "en",
-                },
+                "language": self.lang.pick("en", "ja"),
                 "columnKind": "unicodeCodePoints",
                 "artifacts": self.artifacts,
                 "results": self.results,

@@ -7,13 +7,13 @@ mod hub;
 mod listen;
 mod viewer;
 
+use crate::arguments::RunArguments;
 use crate::error::Error;
 use crate::loader::Subject;
 use crate::message::Using;
-use crate::record::RecordedArguments;
-use crate::setup::{BuiltInOnly, ChosenRobot};
+use crate::setup::ChosenRobot;
 use crate::watch::Watch;
-use crate::{Status, input, interrupt, output, project, report, usage};
+use crate::{Status, input, output, project, report, usage};
 use clap::Args;
 use guard::Guard;
 use hub::{Hub, HubEvent, HubSender};
@@ -44,7 +44,7 @@ Exit status: 130 ended by Ctrl-C, 1 the program does not load or the address can
 2 wrong usage.")]
 pub(super) struct Serve {
     #[command(flatten)]
-    pub(super) recorded: RecordedArguments,
+    pub(super) run: RunArguments,
 
     /// Address to listen on
     ///
@@ -63,26 +63,23 @@ pub(super) struct Serve {
 
 /// Serves the page until Ctrl-C.
 pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
-    let path = arguments.recorded.file.as_path();
-    let lang = arguments.recorded.source.output_options.lang();
+    let path = arguments.run.file.as_path();
+    let lang = arguments.run.source.output_options.lang();
     if input::is_stream(path) {
-        return Err(Error::Usage(Using::ServeInput.in_lang(lang).to_string()));
+        return Err(Error::usage(Using::ServeInput, lang));
     }
-    let Some((session, file, robot)) = arguments.session(path)? else {
-        return Ok(Status::Failure);
-    };
+    let (session, file, robot) = arguments.session(path)?;
     let failed = |error: std::io::Error| Error::Failed(format!("{}: {error}", arguments.listen));
     let listener = listen::open(arguments.listen).map_err(failed)?;
     let own = listener.local_addr().map_err(failed)?;
     let guard = Guard::new(own).map_err(Error::Failed)?;
     let (hub, sender) = Hub::new(session, file, robot);
     output::print(format!("{}\n", guard.address()))?;
-    let says = |message: Using| report::complain(&format!("{}\n", message.in_lang(lang)));
     if !arguments.quiet && !own.ip().is_loopback() {
-        says(Using::ServeOthers);
+        report::say(Using::ServeOthers, lang);
     }
     if !arguments.quiet {
-        says(Using::ServeEnds);
+        report::say(Using::ServeEnds, lang);
     }
     watch(path, sender.clone())?;
     listen::accept(listener, guard, sender);
@@ -91,25 +88,22 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
 }
 
 impl Serve {
-    /// Loads the program; returns its session, its file, and its robot; `None` if there are errors, which were reported.
-    fn session(&self, path: &Path) -> Result<Option<(Session, ServedFile, ChosenRobot)>, Error> {
-        let recorded = &self.recorded;
-        let lang = recorded.source.output_options.lang();
+    /// Loads the program; returns its session, its file, and its robot.
+    fn session(&self, path: &Path) -> Result<(Session, ServedFile, ChosenRobot), Error> {
+        let source = &self.run.source;
         let place = project::real(path);
-        let Some(Subject {
+        let refusal = Using::ProcessRunsOnce { command: "serve" };
+        let Subject {
             loaded,
             robot,
             chosen,
             ..
-        }) = recorded.load(path, self.quiet, BuiltInOnly::RunsAgain("serve"))?
-        else {
-            return Ok(None);
-        };
-        let inputs = recorded.inputs.inputs();
+        } = self.run.load(path, self.quiet, refusal)?;
+        let inputs = self.run.inputs.inputs();
         let bytes = loaded.source.bytes();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let setup = Setup {
-            options: recorded.source.options(robot.options().robot),
+            options: source.options(robot.options().robot),
             events: inputs.events,
             rest: inputs.cycles,
             ..Setup::new(&name, &bytes, robot)
@@ -119,7 +113,12 @@ impl Serve {
         if !self.paused {
             session.play();
         }
-        Ok(Some((session, ServedFile::new(place, bytes, lang), chosen)))
+        let file = ServedFile {
+            path: place,
+            known: bytes,
+            lang: source.output_options.lang(),
+        };
+        Ok((session, file, chosen))
     }
 }
 
@@ -128,11 +127,6 @@ fn watch(path: &Path, hub: HubSender) -> Result<(), Error> {
     let watch = Watch::begin([path])?;
     thread::spawn(move || while watch.changed() && hub.send(HubEvent::FileChanged) {});
     Ok(())
-}
-
-/// Returns true if the command should end.
-fn is_over() -> bool {
-    interrupt::is_requested()
 }
 
 /// The served file: the only one that is read or written. Links on the way to it were followed once; a link that takes its place
@@ -147,10 +141,6 @@ pub(super) struct ServedFile {
 }
 
 impl ServedFile {
-    pub(super) fn new(path: PathBuf, known: Vec<u8>, lang: Lang) -> Self {
-        ServedFile { path, known, lang }
-    }
-
     /// Returns the content of the file, unless a link has taken its place or that of a folder above it.
     fn content(&self) -> Result<Vec<u8>, Reading> {
         let file = open_file(&self.path)?;

@@ -1,6 +1,6 @@
 //! The setup of a run as options name it: `--robot`, `--scene` and `--plant`.
 
-use crate::choices::{PlantName, RobotName, robot_names};
+use crate::choices::{self, PlantName, RobotName, robot_names};
 use crate::error::Error;
 use crate::message::Using;
 use crate::usage::BadValue;
@@ -15,7 +15,6 @@ use std::str::FromStr;
 use tip_runtime::plant::Scene;
 use tip_sim::{ExternalPlant, GraspsNothing};
 use tipc::description::Description;
-use tipc::message::Lang;
 use tipc::message::list::Each;
 use tipc::published::{self, Published};
 use tipc::{Loaded, Robot};
@@ -294,45 +293,9 @@ impl FromStr for PlantChoice {
                 let names = PlantName::value_variants().iter();
                 BadValue(Using::NoPlant {
                     word: text.to_owned(),
-                    plants: Each(names.map(|plant| plant.name()).collect()),
+                    plants: Each(names.copied().map(choices::name).collect()),
                 })
             })
-    }
-}
-
-/// The reason why a command accepts only the built-in plants.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum BuiltInOnly {
-    /// It runs programs more than once, or backwards.
-    RunsAgain(&'static str),
-    /// It records what it runs.
-    Records(&'static str),
-}
-
-impl BuiltInOnly {
-    fn message(self) -> Using {
-        match self {
-            BuiltInOnly::RunsAgain(command) => Using::ProcessRunsOnce { command },
-            BuiltInOnly::Records(command) => Using::ProcessIsRun { command },
-        }
-    }
-}
-
-/// Returns the built-in plant.
-///
-/// # Errors
-/// It is a process.
-pub(super) fn built_in_plant(
-    choice: Option<&PlantChoice>,
-    why: BuiltInOnly,
-    lang: Lang,
-) -> Result<Option<PlantName>, Error> {
-    match choice {
-        None => Ok(None),
-        Some(PlantChoice::BuiltIn(name)) => Ok(Some(*name)),
-        Some(PlantChoice::Process(..)) => {
-            Err(Error::Usage(why.message().in_lang(lang).to_string()))
-        }
     }
 }
 

@@ -6,21 +6,21 @@
 mod table;
 mod tally;
 
-use crate::arguments::{InputArguments, SourceArguments};
+use crate::arguments::RunArguments;
 use crate::choices::PlantName;
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Sweeping, Using};
-use crate::report::{Deny, complain};
-use crate::setup::{BuiltInOnly, ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
+use crate::report::{Deny, RATE, progress_style};
+use crate::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
 use crate::usage::{BadValue, count, positive};
-use crate::{Status, input, interrupt, output};
+use crate::{Status, input, interrupt, output, report};
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Sender, channel};
-use std::sync::{Condvar, Mutex, PoisonError};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::{fs, thread};
 use table::Table;
 pub(super) use table::{Saved, is_table, specification};
@@ -57,14 +57,8 @@ OUT.sweep.json. Ctrl-C and kill keep finished runs, --resume goes on.
 Exit status: 0 complete, 1 the program does not load or has a denied warning, or a file cannot be written, 2 wrong usage,
 4 a robot fell, with --deny falls, 130 interrupted.")]
 pub(super) struct Sweep {
-    /// The program
-    pub(super) file: PathBuf,
-
     #[command(flatten)]
-    pub(super) source: SourceArguments,
-
-    #[command(flatten)]
-    pub(super) inputs: InputArguments,
+    pub(super) run: RunArguments,
 
     /// Vary a quantity
     ///
@@ -152,17 +146,11 @@ const AHEAD: u64 = 16;
 /// Runs the cases and writes the table.
 pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     interrupt::catch();
-    let lang = arguments.source.output_options.lang();
-    let subject = loader::load(
-        &arguments.file,
-        &arguments.source,
-        &arguments.inputs,
-        Some(BuiltInOnly::RunsAgain("sweep")),
-    );
-    let subject = loader::reported(subject, &arguments.source, arguments.quiet)?;
-    let Some(subject) = subject.filter(|subject| subject.loaded.program.is_some()) else {
-        return Ok(Status::Failure);
-    };
+    let run = &arguments.run;
+    let lang = run.source.output_options.lang();
+    let refusal = Using::ProcessRunsOnce { command: "sweep" };
+    let subject = loader::load(&run.file, run, Some(refusal))?;
+    let (subject, _) = loader::sound(subject, run.source.output_options, arguments.quiet)?;
     if arguments.deny.rejects(&subject.loaded) {
         return Ok(Status::Failure);
     }
@@ -171,17 +159,15 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     let sweep = tip_sweep::Sweep::new(spec.clone()).map_err(usage)?;
     if let Some(axis) = sweep.idle_axis().filter(|_| !arguments.quiet) {
         let axis = axis.to_owned();
-        complain(&format!("{}\n", Sweeping::Idle { axis }.in_lang(lang)));
+        report::say(Sweeping::Idle { axis }, lang);
     }
     let (mut table, mut tally) = match input::is_stream(&arguments.out) {
         true if arguments.resume => {
-            return Err(Error::Usage(
-                Using::ResumesNothing.in_lang(lang).to_string(),
-            ));
+            return Err(Error::usage(Using::ResumesNothing, lang));
         }
         true => (Table::stream(), Tally::default()),
         false => {
-            output::refuse_inputs(&arguments.out, &arguments.files())?;
+            output::refuse_inputs(&arguments.out, &run.files())?;
             // A run says which columns there are.
             let header = arguments.resume.then(|| sweep.run(0, 1)).transpose();
             let header = header.map_err(usage)?.map(|columns| columns.csv_header());
@@ -194,6 +180,7 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
         cases: sweep.cases(),
         first: began,
         threads: arguments.jobs.unwrap_or_else(cores),
+        lang,
         progress: Mutex::default(),
         written: Condvar::new(),
     };
@@ -209,10 +196,10 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     let name = Printable::line(arguments.out.display()).to_string();
     if !arguments.quiet {
         let rate = (tally.runs - began, elapsed);
-        complain(&tally.summary(&name, table.is_stream(), arguments.until, rate, lang));
+        report::complain(&tally.summary(&name, table.is_stream(), arguments.until, rate, lang));
     }
     if complete {
-        ended.map_err(|failed| failed.error(lang))?;
+        ended?;
         return Ok(match arguments.deny.falls() && tally.fell > 0 {
             true => Status::Fell,
             false => Status::Success,
@@ -224,31 +211,31 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
             all: work.cases.to_string(),
             part: table::part(&arguments.out).display().to_string().into(),
         };
-        complain(&format!("{}\n", kept.in_lang(lang)));
+        report::say(kept, lang);
     }
-    match ended {
-        Err(failed) => Err(failed.error(lang)),
-        Ok(()) if interrupt::is_requested() => Ok(Status::Interrupted),
+    ended?;
+    Ok(match interrupt::is_requested() {
+        true => Status::Interrupted,
         // The reader of standard output has closed it.
-        Ok(()) => Ok(Status::Success),
-    }
+        false => Status::Success,
+    })
 }
 
 impl Sweep {
     /// Returns the specification of the sweep of a loaded program.
     fn spec(&self, subject: &Subject) -> Result<Spec, Error> {
-        let robot = match (&subject.chosen, self.source.robot()) {
+        let robot = match (&subject.chosen, self.run.source.robot()) {
             (ChosenRobot::Named(name), _) => RobotSpec::Name(name.robot().name().to_owned()),
             (_, RobotChoice::Published(robot)) => RobotSpec::Name(robot.name.to_owned()),
             (_, choice) => RobotSpec::Description(description(choice.file())?),
         };
-        let scene = match &self.inputs.scene {
+        let scene = match &self.run.inputs.scene {
             None => None,
             Some(SceneChoice::File(path)) => Some(text(Some(path))?),
             Some(named) => Some(named.to_string()),
         };
-        let plant = self.inputs.plant.as_ref().and_then(PlantChoice::name);
-        let inputs = self.inputs.inputs();
+        let plant = self.run.inputs.plant.as_ref().and_then(PlantChoice::name);
+        let inputs = self.run.inputs.inputs();
         let source = &subject.loaded.source;
         Ok(Spec {
             program: Text {
@@ -276,13 +263,6 @@ impl Sweep {
         })
     }
 
-    /// Returns the files that are read.
-    fn files(&self) -> Vec<&Path> {
-        let scene = self.inputs.scene.as_ref().and_then(SceneChoice::file);
-        let files = [Some(self.file.as_path()), self.source.robot().file(), scene];
-        files.into_iter().flatten().collect()
-    }
-
     fn bar(&self, cases: u64, began: u64, lang: Lang) -> ProgressBar {
         let target = match self.quiet {
             true => ProgressDrawTarget::hidden(),
@@ -298,17 +278,12 @@ impl Sweep {
             left: hole("{eta}"),
         };
         let template = format!("{{wide_bar}} {}", progress.in_lang(lang));
-        let style = ProgressStyle::with_template(&template);
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-        bar.set_style(style.progress_chars("=> "));
+        bar.set_style(progress_style(&template));
         bar.set_position(began);
         bar.reset_eta();
         bar
     }
 }
-
-/// Rate of drawing, Hz.
-const RATE: u8 = 5;
 
 /// Reads a file that has been read before.
 fn text(path: Option<&Path>) -> Result<String, Error> {
@@ -331,6 +306,7 @@ struct Work {
     /// The first case that is left.
     first: u64,
     threads: u64,
+    lang: Lang,
     progress: Mutex<Progress>,
     /// Tells threads that a chunk was written, or that they are to end.
     written: Condvar,
@@ -349,28 +325,8 @@ struct Progress {
 struct Chunk {
     index: u64,
     columns: Columns,
-    /// The reason why the chunk ends early.
-    ended: Option<Ended>,
-}
-
-/// An early end of a sweep.
-enum Ended {
-    Interrupted,
-    Failed(Failed),
-}
-
-enum Failed {
-    Case(SweepError),
-    Table(Error),
-}
-
-impl Failed {
-    fn error(self, lang: Lang) -> Error {
-        match self {
-            Failed::Case(error) => Error::Failed(error.text(lang)),
-            Failed::Table(error) => error,
-        }
-    }
+    /// The end of a sweep that ends early: an interruption, or an error.
+    ended: Option<Result<(), Error>>,
 }
 
 impl Work {
@@ -381,7 +337,7 @@ impl Work {
         table: &mut Table,
         tally: &mut Tally,
         bar: &ProgressBar,
-    ) -> Result<(), Failed> {
+    ) -> Result<(), Error> {
         let (sender, receiver) = channel();
         thread::scope(|scope| {
             for _ in 0..self.threads {
@@ -396,10 +352,8 @@ impl Work {
                     break Ok(());
                 };
                 waiting.insert(chunk.index, chunk);
-                match self.write(&mut waiting, &mut next, table, tally, bar) {
-                    None => {}
-                    Some(Ended::Interrupted) => break Ok(()),
-                    Some(Ended::Failed(failed)) => break Err(failed),
+                if let Some(ended) = self.write(&mut waiting, &mut next, table, tally, bar) {
+                    break ended;
                 }
             };
             self.lock().is_over = true;
@@ -416,11 +370,11 @@ impl Work {
         table: &mut Table,
         tally: &mut Tally,
         bar: &ProgressBar,
-    ) -> Option<Ended> {
+    ) -> Option<Result<(), Error>> {
         while let Some(chunk) = waiting.remove(next) {
             match table.add(&chunk.columns, tally) {
-                Err(error) => return Some(Ended::Failed(Failed::Table(error))),
-                Ok(false) => return Some(Ended::Interrupted),
+                Err(error) => return Some(Err(error)),
+                Ok(false) => return Some(Ok(())),
                 Ok(true) => {}
             }
             bar.set_message(tally.fell.to_string());
@@ -447,13 +401,13 @@ impl Work {
             };
             for case in first..(first + CHUNK).min(self.cases) {
                 if interrupt::is_requested() {
-                    chunk.ended = Some(Ended::Interrupted);
+                    chunk.ended = Some(Ok(()));
                     break;
                 }
                 match sweep.run(case, 1) {
                     Ok(row) => chunk.columns.append(row),
                     Err(error) => {
-                        chunk.ended = Some(Ended::Failed(Failed::Case(error)));
+                        chunk.ended = Some(Err(Error::Failed(error.text(self.lang))));
                         break;
                     }
                 }
@@ -480,7 +434,7 @@ impl Work {
         }
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Progress> {
+    fn lock(&self) -> MutexGuard<'_, Progress> {
         self.progress.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -1,10 +1,9 @@
 //! Commands that write a program in another form: `tip fmt`, `tip emit`, `tip migrate` and `tip cycles`.
 
 use crate::arguments::{SourceArguments, version_number};
-use crate::choices::OutputOptions;
-use crate::choices::{EncodingName, Format};
+use crate::choices::{EncodingName, Format, OutputOptions};
 use crate::error::Error;
-use crate::loader::{check, checked};
+use crate::loader::{check, sound};
 use crate::setup::RobotChoice;
 use crate::{Status, input, output, project, report};
 use clap::{Args, ValueEnum};
@@ -237,26 +236,24 @@ pub(super) struct Emit {
 /// Writes one form of a program to a file or to standard output.
 pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
     let source = &arguments.source;
-    let Some(checked) = checked(check(&arguments.file, source), source)? else {
-        return Ok(Status::Failure);
+    let subject = check(&arguments.file, source)?;
+    let (subject, program) = sound(subject, source.output_options, false)?;
+    let Loaded {
+        source: text,
+        module,
+        diagnostics,
+        ..
+    } = &subject.loaded;
+    let emitted = match arguments.form {
+        Form::Rust => as_rust(&program)?,
+        Form::Formal => listing::formal(text, module),
+        Form::Label => listing::label(&program),
+        Form::Obj => listing::object(text, module, &program),
+        Form::Warning => listing::warnings(text, diagnostics),
     };
-    let program = &checked.program;
-    let text = match arguments.form {
-        Form::Rust => as_rust(program)?,
-        Form::Formal => listing::formal(&checked.source, &checked.module),
-        Form::Label => listing::label(program),
-        Form::Obj => listing::object(&checked.source, &checked.module, program),
-        Form::Warning => listing::warnings(&checked.source, &checked.diagnostics),
-    };
-    match &arguments.out {
-        Some(out) => {
-            let robot = arguments.source.robot().file();
-            let inputs: Vec<_> = robot.into_iter().chain([&*arguments.file]).collect();
-            output::refuse_inputs(out, &inputs)?;
-            output::replace(out, &text)?;
-        }
-        None => output::print(&text)?,
-    }
+    let robot = source.robot().file();
+    let inputs: Vec<_> = robot.into_iter().chain([&*arguments.file]).collect();
+    output::write(arguments.out.as_deref(), &inputs, emitted)?;
     Ok(Status::Success)
 }
 
@@ -336,28 +333,14 @@ impl EditionName {
 /// Writes the new program, or nothing if a question is open; the report goes to standard error.
 pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {
     let output_options = arguments.output_options;
-    let migration = match input::migrate(
-        &arguments.file,
-        arguments.encoding.encoding(),
-        arguments.to.edition(),
-    ) {
-        Ok(migration) => migration,
-        Err(loaded) => {
-            report::diagnostics(&loaded, output_options);
-            return Ok(Status::Failure);
-        }
-    };
+    let (encoding, edition) = (arguments.encoding.encoding(), arguments.to.edition());
+    let migration = input::migrate(&arguments.file, encoding, edition);
+    let migration = migration.map_err(Error::refused(output_options))?;
     let Some(bytes) = migration.bytes() else {
         report::complain(&migration_report(&migration, output_options));
         return Ok(Status::Failure);
     };
-    match &arguments.out {
-        Some(out) => {
-            output::refuse_inputs(out, &[&arguments.file])?;
-            output::replace(out, bytes)?;
-        }
-        None => output::print(bytes)?,
-    }
+    output::write(arguments.out.as_deref(), &[&arguments.file], bytes)?;
     report::complain(&migration_report(&migration, output_options));
     Ok(Status::Success)
 }
@@ -395,16 +378,14 @@ pub(super) struct Cycles {
 /// Writes the counts of one program to standard output.
 pub(super) fn cycles(arguments: &Cycles) -> Result<Status, Error> {
     let source = &arguments.source;
-    let Some(checked) = checked(check(&arguments.file, source), source)? else {
-        return Ok(Status::Failure);
-    };
-    let sampling = Sampling::of(checked.robot.robot());
-    let program = &checked.program;
-    let parts = cycles::parts(program, sampling);
-    output::print(match arguments.source.output_options.message_format {
-        Format::Human | Format::Sarif => cycles::human(program, &parts, sampling),
-        Format::Short => cycles::short(program, &parts, sampling),
-        Format::Json => cycles::json(program, &parts, sampling),
+    let subject = check(&arguments.file, source)?;
+    let (subject, program) = sound(subject, source.output_options, false)?;
+    let sampling = Sampling::of(subject.chosen.robot());
+    let parts = cycles::parts(&program, sampling);
+    output::print(match source.output_options.message_format {
+        Format::Human | Format::Sarif => cycles::human(&program, &parts, sampling),
+        Format::Short => cycles::short(&program, &parts, sampling),
+        Format::Json => cycles::json(&program, &parts, sampling),
     })?;
     Ok(Status::Success)
 }

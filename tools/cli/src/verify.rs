@@ -1,16 +1,15 @@
 //! `tip verify`: compares compiled code with the reference interpreter on searched or given inputs, and prints a certificate or the
 //! shortest inputs on which they differ.
 
-use crate::arguments::{InputArguments, SourceArguments};
-use crate::choices::{PlantName, step_location};
+use crate::arguments::{InputArguments, RunArguments};
 use crate::error::Error;
-use crate::loader::{Checked, checked, load};
 use crate::message::Using;
-use crate::setup::{BuiltInOnly, ChosenRobot, PlantChoice};
+use crate::report::{RATE, progress_style, step_location};
+use crate::setup::{ChosenRobot, PlantChoice};
 use crate::usage::{positive, quoted};
-use crate::{Status, interrupt, output, report};
+use crate::{Status, choices, interrupt, loader, output, report};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::env;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal};
@@ -23,7 +22,8 @@ use tip_sim::Inputs;
 use tip_sim::lockstep::{Answer, Divergence};
 use tip_sim::search::{self, Coverage, Diverging, Engines, Failed};
 use tip_sim::verify::{Project, Subject, VERSION};
-use tipc::program::Step;
+use tipc::program::{Program, Step};
+use tipc::source::Source;
 
 /// `tip verify`
 #[derive(Debug, Args)]
@@ -43,14 +43,8 @@ Exit status: 0 both agree, 1 they differ, or the program does not load or build,
 130 interrupted."
 )]
 pub(super) struct Verify {
-    /// The program
-    pub(super) file: PathBuf,
-
     #[command(flatten)]
-    pub(super) source: SourceArguments,
-
-    #[command(flatten)]
-    pub(super) inputs: InputArguments,
+    pub(super) run: RunArguments,
 
     /// Number of runs of a search
     #[arg(long, value_name = "N", default_value = "256", value_parser = positive, allow_negative_numbers = true)]
@@ -66,29 +60,24 @@ pub(super) struct Verify {
 /// Builds the program, runs both engines, and prints a certificate, or the shortest input on which they differ.
 pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     interrupt::catch();
-    let lang = arguments.source.output_options.lang();
-    let inputs = arguments.inputs.inputs();
+    let run = &arguments.run;
+    let (output_options, inputs) = (run.source.output_options, run.inputs.inputs());
     if let Some(0) = inputs.cycles {
         let text = "--cycles 0".to_owned();
-        let reason = Using::NotPositive { text };
-        return Err(Error::Usage(reason.in_lang(lang).to_string()));
+        return Err(Error::usage(
+            Using::NotPositive { text },
+            output_options.lang(),
+        ));
     }
-    let (file, source) = (&arguments.file, &arguments.source);
-    let loaded = load(
-        file,
-        source,
-        &arguments.inputs,
-        Some(BuiltInOnly::RunsAgain("verify")),
-    );
-    let Some(checked) = checked(loaded, source)? else {
-        return Ok(Status::Failure);
-    };
+    let refusal = Using::ProcessRunsOnce { command: "verify" };
+    let loaded = loader::load(&run.file, run, Some(refusal))?;
+    let (checked, program) = loader::sound(loaded, output_options, false)?;
     let project = Project::find(arguments.manifest_path.as_deref())?;
-    let name = arguments.file.display().to_string();
-    let source = checked.source.bytes();
-    let options = arguments.source.options(checked.robot.robot());
-    let subject = Subject::new(&name, &source, options, &checked.program).with_scene(checked.scene);
-    let subject = match &checked.robot {
+    let name = run.file.display().to_string();
+    let source = checked.loaded.source.bytes();
+    let options = run.source.options(checked.chosen.robot());
+    let subject = Subject::new(&name, &source, options, &program).with_scene(checked.scene);
+    let subject = match &checked.chosen {
         ChosenRobot::Named(_) => subject,
         ChosenRobot::Described(description) => subject.on(description),
     };
@@ -101,24 +90,26 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
         1
     };
     let mut engines = CountedEngines::new(built.given_up_if(interrupt::is_requested), runs);
-    let compared = search::verify(&mut engines, &checked.program, &inputs, arguments.runs);
+    let compared = search::verify(&mut engines, &program, &inputs, arguments.runs);
     drop(engines);
     let (coverage, diverging) = compared.map_err(|failed| match failed {
         Failed::Refused(reason) => Error::Usage(reason),
         Failed::Engines(error) => error,
     })?;
+    let source = &checked.loaded.source;
     match diverging {
         None => {
             output::print(certificate(
-                &checked,
+                source,
+                &program,
                 &project,
-                &arguments.inputs,
+                &run.inputs,
                 &coverage,
             ))?;
             Ok(Status::Success)
         }
         Some(shortest) => {
-            output::print(divergence_text(&checked, &shortest))?;
+            output::print(divergence_text(source, &program, &shortest))?;
             Ok(Status::Failure)
         }
     }
@@ -126,26 +117,22 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
 
 /// Returns the certificate: what was compared, with what, and what no run reached.
 fn certificate(
-    checked: &Checked,
+    source: &Source,
+    program: &Program,
     project: &Project,
     inputs: &InputArguments,
     coverage: &Coverage,
 ) -> String {
-    let name = Printable::line(checked.source.name());
-    let hash = checked.program.source_hash();
-    let robot = checked.program.signature();
+    let name = Printable::line(source.name());
+    let hash = program.source_hash();
+    let robot = program.signature();
     let (robot, legs, joints) = (robot.robot, robot.legs, robot.joints);
     let scene = inputs.scene.as_ref();
     let mut scene = scene.map_or("level floor".to_owned(), |scene| {
         format!("scene {}", Printable::line(scene))
     });
-    if let Some(plant) = inputs
-        .plant
-        .as_ref()
-        .and_then(PlantChoice::name)
-        .map(PlantName::name)
-    {
-        scene = format!("{scene}, {plant} plant");
+    if let Some(plant) = inputs.plant.as_ref().and_then(PlantChoice::name) {
+        scene = format!("{scene}, {} plant", choices::name(plant));
     }
     let (rustc, cargo) = (
         project.version_of("RUSTC", "rustc"),
@@ -186,24 +173,18 @@ fn certificate(
         )
     });
     let dead = (0..)
-        .take(checked.program.steps().len())
+        .take(program.steps().len())
         .filter(|step| !coverage.reach.points().can_reach(*step));
     let dead = dead.map(|step| (step, "no way leads here".to_owned()));
     let mut lines: Vec<_> = lines.chain(dead).collect();
     lines.sort();
     for (step, what) in lines {
         if let Some(Step {
-            line,
-            text: statement,
-            ..
-        }) = checked.program.steps().get(step as usize)
+            line, text: own, ..
+        }) = program.steps().get(step as usize)
         {
             // Writing to a String cannot fail.
-            let _ = writeln!(
-                text,
-                "  {name}:{line}: {what}: {}",
-                Printable::line(statement)
-            );
+            let _ = writeln!(text, "  {name}:{line}: {what}: {}", Printable::line(own));
         }
     }
     text
@@ -223,7 +204,7 @@ const INPUTS: [&str; 6] = [
 ];
 
 /// Returns the report of a divergence: location, the two records, and a command that repeats it.
-fn divergence_text(checked: &Checked, diverging: &Diverging) -> String {
+fn divergence_text(source: &Source, program: &Program, diverging: &Diverging) -> String {
     let Diverging { inputs, divergence } = diverging;
     let Divergence {
         cycle,
@@ -231,8 +212,8 @@ fn divergence_text(checked: &Checked, diverging: &Diverging) -> String {
         interpreted,
         compiled,
     } = divergence;
-    let name = Printable::line(checked.source.name());
-    let location = step_location(&checked.source, &checked.program, *step);
+    let name = Printable::line(source.name());
+    let location = step_location(source, program, *step);
     let command = Printable::line(without_inputs(env::args().skip(1)));
     format!(
         "{name}: compiled code and interpreter DIFFER in cycle {cycle}, step {step}\n\
@@ -259,8 +240,6 @@ fn without_inputs(arguments: impl Iterator<Item = String>) -> String {
     words.join(" ")
 }
 
-/// Rate of drawing, Hz.
-const RATE: u8 = 5;
 const COMPARES: &str = "comparing {wide_bar} {pos} of {len} runs, {msg} cycles, {eta} left";
 const SHRINKS: &str = "they differ: looking for the shortest inputs, {pos} runs so far";
 /// Time until the signal that ended cargo arrives here.
@@ -298,7 +277,7 @@ impl<E> CountedEngines<E> {
     fn new(engines: E, all: u64) -> Self {
         let target = ProgressDrawTarget::stderr_with_hz(RATE);
         let bar = ProgressBar::with_draw_target(Some(all), target);
-        bar.set_style(style(COMPARES));
+        bar.set_style(progress_style(COMPARES));
         bar.set_message("0");
         CountedEngines {
             engines,
@@ -316,7 +295,7 @@ impl<E> CountedEngines<E> {
             Answer::Agreed { cycles, .. } => self.cycles += cycles,
             Answer::Diverged(_) if !self.differ => {
                 self.differ = true;
-                self.bar.set_style(style(SHRINKS));
+                self.bar.set_style(progress_style(SHRINKS));
             }
             Answer::Diverged(_) | Answer::Refused(_) => {}
         }
@@ -361,12 +340,6 @@ impl<E> Drop for CountedEngines<E> {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }
-}
-
-fn style(template: &str) -> ProgressStyle {
-    let plain = ProgressStyle::default_bar();
-    let style = ProgressStyle::with_template(template);
-    style.unwrap_or(plain).progress_chars("=> ")
 }
 
 #[cfg(test)]

@@ -77,6 +77,5 @@ pub(super) fn serve(
         Duration::ZERO,
         interrupt::is_requested(),
     );
-    let reason = super::message::Driving::NotHere;
-    Err(Error::Failed(reason.in_lang(lang).to_string()))
+    Err(Error::failed(super::message::Driving::NotHere, lang))
 }

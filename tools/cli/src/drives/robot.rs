@@ -90,7 +90,7 @@ pub(crate) fn open_serial(port: &str, baud: u32, lang: Lang) -> Result<AnyPort, 
             Some(SIMULATED) => Driving::NoSimulatedPort,
             _ => Driving::CannotOpen { port: name, error },
         };
-        Error::Failed(reason.in_lang(lang).to_string())
+        Error::failed(reason, lang)
     })?;
     if let Some(time) = Serial::latency_timer(Path::new(port)).filter(|time| *time > 2) {
         realtime::warn(&[Driving::Adapter { time }], lang);
@@ -200,7 +200,7 @@ impl Setup {
     /// It has none.
     pub(crate) fn new(file: &Path, description: &Description, lang: Lang) -> Result<Self, Error> {
         let file = file.display().to_string().into();
-        let none = || Error::Failed(Driving::NoBus { file }.in_lang(lang).to_string());
+        let none = || Error::failed(Driving::NoBus { file }, lang);
         let bus = description.bus().ok_or_else(none)?;
         let robot = Robot::described(description).anatomy();
         let joints = bus.drives.iter().filter_map(|drive| {
@@ -287,7 +287,7 @@ impl Setup {
         port: Option<&str>,
         lang: Lang,
     ) -> Result<Connection, Error> {
-        let fail = |reason: Driving| Error::Failed(reason.in_lang(lang).to_string());
+        let fail = |reason: Driving| Error::failed(reason, lang);
         let port = port.or(self.bus.port.as_deref()).map(str::to_owned);
         let Some(port) = port else {
             let file = file.display().to_string().into();
@@ -399,7 +399,7 @@ impl Connection {
             port: self.port.clone().into(),
             delay: self.drives().bus().timing().return_delay,
         };
-        report::complain(&format!("{}\n", connected.in_lang(self.lang)));
+        report::say(connected, self.lang);
         Ok(())
     }
 
@@ -418,7 +418,7 @@ impl Connection {
                 angle: format!("{:.1}", way(joint)),
                 speed: self.setup.bus.start,
             };
-            report::complain(&format!("{}\n", start.in_lang(self.lang)));
+            report::say(start, self.lang);
         }
     }
 

@@ -3,10 +3,11 @@
 use crate::drives::realtime::{Histogram, wait_until};
 use crate::error::{Error, is_closed};
 use crate::message::{Figure, Running};
+use crate::report::{RATE, progress_style};
 use crate::run::files::finish;
 use crate::run::summary::{line, status, tenths};
 use crate::{interrupt, report};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Sink, Write};
 use std::path::Path;
@@ -24,7 +25,7 @@ use tipc::source::Source;
 #[derive(Debug)]
 pub(super) struct Screen {
     keyboard: Option<Terminal<Sink>>,
-    progress: Progress,
+    pub(super) progress: Progress,
     shows_messages: bool,
     silent: bool,
     logs: Option<LogFiles<()>>,
@@ -50,31 +51,6 @@ impl Screen {
             logs,
             failure: None,
         }
-    }
-
-    /// Updates the progress.
-    pub(super) fn at(&mut self, cycle: u64) {
-        self.progress.at(cycle);
-    }
-
-    /// Shows the status of a run in real time.
-    pub(super) fn status(&self, text: String) {
-        self.progress.status(text);
-    }
-
-    /// Returns true if the line of progress is visible and due.
-    pub(super) fn is_due(&self, cycle: u64) -> bool {
-        self.progress.is_due(cycle)
-    }
-
-    /// Shows in that line what the run waits for, or nothing.
-    pub(super) fn waits(&self, text: String) {
-        self.progress.waits(text);
-    }
-
-    /// Writes above the line of progress.
-    pub(super) fn above(&self, write: impl FnOnce()) {
-        self.progress.above(write);
     }
 
     /// Returns the number of texts that FOUT.LOG had no room for.
@@ -157,8 +133,6 @@ impl Console for Screen {
 
 /// Time before a line of progress is drawn.
 const FIRST: Duration = Duration::from_secs(1);
-/// Rate of drawing, Hz.
-const RATE: u8 = 5;
 /// Number of control cycles between two looks at the clock.
 const CYCLES: u64 = 64;
 
@@ -184,7 +158,7 @@ impl Progress {
     /// Returns the line of a run that ends after `limit` cycles at the latest.
     pub(super) fn of(limit: Option<u64>) -> Self {
         let bar = ProgressBar::with_draw_target(limit, ProgressDrawTarget::hidden());
-        bar.set_style(style(match limit {
+        bar.set_style(progress_style(match limit {
             Some(_) => {
                 "{prefix}{bar:20} cycle {pos} of {len}, {eta} left (Ctrl-C ends the run){msg}"
             }
@@ -201,7 +175,7 @@ impl Progress {
     pub(super) fn live() -> Self {
         let target = ProgressDrawTarget::stderr_with_hz(2 * RATE);
         let bar = ProgressBar::with_draw_target(None, target);
-        bar.set_style(style("{prefix}{wide_msg}"));
+        bar.set_style(progress_style("{prefix}{wide_msg}"));
         Progress {
             bar,
             ..Progress::hidden()
@@ -260,15 +234,10 @@ impl Progress {
     }
 }
 
-fn style(template: &str) -> ProgressStyle {
-    let plain = ProgressStyle::default_bar();
-    let style = ProgressStyle::with_template(template);
-    style.unwrap_or(plain).progress_chars("=> ")
-}
-
 /// Time between two lines of status, on a terminal and elsewhere.
 const ON_TERMINAL: Duration = Duration::from_millis(100);
 const ELSEWHERE: Duration = Duration::from_secs(1);
+
 /// The pace and the status of a run in real time.
 #[derive(Debug)]
 pub(super) struct Live {
@@ -288,7 +257,7 @@ impl Live {
                 true => Running::Keys,
                 false => Running::NoKeys,
             };
-            report::complain(&format!("{}\n", keys.in_lang(lang)));
+            report::say(keys, lang);
         }
         let every = if io::stderr().is_terminal() {
             ON_TERMINAL
@@ -310,7 +279,7 @@ impl Live {
             self.due = Some(Instant::now() + self.every);
             let text = status(run, waits.now(run).as_ref(), source, self.lang);
             if let Some(screen) = run.console_mut::<Screen>() {
-                screen.status(text);
+                screen.progress.status(text);
             }
         }
         let over = self.pacer.due(run.period());

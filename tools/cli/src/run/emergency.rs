@@ -1,7 +1,6 @@
 //! The report of an emergency stop as a diagnostic: its statement, its reason, and the values that led to it.
 
-use crate::choices::Format;
-use crate::choices::OutputOptions;
+use crate::choices::{Format, OutputOptions};
 use crate::message::Stopping;
 use crate::output;
 use crate::run::summary::seconds;
@@ -71,11 +70,7 @@ impl Stopped<'_> {
     }
 
     fn place(&self) -> Span {
-        let statements = &self.loaded.module.statements;
-        let statement = self.statement().and_then(|at| statements.get(at));
-        statement
-            .map(|statement| statement.span)
-            .unwrap_or_default()
+        span(self.loaded, self.statement())
     }
 
     fn diagnostic(&self, values: &Values) -> Diagnostic {
@@ -103,10 +98,9 @@ impl Stopped<'_> {
     /// Returns the reason and the help.
     fn reason(&self, values: &Values) -> (Message, Option<Message>) {
         match self.emergency.fault {
-            Fault::Domain => match values.refused(self.loaded, self.statement(), &self.options) {
-                Some((reason, help)) => (reason, help),
-                None => (Stopping::NoResult.into(), None),
-            },
+            Fault::Domain => values
+                .refused(self.loaded, self.statement(), &self.options)
+                .unwrap_or((Stopping::NoResult.into(), None)),
             Fault::InvalidReturn => (
                 Stopping::NoCall.into(),
                 Some(Structuring::PutJumpAbove.into()),
@@ -141,9 +135,7 @@ impl Stopped<'_> {
             }
         }
     }
-}
 
-impl Stopped<'_> {
     /// Returns the last measured states of all joints, leg by leg.
     fn joints(&self) -> impl Iterator<Item = JointState> {
         let joints = (1..).zip(&self.anatomy.legs).flat_map(|(leg, limb)| {

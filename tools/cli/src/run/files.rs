@@ -10,23 +10,12 @@ use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::path::{Component, Path, PathBuf};
 use tip_lint::listing;
 use tip_runtime::console::{LogError, LogFiles};
-use tip_runtime::printable::is_control;
 use tip_runtime::record::{AtomicFile, Ending, JsonLines, MotionRecord, Sink, Stream};
 use tipc::Loaded;
 
 /// Returns an error if an output of the run is one of its inputs, or another output.
 pub(super) fn check(arguments: &Run) -> Result<(), Error> {
-    let robot = arguments.source.robot().file();
-    let scene = arguments
-        .inputs
-        .scene
-        .as_ref()
-        .and_then(|scene| scene.file());
-    let inputs: Vec<&Path> = [robot, scene]
-        .into_iter()
-        .flatten()
-        .chain([&*arguments.file])
-        .collect();
+    let inputs = arguments.run.files();
     let logs = arguments.out_dir.as_deref().map(logs).unwrap_or_default();
     for log in &logs {
         output::refuse_inputs(log, &inputs)?;
@@ -122,15 +111,6 @@ pub(super) struct Trace {
     lines: JsonLines<Stream<BufWriter<Output>>>,
 }
 
-/// The optional parts of records.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Extras {
-    /// A hash of the commands and measurements of each joint.
-    pub(super) state: bool,
-    /// The motion of the simulated robot.
-    pub(super) motion: bool,
-}
-
 /// The destination of a trace.
 enum Output {
     Standard(Stdout),
@@ -147,7 +127,7 @@ struct Terminal {
 
 impl Trace {
     /// Opens a trace.
-    pub(super) fn begin(path: &Path, extras: Extras) -> Result<Self, Error> {
+    pub(super) fn begin(path: &Path, arguments: &Run) -> Result<Self, Error> {
         let out = if is_standard(path) {
             Output::standard()
         } else {
@@ -159,13 +139,13 @@ impl Trace {
             Output::Standard(_) | Output::Terminal(_) => (true, true),
             Output::File(file) => (false, file.part().is_none()),
         };
-        let lines = JsonLines::new(Stream::new(BufWriter::new(out)), extras.state);
+        let lines = JsonLines::new(Stream::new(BufWriter::new(out)), arguments.trace_state);
         Ok(Trace {
             path: path.to_owned(),
             takes_standard_output,
             is_straight,
-            with_motion: extras.motion,
-            lines: match extras.motion {
+            with_motion: arguments.trace_motion,
+            lines: match arguments.trace_motion {
                 true => lines.with_motion(),
                 false => lines,
             },
@@ -266,7 +246,7 @@ impl Write for Terminal {
         for byte in bytes {
             self.record.push(*byte);
             if *byte == b'\n' {
-                let record = escaped(&String::from_utf8_lossy(&self.record));
+                let record = output::escaped(&String::from_utf8_lossy(&self.record));
                 self.record.clear();
                 self.out.write_all(record.as_bytes())?;
             }
@@ -277,16 +257,4 @@ impl Write for Terminal {
     fn flush(&mut self) -> io::Result<()> {
         self.out.flush()
     }
-}
-
-/// Escapes characters that would act on a terminal. In JSON they are parts of strings.
-fn escaped(record: &str) -> String {
-    let mut escaped = String::with_capacity(record.len());
-    for c in record.chars() {
-        match is_control(c) && c != '\n' {
-            true => escaped += &format!("\\u{:04x}", u32::from(c)),
-            false => escaped.push(c),
-        }
-    }
-    escaped
 }

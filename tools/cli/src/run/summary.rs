@@ -1,12 +1,12 @@
 //! The summary of a run, its status line, and the report of a fall.
 
-use crate::choices::step_location;
 use crate::drives::realtime::Histogram;
 use crate::drives::robot::Connection;
 use crate::message::count::Cycles;
 use crate::message::{Along, Aside, Figure, How, Running, Until, Upright, Waiting, Weight};
+use crate::report::step_location;
 use std::fmt::{self, Write as _};
-use tip_runtime::command::{Op, Target};
+use tip_runtime::command::Op;
 use tip_runtime::machine::Emergency;
 use tip_runtime::plant::{Motion, Travel, Unmodelled};
 use tip_runtime::printable::Printable;
@@ -346,14 +346,11 @@ fn sense<W>(value: f64, positive: W, negative: W) -> (String, W) {
 
 /// Returns the condition that ends a step of several cycles.
 fn until(action: &Action) -> Option<Until> {
-    match action {
-        Action::KeyIn { .. } => Some(Until::Key),
-        Action::Command { op, target, .. } => of_command(*op, *target),
-        _ => None,
-    }
-}
-
-fn of_command(op: Op, target: Target) -> Option<Until> {
+    let (op, target) = match *action {
+        Action::KeyIn { .. } => return Some(Until::Key),
+        Action::Command { op, target, .. } => (op, target),
+        _ => return None,
+    };
     match op {
         Op::Sleep => Some(Until::Time),
         Op::WaitInpos => Some(Until::InPosition { target }),

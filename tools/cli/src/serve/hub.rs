@@ -1,8 +1,8 @@
 //! The hub: the thread that owns the session. It lets time pass, handles requests, and fills the outbox of each viewer. Threads of
 //! viewers parse requests, and one thread checks texts, so that the run goes on meanwhile.
 
+use crate::interrupt;
 use crate::serve::ServedFile;
-use crate::serve::is_over;
 use crate::setup::ChosenRobot;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -117,7 +117,7 @@ impl Hub {
     pub(super) fn run(mut self) {
         self.queue_text();
         let mut last = Instant::now();
-        while !is_over() {
+        while !interrupt::is_requested() {
             self.receive(last + TICK);
             let now = Instant::now();
             let elapsed = now - std::mem::replace(&mut last, now);
@@ -133,7 +133,7 @@ impl Hub {
         let end = Instant::now() + Duration::from_millis(500);
         let is_here = |outbox: &Arc<Outbox>| Arc::strong_count(outbox) > 1;
         while self.viewers.iter().any(|(outbox, _)| is_here(outbox)) && Instant::now() < end {
-            std::thread::sleep(TICK);
+            thread::sleep(TICK);
         }
     }
 
@@ -271,7 +271,7 @@ impl CheckQueue {
         }
     }
 
-    fn waiting(&self) -> std::sync::MutexGuard<'_, Waiting> {
+    fn waiting(&self) -> MutexGuard<'_, Waiting> {
         self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -34,11 +34,9 @@ impl Saved {
     pub(crate) fn of(table: &Path, lang: Lang) -> Result<Self, Error> {
         let path = specification(table);
         let failed = |error: String| {
-            let error = Sweeping::NoSpecification {
-                file: path.display().to_string().into(),
-                error: error.into(),
-            };
-            Error::Failed(error.in_lang(lang).to_string())
+            let file = path.display().to_string().into();
+            let error = error.into();
+            Error::failed(Sweeping::NoSpecification { file, error }, lang)
         };
         let text = fs::read_to_string(&path).map_err(|error| failed(error.to_string()))?;
         serde_json::from_str(&text).map_err(|error| failed(error.to_string()))
@@ -108,7 +106,7 @@ impl Table {
         header: Option<&str>,
         lang: Lang,
     ) -> Result<(Self, Tally), Error> {
-        let refuse = |why: Using| Err(Error::Failed(why.in_lang(lang).to_string()));
+        let refuse = |why: Using| Err(Error::failed(why, lang));
         // A new table takes the place of a file, not of a link to it.
         let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
