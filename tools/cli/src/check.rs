@@ -7,7 +7,7 @@ use crate::loader;
 use crate::message::{Checking, Using};
 use crate::report::{Deny, Total};
 use crate::watch::Watch;
-use crate::{Status, input, interrupt, output, project, report};
+use crate::{Status, input, interrupt, output, report};
 use clap::Args;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -105,7 +105,12 @@ fn watch(arguments: &Check) -> Result<Status, Error> {
         }
     };
     for count in 2.. {
-        watcher.extend(arguments.files.iter().flat_map(|file| project::files(file)));
+        watcher.extend(
+            arguments
+                .files
+                .iter()
+                .flat_map(|file| loader::settings_files(file)),
+        );
         check_once(arguments)?;
         let files = arguments.files.len().into();
         says(Checking::Watching { files });

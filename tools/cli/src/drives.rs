@@ -1,16 +1,14 @@
 //! `tip drives`: finds, names, zeroes, moves and watches the servos of a real robot.
 
-pub(crate) mod message;
-mod pty;
 pub(crate) mod realtime;
 pub(crate) mod robot;
 
 use crate::choices::LangName;
 use crate::error::Error;
 use crate::input;
+use crate::message::Driving;
 use crate::{Status, choices, interrupt, output, report};
 use clap::{Args, Subcommand, ValueEnum};
-use message::Driving;
 use robot::{AnyPort, Connection, Mishaps, Setup, open_serial};
 use std::fmt::Write as _;
 use std::io::{self, BufRead, IsTerminal, Write};
@@ -685,7 +683,7 @@ fn simulate(arguments: &Simulate) -> Result<Status, Error> {
     let mishaps: Mishaps =
         (arguments.mishaps.parse()).map_err(|wrong: Driving| Error::usage(wrong, lang))?;
     let setup = robot.setup()?;
-    pty::serve(&setup, mishaps, lang, |port| {
+    robot::serve(&setup, mishaps, lang, |port| {
         let servos = setup.joints.len();
         let port = port.into();
         output::say(Driving::Simulates { servos, port }, lang)

@@ -1,7 +1,7 @@
 //! The crate around a program: warns if its macros and its build script compile the program for another robot than `tip.toml` names.
 
+use crate::input::display_path;
 use crate::message::Linting;
-use crate::project::display_path;
 use crate::setup::RobotChoice;
 use proc_macro2::{Delimiter, Literal, TokenStream, TokenTree};
 use std::fs;

@@ -1,8 +1,8 @@
-//! Programs, descriptions and scenes from files.
+//! Programs, descriptions and scenes from files, and the paths of these.
 
 use std::fs::File;
-use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf, absolute};
+use std::{env, fs, io};
 use tip_drives::model::{MODELS, Model};
 use tip_lint::migrate::Migration;
 use tip_runtime::model::Range;
@@ -131,6 +131,29 @@ pub(super) fn is_stream(path: &Path) -> bool {
     let folders = ["/dev/fd", "/proc/self/fd"].map(Path::new);
     let is_descriptor = || folders.contains(&path.parent().unwrap_or(path));
     is_standard(path) || path == Path::new("/dev/stdin") || is_descriptor()
+}
+
+/// Returns the path without links and `..`, as the system finds the file. As much of it as exists counts; a stream is in the
+/// working directory.
+pub(super) fn real(path: &Path) -> PathBuf {
+    fn resolve(path: &Path) -> PathBuf {
+        let missing = || Some(resolve(path.parent()?).join(path.file_name()?));
+        let found = fs::canonicalize(path).ok().or_else(missing);
+        found.unwrap_or_else(|| path.to_owned())
+    }
+    if is_stream(path) {
+        let here = env::current_dir().unwrap_or_default();
+        return resolve(&here).join("-");
+    }
+    // `..` is kept: only the system can resolve it.
+    absolute(path).map_or_else(|_| path.to_owned(), |path| resolve(&path))
+}
+
+/// Returns a path relative to the working directory if it is inside.
+pub(super) fn display_path(path: &Path) -> PathBuf {
+    let here = env::current_dir().and_then(fs::canonicalize).ok();
+    let inside = here.and_then(|here| path.strip_prefix(here).ok().map(Path::to_owned));
+    inside.unwrap_or_else(|| path.to_owned())
 }
 
 /// Returns the name of a file in diagnostics.

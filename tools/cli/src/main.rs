@@ -4,7 +4,6 @@
 mod arguments;
 mod check;
 mod choices;
-mod dap;
 mod debug;
 mod drives;
 mod embedded;
@@ -14,17 +13,16 @@ mod help;
 mod input;
 mod interrupt;
 mod loader;
-mod lsp;
 mod message;
 mod new;
 mod output;
-mod project;
 mod record;
 mod report;
 mod robot;
 mod run;
 mod sarif;
 mod serve;
+mod servers;
 mod setup;
 mod sweep;
 mod translate;
@@ -103,13 +101,13 @@ enum Verb {
     /// Debug a program in the terminal, forwards and backwards
     Debug(debug::Debug),
     /// Start the debug adapter for editors (Debug Adapter Protocol)
-    Dap(dap::Dap),
+    Dap(servers::Dap),
     /// Migrate a program of an older version to version 3.1
     Migrate(translate::Migrate),
     /// Explain a code such as E205, with a wrong and a right program
     Explain(explain::Explain),
     /// Start the language server for editors
-    Lsp(lsp::Lsp),
+    Lsp(servers::Lsp),
     /// Print a completion script for a shell
     Completions(help::Completions),
     /// Write manual pages
@@ -237,10 +235,10 @@ fn main() -> ExitCode {
         Verb::View(arguments) => record::view(arguments),
         Verb::Serve(arguments) => serve::serve(arguments),
         Verb::Debug(arguments) => debug::debug(arguments),
-        Verb::Dap(arguments) => dap::dap(arguments),
+        Verb::Dap(arguments) => servers::dap(arguments),
         Verb::Migrate(arguments) => translate::migrate(arguments),
         Verb::Explain(arguments) => explain::explain(arguments),
-        Verb::Lsp(arguments) => lsp::lsp(arguments),
+        Verb::Lsp(arguments) => servers::lsp(arguments),
         Verb::Completions(arguments) => help::completions(arguments),
         Verb::Man(arguments) => help::man(arguments),
         Verb::Drives(verb) => drives::drives(verb),

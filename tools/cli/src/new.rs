@@ -1,27 +1,26 @@
 //! `tip new`: makes a crate with a robot that moves, a test and settings for editors.
 
-mod bus;
 mod files;
 mod motion;
-mod name;
-mod origin;
-mod template;
 
-use super::choices::OutputOptions;
+use super::choices::{OutputOptions, RobotName};
 use super::error::Error;
+use super::setup::{RobotChoice, RobotParser, unknown_robot};
 use super::usage::BadValue;
-use super::{Status, output};
+use super::{Status, input, output};
 use crate::message::{Making, Using};
 use clap::Args;
-use files::File;
-use name::CratePath;
-use origin::Origin;
+use clap::builder::ValueParserFactory;
+use files::{CratePath, File, Origin};
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use template::{Choice, Template};
+use std::str::FromStr;
+use tip_runtime::model::{Model as RobotModel, Range, hand, titan8};
 use tip_runtime::printable::Printable;
+use tip_sim::Robot;
 use tipc::language::Edition;
 use tipc::message::Lang;
+use tipc::{Loaded, description};
 
 /// `tip new`
 #[derive(Debug, Args)]
@@ -87,7 +86,7 @@ pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     let template = arguments.robot.template().map_err(refused)?;
     let mut template = template.in_edition(arguments.edition);
     if arguments.hardware {
-        template.description = template.description.take().map(bus::with_bus);
+        template.description = template.description.take().map(with_bus);
     }
     let files = files::crate_files(place, &template, &origin, arguments.hardware);
     files::write_crate(place, &files).map_err(failed)?;
@@ -121,4 +120,278 @@ fn fill(text: &str, placeholders: &[(&str, &str)]) -> String {
     let fill_one =
         |text: String, (name, value): &(&str, &str)| text.replace(&format!("<<{name}>>"), value);
     placeholders.iter().fold(text.to_owned(), fill_one)
+}
+
+/// The description of the hexapod.
+const HEXAPOD: &str = include_str!("../templates/hexapod.toml");
+/// The name of the hexapod.
+const HEXAPOD_NAME: &str = "hexapod";
+
+/// The robot of the command line.
+#[derive(Clone, Debug)]
+enum Choice {
+    Robot(RobotChoice),
+    Hexapod,
+}
+
+impl ValueParserFactory for Choice {
+    type Parser = RobotParser<Self>;
+
+    fn value_parser() -> Self::Parser {
+        RobotParser::new(&[HEXAPOD_NAME])
+    }
+}
+
+impl FromStr for Choice {
+    type Err = BadValue;
+
+    fn from_str(text: &str) -> Result<Self, BadValue> {
+        match text.eq_ignore_ascii_case(HEXAPOD_NAME) {
+            true => Ok(Choice::Hexapod),
+            false => {
+                let chosen = text.parse().map(Choice::Robot);
+                let unknown = |_| BadValue(unknown_robot(text, &[HEXAPOD_NAME]));
+                chosen.map_err(unknown)
+            }
+        }
+    }
+}
+
+/// A motion with the code that shows and tests it.
+#[derive(Debug)]
+struct Motion {
+    /// The name of its file, without extension.
+    stem: &'static str,
+    program: String,
+    main: &'static str,
+    test: &'static str,
+    /// Minimum travel, mm.
+    travel: f64,
+    /// The results of trying it on the simulated robot, one per line.
+    tried: Vec<Making>,
+}
+
+impl Motion {
+    fn walk(program: &str) -> Self {
+        Motion {
+            stem: "walk",
+            program: program.to_owned(),
+            main: include_str!("../templates/main_walk.rs"),
+            test: include_str!("../templates/test_walk.rs"),
+            travel: 500.0,
+            tried: vec![],
+        }
+    }
+
+    /// Returns a gait for a robot that can walk; else a motion that bends one leg after the other.
+    fn of(robot: &Robot) -> Self {
+        if robot.anatomy().body.is_none() {
+            return Motion::bend(robot, motion::BEND_ANGLE);
+        }
+        match motion::find_gait(robot) {
+            Ok(gait) => Motion {
+                travel: (0.9 * gait.travel).floor(),
+                tried: vec![match gait.has_mass {
+                    true => Making::Walks {
+                        travel: gait.travel.round(),
+                    },
+                    false => Making::WalksWithoutMass {
+                        travel: gait.travel.round(),
+                    },
+                }],
+                ..Motion::walk(&gait.program)
+            },
+            Err(reason) => {
+                let small = motion::BEND_ANGLES
+                    .into_iter()
+                    .map(|turn| Motion::bend(robot, turn));
+                let falls = |motion: &Motion| motion::count_falls(&motion.program, robot);
+                let bending = small.into_iter().find(|motion| falls(motion) == 0);
+                let bending = bending.unwrap_or_else(|| Motion::bend(robot, motion::BEND_ANGLE));
+                let falls = falls(&bending);
+                Motion {
+                    tried: vec![Making::NoGait { falls }, reason],
+                    ..bending
+                }
+            }
+        }
+    }
+
+    fn grasp() -> Self {
+        Motion {
+            stem: "grasp",
+            program: include_str!("../templates/motions/grasp.prg").to_owned(),
+            main: include_str!("../templates/main_grasp.rs"),
+            test: include_str!("../templates/test_grasp.rs"),
+            travel: 0.0,
+            tried: vec![],
+        }
+    }
+
+    fn bend(robot: &Robot, turn: f64) -> Self {
+        Motion {
+            stem: "bend",
+            program: motion::bend_program(&robot.anatomy(), turn),
+            main: include_str!("../templates/main_walk.rs"),
+            test: include_str!("../templates/test_bend.rs"),
+            travel: 0.0,
+            tried: vec![],
+        }
+    }
+}
+
+/// The parts of a new crate that depend on its robot.
+#[derive(Debug)]
+struct Template {
+    motion: Motion,
+    robot: String,
+    /// Its description, unless the runtime has the robot.
+    description: Option<Vec<u8>>,
+    legs: usize,
+    /// Joints of each leg.
+    joints: usize,
+    /// The file of the scene.
+    scene: Option<&'static str>,
+}
+
+impl Template {
+    /// Returns the parts with the motion in an edition of the language; its words are of every edition.
+    fn in_edition(mut self, edition: Edition) -> Self {
+        if let Some((_, rest)) = self.motion.program.split_once('\n') {
+            self.motion.program = format!("{edition}\n{rest}");
+        }
+        self
+    }
+}
+
+impl Choice {
+    /// Returns the parts for this robot.
+    ///
+    /// # Errors
+    /// The description has errors.
+    fn template(&self) -> Result<Template, Box<Loaded>> {
+        let walk = || Motion::walk(include_str!("../templates/motions/walk.prg"));
+        let tripod = || Motion::walk(include_str!("../templates/motions/tripod.prg"));
+        match self {
+            Choice::Hexapod => {
+                let template = |_: &Robot| tripod();
+                described(HEXAPOD_NAME, HEXAPOD.as_bytes().to_vec(), template)
+            }
+            Choice::Robot(RobotChoice::File(path)) => {
+                let (name, bytes) = input::description(path)?;
+                described(&name, bytes, Motion::of)
+            }
+            Choice::Robot(RobotChoice::Published(robot)) => {
+                described(&robot.file(), robot.text.as_bytes().to_vec(), Motion::of)
+            }
+            Choice::Robot(RobotChoice::Named(name)) => Ok(match name {
+                RobotName::Titan8 | RobotName::Generic => named(*name, &titan8::MODEL, walk()),
+                RobotName::Hand => Template {
+                    scene: Some(include_str!("../templates/scene.toml")),
+                    ..named(*name, &hand::MODEL, Motion::grasp())
+                },
+            }),
+        }
+    }
+}
+
+/// Returns the parts for a robot of the runtime.
+fn named<const L: usize, const J: usize>(
+    name: RobotName,
+    _: &RobotModel<L, J>,
+    motion: Motion,
+) -> Template {
+    Template {
+        motion,
+        robot: name.robot().name().to_owned(),
+        description: None,
+        legs: L,
+        joints: J,
+        scene: None,
+    }
+}
+
+/// Returns the parts for a described robot.
+fn described(
+    name: &str,
+    description: Vec<u8>,
+    motion: impl Fn(&Robot) -> Motion,
+) -> Result<Template, Box<Loaded>> {
+    let robot = Robot::described(&description::parse(name, &description)?);
+    let anatomy = robot.anatomy();
+    Ok(Template {
+        motion: motion(&robot),
+        robot: robot.name().to_owned(),
+        description: Some(description),
+        legs: anatomy.legs.len(),
+        joints: anatomy.joints,
+        scene: None,
+    })
+}
+
+/// The servo of robots that have no known one.
+const SERVO: &str = "STS3215";
+/// Published robots with other servos.
+const KNOWN: [(&str, &str); 1] = [("phantomx", "AX-12")];
+
+/// Returns a description with a bus, if it has none.
+fn with_bus(mut text: Vec<u8>) -> Vec<u8> {
+    let Some(robot) = description::parse("robot.toml", &text)
+        .ok()
+        .filter(|description| description.bus().is_none())
+        .map(|description| Robot::described(&description))
+    else {
+        return text;
+    };
+    let known = KNOWN.iter().find(|(name, _)| *name == robot.name());
+    let name = known.map_or(SERVO, |(_, servo)| *servo);
+    let travel = input::servos()
+        .iter()
+        .find(|servo| servo.name == name)
+        .map(|servo| servo.travel);
+    text.extend(bus(&robot, name, travel.unwrap_or(Range::new(-180.0, 180.0))).into_bytes());
+    text
+}
+
+fn bus(robot: &Robot, servo: &str, travel: Range) -> String {
+    let mut text = format!(
+        "\n# The real robot: docs/drives.md. Replace what is here by what you built; `tip drives id` sets identities,
+# `tip drives zero` finds signs and offsets.
+[bus]
+port = \"simulated\"   # later, for example, \"/dev/ttyUSB0\"
+servo = \"{servo}\"
+voltage = [9, 13]
+"
+    );
+    let anatomy = robot.anatomy();
+    let mut id = 0;
+    for (leg, limb) in (1..).zip(&anatomy.legs) {
+        for (number, joint) in (1..).zip(&limb.joints) {
+            id += 1;
+            let Range { min, max } = joint.limits;
+            let fits = |offset: f64| travel.contains(min + offset) && travel.contains(max + offset);
+            // In the middle of the travel, unless the joint's zero can be there.
+            let offset = if fits(0.0) {
+                0.0
+            } else {
+                -((min + max) / 2.0).round()
+            };
+            // Writing to a String cannot fail.
+            let _ = write!(
+                text,
+                "\n[[drive]]\njoint = \"J{leg}{number}\"\nid = {id}\nsign = 1\noffset = {offset}\n"
+            );
+            if !fits(offset) {
+                let half = (travel.max - travel.min) / 2.0 - 1.0;
+                let (min, max) = (-offset - half, -offset + half);
+                let _ = writeln!(
+                    text,
+                    "limits = [{:.0}, {:.0}]   # all that the servo can do",
+                    min.ceil(),
+                    max.floor()
+                );
+            }
+        }
+    }
+    text
 }

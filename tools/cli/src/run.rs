@@ -6,7 +6,6 @@ mod files;
 mod summary;
 
 use super::arguments::RunArguments;
-use super::drives::message::Driving;
 use super::drives::realtime;
 use super::drives::robot::{Connection, Setup};
 use super::error::Error;
@@ -14,7 +13,7 @@ use super::loader::{self, Subject};
 use super::report::Deny;
 use super::setup::PlantChoice;
 use super::{Status, input, interrupt, report};
-use crate::message::{Running, Using, Weight};
+use crate::message::{Driving, Running, Using, Weight};
 use clap::Args;
 use console::{Live, Progress, Screen};
 use emergency::Stopped;

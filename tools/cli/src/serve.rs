@@ -1,11 +1,8 @@
-//! `tip serve`: serves a page with a live run to any number of viewers. The session belongs to one thread (`hub`); connections
-//! (`listen`), their admission (`guard`), requests and responses (`http`) and WebSockets (`viewer`) have their own.
+//! `tip serve`: serves a page with a live run to any number of viewers. The session belongs to one thread (`hub`); each connection
+//! (`connections`) has its own.
 
-mod guard;
-mod http;
+mod connections;
 mod hub;
-mod listen;
-mod viewer;
 
 use crate::arguments::RunArguments;
 use crate::error::Error;
@@ -13,11 +10,11 @@ use crate::loader::Subject;
 use crate::message::Using;
 use crate::setup::ChosenRobot;
 use crate::watch::Watch;
-use crate::{Status, input, output, project, report, usage};
+use crate::{Status, input, output, report, usage};
 use clap::Args;
-use guard::Guard;
+use connections::Guard;
 use hub::{Hub, HubEvent, HubSender};
-use std::net::SocketAddr;
+use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::{fs, thread};
 use tip_view::live::{Host, Session, Setup};
@@ -70,7 +67,7 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
     }
     let (session, file, robot) = arguments.session(path)?;
     let failed = |error: std::io::Error| Error::Failed(format!("{}: {error}", arguments.listen));
-    let listener = listen::open(arguments.listen).map_err(failed)?;
+    let listener = TcpListener::bind(arguments.listen).map_err(failed)?;
     let own = listener.local_addr().map_err(failed)?;
     let guard = Guard::new(own).map_err(Error::Failed)?;
     let (hub, sender) = Hub::new(session, file, robot);
@@ -82,7 +79,7 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
         report::say(Using::ServeEnds, lang);
     }
     watch(path, sender.clone())?;
-    listen::accept(listener, guard, sender);
+    connections::accept(listener, guard, sender);
     hub.run();
     Ok(Status::Interrupted)
 }
@@ -91,7 +88,7 @@ impl Serve {
     /// Loads the program; returns its session, its file, and its robot.
     fn session(&self, path: &Path) -> Result<(Session, ServedFile, ChosenRobot), Error> {
         let source = &self.run.source;
-        let place = project::real(path);
+        let place = input::real(path);
         let refusal = Using::ProcessRunsOnce { command: "serve" };
         let Subject {
             loaded,

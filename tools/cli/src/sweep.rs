@@ -4,7 +4,6 @@
 //! written next to it; `--resume` and `tip view` read it.
 
 mod table;
-mod tally;
 
 use crate::arguments::RunArguments;
 use crate::choices::PlantName;
@@ -22,9 +21,8 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::{fs, thread};
-use table::Table;
 pub(super) use table::{Saved, is_table, specification};
-use tally::Tally;
+use table::{Table, Tally};
 use tip_runtime::printable::Printable;
 use tip_sweep::{Axis, AxisError, Columns, PlantSpec, RobotSpec, Sampling, Spec, SweepError, Text};
 use tip_view::{Extent, Pace, Recording};

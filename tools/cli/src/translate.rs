@@ -5,7 +5,7 @@ use crate::choices::{EncodingName, Format, OutputOptions};
 use crate::error::Error;
 use crate::loader::{check, sound};
 use crate::setup::RobotChoice;
-use crate::{Status, input, output, project, report};
+use crate::{Status, input, loader, output, report};
 use clap::{Args, ValueEnum};
 use similar::TextDiff;
 use std::path::{Path, PathBuf};
@@ -101,7 +101,7 @@ struct FormatTarget {
 
 /// Returns robots and encoding from options and the nearest `tip.toml`; without them, all robots that have a name.
 fn target(arguments: &Fmt, path: &Path) -> Result<FormatTarget, Box<Loaded>> {
-    let given = project::of(path)?;
+    let given = loader::settings(path)?;
     let given_robot = given.as_ref().and_then(|given| given.robot.as_ref());
     let robots = match arguments.robot.as_ref().or(given_robot) {
         None => Robot::ALL.to_vec(),

@@ -1,7 +1,6 @@
 //! Keys and screens of the debugger.
 
-use super::app::{App, press as press_key};
-use super::screen as view;
+use super::{App, press as press_key, screen as view};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};

@@ -1,9 +1,8 @@
 //! Time on this machine: waiting for a deadline, priority, and a histogram of how late cycles start; `tip jitter`.
 
-use super::message::Driving;
 use crate::choices::LangName;
 use crate::error::Error;
-use crate::message::{Using, Weight};
+use crate::message::{Driving, Using, Weight};
 use crate::usage::BadValue;
 use crate::{Status, choices, interrupt, output, report};
 use clap::Args;

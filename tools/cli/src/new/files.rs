@@ -1,12 +1,12 @@
-//! The files of a new crate from templates, and the folder, which appears with all of them or not at all.
+//! The files of a new crate from templates, its name, the source of its dependencies, and the folder, which appears with all files
+//! or not at all.
 
-use crate::message::Making;
-use crate::new::fill;
-use crate::new::name::CratePath;
-use crate::new::origin::Origin;
-use crate::new::template::Template;
-use crate::project::real;
-use std::path::{Path, PathBuf};
+use crate::input::real;
+use crate::message::{Making, Using};
+use crate::new::{Template, fill};
+use crate::usage::BadValue;
+use std::path::{Component, Path, PathBuf, absolute};
+use std::str::FromStr;
 use std::{fs, io, process};
 use tipc::Robot;
 use tipc::embed::{LIMIT, read_file};
@@ -34,7 +34,11 @@ pub(super) fn crate_files(
     with_hardware: bool,
 ) -> Vec<File> {
     let stem = template.motion.stem;
-    let placeholders = Placeholders::of(place, template, origin, with_hardware);
+    let placeholders = placeholders(place, template, origin, with_hardware);
+    let placeholders: Vec<_> = placeholders
+        .iter()
+        .map(|(name, value)| (*name, &**value))
+        .collect();
     let mut files = vec![
         (".editorconfig".to_owned(), template_text!("editorconfig")),
         (".gitignore".to_owned(), template_text!("gitignore")),
@@ -71,7 +75,7 @@ pub(super) fn crate_files(
     files.extend(template.scene.map(|text| ("scene.toml".to_owned(), text)));
     let filled = |(name, text): (String, &str)| File {
         name,
-        content: placeholders.fill(text).into_bytes(),
+        content: fill(text, &placeholders).into_bytes(),
     };
     let mut files: Vec<File> = files.into_iter().map(filled).collect();
     let given = |name: &str, content: &Option<Vec<u8>>| {
@@ -87,54 +91,52 @@ pub(super) fn crate_files(
 /// The name of a described robot in code.
 const DESCRIBED: &str = "ROBOT";
 
-/// The placeholders of templates with their values.
-struct Placeholders(Vec<(&'static str, String)>);
+/// A placeholder of templates with its value.
+type Placeholder = (&'static str, String);
 
-impl Placeholders {
-    fn of(place: &CratePath, template: &Template, origin: &Origin, with_hardware: bool) -> Self {
-        let is_inside = is_inside_a_workspace(place.folder());
-        let default_run = format!("default-run = \"{}\"\n", place.name());
-        let has_scene = template.scene.is_some();
-        let mut placeholders = vec![
-            // These have placeholders themselves.
-            ("lib_scene", when(has_scene, template_text!("lib_scene.rs"))),
-            (
-                "lib_hardware",
-                when(with_hardware, template_text!("lib_hardware.rs")),
-            ),
-            (
-                "readme_hardware",
-                when(with_hardware, template_text!("README_hardware.md")),
-            ),
-            (
-                "workspace",
-                when(is_inside, template_text!("manifest_workspace.toml")),
-            ),
-            ("default_run", when(with_hardware, &default_run)),
-            ("macros", origin.macros()),
-            ("runtime", origin.runtime()),
-            ("sim", origin.sim()),
-            ("rust", env!("CARGO_PKG_RUST_VERSION").to_owned()),
-            ("name", place.name().to_owned()),
-            ("crate", place.crate_name()),
-            ("motion", template.motion.stem.to_owned()),
-            ("Program", type_name(template.motion.stem)),
-            ("scene", when(has_scene, "scene = \"scene.toml\"\n")),
-            ("travel", format!("{:?}", template.motion.travel)),
-            ("legs", template.legs.to_string()),
-            ("joints", template.joints.to_string()),
-        ];
-        placeholders.extend(match template.description {
-            Some(_) => of_description(&type_name(template.motion.stem)),
-            None => of_runtime(&type_name(template.motion.stem), &template.robot),
-        });
-        Placeholders(placeholders)
-    }
-
-    fn fill(&self, text: &str) -> String {
-        let placeholders = self.0.iter().map(|(name, value)| (*name, &**value));
-        fill(text, &placeholders.collect::<Vec<_>>())
-    }
+fn placeholders(
+    place: &CratePath,
+    template: &Template,
+    origin: &Origin,
+    with_hardware: bool,
+) -> Vec<Placeholder> {
+    let is_inside = is_inside_a_workspace(place.folder());
+    let default_run = format!("default-run = \"{}\"\n", place.name());
+    let has_scene = template.scene.is_some();
+    let mut placeholders = vec![
+        // These have placeholders themselves.
+        ("lib_scene", when(has_scene, template_text!("lib_scene.rs"))),
+        (
+            "lib_hardware",
+            when(with_hardware, template_text!("lib_hardware.rs")),
+        ),
+        (
+            "readme_hardware",
+            when(with_hardware, template_text!("README_hardware.md")),
+        ),
+        (
+            "workspace",
+            when(is_inside, template_text!("manifest_workspace.toml")),
+        ),
+        ("default_run", when(with_hardware, &default_run)),
+        ("macros", origin.dependency(MACROS)),
+        ("runtime", origin.dependency(RUNTIME)),
+        ("sim", origin.dependency(SIM)),
+        ("rust", env!("CARGO_PKG_RUST_VERSION").to_owned()),
+        ("name", place.name().to_owned()),
+        ("crate", place.crate_name()),
+        ("motion", template.motion.stem.to_owned()),
+        ("Program", type_name(template.motion.stem)),
+        ("scene", when(has_scene, "scene = \"scene.toml\"\n")),
+        ("travel", format!("{:?}", template.motion.travel)),
+        ("legs", template.legs.to_string()),
+        ("joints", template.joints.to_string()),
+    ];
+    placeholders.extend(match template.description {
+        Some(_) => of_description(&type_name(template.motion.stem)),
+        None => of_runtime(&type_name(template.motion.stem), &template.robot),
+    });
+    placeholders
 }
 
 fn when(is_so: bool, text: &str) -> String {
@@ -146,7 +148,7 @@ fn when(is_so: bool, text: &str) -> String {
 }
 
 /// Returns the placeholders for a robot that `robot.toml` describes.
-fn of_description(program: &str) -> Vec<(&'static str, String)> {
+fn of_description(program: &str) -> Vec<Placeholder> {
     let mut items = [program, DESCRIBED];
     items.sort_unstable();
     vec![
@@ -166,7 +168,7 @@ fn of_description(program: &str) -> Vec<(&'static str, String)> {
 }
 
 /// Returns the placeholders for a robot of the runtime.
-fn of_runtime(program: &str, robot: &str) -> Vec<(&'static str, String)> {
+fn of_runtime(program: &str, robot: &str) -> Vec<Placeholder> {
     let is_default = robot == Robot::default().name();
     vec![
         ("features", String::new()),
@@ -260,5 +262,298 @@ impl Drop for TemporaryFolder {
     fn drop(&mut self) {
         // It does not exist any more after its renaming.
         let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The version of this command and of the crates.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// The folder that this command was built from, if it still exists.
+const BUILT_FROM: &str = env!("CARGO_MANIFEST_DIR");
+
+/// Folders of a checkout.
+const MACROS: &str = "tip-macros";
+const RUNTIME: &str = "tip-runtime";
+const SIM: &str = "tools/sim";
+
+/// The source of the dependencies.
+#[derive(Debug)]
+pub(super) enum Origin {
+    /// A checkout, and its path in the manifest.
+    Checkout { folder: PathBuf, named: PathBuf },
+    /// The registry.
+    Published,
+}
+
+impl Origin {
+    /// Returns the checkout that is given, else the one that this command was built from, else the registry.
+    ///
+    /// # Errors
+    /// What is asked for is not a checkout of this version.
+    pub(super) fn find(asked: Option<&Path>, place: &CratePath) -> Result<Self, Making> {
+        if let Some(folder) = asked {
+            let refused = || Making::NotACheckout {
+                folder: folder.display().to_string().into(),
+                version: VERSION.to_owned(),
+            };
+            let named = seen_from(place.folder(), folder);
+            let checkout = Self::checkout(folder, named);
+            return checkout.ok_or_else(refused)?.nameable();
+        }
+        let built_from = Path::new(BUILT_FROM).ancestors().nth(2);
+        let found = built_from.and_then(|folder| Self::checkout(folder, folder.to_owned()));
+        found.unwrap_or(Origin::Published).nameable()
+    }
+
+    /// Refuses a checkout with a path that a manifest cannot name.
+    fn nameable(self) -> Result<Self, Making> {
+        match &self {
+            Origin::Checkout { named, .. }
+                if !named
+                    .to_str()
+                    .is_some_and(|path| !path.contains(char::is_control)) =>
+            {
+                Err(Making::NotForManifest {
+                    folder: named.display().to_string().into(),
+                })
+            }
+            _ => Ok(self),
+        }
+    }
+
+    fn checkout(folder: &Path, named: PathBuf) -> Option<Self> {
+        let manifest =
+            String::from_utf8(read_file(&folder.join("Cargo.toml"), LIMIT).ok()?).ok()?;
+        let version = format!("version = \"{VERSION}\"");
+        let has = |name: &&str| folder.join(name).join("Cargo.toml").is_file();
+        let is_ours =
+            manifest.lines().any(|line| line == version) && [MACROS, RUNTIME, SIM].iter().all(has);
+        is_ours.then(|| Origin::Checkout {
+            folder: folder.to_owned(),
+            named,
+        })
+    }
+
+    /// Returns the dependency on the crate in a folder of a checkout, without braces.
+    fn dependency(&self, folder: &str) -> String {
+        match self {
+            Origin::Checkout { named, .. } => {
+                let path = named.join(folder).to_string_lossy().into_owned();
+                // A string of JSON is one of TOML too.
+                format!("path = {}", serde_json::Value::from(path))
+            }
+            Origin::Published => format!("version = \"={VERSION}\""),
+        }
+    }
+
+    /// Returns the lock file of the checkout.
+    pub(super) fn lock(&self) -> Option<Vec<u8>> {
+        match self {
+            Origin::Checkout { folder, .. } => read_file(&folder.join("Cargo.lock"), LIMIT).ok(),
+            Origin::Published => None,
+        }
+    }
+}
+
+/// Converts a path from here to one from a new folder.
+fn seen_from(place: &Path, path: &Path) -> PathBuf {
+    // `..` after a link leads elsewhere.
+    let here = real(Path::new("."));
+    let is_below = place.is_relative() && real(place) == here.join(place);
+    if path.is_absolute() || !is_below {
+        return absolute(path).unwrap_or_else(|_| path.to_owned());
+    }
+    let is_real = |part: &Component<'_>| *part != Component::CurDir;
+    let up = place
+        .components()
+        .filter(is_real)
+        .map(|_| Component::ParentDir);
+    up.chain(path.components().filter(is_real)).collect()
+}
+
+/// Maximum length of a name in registries.
+const LONGEST: usize = 64;
+
+/// Names that mean something else: to Rust, to cargo, to Windows, or in the crate that is made.
+const TAKEN: [&str; 5] = [
+    // Keywords, also those that are kept for later.
+    "abstract as async await become box break const continue crate do dyn else enum extern false final fn for gen if impl in let \
+     loop macro match mod move mut override priv pub ref return self static struct super trait true try type typeof unsafe \
+     unsized use virtual where while yield",
+    // Crates that every build has.
+    "alloc core proc-macro proc_macro std test",
+    // Folders that cargo writes next to an executable.
+    "build deps examples incremental",
+    // Devices of Windows.
+    "aux com1 com2 com3 com4 com5 com6 com7 com8 com9 con lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 nul prn",
+    // What the crate depends on, and its other executable.
+    "drive tip-macros tip-runtime tip-sim tip_macros tip_runtime tip_sim tipc",
+];
+
+fn is_taken(name: &str) -> bool {
+    let mut words = TAKEN.iter().flat_map(|words| words.split(' '));
+    words.any(|word| word == name)
+}
+
+/// The name and the folder of a new crate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct CratePath {
+    folder: PathBuf,
+    name: String,
+}
+
+impl CratePath {
+    /// Returns the folder, which has the name of the crate.
+    pub(super) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Returns the name.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Returns the name in Rust code.
+    pub(super) fn crate_name(&self) -> String {
+        self.name.replace('-', "_")
+    }
+}
+
+impl FromStr for CratePath {
+    type Err = BadValue;
+
+    fn from_str(text: &str) -> Result<Self, BadValue> {
+        let folder = PathBuf::from(text);
+        let name = folder.file_name().unwrap_or_default();
+        let name = name.to_string_lossy().into_owned();
+        if !is_plain_name(&name) {
+            let near = near(&name);
+            return Err(BadValue(Using::NotACrateName { name, near }));
+        }
+        if is_taken(&name) {
+            let near = near(&name);
+            return Err(BadValue(Using::CrateNameTaken { name, near }));
+        }
+        Ok(CratePath { folder, name })
+    }
+}
+
+/// Returns true for small letters and digits with single `-` or `_` between them, a letter first: cargo or registries refuse other
+/// names, or the compiler warns of them.
+fn is_plain_name(name: &str) -> bool {
+    let is_word = |word: &str| {
+        !word.is_empty()
+            && word
+                .bytes()
+                .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit())
+    };
+    name.starts_with(|first: char| first.is_ascii_lowercase())
+        && name.len() <= LONGEST
+        && name.split(['-', '_']).all(is_word)
+}
+
+/// Returns a similar name that is accepted.
+fn near(name: &str) -> String {
+    let small = name.to_lowercase();
+    let words = small.split(|c: char| !c.is_ascii_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let near: String = words.join("-").chars().take(LONGEST / 2).collect();
+    let near = near.trim_end_matches('-');
+    match near.chars().next() {
+        None => "demo".to_owned(),
+        Some(first) if first.is_ascii_digit() || is_taken(near) => format!("my-{near}"),
+        Some(_) => near.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_checkout_keeps_its_place_beside_the_crate() {
+        for (place, path, seen) in [
+            ("demo", "tip", "../tip"),
+            ("demo", "../tip", "../../tip"),
+            ("robots/demo", "./tip", "../../tip"),
+            ("./demo", ".", ".."),
+            ("demo", "/src/tip", "/src/tip"),
+        ] {
+            let seen_from = seen_from(Path::new(place), Path::new(path));
+            assert_eq!(seen_from, Path::new(seen), "{place}: {path}");
+        }
+        let far = seen_from(Path::new("/demo"), Path::new("tip"));
+        assert!(far.is_absolute(), "{far:?}");
+    }
+
+    #[test]
+    fn published_crates_are_those_of_this_version() {
+        let expected = format!("version = \"={VERSION}\"");
+        assert_eq!(Origin::Published.dependency(SIM), expected);
+    }
+
+    #[test]
+    fn names_that_cargo_and_rust_take_are_taken() {
+        let longest = "a".repeat(LONGEST);
+        for name in [
+            "demo",
+            "first-walk",
+            "walk_2",
+            "a",
+            "x86",
+            "tests",
+            "new",
+            "testing",
+            "move-it",
+            "r2d2",
+            "com10",
+            "tip",
+            "main",
+            "hardware",
+            &longest,
+        ] {
+            let place: CratePath = name.parse().expect(name);
+            assert_eq!((place.name(), place.folder()), (name, Path::new(name)));
+        }
+        let place: CratePath = "robots/first-walk/".parse().expect("a folder");
+        assert_eq!(place.name(), "first-walk");
+        assert_eq!(place.crate_name(), "first_walk");
+    }
+
+    #[test]
+    fn other_names_are_refused_with_one_that_is_taken() {
+        let too_long = "a".repeat(LONGEST + 1);
+        for (name, better) in [
+            ("", "demo"),
+            (".", "demo"),
+            ("..", "demo"),
+            ("歩く", "demo"),
+            ("2fast", "my-2fast"),
+            ("Demo", "demo"),
+            ("first walk", "first-walk"),
+            ("first.walk", "first-walk"),
+            ("first--walk", "first-walk"),
+            ("_demo", "demo"),
+            ("demo-", "demo"),
+            ("wälk", "w-lk"),
+            ("match", "my-match"),
+            ("test", "my-test"),
+            ("Test", "my-test"),
+            ("std", "my-std"),
+            ("deps", "my-deps"),
+            ("nul", "my-nul"),
+            ("tip-runtime", "my-tip-runtime"),
+            ("tip_runtime", "my-tip_runtime"),
+            (&too_long, &"a".repeat(LONGEST / 2)),
+        ] {
+            let refused = name.parse::<CratePath>().expect_err(name);
+            let (Using::NotACrateName { near, .. } | Using::CrateNameTaken { near, .. }) =
+                refused.0
+            else {
+                panic!("{name}: {refused}");
+            };
+            assert_eq!(near, better.replace('_', "-"), "{name}");
+            near.parse::<CratePath>().expect("it is taken");
+        }
     }
 }

@@ -1,19 +1,26 @@
-//! `tip lsp`: the language server of `tip-ide` on standard input and output, and the files that it needs.
+//! The servers of `tip-ide` on standard input and output, and the files that they need: `tip lsp` and `tip dap`.
 
 use super::Status;
-use super::error::Error;
-use super::setup::RobotChoice;
+use super::arguments::{InputArguments, RunArguments, SourceArguments};
+use super::choices::{self, EncodingName, LangName, OutputOptions};
+use super::error::{Error, diagnostics, is_closed};
+use super::loader::{self, Subject};
+use super::setup::{RobotChoice, SceneChoice};
 use super::usage::BadValue;
-use super::{choices, embedded, explain, project, sarif};
-use clap::Args;
+use super::{embedded, explain, input, output, sarif};
+use crate::message::Using;
+use clap::{Args, ValueEnum};
 use std::collections::HashMap;
 use std::hint::black_box;
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::{env, fs};
+use tip_ide::dap::{self, Debuggee, Launch, Launcher};
 use tip_ide::lsp::{self, RobotConfig, Workspace};
 use tip_ide::transport::Connection;
+use tip_sim::debug::Debugger;
+use tip_sim::event::EventError;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::{Loaded, Options, render};
@@ -93,7 +100,7 @@ impl Files {
             let choice: RobotChoice = name.parse().map_err(|wrong: BadValue| wrong.text(lang))?;
             return Ok(choice.relative_to(path));
         }
-        let given = path.map_or(Ok(None), project::of);
+        let given = path.map_or(Ok(None), loader::settings);
         let given = given.map_err(|loaded| first_diagnostic(&loaded, lang))?;
         Ok(given.and_then(|given| given.robot).unwrap_or_default())
     }
@@ -123,7 +130,7 @@ impl Workspace for Files {
         if self.robot.is_some() || configured.is_some() {
             return None;
         }
-        let given = project::of(path).ok().flatten()?;
+        let given = loader::settings(path).ok().flatten()?;
         let key = (path.to_owned(), given.to_string());
         let warning = || embedded::warning(path, given.file(), given.robot.as_ref()?);
         self.crates.entry(key).or_insert_with(warning).clone()
@@ -139,7 +146,7 @@ impl Workspace for Files {
     }
 
     fn encoding(&mut self, path: &Path) -> Option<String> {
-        let given = project::of(path).ok().flatten()?;
+        let given = loader::settings(path).ok().flatten()?;
         given.encoding.map(choices::name)
     }
 
@@ -215,4 +222,117 @@ fn cache() -> Option<PathBuf> {
     named("XDG_CACHE_HOME")
         .or_else(|| named("LOCALAPPDATA"))
         .or_else(|| Some(named("HOME")?.join(".cache")))
+}
+
+/// `tip dap`
+#[derive(Debug, Args)]
+#[command(
+    after_long_help = "Editors start it; it uses the Debug Adapter Protocol on standard input and output.
+A launch has the same settings as the options of 'tip run':
+
+  { \"request\": \"launch\", \"program\": \"walk.prg\", \"robot\": \"titan8\", \"scene\": \"cylinder\",
+    \"events\": \"10:key F, 300:VR1=8\", \"stopOnEntry\": true, \"stopOnFall\": true }
+
+In the console of the debugger: an expression such as STRIDE + 5 or STRIDE > 80, N = 5, key F,
+VR1=8, halt, to 300 (a cycle). See docs/debugging.md."
+)]
+pub(super) struct Dap {}
+
+/// Serves a client until it disconnects.
+pub(super) fn dap(_: &Dap) -> Result<Status, Error> {
+    let connection = Connection::new(BufReader::new(io::stdin()), io::stdout());
+    match dap::serve(connection, Programs) {
+        Ok(()) => Ok(Status::Success),
+        Err(error) if is_closed(&error) => Ok(Status::Success),
+        Err(error) => Err(Error::Failed(format!(
+            "the client cannot be answered: {error}"
+        ))),
+    }
+}
+
+/// Loads programs from files.
+struct Programs;
+
+impl Launcher for Programs {
+    fn is_same_file(&self, one: &str, other: &str) -> bool {
+        output::is_same(Path::new(one), Path::new(other))
+    }
+
+    fn launch(&mut self, launch: &Launch, lang: Lang) -> Result<Debuggee, String> {
+        let path = Path::new(&launch.program);
+        if input::is_stream(path) {
+            // It is the connection to the client.
+            return Err(diagnostics(
+                &input::load_file(path, &Options::default()),
+                lang,
+            ));
+        }
+        let mut run = arguments(launch, path, lang)?;
+        let refusal = Using::ProcessRunsOnce { command: "dap" };
+        let subject = run
+            .complete(path)
+            .and_then(|_| loader::load(path, &run, Some(refusal)));
+        let Subject { loaded, robot, .. } = subject.map_err(|error| error.text(lang))?;
+        let found = diagnostics(&loaded, lang);
+        let Some(program) = loaded.program else {
+            return Err(found);
+        };
+        let debugger = Debugger::new(program, &robot).map_err(|mismatch| mismatch.to_string())?;
+        let debugger = debugger
+            .with_events(&run.inputs.inputs().events)
+            .map_err(|refused| refused.text(lang))?;
+        Ok(Debuggee {
+            debugger,
+            source: loaded.source,
+            path: launch.program.clone(),
+            warnings: found,
+        })
+    }
+}
+
+/// Converts a launch to arguments of the command line. Files are also found from the folder of the program.
+fn arguments(launch: &Launch, program: &Path, lang: Lang) -> Result<RunArguments, String> {
+    let wrong = |wrong: BadValue| wrong.text(lang);
+    let robot = parsed(&launch.robot)
+        .map_err(wrong)?
+        .map(|robot| match robot {
+            RobotChoice::File(path) => RobotChoice::File(from_program(program, path)),
+            named => named,
+        });
+    let scene = parsed(&launch.scene)?.map(|scene| match scene {
+        SceneChoice::File(path) => SceneChoice::File(from_program(program, path)),
+        named => named,
+    });
+    let encoding = launch.encoding.as_ref();
+    let encoding = encoding.map(|name| EncodingName::from_str(name, true));
+    let events = parsed(&launch.events).map_err(|error: EventError| error.to_string())?;
+    let plant = parsed(&launch.plant).map_err(wrong)?;
+    Ok(RunArguments {
+        file: program.to_owned(),
+        source: SourceArguments {
+            robot,
+            tip_version: None,
+            encoding: encoding.transpose()?,
+            output_options: OutputOptions::of(LangName::of(lang)),
+            given: None,
+        },
+        inputs: InputArguments {
+            events,
+            scene,
+            plant,
+            ..InputArguments::default()
+        },
+    })
+}
+
+fn parsed<T: std::str::FromStr>(text: &Option<String>) -> Result<Option<T>, T::Err> {
+    text.as_deref().map(str::parse).transpose()
+}
+
+/// Returns the path of a file, from the folder of the program unless it exists as it is.
+fn from_program(program: &Path, path: PathBuf) -> PathBuf {
+    match program.parent() {
+        Some(folder) if path.is_relative() && !path.exists() => folder.join(path),
+        _ => path,
+    }
 }
