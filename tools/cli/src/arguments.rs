@@ -1,9 +1,9 @@
 //! The option groups that several commands share: the program with its robot, and the inputs of a run.
 
-use super::choices::{EncodingName, OutputOptions, RobotName};
+use super::choices::{EncodingName, OutputOptions};
 use super::error::Error;
 use super::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
-use super::usage::{BadValue, count};
+use super::usage::count;
 use crate::message::Using;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
 /// The default robot.
-static TITAN: RobotChoice = RobotChoice::Named(RobotName::Titan8);
+static TITAN: RobotChoice = RobotChoice::Named(Robot::Titan8);
 
 /// The options for reading a program.
 #[derive(Clone, Debug, Args)]
@@ -66,12 +66,12 @@ impl SourceArguments {
 }
 
 /// Parses a version of the language.
-pub(super) fn version_number(text: &str) -> Result<f64, BadValue> {
+pub(super) fn version_number(text: &str) -> Result<f64, Using> {
     match text.parse() {
         Ok(number) if f64::is_finite(number) && number > 0.0 => Ok(number),
-        _ => Err(BadValue(Using::NotAVersion {
+        _ => Err(Using::NotAVersion {
             text: text.to_owned(),
-        })),
+        }),
     }
 }
 

@@ -18,7 +18,6 @@ use tip_sim::Robot;
 use tipc::diagnostic::Applicability;
 use tipc::{Loaded, Options};
 
-/// `tip check`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip check walk.prg turn.prg
@@ -140,23 +139,23 @@ fn check_once(arguments: &Check) -> Result<Status, Error> {
         let found = found.and_then(|_| match arguments.least_certainty() {
             Some(least) => {
                 let robot = source.load_robot()?.simulated()?;
-                let loaded = fix(file, &source, &robot, least, &total, output_options)?;
+                let loaded = fix(file, &source, &robot, least, &total)?;
                 Ok((loaded, source.options(robot.options().robot)))
             }
             None => {
                 let subject = loader::check(file, &source)?;
                 let options = source.options(subject.chosen.robot());
                 let loaded = confirmed(subject.loaded, &options, output_options);
-                total.check(&loaded, output_options)?;
+                total.check(&loaded)?;
                 Ok((loaded, options))
             }
         });
         let (loaded, options) = match found {
             Ok(found) => found,
             Err(Error::Refused(loaded, _)) => {
-                total.check(&loaded, output_options)?;
+                total.check(&loaded)?;
                 total.add(&loaded);
-                total.report(output_options)?;
+                total.report()?;
                 return Ok(Status::Failure);
             }
             Err(error) => return Err(error),
@@ -168,19 +167,19 @@ fn check_once(arguments: &Check) -> Result<Status, Error> {
         }
     }
     fixable.report(output_options);
-    total.report(output_options)?;
+    total.report()?;
     Ok(status)
 }
 
 /// Applies fixes to a program and writes it if there were any; reports and returns the remaining diagnostics.
-pub(super) fn fix(
+fn fix(
     path: &Path,
     source: &SourceArguments,
     robot: &Robot,
     least: Applicability,
     total: &Total,
-    output_options: OutputOptions,
 ) -> Result<Loaded, Error> {
+    let output_options = source.output_options;
     let options = source.options(robot.options().robot);
     let loaded = input::load(path, &options);
     let read = loaded.source.bytes();
@@ -208,16 +207,12 @@ pub(super) fn fix(
         Format::Sarif => (),
     }
     let loaded = confirmed(loaded, &options, output_options);
-    total.check(&loaded, output_options)?;
+    total.check(&loaded)?;
     Ok(loaded)
 }
 
 /// Keeps only the fixes that were tried, for output that tools read.
-pub(super) fn confirmed(
-    loaded: Loaded,
-    options: &Options,
-    output_options: OutputOptions,
-) -> Loaded {
+fn confirmed(loaded: Loaded, options: &Options, output_options: OutputOptions) -> Loaded {
     match output_options.message_format {
         Format::Json | Format::Sarif => confirm(loaded, options),
         Format::Human | Format::Short => loaded,
@@ -243,19 +238,14 @@ fn fix_report(repaired: &Repaired, output_options: OutputOptions) -> String {
 
 /// Number of diagnostics that can be fixed.
 #[derive(Debug, Default)]
-pub(super) struct Fixable {
+struct Fixable {
     certain: usize,
     all: usize,
 }
 
 impl Fixable {
     /// Counts the fixable diagnostics of a file.
-    pub(super) fn add(
-        &mut self,
-        loaded: &Loaded,
-        options: &Options,
-        output_options: OutputOptions,
-    ) {
+    fn add(&mut self, loaded: &Loaded, options: &Options, output_options: OutputOptions) {
         let is_known = loaded.diagnostics.iter().any(|one| !one.fixes.is_empty());
         if !is_known || output_options.message_format != Format::Human {
             return;
@@ -267,7 +257,7 @@ impl Fixable {
     }
 
     /// Reports the counts to people.
-    pub(super) fn report(self, output_options: OutputOptions) {
+    fn report(self, output_options: OutputOptions) {
         let diagnostics = self.certain.into();
         let can = match (self.certain, self.all) {
             (_, 0) => return,

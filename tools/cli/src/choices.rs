@@ -3,63 +3,18 @@
 use clap::{Args, ValueEnum};
 use std::env;
 use std::io::{self, IsTerminal};
-use tip_runtime::plant::Simulation;
 use tipc::Robot;
 use tipc::message::Lang;
 use tipc::published;
 use tipc::render::Style;
 use tipc::source::Encoding;
 
-/// The names of robots.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum RobotName {
-    /// TITAN VIII, the quadruped
-    Titan8,
-    /// Hiroshima Hand
-    Hand,
-    /// Every generic command, on TITAN VIII's geometry
-    Generic,
-}
-
-impl RobotName {
-    pub(super) fn robot(self) -> Robot {
-        match self {
-            RobotName::Titan8 => Robot::Titan8,
-            RobotName::Hand => Robot::Hand,
-            RobotName::Generic => Robot::Generic,
-        }
-    }
-}
-
 /// Returns the names of robots, after those of a command.
 pub(super) fn robot_names(others: &[&'static str]) -> Vec<&'static str> {
-    let built_in = RobotName::value_variants().iter();
-    let built_in = built_in.map(|name| name.robot().name());
+    let built_in = Robot::ALL.iter().map(|robot| robot.name());
     let published = published::ALL.iter().map(|robot| robot.name);
     let others = others.iter().copied();
     others.chain(built_in).chain(published).collect()
-}
-
-/// Returns the name of a value in options and files.
-pub(super) fn name(value: impl ValueEnum) -> String {
-    let value = value.to_possible_value();
-    value.map_or_else(String::new, |value| value.get_name().to_owned())
-}
-
-/// The names of plants for walking robots.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum PlantName {
-    QuasiStatic,
-    Dynamic,
-}
-
-impl PlantName {
-    pub(super) fn simulation(self) -> Simulation {
-        match self {
-            PlantName::QuasiStatic => Simulation::QuasiStatic,
-            PlantName::Dynamic => Simulation::Dynamic,
-        }
-    }
 }
 
 /// The names of encodings.
@@ -80,6 +35,12 @@ impl EncodingName {
             Encoding::Utf8 => EncodingName::Utf8,
             Encoding::ShiftJis => EncodingName::ShiftJis,
         }
+    }
+
+    /// Returns the name in options and `tip.toml`.
+    pub(super) fn name(self) -> String {
+        let value = self.to_possible_value();
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
     }
 
     pub(super) fn encoding(self) -> Encoding {

@@ -23,7 +23,6 @@ use tip_view::Skeleton;
 use tipc::message::{Lang, Message, Text};
 use tipc::source::Source;
 
-/// `tip debug`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip debug walk.prg                            stops before the first step
@@ -90,7 +89,7 @@ fn load(run: &RunArguments) -> Result<App, Error> {
 /// Draws the screen and handles keys until the user quits.
 fn show(mut app: App, terminal: &mut DefaultTerminal) -> io::Result<()> {
     let mut drawn = None;
-    while !app.is_over() && !interrupt::is_requested() {
+    while !app.is_over && !interrupt::is_requested() {
         let is_due = drawn.is_none_or(|at: Instant| at.elapsed() >= FRAME);
         if is_due || !app.is_going() {
             terminal.draw(|frame| screen::draw(&app, frame))?;
@@ -166,14 +165,6 @@ impl App {
         }
     }
 
-    fn is_over(&self) -> bool {
-        self.is_over
-    }
-
-    fn quit(&mut self) {
-        self.is_over = true;
-    }
-
     fn is_going(&self) -> bool {
         self.debugger.is_going()
     }
@@ -182,7 +173,6 @@ impl App {
         message.into().in_lang(self.lang).to_string()
     }
 
-    /// Starts a movement.
     fn go(&mut self, movement: Move) {
         self.answer = None;
         self.progress = None;
@@ -423,11 +413,10 @@ fn owned(text: &str) -> Text {
 /// Number of lines of a page.
 const PAGE: i64 = 15;
 
-/// Handles a key.
 fn press(app: &mut App, key: KeyEvent) {
     if key.modifiers.contains(KeyModifiers::CONTROL) {
         if key.code == KeyCode::Char('c') {
-            app.quit();
+            app.is_over = true;
         }
         return;
     }
@@ -444,7 +433,7 @@ fn press(app: &mut App, key: KeyEvent) {
             if matches!(key.code, KeyCode::Esc | KeyCode::Char(' ')) {
                 app.interrupt();
             } else if key.code == KeyCode::Char('q') {
-                app.quit();
+                app.is_over = true;
             }
         }
         None => command(app, key.code),
@@ -485,7 +474,7 @@ fn command(app: &mut App, code: KeyCode) {
 fn letter(app: &mut App, letter: char, is_capital: bool) {
     let line = app.cursor;
     match (letter, is_capital) {
-        ('q', false) => app.quit(),
+        ('q', false) => app.is_over = true,
         ('r', false) => app.go(Move::Continue),
         ('r', true) => app.go(Move::ReverseContinue),
         ('n', false) => app.go(Move::Over),

@@ -139,7 +139,6 @@ impl RobotArguments {
     }
 }
 
-/// `tip drives scan`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip drives scan --port /dev/ttyUSB0                 all families, at 1 Mbaud
@@ -159,7 +158,6 @@ pub(crate) struct Scan {
     to: u8,
 }
 
-/// `tip drives id`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Example:
   tip drives id 1 12 --family sts --port /dev/ttyACM0   new servos have the identity 1: name one at a time
@@ -182,7 +180,6 @@ pub(crate) struct Id {
     port: PortArguments,
 }
 
-/// `tip drives zero`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Example:
   tip drives zero robot.toml            print sign and offset of each [[drive]]
@@ -200,7 +197,6 @@ pub(crate) struct Zero {
     write: bool,
 }
 
-/// `tip drives jog`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Example:
   tip drives jog robot.toml J11
@@ -214,7 +210,6 @@ pub(crate) struct Jog {
     joint: String,
 }
 
-/// `tip drives monitor`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip drives monitor robot.toml            until Ctrl-C
@@ -230,7 +225,6 @@ pub(crate) struct Monitor {
     once: bool,
 }
 
-/// `tip drives simulate`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip drives simulate robot.toml                                 prints the name of a port
@@ -254,7 +248,6 @@ pub(crate) struct Simulate {
     lang: Option<LangName>,
 }
 
-/// Runs a command.
 pub(crate) fn drives(verb: &DrivesVerb) -> Result<Status, Error> {
     match verb {
         DrivesVerb::Scan(arguments) => scan(arguments),

@@ -62,7 +62,6 @@ impl Error {
         }
     }
 
-    /// Returns the exit status.
     pub(super) fn status(&self) -> Status {
         match self {
             Error::Usage(_) => Status::Usage,

@@ -10,7 +10,6 @@ use tipc::code::{Code, Mistake};
 use tipc::message::Lang;
 use tipc::message::list::Each;
 
-/// `tip explain`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip explain E205           with a list of the finer codes
@@ -41,7 +40,6 @@ pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
     Ok(Status::Success)
 }
 
-/// Returns the page of a code.
 pub(super) fn page(code: &str, lang: Lang) -> Option<&'static str> {
     let page = PAGES.iter().find(|page| page.code == code)?;
     Some(lang.pick(page.english, page.japanese))

@@ -3,6 +3,7 @@
 
 use crate::choices::{LangName, robot_names};
 use crate::error::Error;
+use crate::output::width;
 use crate::{Arguments, Status, output};
 use clap::builder::{EnumValueParser, PossibleValue, StyledStr};
 use clap::{Arg, ArgAction, Args, Command, CommandFactory};
@@ -163,15 +164,6 @@ fn fitting(line: &str) -> &str {
 /// Columns of a terminal.
 const COLUMNS: usize = 80;
 
-/// Returns the number of columns of a line; characters of Japanese are two wide.
-fn width(line: &str) -> usize {
-    let columns = line.chars().map(|char| match char < '\u{2e80}' {
-        true => 1,
-        false => 2,
-    });
-    columns.sum()
-}
-
 fn name_of(command: &Command) -> String {
     command.get_name().to_owned()
 }
@@ -251,7 +243,6 @@ fn endings() -> impl Iterator<Item = (&'static str, &'static str)> {
     texts.filter_map(|text| text.split_once('\n'))
 }
 
-/// `tip completions`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip completions bash > ~/.local/share/bash-completion/completions/tip
@@ -262,7 +253,6 @@ pub(super) struct Completions {
     shell: Shell,
 }
 
-/// `tip man`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip man -o ~/.local/share/man/man1")]

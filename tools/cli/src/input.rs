@@ -50,11 +50,8 @@ pub(super) fn migrate(
     encoding: Encoding,
     edition: Edition,
 ) -> Result<Migration, Box<Loaded>> {
-    let name = name(path);
-    match read(path, LIMIT) {
-        Ok(bytes) => tip_lint::migrate::migrate_to(edition, &name, &bytes, encoding),
-        Err(reason) => Err(Box::new(unreadable(name, reason))),
-    }
+    let (name, bytes) = bytes(path)?;
+    tip_lint::migrate::migrate_to(edition, &name, &bytes, encoding)
 }
 
 /// Returns true if a file is called URDF by its extension.
@@ -63,7 +60,7 @@ pub(super) fn is_urdf(path: &Path) -> bool {
 }
 
 /// Reads the text of a description at `path`, or imports a URDF file; returns its name in diagnostics, too.
-pub(super) fn description(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
+pub(super) fn description_text(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
     let (name, bytes) = bytes(path)?;
     if !is_urdf(path) {
         return Ok((name, bytes));
@@ -82,8 +79,8 @@ pub(super) fn description(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>>
 
 /// Reads the description of a robot at `path`, or imports a URDF file.
 pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
-    let (name, bytes) = description(path)?;
-    tipc::description::parse_for_servos(&name, &bytes, &servos())
+    let (name, bytes) = description_text(path)?;
+    description::parse_for_servos(&name, &bytes, &servos())
 }
 
 /// Reads the `tip.toml` at `path`; `is_there` says whether there is a file that it names.
@@ -93,22 +90,16 @@ pub(super) fn project(
 ) -> Result<Project, Box<Loaded>> {
     let name = name(path);
     match embed::read_file(path, LIMIT) {
-        Ok(bytes) => tipc::description::parse_project(&name, &bytes, is_there),
+        Ok(bytes) => description::parse_project(&name, &bytes, is_there),
         Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }
 
 /// Reads the scene at `path`.
 pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
-    let name = name(path);
-    match read(path, LIMIT) {
-        Ok(bytes) => tipc::description::parse_scene(&name, &bytes),
-        Err(reason) => Err(Box::new(unreadable(name, reason))),
-    }
+    let (name, bytes) = bytes(path)?;
+    description::parse_scene(&name, &bytes)
 }
-
-/// The name of standard input, and of standard output.
-const STANDARD: &str = "-";
 
 /// Returns the servos that a description can name.
 pub(super) fn servos() -> Vec<description::Servo> {
@@ -122,7 +113,7 @@ pub(super) fn servos() -> Vec<description::Servo> {
 
 /// Returns true if the path names standard input or output.
 pub(super) fn is_standard(path: &Path) -> bool {
-    path.to_str() == Some(STANDARD)
+    path.to_str() == Some("-")
 }
 
 /// Returns true if the path names standard input or another open descriptor of this process, as the shell's `<(COMMAND)` does. A

@@ -74,7 +74,6 @@ fn is_ignored(signal: i32) -> bool {
     }
 }
 
-/// Handles a signal.
 fn signalled(signal: u8) {
     if REQUESTED.load(Ordering::Relaxed) {
         return end();

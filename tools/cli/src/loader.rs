@@ -2,14 +2,13 @@
 //! gives the robot, the encoding and the scene that options leave open.
 
 use super::arguments::{RunArguments, SourceArguments};
-use super::choices::{EncodingName, OutputOptions, name};
+use super::choices::{EncodingName, OutputOptions};
 use super::error::Error;
 use super::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice, in_scene, load_scene};
 use super::{embedded, input, report};
 use crate::message::Using;
 use std::fmt;
 use std::path::{Path, PathBuf};
-use tip_runtime::plant::Scene;
 use tip_sim::{Events, Interpreter, Refused, Robot, Run};
 use tipc::Loaded;
 use tipc::message::Lang;
@@ -23,7 +22,6 @@ pub(super) struct Subject {
     pub(super) chosen: ChosenRobot,
     /// The robot in its scene.
     pub(super) robot: Robot,
-    pub(super) scene: Scene,
 }
 
 /// Loads the program at `path` for a command that does not run it.
@@ -34,7 +32,6 @@ pub(super) fn check(path: &Path, source: &SourceArguments) -> Result<Subject, Er
         loaded: judged(path, source, &robot),
         chosen,
         robot,
-        scene: Scene::EMPTY,
     })
 }
 
@@ -48,7 +45,7 @@ pub(super) fn load(
     let RunArguments { source, inputs, .. } = run;
     let lang = source.output_options.lang();
     let plant = inputs.plant.as_ref();
-    let ours = plant.and_then(PlantChoice::name);
+    let ours = plant.and_then(PlantChoice::simulation);
     if let (Some(PlantChoice::Process(..)), Some(refusal)) = (plant, refusal) {
         return Err(Error::usage(refusal, lang));
     }
@@ -71,7 +68,6 @@ pub(super) fn load(
         loaded,
         chosen,
         robot,
-        scene,
     })
 }
 
@@ -123,14 +119,14 @@ pub(super) fn sound(
     Ok((subject, program))
 }
 
-/// The name of the file.
+/// The name of the file of settings.
 const NAME: &str = "tip.toml";
 
 /// The settings that a `tip.toml` gives a program.
 #[derive(Clone, Debug)]
 pub(super) struct Settings {
     /// The `tip.toml`.
-    file: PathBuf,
+    pub(super) file: PathBuf,
     pub(super) robot: Option<RobotChoice>,
     pub(super) encoding: Option<EncodingName>,
     pub(super) scene: Option<SceneChoice>,
@@ -227,13 +223,8 @@ fn complete<T: Clone>(option: &mut Option<T>, given: &mut Option<T>) {
 }
 
 impl Settings {
-    /// The `tip.toml`.
-    pub(super) fn file(&self) -> &Path {
-        &self.file
-    }
-
     /// Returns the scene, unless an option names another robot than the settings do.
-    pub(super) fn scene_for(&self, option: Option<&RobotChoice>) -> Option<&SceneChoice> {
+    fn scene_for(&self, option: Option<&RobotChoice>) -> Option<&SceneChoice> {
         let both = self.robot.as_ref().zip(option);
         let is_other = both.is_some_and(|(own, option)| own != option);
         self.scene.as_ref().filter(|_| !is_other)
@@ -247,7 +238,7 @@ impl Settings {
 impl fmt::Display for Settings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let robot = self.robot.as_ref().map(|robot| format!("robot {robot}"));
-        let encoding = self.encoding.map(|it| format!("encoding {}", name(it)));
+        let encoding = self.encoding.map(|it| format!("encoding {}", it.name()));
         let scene = self.scene.as_ref().map(|scene| format!("scene {scene}"));
         let given: Vec<String> = [robot, encoding, scene].into_iter().flatten().collect();
         write!(f, "{}: {}", self.file.display(), given.join(", "))

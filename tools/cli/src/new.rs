@@ -3,10 +3,9 @@
 mod files;
 mod motion;
 
-use super::choices::{OutputOptions, RobotName};
+use super::choices::OutputOptions;
 use super::error::Error;
 use super::setup::{RobotChoice, RobotParser, unknown_robot};
-use super::usage::BadValue;
 use super::{Status, input, output};
 use crate::message::{Making, Using};
 use clap::Args;
@@ -22,7 +21,6 @@ use tipc::language::Edition;
 use tipc::message::Lang;
 use tipc::{Loaded, description};
 
-/// `tip new`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip new demo && cd demo && cargo run
@@ -67,17 +65,16 @@ pub(super) struct New {
 }
 
 /// Parses the number of an edition.
-fn edition(text: &str) -> Result<Edition, BadValue> {
+fn edition(text: &str) -> Result<Edition, Using> {
     let number = text.parse::<f64>();
     let mut all = Edition::ALL.iter().copied();
     let edition = all.find(|edition| number == Ok(edition.number()));
     edition.ok_or_else(|| {
         let text = text.to_owned();
-        BadValue(Using::NoSuchEdition { text })
+        Using::NoSuchEdition { text }
     })
 }
 
-/// Makes a crate.
 pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let failed = |reason: Making| Error::failed(reason, lang);
@@ -143,14 +140,14 @@ impl ValueParserFactory for Choice {
 }
 
 impl FromStr for Choice {
-    type Err = BadValue;
+    type Err = Using;
 
-    fn from_str(text: &str) -> Result<Self, BadValue> {
+    fn from_str(text: &str) -> Result<Self, Using> {
         match text.eq_ignore_ascii_case(HEXAPOD_NAME) {
             true => Ok(Choice::Hexapod),
             false => {
                 let chosen = text.parse().map(Choice::Robot);
-                let unknown = |_| BadValue(unknown_robot(text, &[HEXAPOD_NAME]));
+                let unknown = |_| unknown_robot(text, &[HEXAPOD_NAME]);
                 chosen.map_err(unknown)
             }
         }
@@ -278,18 +275,18 @@ impl Choice {
                 described(HEXAPOD_NAME, HEXAPOD.as_bytes().to_vec(), template)
             }
             Choice::Robot(RobotChoice::File(path)) => {
-                let (name, bytes) = input::description(path)?;
+                let (name, bytes) = input::description_text(path)?;
                 described(&name, bytes, Motion::of)
             }
             Choice::Robot(RobotChoice::Published(robot)) => {
                 described(&robot.file(), robot.text.as_bytes().to_vec(), Motion::of)
             }
             Choice::Robot(RobotChoice::Named(name)) => Ok(match name {
-                RobotName::Titan8 | RobotName::Generic => named(*name, &titan8::MODEL, walk()),
-                RobotName::Hand => Template {
+                tipc::Robot::Hand => Template {
                     scene: Some(include_str!("../templates/scene.toml")),
                     ..named(*name, &hand::MODEL, Motion::grasp())
                 },
+                _ => named(*name, &titan8::MODEL, walk()),
             }),
         }
     }
@@ -297,13 +294,13 @@ impl Choice {
 
 /// Returns the parts for a robot of the runtime.
 fn named<const L: usize, const J: usize>(
-    name: RobotName,
+    name: tipc::Robot,
     _: &RobotModel<L, J>,
     motion: Motion,
 ) -> Template {
     Template {
         motion,
-        robot: name.robot().name().to_owned(),
+        robot: name.name().to_owned(),
         description: None,
         legs: L,
         joints: J,

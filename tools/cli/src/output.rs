@@ -119,6 +119,15 @@ fn on_terminal(content: &[u8]) -> Vec<u8> {
     Printable::lines(text).to_string().into_bytes()
 }
 
+/// Returns the number of columns of a line; characters of Japanese are two wide.
+pub(super) fn width(line: &str) -> usize {
+    let columns = line.chars().map(|char| match char < '\u{2e80}' {
+        true => 1,
+        false => 2,
+    });
+    columns.sum()
+}
+
 /// Returns the name of an output in messages.
 pub(super) fn name(path: &Path) -> String {
     match is_standard(path) {
@@ -143,13 +152,11 @@ pub(super) fn is_same(one: &Path, other: &Path) -> bool {
     let is_one_path = fs::canonicalize(one)
         .and_then(|one| Ok(one == fs::canonicalize(other)?))
         .unwrap_or(false);
-    let is_file = || fs::metadata(one).is_ok_and(|found| found.is_file());
-    (is_one_path || is_linked(one, other)) && is_file()
-}
-
-/// Returns true if two paths are names of the same file.
-fn is_linked(one: &Path, other: &Path) -> bool {
-    matches!((fs::metadata(one), fs::metadata(other)), (Ok(one), Ok(other)) if is_one(&one, &other))
+    let Ok(found) = fs::metadata(one) else {
+        return false;
+    };
+    let is_linked = || fs::metadata(other).is_ok_and(|other| is_one(&found, &other));
+    found.is_file() && (is_one_path || is_linked())
 }
 
 /// Returns true if both belong to the same file, as far as the system numbers files.

@@ -103,7 +103,6 @@ impl RunArguments {
     }
 }
 
-/// `tip view`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip view walk.prg                            runs it, and writes walk.html
@@ -345,7 +344,6 @@ fn kilobytes(bytes: usize) -> String {
     format!("{} kB", (bytes as f64 / 1000.0).round())
 }
 
-/// `tip log`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "run.mcap holds the robot and its frames, joint states, forces, trails, objects, and what the program did: step and line,
@@ -432,7 +430,6 @@ pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
     Ok(recorded.status())
 }
 
-/// `tip plot`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "The diagrams have units on their axes and are readable on light and dark grounds; --lang ja titles them in Japanese.

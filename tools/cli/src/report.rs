@@ -25,6 +25,7 @@ const MAX_SHOWN: usize = 50;
 /// Counts of diagnostics of several files.
 #[derive(Debug)]
 pub(super) struct Total {
+    output_options: OutputOptions,
     files: usize,
     errors: usize,
     warnings: usize,
@@ -37,10 +38,10 @@ pub(super) struct Total {
 }
 
 impl Total {
-    /// Returns empty counts.
     pub(super) fn new(output_options: OutputOptions, quiet: bool) -> Self {
         let is_document = output_options.message_format == Format::Sarif;
         Total {
+            output_options,
             files: 0,
             errors: 0,
             warnings: 0,
@@ -50,7 +51,6 @@ impl Total {
         }
     }
 
-    /// Adds a file.
     pub(super) fn add(&mut self, loaded: &Loaded) {
         self.files += 1;
         self.errors += count(loaded, Level::Error);
@@ -62,19 +62,16 @@ impl Total {
     }
 
     /// Reports the diagnostics of a file.
-    pub(super) fn check(
-        &self,
-        loaded: &Loaded,
-        output_options: OutputOptions,
-    ) -> Result<(), Error> {
+    pub(super) fn check(&self, loaded: &Loaded) -> Result<(), Error> {
         match self.quiet && loaded.diagnostics.is_empty() {
             true => Ok(()),
-            false => check(loaded, output_options),
+            false => check(loaded, self.output_options),
         }
     }
 
     /// Reports the sum over several files to people, or writes the document.
-    pub(super) fn report(self, output_options: OutputOptions) -> Result<(), Error> {
+    pub(super) fn report(self) -> Result<(), Error> {
+        let output_options = self.output_options;
         if let Some(document) = self.document {
             return output::print(document.text());
         }

@@ -1,10 +1,9 @@
 //! `tip robot`: lists, shows, checks, imports and exports robots.
 
-use crate::choices::{Format, LangName, OutputOptions, RobotName};
+use crate::choices::{Format, LangName, OutputOptions};
 use crate::error::Error;
 use crate::message::{Using, Weight};
 use crate::setup::{RobotChoice, SceneChoice, in_scene, load_scene};
-use crate::usage::BadValue;
 use crate::{Status, choices, input, output, report};
 use clap::{Args, Subcommand, ValueEnum};
 use std::fmt::Write as _;
@@ -31,7 +30,6 @@ pub(super) enum RobotVerb {
     Export(Export),
 }
 
-/// `tip robot check`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Example:
   tip robot check hexapod.toml
@@ -46,7 +44,6 @@ pub(super) struct CheckRobot {
     pub(super) output_options: OutputOptions,
 }
 
-/// Runs a command.
 pub(super) fn robot(verb: &RobotVerb) -> Result<Status, Error> {
     match verb {
         RobotVerb::List(_) => list(),
@@ -114,7 +111,6 @@ fn summary(robot: &Robot) -> String {
     text
 }
 
-/// `tip robot list`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip robot list
@@ -123,7 +119,6 @@ fn summary(robot: &Robot) -> String {
 docs/robots.md says where the figures come from.")]
 pub(crate) struct List {}
 
-/// `tip robot show`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip robot show titan8
@@ -142,18 +137,19 @@ pub(crate) struct Show {
     pub(crate) output_options: OutputOptions,
 }
 
+/// The robots that need no description.
+const BUILT_IN: [(&str, &str); 3] = [
+    ("titan8", "TITAN VIII, the quadruped"),
+    ("hand", "Hiroshima Hand"),
+    ("generic", "Every generic command, on TITAN VIII's geometry"),
+];
+
 /// Prints the names of robots with their descriptions.
 fn list() -> Result<Status, Error> {
-    let values = RobotName::value_variants().iter();
-    let values = values.filter_map(ValueEnum::to_possible_value);
-    let named = values.map(|value| {
-        let what = value.get_help().map(ToString::to_string);
-        (value.get_name().to_owned(), what.unwrap_or_default())
-    });
     let published = published::ALL.iter();
-    let published = published.map(|robot| (robot.name.to_owned(), robot.summary().to_owned()));
+    let published = published.map(|robot| (robot.name, robot.summary()));
     let mut text = String::new();
-    for (name, what) in named.chain(published) {
+    for (name, what) in BUILT_IN.into_iter().chain(published) {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "{name:<10}  {what}");
     }
@@ -187,11 +183,9 @@ fn show(arguments: &Show) -> Result<Status, Error> {
 pub(super) struct Feet(pub(super) Vec<Foot>);
 
 /// Parses feet separated by commas: each a link, or `LINK=X,Y,Z`.
-pub(super) fn feet(text: &str) -> Result<Feet, BadValue> {
-    let wrong = || {
-        BadValue(Using::NotAFoot {
-            text: text.to_owned(),
-        })
+pub(super) fn feet(text: &str) -> Result<Feet, Using> {
+    let wrong = || Using::NotAFoot {
+        text: text.to_owned(),
     };
     let mut words = text.split(',');
     let mut feet = Vec::new();
@@ -224,7 +218,6 @@ fn coordinates(words: [Option<&str>; 3]) -> Option<[f64; 3]> {
     Some(at)
 }
 
-/// `tip robot import`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
@@ -304,13 +297,11 @@ impl Up {
 }
 
 /// Parses a height, mm.
-fn height(text: &str) -> Result<f64, BadValue> {
+fn height(text: &str) -> Result<f64, Using> {
     let number = text.trim().parse().ok();
     let height = number.filter(|height: &f64| height.is_finite() && *height > 0.0);
-    height.ok_or_else(|| {
-        BadValue(Using::NotAHeight {
-            text: text.to_owned(),
-        })
+    height.ok_or_else(|| Using::NotAHeight {
+        text: text.to_owned(),
     })
 }
 
@@ -361,7 +352,6 @@ fn import(arguments: &Import) -> Result<Status, Error> {
     Ok(Status::Success)
 }
 
-/// `tip robot export`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "The joints are J11, J12, …, each link is link11, link12, …, the feet are F1, F2, …; base_link is the robot frame, with x
@@ -408,7 +398,6 @@ pub(super) struct Export {
     output_options: OutputOptions,
 }
 
-/// Writes the robot.
 fn export(arguments: &Export) -> Result<Status, Error> {
     let refused = Error::refused(arguments.output_options);
     let robot = arguments.robot.load().map_err(&refused)?.simulated()?;

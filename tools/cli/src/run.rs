@@ -11,7 +11,7 @@ use super::drives::robot::{Connection, Setup};
 use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;
-use super::setup::PlantChoice;
+use super::setup::{ChosenRobot, PlantChoice};
 use super::{Status, input, interrupt, report};
 use crate::message::{Driving, Running, Using, Weight};
 use clap::Args;
@@ -25,6 +25,7 @@ use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, WaitDetector};
 use tipc::Loaded;
+use tipc::description::Description;
 use tipc::message::Lang;
 use tipc::program::Program;
 
@@ -33,7 +34,6 @@ pub(super) use summary::{line, wait_message};
 /// Time without a motion after which a run probably waits for something that does not come, ms.
 pub(super) const LONG_WAIT: f64 = 60_000.0;
 
-/// `tip run`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip run walk.prg                         until END; messages on standard output
@@ -137,7 +137,9 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         reject_built_in_options(arguments)?;
     }
     let Subject {
-        mut loaded, robot, ..
+        mut loaded,
+        chosen,
+        robot,
     } = loader::load(&arguments.run.file, &arguments.run, None)?;
     if loaded.program.is_none() || !arguments.quiet {
         report::diagnostics(&loaded, arguments.run.source.output_options);
@@ -150,11 +152,13 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         files::check(arguments)?;
     }
     let program = loaded.program.take();
-    let connection = match (&arguments.hardware, &program) {
-        (Some(file), Some(_)) => match connected(arguments, file)? {
-            Some(connection) => Some(connection),
-            None => return Ok(Status::Interrupted),
-        },
+    let connection = match (&arguments.hardware, chosen, &program) {
+        (Some(file), ChosenRobot::Described(robot), Some(_)) => {
+            match connected(arguments, file, &robot)? {
+                Some(connection) => Some(connection),
+                None => return Ok(Status::Interrupted),
+            }
+        }
         _ => None,
     };
     let mut job = Job {
@@ -197,14 +201,13 @@ struct Job<'a> {
 }
 
 /// Finds the servos of a real robot, and moves it to its initial posture after a key; `None` if it was interrupted.
-fn connected(arguments: &Run, file: &Path) -> Result<Option<Connection>, Error> {
+fn connected(
+    arguments: &Run,
+    file: &Path,
+    description: &Description,
+) -> Result<Option<Connection>, Error> {
     let lang = arguments.lang();
-    let description = match input::describe(file) {
-        Ok(description) => description,
-        // It was loaded before, and can have changed only since.
-        Err(loaded) => return Err(Error::Failed(loaded.source.name().to_owned())),
-    };
-    let setup = Setup::new(file, &description, lang)?;
+    let setup = Setup::new(file, description, lang)?;
     let mut connection = setup.open(file, arguments.port.as_deref(), lang)?;
     connection.connect(arguments.quiet)?;
     if !connection.is_simulated() && !arguments.yes {

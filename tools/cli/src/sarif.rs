@@ -19,7 +19,7 @@ const SCHEMA: &str =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 
 /// A document that collects the diagnostics of all files.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Document {
     lang: Lang,
     artifacts: Vec<Value>,
@@ -35,10 +35,7 @@ impl Document {
     pub(super) fn new(lang: Lang) -> Self {
         Document {
             lang,
-            artifacts: Vec::new(),
-            results: Vec::new(),
-            notes: Vec::new(),
-            rules: BTreeMap::new(),
+            ..Document::default()
         }
     }
 

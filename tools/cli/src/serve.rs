@@ -8,7 +8,6 @@ use crate::arguments::RunArguments;
 use crate::error::Error;
 use crate::loader::Subject;
 use crate::message::Using;
-use crate::setup::ChosenRobot;
 use crate::watch::Watch;
 use crate::{Status, input, output, report, usage};
 use clap::Args;
@@ -17,11 +16,11 @@ use hub::{Hub, HubEvent, HubSender};
 use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::{fs, thread};
+use tip_sim::Robot;
 use tip_view::live::{Host, Session, Setup};
 use tipc::embed::{LIMIT, open_file, read_stream};
 use tipc::message::{Lang, Reading};
 
-/// `tip serve`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip serve walk.prg                          prints the address of the page
@@ -86,16 +85,11 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
 
 impl Serve {
     /// Loads the program; returns its session, its file, and its robot.
-    fn session(&self, path: &Path) -> Result<(Session, ServedFile, ChosenRobot), Error> {
+    fn session(&self, path: &Path) -> Result<(Session, ServedFile, Robot), Error> {
         let source = &self.run.source;
         let place = input::real(path);
         let refusal = Using::ProcessRunsOnce { command: "serve" };
-        let Subject {
-            loaded,
-            robot,
-            chosen,
-            ..
-        } = self.run.load(path, self.quiet, refusal)?;
+        let Subject { loaded, robot, .. } = self.run.load(path, self.quiet, refusal)?;
         let inputs = self.run.inputs.inputs();
         let bytes = loaded.source.bytes();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -103,7 +97,7 @@ impl Serve {
             options: source.options(robot.options().robot),
             events: inputs.events,
             rest: inputs.cycles,
-            ..Setup::new(&name, &bytes, robot)
+            ..Setup::new(&name, &bytes, robot.clone())
         };
         let refused = |_| Error::Usage("an event is not possible for this program".to_owned());
         let mut session = Session::new(setup).map_err(refused)?;
@@ -115,7 +109,7 @@ impl Serve {
             known: bytes,
             lang: source.output_options.lang(),
         };
-        Ok((session, file, chosen))
+        Ok((session, file, robot))
     }
 }
 

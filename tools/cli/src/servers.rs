@@ -2,11 +2,10 @@
 
 use super::Status;
 use super::arguments::{InputArguments, RunArguments, SourceArguments};
-use super::choices::{self, EncodingName, LangName, OutputOptions};
+use super::choices::{EncodingName, LangName, OutputOptions};
 use super::error::{Error, diagnostics, is_closed};
 use super::loader::{self, Subject};
 use super::setup::{RobotChoice, SceneChoice};
-use super::usage::BadValue;
 use super::{embedded, explain, input, output, sarif};
 use crate::message::Using;
 use clap::{Args, ValueEnum};
@@ -25,7 +24,6 @@ use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::{Loaded, Options, render};
 
-/// `tip lsp`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "Editors start it and use it through standard input and output: diagnostics with fixes while you type, hover,
@@ -59,7 +57,11 @@ const KEPT: usize = 16 << 20;
 pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
     drop(black_box(Vec::<u8>::with_capacity(KEPT)));
     let connection = Connection::new(BufReader::new(io::stdin()), io::stdout());
-    match lsp::serve(connection, Files::new(arguments.robot.clone())) {
+    let files = Files {
+        robot: arguments.robot.clone(),
+        ..Files::default()
+    };
+    match lsp::serve(connection, files) {
         Ok(true) => Ok(Status::Success),
         Ok(false) => Ok(Status::Failure),
         Err(error) => Err(Error::Failed(format!("the editor is gone: {error}"))),
@@ -67,6 +69,7 @@ pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
 }
 
 /// The files of this machine, with what was read from them.
+#[derive(Default)]
 struct Files {
     /// The robot of `--robot`.
     robot: Option<RobotChoice>,
@@ -77,15 +80,6 @@ struct Files {
 }
 
 impl Files {
-    fn new(robot: Option<RobotChoice>) -> Self {
-        Files {
-            robot,
-            configs: HashMap::new(),
-            crates: HashMap::new(),
-            pages: HashMap::new(),
-        }
-    }
-
     /// Returns the first robot that is given: by the command line, by settings, or by the nearest `tip.toml`.
     fn choice(
         &self,
@@ -97,7 +91,9 @@ impl Files {
             return Ok(choice.clone());
         }
         if let Some(name) = configured {
-            let choice: RobotChoice = name.parse().map_err(|wrong: BadValue| wrong.text(lang))?;
+            let choice: RobotChoice = name
+                .parse()
+                .map_err(|wrong: Using| wrong.in_lang(lang).to_string())?;
             return Ok(choice.relative_to(path));
         }
         let given = path.map_or(Ok(None), loader::settings);
@@ -132,7 +128,7 @@ impl Workspace for Files {
         }
         let given = loader::settings(path).ok().flatten()?;
         let key = (path.to_owned(), given.to_string());
-        let warning = || embedded::warning(path, given.file(), given.robot.as_ref()?);
+        let warning = || embedded::warning(path, &given.file, given.robot.as_ref()?);
         self.crates.entry(key).or_insert_with(warning).clone()
     }
 
@@ -147,7 +143,7 @@ impl Workspace for Files {
 
     fn encoding(&mut self, path: &Path) -> Option<String> {
         let given = loader::settings(path).ok().flatten()?;
-        given.encoding.map(choices::name)
+        given.encoding.map(EncodingName::name)
     }
 
     #[cfg(unix)]
@@ -224,7 +220,6 @@ fn cache() -> Option<PathBuf> {
         .or_else(|| Some(named("HOME")?.join(".cache")))
 }
 
-/// `tip dap`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "Editors start it; it uses the Debug Adapter Protocol on standard input and output.
@@ -292,7 +287,7 @@ impl Launcher for Programs {
 
 /// Converts a launch to arguments of the command line. Files are also found from the folder of the program.
 fn arguments(launch: &Launch, program: &Path, lang: Lang) -> Result<RunArguments, String> {
-    let wrong = |wrong: BadValue| wrong.text(lang);
+    let wrong = |wrong: Using| wrong.in_lang(lang).to_string();
     let robot = parsed(&launch.robot)
         .map_err(wrong)?
         .map(|robot| match robot {

@@ -1,18 +1,17 @@
 //! The setup of a run as options name it: `--robot`, `--scene` and `--plant`.
 
-use crate::choices::{self, PlantName, RobotName, robot_names};
+use crate::choices::robot_names;
 use crate::error::Error;
 use crate::message::Using;
-use crate::usage::BadValue;
 use crate::{input, report};
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser, ValueParserFactory};
-use clap::{Arg, Command, ValueEnum};
+use clap::{Arg, Command};
 use std::ffi::OsStr;
 use std::fmt;
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use tip_runtime::plant::Scene;
+use tip_runtime::plant::{Scene, Simulation};
 use tip_sim::{ExternalPlant, GraspsNothing};
 use tipc::description::Description;
 use tipc::message::list::Each;
@@ -20,42 +19,43 @@ use tipc::published::{self, Published};
 use tipc::{Loaded, Robot};
 
 /// The value of `--robot`: `NAME`, `FILE.toml` or `FILE.urdf`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum RobotChoice {
-    Named(RobotName),
+    Named(Robot),
     Published(&'static Published),
     File(PathBuf),
 }
 
 impl FromStr for RobotChoice {
-    type Err = BadValue;
+    type Err = Using;
 
-    fn from_str(text: &str) -> Result<Self, BadValue> {
+    fn from_str(text: &str) -> Result<Self, Using> {
         let path = Path::new(text);
         let is_toml = path.extension().is_some_and(|end| end == "toml");
         let is_file = is_toml || input::is_urdf(path);
-        if let Ok(name) = RobotName::from_str(text, true) {
-            Ok(RobotChoice::Named(name))
+        let is_named = |robot: &&Robot| robot.name().eq_ignore_ascii_case(text);
+        if let Some(robot) = Robot::ALL.iter().find(is_named) {
+            Ok(RobotChoice::Named(*robot))
         } else if let Some(robot) = published::find(&text.to_lowercase()) {
             Ok(RobotChoice::Published(robot))
         } else if is_file {
             Ok(RobotChoice::File(text.into()))
         } else {
-            Err(BadValue(unknown_robot(text, &[])))
+            Err(unknown_robot(text, &[]))
         }
     }
 }
 
 impl Default for RobotChoice {
     fn default() -> Self {
-        RobotChoice::Named(RobotName::Titan8)
+        RobotChoice::Named(Robot::Titan8)
     }
 }
 
 impl fmt::Display for RobotChoice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            RobotChoice::Named(name) => f.write_str(name.robot().name()),
+            RobotChoice::Named(robot) => f.write_str(robot.name()),
             RobotChoice::Published(robot) => f.write_str(robot.name),
             RobotChoice::File(path) => path.display().fmt(f),
         }
@@ -81,7 +81,7 @@ impl<T> RobotParser<T> {
 
 impl<T> TypedValueParser for RobotParser<T>
 where
-    T: FromStr<Err = BadValue> + Clone + Send + Sync + 'static,
+    T: FromStr<Err = Using> + Clone + Send + Sync + 'static,
 {
     type Value = T;
 
@@ -132,7 +132,7 @@ pub(super) fn unknown_robot(text: &str, others: &[&'static str]) -> Using {
 
 /// A loaded robot.
 pub(super) enum ChosenRobot {
-    Named(RobotName),
+    Named(Robot),
     Described(Box<Description>),
 }
 
@@ -156,7 +156,7 @@ impl RobotChoice {
     /// Reads the description, if there is one.
     pub(super) fn load(&self) -> Result<ChosenRobot, Box<Loaded>> {
         match self {
-            RobotChoice::Named(name) => Ok(ChosenRobot::Named(*name)),
+            RobotChoice::Named(robot) => Ok(ChosenRobot::Named(*robot)),
             RobotChoice::Published(robot) => Ok(ChosenRobot::Described(Box::new(robot.read()?))),
             RobotChoice::File(path) => {
                 let description = input::describe(path)?;
@@ -170,7 +170,7 @@ impl ChosenRobot {
     /// Returns the robot for a simulation.
     pub(super) fn simulated(&self) -> Result<tip_sim::Robot, Error> {
         match self {
-            ChosenRobot::Named(name) => tip_sim::Robot::named(name.robot().name())
+            ChosenRobot::Named(robot) => tip_sim::Robot::named(robot.name())
                 .map_err(|unknown| Error::Usage(unknown.to_string())),
             ChosenRobot::Described(description) => Ok(tip_sim::Robot::described(description)),
         }
@@ -179,7 +179,7 @@ impl ChosenRobot {
     /// Returns the robot that programs are checked for.
     pub(super) fn robot(&self) -> Robot {
         match self {
-            ChosenRobot::Named(name) => name.robot(),
+            ChosenRobot::Named(robot) => *robot,
             ChosenRobot::Described(description) => description.robot(),
         }
     }
@@ -238,14 +238,14 @@ impl FromStr for SceneChoice {
 /// The scene has errors.
 pub(super) fn load_scene(
     choice: Option<&SceneChoice>,
-    plant: Option<PlantName>,
+    plant: Option<Simulation>,
 ) -> Result<Scene, Box<Loaded>> {
     let mut scene = match choice {
         None => Scene::EMPTY,
         Some(SceneChoice::Named(scene)) => **scene,
         Some(SceneChoice::File(path)) => input::scene(path)?,
     };
-    scene.plant = plant.map(PlantName::simulation).or(scene.plant);
+    scene.plant = plant.or(scene.plant);
     Ok(scene)
 }
 
@@ -266,44 +266,44 @@ const EXEC: &str = "exec:";
 /// The value of `--plant`: a built-in plant, or a process.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum PlantChoice {
-    BuiltIn(PlantName),
+    BuiltIn(Simulation),
     /// A program and its arguments.
     Process(String, Vec<String>),
 }
 
 impl FromStr for PlantChoice {
-    type Err = BadValue;
+    type Err = Using;
 
     /// Parses the value. A command is split into words like in a shell: blanks, quotes and backslashes count, nothing else does.
-    fn from_str(text: &str) -> Result<Self, BadValue> {
+    fn from_str(text: &str) -> Result<Self, Using> {
         if let Some(command) = text.strip_prefix(EXEC) {
             let words = shlex::split(command).unwrap_or_default();
             return match words.split_first() {
                 Some((program, arguments)) if !program.is_empty() => {
                     Ok(PlantChoice::Process(program.clone(), arguments.to_vec()))
                 }
-                _ => Err(BadValue(Using::NoProcess {
+                _ => Err(Using::NoProcess {
                     command: command.to_owned(),
-                })),
+                }),
             };
         }
-        PlantName::from_str(text, true)
-            .map(PlantChoice::BuiltIn)
-            .map_err(|_| {
-                let names = PlantName::value_variants().iter();
-                BadValue(Using::NoPlant {
-                    word: text.to_owned(),
-                    plants: Each(names.copied().map(choices::name).collect()),
-                })
-            })
+        let names = Simulation::NAMES.iter();
+        let is_named = |(name, _): &&(&str, Simulation)| name.eq_ignore_ascii_case(text);
+        match names.clone().find(is_named) {
+            Some((_, simulation)) => Ok(PlantChoice::BuiltIn(*simulation)),
+            None => Err(Using::NoPlant {
+                word: text.to_owned(),
+                plants: Each(names.map(|(name, _)| (*name).to_owned()).collect()),
+            }),
+        }
     }
 }
 
 impl PlantChoice {
     /// Returns the built-in plant, if it is one.
-    pub(super) fn name(&self) -> Option<PlantName> {
+    pub(super) fn simulation(&self) -> Option<Simulation> {
         match self {
-            PlantChoice::BuiltIn(name) => Some(*name),
+            PlantChoice::BuiltIn(simulation) => Some(*simulation),
             PlantChoice::Process(..) => None,
         }
     }
@@ -353,20 +353,9 @@ mod tests {
 
     #[test]
     fn our_plants_have_their_names() {
-        assert_eq!(
-            "dynamic"
-                .parse::<PlantChoice>()
-                .ok()
-                .and_then(|it| it.name()),
-            Some(PlantName::Dynamic)
-        );
-        assert_eq!(
-            "Quasi-Static"
-                .parse::<PlantChoice>()
-                .ok()
-                .and_then(|it| it.name()),
-            Some(PlantName::QuasiStatic)
-        );
-        assert!("dynamics".parse::<PlantChoice>().is_err());
+        let plant = |text: &str| text.parse::<PlantChoice>().ok()?.simulation();
+        assert_eq!(plant("dynamic"), Some(Simulation::Dynamic));
+        assert_eq!(plant("Quasi-Static"), Some(Simulation::QuasiStatic));
+        assert_eq!(plant("dynamics"), None);
     }
 }

@@ -6,13 +6,12 @@
 mod table;
 
 use crate::arguments::RunArguments;
-use crate::choices::PlantName;
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Sweeping, Using};
 use crate::report::{Deny, RATE, progress_style};
-use crate::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
-use crate::usage::{BadValue, count, positive};
+use crate::setup::{PlantChoice, RobotChoice, SceneChoice};
+use crate::usage::{count, positive};
 use crate::{Status, input, interrupt, output, report};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget};
@@ -23,12 +22,12 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::{fs, thread};
 pub(super) use table::{Saved, is_table, specification};
 use table::{Table, Tally};
+use tip_runtime::plant::Simulation;
 use tip_runtime::printable::Printable;
 use tip_sweep::{Axis, AxisError, Columns, PlantSpec, RobotSpec, Sampling, Spec, SweepError, Text};
 use tip_view::{Extent, Pace, Recording};
 use tipc::message::Lang;
 
-/// `tip sweep`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip sweep walk.prg --vary STRIDE=160..240/20 --vary SPEED=200,300 --until 100s -o runs.csv
@@ -114,15 +113,15 @@ enum SamplingName {
 }
 
 /// Parses an axis.
-fn axis(text: &str) -> Result<Axis, BadValue> {
+fn axis(text: &str) -> Result<Axis, Using> {
     text.parse().map_err(|error: AxisError| {
         let reason = error.message();
-        BadValue(Using::NotAnAxis { reason })
+        Using::NotAnAxis { reason }
     })
 }
 
 /// Parses a time: `60s`, `500ms` or a number of seconds.
-fn seconds(text: &str) -> Result<f64, BadValue> {
+fn seconds(text: &str) -> Result<f64, Using> {
     let (number, unit) = match (text.strip_suffix("ms"), text.strip_suffix('s')) {
         (Some(number), _) => (number, 1e-3),
         (None, Some(number)) => (number, 1.0),
@@ -130,9 +129,9 @@ fn seconds(text: &str) -> Result<f64, BadValue> {
     };
     match number.trim().parse::<f64>() {
         Ok(time) if time > 0.0 && time.is_finite() => Ok(time * unit),
-        _ => Err(BadValue(Using::NotATime {
+        _ => Err(Using::NotATime {
             text: text.to_owned(),
-        })),
+        }),
     }
 }
 
@@ -222,18 +221,18 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
 impl Sweep {
     /// Returns the specification of the sweep of a loaded program.
     fn spec(&self, subject: &Subject) -> Result<Spec, Error> {
-        let robot = match (&subject.chosen, self.run.source.robot()) {
-            (ChosenRobot::Named(name), _) => RobotSpec::Name(name.robot().name().to_owned()),
-            (_, RobotChoice::Published(robot)) => RobotSpec::Name(robot.name.to_owned()),
-            (_, choice) => RobotSpec::Description(description(choice.file())?),
+        let inputs = &self.run.inputs;
+        let robot = match self.run.source.robot() {
+            RobotChoice::File(path) => RobotSpec::Description(description(path)?),
+            named => RobotSpec::Name(named.to_string()),
         };
-        let scene = match &self.run.inputs.scene {
+        let scene = match &inputs.scene {
             None => None,
-            Some(SceneChoice::File(path)) => Some(text(Some(path))?),
+            Some(SceneChoice::File(path)) => Some(text(path)?),
             Some(named) => Some(named.to_string()),
         };
-        let plant = self.run.inputs.plant.as_ref().and_then(PlantChoice::name);
-        let inputs = self.run.inputs.inputs();
+        let plant = inputs.plant.as_ref().and_then(PlantChoice::simulation);
+        let inputs = inputs.inputs();
         let source = &subject.loaded.source;
         Ok(Spec {
             program: Text {
@@ -244,8 +243,8 @@ impl Sweep {
             scene,
             plant: match plant {
                 None => PlantSpec::Scene,
-                Some(PlantName::QuasiStatic) => PlantSpec::QuasiStatic,
-                Some(PlantName::Dynamic) => PlantSpec::Dynamic,
+                Some(Simulation::QuasiStatic) => PlantSpec::QuasiStatic,
+                Some(Simulation::Dynamic) => PlantSpec::Dynamic,
             },
             vary: self.vary.clone(),
             sampling: match self.sampling {
@@ -284,16 +283,14 @@ impl Sweep {
 }
 
 /// Reads a file that has been read before.
-fn text(path: Option<&Path>) -> Result<String, Error> {
-    let path = path.unwrap_or(Path::new(""));
+fn text(path: &Path) -> Result<String, Error> {
     fs::read_to_string(path).map_err(|error| Error::Failed(format!("{}: {error}", path.display())))
 }
 
 /// Reads a description that has been read before, or imports it again.
-fn description(path: Option<&Path>) -> Result<String, Error> {
-    let path = path.unwrap_or(Path::new(""));
+fn description(path: &Path) -> Result<String, Error> {
     let failed = || Error::Failed(format!("{}: it has changed meanwhile", path.display()));
-    let (_, bytes) = input::description(path).map_err(|_| failed())?;
+    let (_, bytes) = input::description_text(path).map_err(|_| failed())?;
     String::from_utf8(bytes).map_err(|_| failed())
 }
 

@@ -21,7 +21,6 @@ use tipc::program::Program;
 use tipc::source::{Encoding, Source};
 use tipc::{Loaded, Options, Robot};
 
-/// `tip fmt`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "There is one style without options: blocks indented by two blanks, capital letters, one blank between words and
@@ -79,7 +78,7 @@ pub(super) fn fmt(arguments: &Fmt) -> Result<Status, Error> {
     for path in &arguments.files {
         let read = target(arguments, path).and_then(|target| Ok((target, input::bytes(path)?)));
         let done = match read {
-            Ok((target, (name, bytes))) => arguments.format_file(path, &name, &bytes, &target)?,
+            Ok((target, (name, bytes))) => arguments.format_file(path, &name, &bytes, target)?,
             Err(loaded) => {
                 report::diagnostics(&loaded, arguments.output_options);
                 false
@@ -92,15 +91,11 @@ pub(super) fn fmt(arguments: &Fmt) -> Result<Status, Error> {
     Ok(status)
 }
 
-/// The robots and the encoding of a file.
-struct FormatTarget {
-    /// The robots that it may be for.
-    robots: Vec<Robot>,
-    encoding: Encoding,
-}
+/// The robots that a file may be for, and its encoding.
+type Target = (Vec<Robot>, Encoding);
 
 /// Returns robots and encoding from options and the nearest `tip.toml`; without them, all robots that have a name.
-fn target(arguments: &Fmt, path: &Path) -> Result<FormatTarget, Box<Loaded>> {
+fn target(arguments: &Fmt, path: &Path) -> Result<Target, Box<Loaded>> {
     let given = loader::settings(path)?;
     let given_robot = given.as_ref().and_then(|given| given.robot.as_ref());
     let robots = match arguments.robot.as_ref().or(given_robot) {
@@ -108,22 +103,25 @@ fn target(arguments: &Fmt, path: &Path) -> Result<FormatTarget, Box<Loaded>> {
         Some(choice) => vec![choice.load()?.robot()],
     };
     let encoding = arguments.encoding.or_else(|| given.as_ref()?.encoding);
-    Ok(FormatTarget {
-        robots,
-        encoding: encoding.map_or(Encoding::Auto, EncodingName::encoding),
-    })
+    let encoding = encoding.map_or(Encoding::Auto, EncodingName::encoding);
+    Ok((robots, encoding))
 }
 
 impl Fmt {
-    /// Formats a file, or checks its format; returns true if it is formatted now.
+    /// Formats a file for the first robot that it loads for, or checks its format; returns true if it is formatted now.
     fn format_file(
         &self,
         path: &Path,
         name: &str,
         bytes: &[u8],
-        target: &FormatTarget,
+        (robots, encoding): Target,
     ) -> Result<bool, Error> {
-        let formatted = match self.formatted(name, bytes, target) {
+        let options = Options {
+            tip_version: self.tip_version,
+            encoding,
+            ..Options::default()
+        };
+        let formatted = match format_for(name, bytes, &options, &robots) {
             Ok(formatted) => formatted,
             Err(refusal) => {
                 self.explain(name, &refusal);
@@ -135,7 +133,7 @@ impl Fmt {
             if changes && self.check {
                 output::print(format!("{}\n", Printable::line(name)))?;
             } else if changes {
-                output::print(difference(name, bytes, &formatted, target.encoding))?;
+                output::print(difference(name, bytes, &formatted, encoding))?;
             }
             return Ok(!changes);
         }
@@ -147,22 +145,7 @@ impl Fmt {
         Ok(true)
     }
 
-    /// Formats a program for the first robot that it loads for; otherwise returns the errors for the robot with the fewest.
-    fn formatted(
-        &self,
-        name: &str,
-        bytes: &[u8],
-        target: &FormatTarget,
-    ) -> Result<Vec<u8>, Refusal> {
-        let options = Options {
-            tip_version: self.tip_version,
-            encoding: target.encoding,
-            ..Options::default()
-        };
-        format_for(name, bytes, &options, &target.robots)
-    }
-
-    /// Reports the reason why a file is left as it is.
+    /// Reports the reason why a file is left as it is: errors are those for the robot with the fewest.
     fn explain(&self, name: &str, refusal: &Refusal) {
         let reason = match refusal {
             Refusal::Diagnostics(loaded) => {
@@ -205,7 +188,6 @@ pub(super) enum Form {
     Warning,
 }
 
-/// `tip emit`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Forms:
   rust     one state for each step, as the macros and build scripts compile it
@@ -271,7 +253,6 @@ fn as_rust(program: &Program) -> Result<String, Error> {
     })
 }
 
-/// `tip migrate`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "Programs of versions 1.0 to 3.0, and those that say 4.0, become programs of version 3.1: declarations,
@@ -336,12 +317,13 @@ pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {
     let (encoding, edition) = (arguments.encoding.encoding(), arguments.to.edition());
     let migration = input::migrate(&arguments.file, encoding, edition);
     let migration = migration.map_err(Error::refused(output_options))?;
+    let report = migration_report(&migration, output_options);
     let Some(bytes) = migration.bytes() else {
-        report::complain(&migration_report(&migration, output_options));
+        report::complain(&report);
         return Ok(Status::Failure);
     };
     output::write(arguments.out.as_deref(), &[&arguments.file], bytes)?;
-    report::complain(&migration_report(&migration, output_options));
+    report::complain(&report);
     Ok(Status::Success)
 }
 
@@ -354,7 +336,6 @@ fn migration_report(migration: &Migration, output_options: OutputOptions) -> Str
     }
 }
 
-/// `tip cycles`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "For each subroutine, each turn of a loop, and each stretch from a label to the next: the least and the

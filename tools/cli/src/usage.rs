@@ -6,9 +6,9 @@ use super::{choices, help};
 use crate::message::{Using, Weight};
 use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use std::error::Error as _;
+use std::env;
+use std::error::Error;
 use std::path::Path;
-use std::{env, fmt};
 use tip_runtime::printable::is_control;
 use tipc::message::Lang;
 use tipc::message::list::Each;
@@ -28,37 +28,22 @@ const OTHER_TOOLS: &[(&str, &str)] = &[
 ];
 
 /// The error of an option's value.
-#[derive(Clone, Debug)]
-pub(super) struct BadValue(pub(super) Using);
-
-impl BadValue {
-    /// Returns the message in a language.
-    pub(super) fn text(&self, lang: Lang) -> String {
-        self.0.in_lang(lang).to_string()
-    }
-}
-
-impl fmt::Display for BadValue {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl std::error::Error for BadValue {}
+impl Error for Using {}
 
 /// Parses a whole number.
-pub(super) fn count(text: &str) -> Result<u64, BadValue> {
-    let text_of = || text.to_owned();
-    text.parse()
-        .map_err(|_| BadValue(Using::NotACount { text: text_of() }))
+pub(super) fn count(text: &str) -> Result<u64, Using> {
+    let wrong = |_| Using::NotACount {
+        text: text.to_owned(),
+    };
+    text.parse().map_err(wrong)
 }
 
 /// Parses a whole number above 0.
-pub(super) fn positive(text: &str) -> Result<u64, BadValue> {
+pub(super) fn positive(text: &str) -> Result<u64, Using> {
     match count(text)? {
-        0 => Err(BadValue(Using::NotPositive {
+        0 => Err(Using::NotPositive {
             text: text.to_owned(),
-        })),
+        }),
         count => Ok(count),
     }
 }
@@ -122,10 +107,7 @@ fn specific(error: &clap::Error) -> Option<Using> {
             let near = full_option(&option)?;
             Some(Using::NearOption { option, near })
         }
-        ErrorKind::ValueValidation => {
-            let wrong = error.source()?.downcast_ref::<BadValue>()?;
-            Some(wrong.0.clone())
-        }
+        ErrorKind::ValueValidation => error.source()?.downcast_ref::<Using>().cloned(),
         _ => None,
     }
 }

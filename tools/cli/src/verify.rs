@@ -7,7 +7,7 @@ use crate::message::Using;
 use crate::report::{RATE, progress_style, step_location};
 use crate::setup::{ChosenRobot, PlantChoice};
 use crate::usage::{positive, quoted};
-use crate::{Status, choices, interrupt, loader, output, report};
+use crate::{Status, interrupt, loader, output, report};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::env;
@@ -17,6 +17,7 @@ use std::path::PathBuf;
 use std::thread::sleep;
 use std::time::Duration;
 use tip_lint::coverage_points::CoveragePoint;
+use tip_runtime::plant::Simulation;
 use tip_runtime::printable::Printable;
 use tip_sim::Inputs;
 use tip_sim::lockstep::{Answer, Divergence};
@@ -25,7 +26,6 @@ use tip_sim::verify::{Project, Subject, VERSION};
 use tipc::program::{Program, Step};
 use tipc::source::Source;
 
-/// `tip verify`
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "The program is compiled by tip and cargo, in release mode, with the tip-runtime of your project. Compiled code and
@@ -76,7 +76,8 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     let name = run.file.display().to_string();
     let source = checked.loaded.source.bytes();
     let options = run.source.options(checked.chosen.robot());
-    let subject = Subject::new(&name, &source, options, &program).with_scene(checked.scene);
+    let subject =
+        Subject::new(&name, &source, options, &program).with_scene(*checked.robot.scene());
     let subject = match &checked.chosen {
         ChosenRobot::Named(_) => subject,
         ChosenRobot::Described(description) => subject.on(description),
@@ -131,8 +132,10 @@ fn certificate(
     let mut scene = scene.map_or("level floor".to_owned(), |scene| {
         format!("scene {}", Printable::line(scene))
     });
-    if let Some(plant) = inputs.plant.as_ref().and_then(PlantChoice::name) {
-        scene = format!("{scene}, {} plant", choices::name(plant));
+    let plant = inputs.plant.as_ref().and_then(PlantChoice::simulation);
+    let is_it = |(_, simulation): &&(&str, Simulation)| Some(*simulation) == plant;
+    if let Some((name, _)) = Simulation::NAMES.iter().find(is_it) {
+        scene = format!("{scene}, {name} plant");
     }
     let (rustc, cargo) = (
         project.version_of("RUSTC", "rustc"),

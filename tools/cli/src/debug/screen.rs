@@ -25,7 +25,6 @@ use tipc::program::VariableKind;
 /// Minimum width for help in one line.
 const WIDE: u16 = 160;
 
-/// Draws the screen.
 pub(super) fn draw(app: &App, frame: &mut Frame<'_>) {
     let [top, body, answer, help] = Layout::vertical([
         Constraint::Length(1),
@@ -418,31 +417,8 @@ const DOT: f64 = 14.0;
 /// Number of corners of a disc.
 const CORNERS: u16 = 24;
 
-/// A projection: the axes to the right and up.
-#[derive(Clone, Copy)]
-struct View {
-    right: usize,
-    up: usize,
-    is_from_side: bool,
-}
-
-impl View {
-    const fn from_above(right: usize, up: usize) -> Self {
-        View {
-            right,
-            up,
-            is_from_side: false,
-        }
-    }
-
-    const fn from_side(right: usize, up: usize) -> Self {
-        View {
-            right,
-            up,
-            is_from_side: true,
-        }
-    }
-}
+/// The axes of a view: to the right, and up.
+type Axes = [usize; 2];
 
 /// The drawn points in the world frame, mm.
 struct Figure {
@@ -470,25 +446,17 @@ fn draw_robot(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let figure = Figure::of(app);
     let (from_above, from_side) = match app.skeleton.is_planar {
         // A hand's fingers move in a plane whose height is y.
-        true => (View::from_above(0, 2), View::from_side(0, 1)),
-        false => (View::from_above(0, 1), View::from_side(1, 2)),
+        true => ([0, 2], [0, 1]),
+        false => ([0, 1], [1, 2]),
     };
-    let title = |name: String, view: View| {
-        let (right, up) = (AXES[view.right], AXES[view.up]);
+    let title = |name: String, axes: Axes| {
+        let [right, up] = axes.map(|axis| AXES[axis]);
         format!("{name} {right}→ {up}↑")
     };
-    figure.draw(
-        frame,
-        above,
-        from_above,
-        title(app.say(Debugging::Above), from_above),
-    );
-    figure.draw(
-        frame,
-        side,
-        from_side,
-        title(app.say(DebugText::Side), from_side),
-    );
+    let name = title(app.say(Debugging::Above), from_above);
+    figure.draw(frame, above, from_above, None, name);
+    let name = title(app.say(DebugText::Side), from_side);
+    figure.draw(frame, side, from_side, figure.floor, name);
 }
 
 impl Figure {
@@ -541,10 +509,10 @@ impl Figure {
     }
 
     /// Returns half of the visible width, mm; it grows in steps, so that the view does not jitter.
-    fn reach(&self, view: View) -> f64 {
+    fn reach(&self, axes: Axes) -> f64 {
         let far = |point: &Point| {
             let away = |axis: usize| (point[axis] - self.centre[axis]).abs();
-            away(view.right).max(away(view.up))
+            away(axes[0]).max(away(axes[1]))
         };
         let points = self.legs.iter().chain(&self.objects).flatten();
         let margin = if self.is_planar { HAND_MARGIN } else { MARGIN };
@@ -552,8 +520,15 @@ impl Figure {
         (most / STEP).ceil() * STEP
     }
 
-    fn draw(&self, frame: &mut Frame<'_>, area: Rect, view: View, title: String) {
-        let reach = self.reach(view);
+    fn draw(
+        &self,
+        frame: &mut Frame<'_>,
+        area: Rect,
+        axes: Axes,
+        floor: Option<f64>,
+        title: String,
+    ) {
+        let (reach, [right, up]) = (self.reach(axes), axes);
         // Each cell has two columns and four rows of dots, all at the same distance.
         let inner = area.height.saturating_sub(1).max(1);
         let (across, high) = (2.0 * f64::from(area.width.max(1)), 4.0 * f64::from(inner));
@@ -561,7 +536,7 @@ impl Figure {
             true => (reach * across / high, reach),
             false => (reach, reach * high / across),
         };
-        let (x, y) = (self.centre[view.right], self.centre[view.up]);
+        let (x, y) = (self.centre[right], self.centre[up]);
         let canvas = Canvas::default()
             .block(block(title))
             .marker(Marker::Braille)
@@ -569,13 +544,13 @@ impl Figure {
             .y_bounds([y - half_y, y + half_y])
             .paint(|context| {
                 let line = |from: &Point, to: &Point, color| canvas::Line {
-                    x1: from[view.right],
-                    y1: from[view.up],
-                    x2: to[view.right],
-                    y2: to[view.up],
+                    x1: from[right],
+                    y1: from[up],
+                    x2: to[right],
+                    y2: to[up],
                     color,
                 };
-                if let Some(floor) = self.floor.filter(|_| view.is_from_side) {
+                if let Some(floor) = floor {
                     context.draw(&canvas::Line {
                         x1: x - half_x,
                         y1: floor,
@@ -595,7 +570,12 @@ impl Figure {
                         context.draw(&line(from, to, Color::Cyan));
                     }
                     if let Some(foot) = leg.last() {
-                        context.draw(&dot(foot, view, Color::Yellow));
+                        context.draw(&Circle {
+                            x: foot[right],
+                            y: foot[up],
+                            radius: DOT,
+                            color: Color::Yellow,
+                        });
                     }
                 }
                 for object in &self.objects {
@@ -640,13 +620,4 @@ fn outline(shape: &Shape, state: &ObjectState) -> Vec<Point> {
     let placed =
         |[along, up]: [f64; 2]| [x + along * cos - up * sin, y + along * sin + up * cos, z];
     corners.into_iter().map(placed).collect()
-}
-
-fn dot(point: &Point, view: View, color: Color) -> Circle {
-    Circle {
-        x: point[view.right],
-        y: point[view.up],
-        radius: DOT,
-        color,
-    }
 }

@@ -5,7 +5,7 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tip_sim::Robot;
-use tip_sim::debug::{Debugger, Reason};
+use tip_sim::debug::{DebugError, Debugger, Reason};
 use tipc::message::Lang;
 
 const PROGRAM: &str = "3.1
@@ -48,6 +48,10 @@ fn screen(app: &App, width: u16, height: u16) -> String {
     shown.replace(' ', "")
 }
 
+fn line_and_n(app: &App) -> (u32, Result<Option<f64>, DebugError>) {
+    (app.debugger.line(), app.debugger.value("N"))
+}
+
 fn press(app: &mut App, keys: &str) {
     for char in keys.chars() {
         let code = match char {
@@ -86,7 +90,7 @@ fn keys_go_forwards_and_back() {
     press(&mut app, "R");
     assert_eq!(app.debugger.now(), 0);
     press(&mut app, "q");
-    assert!(app.is_over());
+    assert!(app.is_over);
 }
 
 #[test]
@@ -94,25 +98,16 @@ fn breakpoints_watches_and_values_are_asked_for() {
     let mut app = app("titan8", Lang::English);
     app.cursor = 13;
     press(&mut app, "BN >= 3\n\nr");
-    assert_eq!(
-        (app.debugger.line(), app.debugger.value("N")),
-        (13, Ok(Some(3.0)))
-    );
+    assert_eq!(line_and_n(&app), (13, Ok(Some(3.0))));
     assert!(screen(&app, 80, 24).contains("breakpoint"));
     press(&mut app, "eN * 2\n");
     assert_eq!(app.answer.as_deref(), Some("N * 2 = 6"));
     press(&mut app, "b");
     assert!(app.breakpoints.is_empty());
     press(&mut app, "wn\nR");
-    assert_eq!(
-        (app.debugger.line(), app.debugger.value("N")),
-        (13, Ok(Some(2.0)))
-    );
+    assert_eq!(line_and_n(&app), (13, Ok(Some(2.0))));
     press(&mut app, "W p\n");
-    assert_eq!(
-        (app.debugger.line(), app.debugger.value("N")),
-        (14, Ok(Some(2.0)))
-    );
+    assert_eq!(line_and_n(&app), (14, Ok(Some(2.0))));
     assert!(screen(&app, 80, 24).contains("assignedbyline14"));
     press(&mut app, "wHEIGHT\n");
     assert!(app.answer.is_some());
@@ -144,17 +139,11 @@ fn a_breakpoint_stops_at_the_passes_that_count() {
 fn a_name_stops_before_each_of_its_steps_until_it_is_given_again() {
     let mut app = app("titan8", Lang::English);
     press(&mut app, "fptp\nr");
-    assert_eq!(
-        (app.debugger.line(), app.debugger.value("N")),
-        (9, Ok(Some(1.0)))
-    );
+    assert_eq!(line_and_n(&app), (9, Ok(Some(1.0))));
     // Line 9 is marked wherever the program is paused.
     assert!(screen(&app, 80, 24).contains("●▶9"));
     press(&mut app, "r");
-    assert_eq!(
-        (app.debugger.line(), app.debugger.value("N")),
-        (9, Ok(Some(2.0)))
-    );
+    assert_eq!(line_and_n(&app), (9, Ok(Some(2.0))));
     press(&mut app, "fPTP\nr");
     assert!(matches!(app.debugger.stop().reason, Reason::Ended(_)));
     press(&mut app, "fdance\n");
@@ -302,7 +291,7 @@ fn control_c_ends_whatever_is_asked() {
         &mut app,
         KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL),
     );
-    assert!(app.is_over());
+    assert!(app.is_over);
 }
 
 #[test]

@@ -3,7 +3,6 @@
 use crate::choices::LangName;
 use crate::error::Error;
 use crate::message::{Driving, Using, Weight};
-use crate::usage::BadValue;
 use crate::{Status, choices, interrupt, output, report};
 use clap::Args;
 use std::fmt::Write as _;
@@ -101,7 +100,6 @@ impl Default for Histogram {
 }
 
 impl Histogram {
-    /// Adds a cycle.
     pub(crate) fn add(&mut self, late: Duration) {
         let place = usize::try_from(late.as_micros()).unwrap_or(LONGEST);
         self.counts[place.min(LONGEST)] += 1;
@@ -147,7 +145,6 @@ impl Histogram {
     }
 }
 
-/// `tip jitter`
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:
   tip jitter                        how late cycles of 20 ms start on this machine, for 5 s
@@ -172,14 +169,11 @@ pub(crate) struct Jitter {
     lang: Option<LangName>,
 }
 
-/// Parses a time.
-fn positive(text: &str) -> Result<f64, BadValue> {
+fn positive(text: &str) -> Result<f64, Using> {
     let number = text.parse().ok();
     let number = number.filter(|it: &f64| (0.1..=86_400_000.0).contains(it));
-    number.ok_or_else(|| {
-        BadValue(Using::NotAPeriod {
-            text: text.to_owned(),
-        })
+    number.ok_or_else(|| Using::NotAPeriod {
+        text: text.to_owned(),
     })
 }
 

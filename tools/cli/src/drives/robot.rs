@@ -83,7 +83,6 @@ impl Port for AnyPort {
     }
 }
 
-/// Opens a serial port.
 pub(crate) fn open_serial(port: &str, baud: u32, lang: Lang) -> Result<AnyPort, Error> {
     let opened = Serial::open(Path::new(port), baud).map_err(|error| {
         let (name, error) = (port.to_owned().into(), error.to_string().into());
@@ -99,22 +98,15 @@ pub(crate) fn open_serial(port: &str, baud: u32, lang: Lang) -> Result<AnyPort, 
     Ok(AnyPort::Serial(opened))
 }
 
+type Mishap = fn(&mut SimulatedBus, u8);
+
 /// Faults of a simulated bus: `faults=0.01,unplug=3@1.5`, or `corrupt=0.01`.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Mishaps {
     /// Probabilities of what happens to an answer.
     faults: Faults,
-    /// Times, s, in any order.
+    /// What happens to a servo: times, s, in any order, and identities.
     events: Vec<(f64, Mishap, u8)>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Mishap {
-    Unplug,
-    Reset,
-    Overheat,
-    Block,
-    Sag,
 }
 
 impl FromStr for Mishaps {
@@ -146,18 +138,18 @@ impl FromStr for Mishaps {
                 }
                 continue;
             }
-            let kind = match name {
-                "unplug" => Mishap::Unplug,
-                "reset" => Mishap::Reset,
-                "overheat" => Mishap::Overheat,
-                "block" => Mishap::Block,
-                "sag" => Mishap::Sag,
+            let mishap: Mishap = match name {
+                "unplug" => SimulatedBus::unplug,
+                "reset" => SimulatedBus::reset,
+                "overheat" => SimulatedBus::overheat,
+                "block" => SimulatedBus::block,
+                "sag" => SimulatedBus::sag,
                 _ => return Err(wrong()),
             };
             let (id, time) = value.split_once('@').ok_or_else(wrong)?;
             let event = id.parse().ok().zip(time.parse().ok());
             let (id, time): (u8, f64) = event.ok_or_else(wrong)?;
-            mishaps.events.push((time, kind, id));
+            mishaps.events.push((time, mishap, id));
         }
         Ok(mishaps)
     }
@@ -166,15 +158,10 @@ impl FromStr for Mishaps {
 impl Mishaps {
     /// Lets happen what is due at a time, µs.
     pub(crate) fn happen(&mut self, bus: &mut SimulatedBus, now: u64) {
-        self.events.retain(|(time, kind, id)| {
+        self.events.retain(|(time, mishap, id)| {
             let is_due = *time * 1e6 <= now as f64;
-            match kind {
-                _ if !is_due => {}
-                Mishap::Unplug => bus.unplug(*id),
-                Mishap::Reset => bus.reset(*id),
-                Mishap::Overheat => bus.overheat(*id),
-                Mishap::Block => bus.block(*id),
-                Mishap::Sag => bus.sag(*id),
+            if is_due {
+                mishap(bus, *id);
             }
             !is_due
         });
@@ -372,7 +359,6 @@ impl Connection {
         self.reached.mishaps.is_some()
     }
 
-    /// Returns the drives.
     pub(crate) fn drives(&self) -> MutexGuard<'_, Drives<AnyPort>> {
         self.reached.drives()
     }

@@ -4,7 +4,6 @@
 use crate::input::real;
 use crate::message::{Making, Using};
 use crate::new::{Template, fill};
-use crate::usage::BadValue;
 use std::path::{Component, Path, PathBuf, absolute};
 use std::str::FromStr;
 use std::{fs, io, process};
@@ -106,10 +105,7 @@ fn placeholders(
     let mut placeholders = vec![
         // These have placeholders themselves.
         ("lib_scene", when(has_scene, template_text!("lib_scene.rs"))),
-        (
-            "lib_hardware",
-            when(with_hardware, template_text!("lib_hardware.rs")),
-        ),
+        ("lib_hardware", when(with_hardware, "\npub mod hardware;\n")),
         (
             "readme_hardware",
             when(with_hardware, template_text!("README_hardware.md")),
@@ -155,7 +151,10 @@ fn of_description(program: &str) -> Vec<Placeholder> {
         ("features", ", features = [\"robot-files\"]".to_owned()),
         (
             "lib_description",
-            template_text!("lib_description.rs").to_owned(),
+            format!(
+                "\n// The robot as data, from its description.\n\
+                 tip_macros::include_robot!(pub \"robot.toml\" as {DESCRIBED});\n"
+            ),
         ),
         ("option", ", robot = \"robot.toml\"".to_owned()),
         ("items", format!("{{{}}}", items.join(", "))),
@@ -309,13 +308,12 @@ impl Origin {
     fn nameable(self) -> Result<Self, Making> {
         match &self {
             Origin::Checkout { named, .. }
-                if !named
+                if named
                     .to_str()
-                    .is_some_and(|path| !path.contains(char::is_control)) =>
+                    .is_none_or(|path| path.contains(char::is_control)) =>
             {
-                Err(Making::NotForManifest {
-                    folder: named.display().to_string().into(),
-                })
+                let folder = named.display().to_string().into();
+                Err(Making::NotForManifest { folder })
             }
             _ => Ok(self),
         }
@@ -408,7 +406,6 @@ impl CratePath {
         &self.folder
     }
 
-    /// Returns the name.
     pub(super) fn name(&self) -> &str {
         &self.name
     }
@@ -420,19 +417,19 @@ impl CratePath {
 }
 
 impl FromStr for CratePath {
-    type Err = BadValue;
+    type Err = Using;
 
-    fn from_str(text: &str) -> Result<Self, BadValue> {
+    fn from_str(text: &str) -> Result<Self, Using> {
         let folder = PathBuf::from(text);
         let name = folder.file_name().unwrap_or_default();
         let name = name.to_string_lossy().into_owned();
         if !is_plain_name(&name) {
             let near = near(&name);
-            return Err(BadValue(Using::NotACrateName { name, near }));
+            return Err(Using::NotACrateName { name, near });
         }
         if is_taken(&name) {
             let near = near(&name);
-            return Err(BadValue(Using::CrateNameTaken { name, near }));
+            return Err(Using::CrateNameTaken { name, near });
         }
         Ok(CratePath { folder, name })
     }
@@ -547,8 +544,7 @@ mod tests {
             (&too_long, &"a".repeat(LONGEST / 2)),
         ] {
             let refused = name.parse::<CratePath>().expect_err(name);
-            let (Using::NotACrateName { near, .. } | Using::CrateNameTaken { near, .. }) =
-                refused.0
+            let (Using::NotACrateName { near, .. } | Using::CrateNameTaken { near, .. }) = refused
             else {
                 panic!("{name}: {refused}");
             };

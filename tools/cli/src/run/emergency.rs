@@ -152,21 +152,19 @@ impl Stopped<'_> {
     }
 
     fn at_limit(&self, joint: Target) -> Message {
-        let state = self.joints().find(|state| state.joint == joint);
-        state.map_or(
-            Stopping::OutOfReach { target: joint }.into(),
-            |JointState {
-                 angle, min, max, ..
-             }| {
-                Stopping::AtLimit {
-                    joint,
-                    angle,
-                    min,
-                    max,
-                }
-                .into()
-            },
-        )
+        let Some(state) = self.joints().find(|state| state.joint == joint) else {
+            return Stopping::OutOfReach { target: joint }.into();
+        };
+        let JointState {
+            angle, min, max, ..
+        } = state;
+        Stopping::AtLimit {
+            joint,
+            angle,
+            min,
+            max,
+        }
+        .into()
     }
 
     /// Returns the angles of the leg of a target.
@@ -174,38 +172,20 @@ impl Stopped<'_> {
         let (Target::Foot(leg) | Target::Joint(leg, _)) = target else {
             return None;
         };
-        let is_of_leg =
-            |state: &JointState| matches!(state.joint, Target::Joint(of, _) if of == leg);
+        let is_of_leg = |it: &JointState| matches!(it.joint, Target::Joint(of, _) if of == leg);
         let states = self.joints().filter(is_of_leg);
-        let joints = states.map(
-            |JointState {
-                 joint,
-                 angle,
-                 min,
-                 max,
-             }| format!("{joint} {angle} ({min}…{max})"),
-        );
-        Some(
-            Stopping::JointsAre {
-                joints: List(joints.collect()),
-            }
-            .into(),
-        )
+        let joints = states.map(|it| format!("{} {} ({}…{})", it.joint, it.angle, it.min, it.max));
+        let joints = List(joints.collect());
+        Some(Stopping::JointsAre { joints }.into())
     }
 
     /// Returns the members of the JSON report beyond those of a diagnostic.
     fn members(&self, values: &Values) -> String {
         let Emergency { step, cycle, .. } = self.emergency;
-        let joints = self.joints().map(
-            |JointState {
-                 joint,
-                 angle,
-                 min,
-                 max,
-             }| {
-                json!({ "joint": joint.to_string(), "angle": angle, "min": min, "max": max })
-            },
-        );
+        let joints = self.joints().map(|it| {
+            let joint = it.joint.to_string();
+            json!({ "joint": joint, "angle": it.angle, "min": it.min, "max": it.max })
+        });
         let text = self.loaded.source.slice(self.place());
         let values: Map<String, Value> = values
             .scalars()

@@ -4,6 +4,7 @@ use crate::drives::realtime::Histogram;
 use crate::drives::robot::Connection;
 use crate::message::count::Cycles;
 use crate::message::{Along, Aside, Figure, How, Running, Until, Upright, Waiting, Weight};
+use crate::output::width;
 use crate::report::step_location;
 use std::fmt::{self, Write as _};
 use tip_runtime::command::Op;
@@ -71,12 +72,7 @@ pub(super) fn summary(
 /// Returns a line of the summary.
 pub(crate) fn line(figure: Figure, value: impl fmt::Display, lang: Lang) -> String {
     let label = figure.in_lang(lang).to_string();
-    // Letters of Japanese are two columns wide.
-    let width: usize = label
-        .chars()
-        .map(|letter| if letter.is_ascii() { 1 } else { 2 })
-        .sum();
-    let gap = " ".repeat(8_usize.saturating_sub(width));
+    let gap = " ".repeat(8_usize.saturating_sub(width(&label)));
     format!("  {label}{gap}{value}\n")
 }
 

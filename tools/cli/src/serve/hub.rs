@@ -3,13 +3,13 @@
 
 use crate::interrupt;
 use crate::serve::ServedFile;
-use crate::setup::ChosenRobot;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
+use tip_sim::Robot;
 use tip_view::live::{
     CheckedText, ClientRequest, Host, Session, TextChecker, UncheckedText, Viewer,
 };
@@ -80,11 +80,7 @@ pub(super) struct Hub {
 
 impl Hub {
     /// Returns a hub and its sending end.
-    pub(super) fn new(
-        mut session: Session,
-        file: ServedFile,
-        robot: ChosenRobot,
-    ) -> (Self, HubSender) {
+    pub(super) fn new(mut session: Session, file: ServedFile, robot: Robot) -> (Self, HubSender) {
         let (events, received) = channel();
         let (stops, received_stops) = channel();
         let sender = HubSender {
@@ -95,12 +91,7 @@ impl Hub {
         let checks = Arc::<CheckQueue>::default();
         session.hand_over();
         let (queue, own) = (Arc::clone(&checks), sender.clone());
-        thread::spawn(move || {
-            // It was made before, so that this cannot fail.
-            if let Ok(robot) = robot.simulated() {
-                queue.work(TextChecker::new(robot), &own);
-            }
-        });
+        thread::spawn(move || queue.work(TextChecker::new(robot), &own));
         let hub = Hub {
             session,
             file,
