@@ -10,8 +10,7 @@ use tip_runtime::machine::{Machine, Status};
 use tip_runtime::model::titan8;
 use tip_runtime::plant::{Plant, SimulatedPlant};
 use tip_runtime::record::Ending;
-use walking::exit::exit;
-use walking::run::Measured;
+use walking::{Measured, exit};
 
 /// The cycles in which something is in the way.
 const BLOCKED: std::ops::Range<u64> = 500..700;

@@ -14,7 +14,7 @@ use std::process::ExitCode;
 use tip_runtime::console::Console;
 use tip_runtime::plant::SimulatedHand;
 use tip_sim::{Robot, load};
-use walking::exit::exit;
+use walking::exit;
 
 /// Time on the robot between two lines of progress: s. No whole number of the vibration's periods, so
 /// that they show it.

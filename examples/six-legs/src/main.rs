@@ -5,8 +5,7 @@ use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
 use tip_runtime::machine::Machine;
-use walking::exit::exit;
-use walking::run::run;
+use walking::{exit, run};
 
 fn main() -> ExitCode {
     exit("six-legs", walk())

@@ -18,9 +18,7 @@ use tip_runtime::realtime::run_realtime;
 use tip_runtime::record::AtomicFile;
 use walk::Walk;
 use walk::options::{HELP, Options};
-use walking::exit::exit;
-use walking::outcome::whole;
-use walking::run::{Observer, run};
+use walking::{Observer, exit, run, whole};
 
 /// Time on the robot between two lines of progress: s.
 const REPORT_EVERY: f64 = 5.0;

@@ -71,43 +71,42 @@ impl Display for IssuedCommand {
 }
 
 /// Collects what a cycle does.
-#[derive(Default)]
 pub(crate) struct Collector {
+    cycle: Cycle,
     /// The variables before the first step.
     before: Option<Vec<Option<u64>>>,
-    step: Option<u32>,
-    next: Option<u32>,
-    set: Vec<(String, f64)>,
-    messages: Vec<String>,
-    out: Option<String>,
-    threads: Vec<(u8, u32)>,
-    lamps: Vec<(u8, bool)>,
-    commands: Vec<IssuedCommand>,
 }
 
 impl Collector {
-    /// Finishes the cycle that a robot is in now; `number` and `time` are those of its beginning.
-    pub(crate) fn finish(
-        self,
-        machine: &dyn DynMachine,
-        number: u64,
-        time: f64,
-        status: Status,
-    ) -> Cycle {
+    /// Begins a cycle with its number and time.
+    pub(crate) fn new(number: u64, time: f64) -> Self {
+        Collector {
+            cycle: Cycle {
+                number,
+                time,
+                step: None,
+                next: None,
+                set: Vec::new(),
+                messages: Vec::new(),
+                out: None,
+                lamps: Vec::new(),
+                threads: Vec::new(),
+                commands: Vec::new(),
+                pose: None,
+                state: 0,
+                status: Status::Running,
+            },
+            before: None,
+        }
+    }
+
+    /// Finishes the cycle that a robot is in now.
+    pub(crate) fn finish(self, machine: &dyn DynMachine, status: Status) -> Cycle {
         Cycle {
-            number,
-            time,
-            step: self.step,
-            next: self.next,
-            set: self.set,
-            messages: self.messages,
-            out: self.out,
-            lamps: self.lamps,
-            threads: self.threads,
-            commands: self.commands,
             pose: machine.hardware().pose(),
             state: state_hash(machine.commands(), machine.angles()),
             status,
+            ..self.cycle
         }
     }
 }
@@ -125,7 +124,7 @@ impl Sink for Collector {
     }
 
     fn command(&mut self, command: &Command<'_>) {
-        self.commands.push(IssuedCommand {
+        self.cycle.commands.push(IssuedCommand {
             op: command.op,
             hs: command.hs,
             target: command.target,
@@ -134,26 +133,29 @@ impl Sink for Collector {
     }
 
     fn say(&mut self, text: &dyn Display) {
-        self.messages.push(text.to_string());
+        self.cycle.messages.push(text.to_string());
     }
 
     fn out(&mut self, text: &dyn Display) {
-        self.out.get_or_insert_default().push_str(&text.to_string());
+        self.cycle
+            .out
+            .get_or_insert_default()
+            .push_str(&text.to_string());
     }
 
     fn lamp(&mut self, device: u8, on: bool) {
-        self.lamps.push((device, on));
+        self.cycle.lamps.push((device, on));
     }
 
     fn cycle(&mut self, cycle: &record::Cycle<'_>) {
         match cycle.thread {
-            None => (self.step, self.next) = (Some(cycle.step), cycle.next),
+            None => (self.cycle.step, self.cycle.next) = (Some(cycle.step), cycle.next),
             Some(name) => {
                 let numbers = 1..=THREADS as u8;
                 let named = |n: &u8| cycle.program.thread(*n).is_some_and(|it| it.0 == name);
                 let thread = numbers.into_iter().find(named).unwrap_or(0);
-                self.threads.retain(|(other, _)| *other != thread);
-                self.threads.push((thread, cycle.step));
+                self.cycle.threads.retain(|(other, _)| *other != thread);
+                self.cycle.threads.push((thread, cycle.step));
             }
         }
         let now = scalars(cycle.program).zip(self.before.iter().flatten());
@@ -161,6 +163,6 @@ impl Sink for Collector {
             let value = value?;
             (Some(value.to_bits()) != *before).then(|| (name.to_owned(), value))
         });
-        self.set = changed.collect();
+        self.cycle.set = changed.collect();
     }
 }

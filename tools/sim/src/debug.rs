@@ -41,10 +41,10 @@ pub use expressions::{BreakCondition, Frame, Value, Variable, control};
 pub use moves::Work;
 pub use stop::{By, DebugError, Hits, HitsError, Move, Progress, Reason, Stop};
 
+use crate::event;
 use crate::event::{Event, Events};
 use crate::interp::Interpreter;
 use crate::motion::Fall;
-use crate::refused;
 use crate::robot::Robot;
 use crate::run::Run;
 use crate::timeline::Timeline;
@@ -221,7 +221,7 @@ impl Debugger {
     ///
     /// # Errors
     /// The robot or the program lacks what they change.
-    pub fn with_events(mut self, events: &Events) -> Result<Self, refused::Refused> {
+    pub fn with_events(mut self, events: &Events) -> Result<Self, event::Refused> {
         self.timeline.script(events)?;
         self.timeline.happen();
         Ok(self)

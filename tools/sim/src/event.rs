@@ -10,15 +10,15 @@
 //! # Ok::<(), tip_sim::event::EventError>(())
 //! ```
 
-mod options;
-mod text;
-
-pub use options::{Inputs, Keys, SensorAt};
-pub use text::EventError;
-
+use crate::message::Debugging;
 use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::str::FromStr;
 use tip_runtime::command::Port;
+use tip_runtime::machine::Mismatch;
 use tip_runtime::plant::Noise;
+use tip_runtime::program::VariableError;
+use tipc::message::Lang;
 
 /// Something that happens to a robot or to its program from outside.
 ///
@@ -145,5 +145,381 @@ impl Event {
     /// This event before the step of a cycle.
     pub fn at(self, cycle: u64) -> Timed {
         Timed { cycle, event: self }
+    }
+}
+
+/// A text that is not an event, or not a list of them, with the form that was expected.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EventError(String);
+
+impl fmt::Display for EventError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for EventError {}
+
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Event::Key(byte) => write!(f, "key {}", KeyText(*byte)),
+            Event::Halt => f.write_str("halt"),
+            Event::Sensor(port, volts) => write!(f, "{port}={volts}"),
+            Event::Set(name, value) => write!(f, "set {name}={value}"),
+            Event::Touch(true) => f.write_str("touch on"),
+            Event::Touch(false) => f.write_str("touch off"),
+            Event::Push([x, y, z], cycles) => write!(f, "push {x} {y} {z} for {cycles}"),
+            Event::Noise(Noise { angle, volts, seed }) => {
+                write!(f, "noise {angle} {volts} seed {seed}")
+            }
+            Event::ReadFails => f.write_str("read fails"),
+            Event::WriteFails => f.write_str("write fails"),
+        }
+    }
+}
+
+impl From<Event> for String {
+    fn from(event: Event) -> Self {
+        event.to_string()
+    }
+}
+
+impl TryFrom<String> for Event {
+    type Error = EventError;
+
+    fn try_from(text: String) -> Result<Self, EventError> {
+        text.parse()
+    }
+}
+
+impl FromStr for Event {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        let text = text.trim();
+        let wrong = || {
+            EventError(format!(
+                "'{text}' is not an event; expected one such as key F, halt, VR1=8, touch on, read fails"
+            ))
+        };
+        match text {
+            "halt" => return Ok(Event::Halt),
+            "touch on" => return Ok(Event::Touch(true)),
+            "touch off" => return Ok(Event::Touch(false)),
+            "read fails" => return Ok(Event::ReadFails),
+            "write fails" => return Ok(Event::WriteFails),
+            _ => {}
+        }
+        if let Some(key) = text.strip_prefix("key ") {
+            return key_byte(key.trim()).map(Event::Key).ok_or_else(wrong);
+        }
+        if let Some(push) = text.strip_prefix("push ") {
+            return pushed(push).ok_or_else(wrong);
+        }
+        if let Some(noise) = text.strip_prefix("noise ") {
+            return noisy(noise).ok_or_else(wrong);
+        }
+        let (name, value) = text.split_once('=').ok_or_else(wrong)?;
+        if let Some(name) = name.strip_prefix("set ") {
+            let value = value.trim().parse().map_err(|_| wrong())?;
+            return Ok(Event::Set(name.trim().to_ascii_uppercase(), value));
+        }
+        let port = port(name.trim()).ok_or_else(wrong)?;
+        let volts = value.trim().parse().map_err(|_| wrong())?;
+        Ok(Event::Sensor(port, volts))
+    }
+}
+
+/// Reads `X Y Z for C`: N, and cycles.
+fn pushed(text: &str) -> Option<Event> {
+    let (force, cycles) = text.split_once(" for ")?;
+    let force = numbers(force)?;
+    Some(Event::Push(force, cycles.trim().parse().ok()?))
+}
+
+/// Reads `A V seed N`: deg, V, and a whole number.
+fn noisy(text: &str) -> Option<Event> {
+    let (noise, seed) = text.split_once(" seed ")?;
+    let [angle, volts] = numbers(noise)?;
+    let seed = seed.trim().parse().ok()?;
+    let noise = Noise { angle, volts, seed };
+    (angle >= 0.0 && volts >= 0.0).then_some(Event::Noise(noise))
+}
+
+/// Reads `N` finite numbers with blanks between them.
+fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
+    let numbers: Option<Vec<f64>> = (text.split_whitespace())
+        .map(|word| word.parse().ok().filter(|number: &f64| number.is_finite()))
+        .collect();
+    numbers?.try_into().ok()
+}
+
+impl fmt::Display for Timed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.cycle, self.event)
+    }
+}
+
+impl FromStr for Timed {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        let parts = text.split_once(':');
+        let cycle = parts.and_then(|(cycle, _)| cycle.trim().parse().ok());
+        let (Some(cycle), Some((_, event))) = (cycle, parts) else {
+            let text = text.trim();
+            return Err(EventError(format!(
+                "'{text}' is not CYCLE:EVENT, such as 10:key F or 300:VR1=8"
+            )));
+        };
+        Ok(Timed {
+            cycle,
+            event: event.parse()?,
+        })
+    }
+}
+
+impl fmt::Display for Events {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (n, event) in self.all().iter().enumerate() {
+            let comma = if n > 0 { ", " } else { "" };
+            write!(f, "{comma}{event}")?;
+        }
+        Ok(())
+    }
+}
+
+impl FromStr for Events {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        match text.trim().is_empty() {
+            true => Ok(Events::NONE),
+            false => text.split(',').map(str::parse).collect(),
+        }
+    }
+}
+
+/// One character, or the code of another one.
+struct KeyText(u8);
+
+impl fmt::Display for KeyText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            byte if byte.is_ascii_alphanumeric() => write!(f, "{}", char::from(byte)),
+            byte => write!(f, "0x{byte:02X}"),
+        }
+    }
+}
+
+/// Reads one ASCII character, or its code as `0x1B`.
+fn key_byte(key: &str) -> Option<u8> {
+    match (key.as_bytes(), key.strip_prefix("0x")) {
+        (&[byte], _) if byte.is_ascii() => Some(byte),
+        (_, Some(digits)) if digits.len() <= 2 && !digits.starts_with('+') => {
+            u8::from_str_radix(digits, 16).ok()
+        }
+        _ => None,
+    }
+}
+
+/// Returns the inputs by name, as AD_IN has them, in either case.
+fn port(name: &str) -> Option<Port> {
+    name.to_ascii_uppercase().parse().ok()
+}
+
+/// All that happens around a run, and how long it may take.
+///
+/// Its text is that of the options of `tip run`, in one line: `--keys 3:a --sensor VR1=8@300 --halt 500 --cycles 900`.
+/// Events without a short form follow `--events`, without blanks around its commas.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inputs {
+    /// The events.
+    pub events: Events,
+    /// The most cycles.
+    pub cycles: Option<u64>,
+}
+
+impl fmt::Display for Inputs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (mut keys, mut sensors, mut halts, mut others) = (vec![], vec![], vec![], vec![]);
+        for Timed { cycle, event } in self.events.all() {
+            match event {
+                Event::Key(byte) => keys.push(format!("{cycle}:{}", KeyText(*byte))),
+                Event::Sensor(port, volts) => {
+                    sensors.push(format!("--sensor {port}={volts}@{cycle}"));
+                }
+                Event::Halt => halts.push(format!("--halt {cycle}")),
+                other => others.push(format!("{cycle}:{other}")),
+            }
+        }
+        let mut options = Vec::new();
+        if !keys.is_empty() {
+            options.push(format!("--keys {}", keys.join(",")));
+        }
+        options.extend(sensors);
+        options.extend(halts);
+        if !others.is_empty() {
+            options.push(format!("--events '{}'", others.join(",")));
+        }
+        options.extend(self.cycles.map(|cycles| format!("--cycles {cycles}")));
+        f.write_str(&options.join(" "))
+    }
+}
+
+impl FromStr for Inputs {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        let mut inputs = Inputs::default();
+        let mut events = Vec::new();
+        let mut rest = text.trim();
+        while !rest.is_empty() {
+            let (option, behind) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+            let (value, behind) = value(behind.trim_start());
+            if value.is_empty() {
+                return Err(EventError(format!("{option} needs a value")));
+            }
+            match option {
+                "--keys" => events.extend(value.parse::<Keys>()?.0),
+                "--sensor" => events.push(sensor(value, |_| true)?),
+                "--halt" => events.push(Event::Halt.at(cycles(value)?)),
+                "--events" => events.extend(value.parse::<Events>()?),
+                "--cycles" => inputs.cycles = Some(cycles(value)?),
+                _ => return Err(EventError(format!("'{option}' is not an option of a run"))),
+            }
+            rest = behind.trim_start();
+        }
+        inputs.events = Events::new(events);
+        Ok(inputs)
+    }
+}
+
+/// Returns a word, or the text between single quotes; and what follows.
+fn value(text: &str) -> (&str, &str) {
+    match text
+        .strip_prefix('\'')
+        .and_then(|text| text.split_once('\''))
+    {
+        Some(parts) => parts,
+        None => text.split_once(char::is_whitespace).unwrap_or((text, "")),
+    }
+}
+
+fn cycles(value: &str) -> Result<u64, EventError> {
+    let wrong = |_| EventError(format!("'{value}' is not a number of cycles"));
+    value.parse().map_err(wrong)
+}
+
+/// `--keys`: `CYCLE:CHAR,CYCLE:CHAR…`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Keys(pub Vec<Timed>);
+
+impl FromStr for Keys {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        let keys: Result<Vec<Timed>, EventError> = text.split(',').map(key).collect();
+        keys.map(Keys)
+    }
+}
+
+fn key(text: &str) -> Result<Timed, EventError> {
+    let wrong = || EventError(format!("'{text}' is not CYCLE:CHAR, such as 3:a or 3:0x1B"));
+    let (cycle, key) = text.split_once(':').ok_or_else(wrong)?;
+    let cycle = cycle.trim().parse().map_err(|_| wrong())?;
+    let byte = key_byte(key).ok_or_else(wrong)?;
+    Ok(Event::Key(byte).at(cycle))
+}
+
+/// `--sensor`: `NAME=VALUE@CYCLE`, where the value is a finite number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SensorAt(pub Timed);
+
+impl FromStr for SensorAt {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        sensor(text, f64::is_finite).map(SensorAt)
+    }
+}
+
+/// Returns an input that reads something from a cycle on, if it can read that.
+fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<Timed, EventError> {
+    let wrong = |what: &str| {
+        EventError(format!(
+            "{what}; expected NAME=VALUE@CYCLE, such as VR1=8@300"
+        ))
+    };
+    let (name, rest) = text.split_once('=').ok_or_else(|| wrong("no '='"))?;
+    let (volts, cycle) = rest.split_once('@').ok_or_else(|| wrong("no '@'"))?;
+    let name = name.trim().to_ascii_uppercase();
+    let port = port(&name).ok_or_else(|| wrong(&format!("'{name}' is not an input")))?;
+    let number = volts.trim().parse().ok().filter(|volts| can_read(*volts));
+    let volts = number.ok_or_else(|| wrong(&format!("'{volts}' is not a number of volts")))?;
+    let cycle = cycle
+        .trim()
+        .parse()
+        .map_err(|_| wrong(&format!("'{cycle}' is not a cycle")))?;
+    Ok(Event::Sensor(port, volts).at(cycle))
+}
+
+/// The reason why an event cannot happen to a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refused {
+    /// The program is for another robot.
+    Mismatch(Mismatch),
+    /// The robot has no such input.
+    NoInput(Port),
+    /// The program has no such variable, or it cannot have the value.
+    Variable(String, VariableError),
+    /// This event cannot happen to the robot: it has no mass.
+    Massless(String),
+    /// The text is not an event.
+    Text(EventError),
+}
+
+impl Refused {
+    /// Returns the message in a language. Messages of the runtime are English.
+    pub fn text(&self, lang: Lang) -> String {
+        let message = match self {
+            Refused::Mismatch(mismatch) => return mismatch.to_string(),
+            Refused::Text(error) => return error.to_string(),
+            Refused::NoInput(port) => Debugging::NoInput {
+                port: port.to_string().into(),
+            },
+            Refused::Variable(name, error) => return refused_variable(name, *error, lang),
+            Refused::Massless(event) => Debugging::Massless {
+                event: event.clone().into(),
+            },
+        };
+        message.in_lang(lang).to_string()
+    }
+}
+
+/// Returns the message on an error of a variable.
+pub(crate) fn refused_variable(variable: &str, error: VariableError, lang: Lang) -> String {
+    let name = variable.to_owned().into();
+    let message = match error {
+        VariableError::Unknown => Debugging::NoSuchVariable { name },
+        VariableError::Constant => Debugging::IsConstant { name },
+        VariableError::NotFinite => Debugging::NotFinite { name },
+        other => return format!("{variable}: {other}"),
+    };
+    message.in_lang(lang).to_string()
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text(Lang::English))
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl From<Mismatch> for Refused {
+    fn from(mismatch: Mismatch) -> Self {
+        Refused::Mismatch(mismatch)
     }
 }

@@ -1,10 +1,12 @@
-//! Programs from text.
+//! Programs and robots from text.
 
-use crate::diagnostics;
 use crate::interp::Interpreter;
 use crate::robot::Robot;
 use std::fmt;
-use tipc::Loaded;
+use tip_runtime::model::Model;
+use tipc::description::{self, Description, WithModel};
+use tipc::message::Lang;
+use tipc::{Loaded, published, render};
 
 /// Loads the text of a program for a robot, to be run by the reference interpreter. `name` is how messages call it.
 ///
@@ -18,7 +20,7 @@ pub fn load(name: &str, text: &str, robot: &Robot) -> Result<Interpreter, LoadEr
     }
 }
 
-/// A text that is not a program for this robot. Shown, it is one line for each finding.
+/// A text that is not a program for this robot, or that describes no robot. Shown, it is one line for each diagnostic.
 #[derive(Debug)]
 pub struct LoadError(Box<Loaded>);
 
@@ -31,8 +33,54 @@ impl LoadError {
 
 impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        diagnostics::write(&self.0, f)
+        let Loaded {
+            source,
+            diagnostics,
+            ..
+        } = &*self.0;
+        let line = |diagnostic| render::short(source, diagnostic, Lang::English);
+        let lines: Vec<String> = diagnostics
+            .iter()
+            .map(|diagnostic| line(diagnostic).trim_end().to_owned())
+            .collect();
+        f.write_str(&lines.join("\n"))
     }
 }
 
 impl std::error::Error for LoadError {}
+
+impl Robot {
+    /// Returns a walking robot from the text of its description (`docs/robots.md`).
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text.
+    pub fn description(toml: &str) -> Result<Self, LoadError> {
+        let parsed = description::parse("robot.toml", toml.as_bytes());
+        parsed
+            .map(|robot| Self::described(&robot))
+            .map_err(LoadError)
+    }
+
+    /// Returns one of the robots that are published.
+    pub(crate) fn published(name: &str) -> Option<Self> {
+        let description = published::find(name)?.read().ok()?;
+        Some(Self::described(&description))
+    }
+
+    /// Returns a walking robot from a description that was read.
+    pub fn described(description: &Description) -> Self {
+        let robot = description.with_model(BuildRobot);
+        robot.with_shapes(description.shapes())
+    }
+}
+
+/// Makes a robot of a model of any size.
+struct BuildRobot;
+
+impl WithModel for BuildRobot {
+    type Output = Robot;
+
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Robot {
+        Robot::of(model)
+    }
+}

@@ -28,12 +28,12 @@ mod side;
 
 pub use answer::{Answer, ReachedPoints, RunEnd, Session, serve};
 
-use crate::event::Inputs;
+use crate::event::{Inputs, Refused};
 use crate::interp::Interpreter;
 use crate::program_runner::StepTaken;
-use crate::refused::Refused;
 use crate::robot::Robot;
 use crate::run::Run;
+use serde::{Deserialize, Serialize};
 use side::Side;
 use std::sync::Arc;
 use tip_runtime::machine::Mismatch;
@@ -90,7 +90,7 @@ pub struct Compared {
 }
 
 /// The first difference between the engines.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
 pub struct Divergence {
     /// The cycle.
     pub cycle: u64,
@@ -204,8 +204,6 @@ impl Lockstep {
             if ending != Some(Ending::Limit) {
                 let steps = interpreted.run().steps().iter();
                 steps.for_each(|step| scout.went(cycle, *step));
-            }
-            if ending != Some(Ending::Limit) {
                 scout.after(interpreted.run());
             }
         }

@@ -1,17 +1,16 @@
 //! Simulated robots, whatever their size.
 
 use crate::dyn_machine::{DynMachine, NativeCommands};
-use crate::ideal_joints::IdealJoints;
+
 use crate::model::{Anatomy, DynModel, Miss};
-use crate::plant::Plant;
 use crate::program_runner::ProgramRunner;
-use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
+use crate::sim_hardware::{DynHardware, IdealJoints, OfSize, SimHardware};
 use std::fmt;
 use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::machine::Mismatch;
 use tip_runtime::model::{Model, generic, hand, titan8};
-use tip_runtime::plant::{self, Scene, SimulatedHand};
+use tip_runtime::plant::{self, Scene, SimulatedHand, Simulation};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::{HandSpecials, NUMBERS};
 use tipc::description::Shapes;
@@ -258,3 +257,34 @@ impl fmt::Display for GraspsNothing {
 }
 
 impl std::error::Error for GraspsNothing {}
+
+/// The simulation of the robot's joints and surroundings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Plant {
+    /// The simulation that the scene asks for; by default a walking robot rests on its feet and has
+    /// no inertia.
+    #[default]
+    Simulated,
+    /// Everything has mass, whatever the scene asks for.
+    Dynamic,
+    /// Joints that are immediately where they are commanded to be: cheap, for comparing engines.
+    Echo,
+}
+
+impl Plant {
+    /// Returns the simulation of a walking robot in a scene; `None` if only its joints are
+    /// simulated.
+    pub(crate) fn walking(self, scene: &Scene) -> Option<Simulation> {
+        // Nothing but mass meets a block.
+        let open = match scene.blocks.iter().flatten().next() {
+            Some(_) => Simulation::Dynamic,
+            None => Simulation::QuasiStatic,
+        };
+        match self {
+            Plant::Simulated => Some(scene.plant.unwrap_or(open)),
+            Plant::Dynamic => Some(Simulation::Dynamic),
+            Plant::Echo => None,
+        }
+    }
+}

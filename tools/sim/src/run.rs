@@ -2,17 +2,17 @@
 
 use crate::cycle::{Collector, Cycle};
 use crate::dyn_machine::DynMachine;
+use crate::event::Refused;
 use crate::event::{Event, Events, Timed};
 use crate::event_console::Listener;
 use crate::motion::Fall;
 use crate::program_runner::{ProgramRunner, StepTaken};
-use crate::refused::Refused;
 use crate::robot::Robot;
-use crate::trace::{Trace, tee};
+use crate::trace::{self, Trace, tee};
 use std::fmt;
 use std::time::Duration;
 use tip_runtime::command::{Flag, Target};
-use tip_runtime::console::Console;
+use tip_runtime::console::{Console, Transcript};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Mismatch, Status};
 use tip_runtime::model::Range;
@@ -271,10 +271,9 @@ impl Run {
 
     /// Runs one cycle, and returns what happened in it. After the program's end the robot is still held.
     pub fn cycle(&mut self) -> Cycle {
-        let (cycles, time) = (self.cycles(), self.time());
-        let mut collector = Collector::default();
+        let mut collector = Collector::new(self.cycles(), self.time());
         let status = self.advance(Some(&mut collector));
-        collector.finish(self.machine.as_ref(), cycles, time, status)
+        collector.finish(self.machine.as_ref(), status)
     }
 
     /// Runs one cycle, and reports it to a sink and the trace.
@@ -448,5 +447,93 @@ impl fmt::Debug for Run {
             .field("cycles", &self.cycles())
             .field("ending", &self.ending)
             .finish_non_exhaustive()
+    }
+}
+
+/// A run at some cycle: its program, controller, plant, special commands, waiting keys, how many events have happened,
+/// and how long its trace and its console's transcript were.
+pub struct Snapshot {
+    machine: Box<dyn DynMachine>,
+    happened: usize,
+    ending: Option<Ending>,
+    fall: Option<Fall>,
+    trace: Option<trace::TraceMark>,
+    shown: Option<Lengths>,
+}
+
+impl fmt::Debug for Snapshot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Snapshot")
+            .field("cycles", &self.machine.cycles())
+            .finish_non_exhaustive()
+    }
+}
+
+impl Run {
+    /// Marks where the run is.
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot {
+            machine: self.machine.boxed(),
+            happened: self.happened,
+            ending: self.ending,
+            fall: self.fall,
+            trace: self.trace.as_ref().map(trace::Trace::mark),
+            shown: self.console().map(Lengths::of),
+        }
+    }
+
+    /// Takes the run back to where a mark of it was made; from there on it does the same to the bit, as long as the same
+    /// happens to it. Its console stays; of a [`Transcript`](tip_runtime::console::Transcript) and of the trace only
+    /// what was there at the mark is left.
+    pub fn restore(&mut self, mark: &Snapshot) {
+        let listener = self.machine.console_mut().replace(None);
+        self.machine = mark.machine.boxed();
+        self.machine.console_mut().replace(listener);
+        self.happened = mark.happened;
+        self.ending = mark.ending;
+        self.fall = mark.fall;
+        if let (Some(trace), Some(mark)) = (&mut self.trace, &mark.trace) {
+            trace.restore(mark);
+        }
+        if let (Some(shown), Some(lengths)) = (self.console_mut(), mark.shown) {
+            lengths.restore(shown);
+        }
+    }
+}
+
+/// The lengths of what only grows in a transcript.
+#[derive(Clone, Copy, Debug)]
+struct Lengths {
+    messages: usize,
+    appended: usize,
+    silent: usize,
+    log: usize,
+    variables: usize,
+    stopped: bool,
+    ended: u32,
+}
+
+impl Lengths {
+    fn of(shown: &Transcript) -> Self {
+        Lengths {
+            messages: shown.messages.len(),
+            appended: shown.appended.len(),
+            silent: shown.silent.len(),
+            log: shown.log.len(),
+            variables: shown.variables.len(),
+            stopped: shown.emergency.is_some(),
+            ended: shown.ended,
+        }
+    }
+
+    /// Takes away what came later.
+    fn restore(self, shown: &mut Transcript) {
+        shown.messages.truncate(self.messages);
+        shown.appended.truncate(self.appended);
+        shown.silent.truncate(self.silent);
+        shown.log.truncate(self.log);
+        shown.variables.truncate(self.variables);
+        shown.emergency.take_if(|_| !self.stopped);
+        shown.ended = self.ended;
     }
 }

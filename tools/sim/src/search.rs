@@ -23,17 +23,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod coverage;
-mod inputs;
-
-pub use coverage::{Coverage, Diverging, RunResult};
-pub use inputs::inputs;
-
 use crate::event::{Event, Inputs, Timed};
-use crate::lockstep::{Answer, Session};
+use crate::lockstep::{Answer, Divergence, ReachedPoints, RunEnd, Session};
+use std::collections::BTreeSet;
 use std::convert::Infallible;
 use std::fmt;
-use tipc::program::Program;
+use tip_runtime::command::Port;
+use tipc::language::flags::{self, Cause};
+use tipc::program::{Action, Condition, Operand, Program};
 
 /// Two engines that run the same program, wherever they are.
 pub trait Engines {
@@ -370,4 +367,177 @@ impl Random {
     pub fn pick<'a, T>(&mut self, of: &'a [T]) -> Option<&'a T> {
         of.get(self.below(of.len() as u64) as usize)
     }
+}
+
+/// Inputs on which the engines differ.
+#[derive(Clone, Debug)]
+pub struct Diverging {
+    /// The inputs of the run.
+    pub inputs: Inputs,
+    /// The first difference.
+    pub divergence: Divergence,
+}
+
+/// Result of one run.
+#[derive(Clone, Debug)]
+pub enum RunResult {
+    /// The engines agree.
+    Agreed {
+        /// Number of cycles that were compared.
+        cycles: u64,
+        /// True if it reached something that no run before it did.
+        is_new: bool,
+        /// Cycles where another input may change the path.
+        chances: Vec<u64>,
+    },
+    /// The engines differ.
+    Diverged(Diverging),
+}
+
+/// Results of all runs.
+#[derive(Debug)]
+pub struct Coverage {
+    /// The spots that they reached.
+    pub reach: ReachedPoints,
+    /// Cycles that were compared.
+    pub cycles: u64,
+    /// Runs to END or EXIT.
+    pub finished: u64,
+    /// Runs to the last cycle allowed.
+    pub limited: u64,
+    /// Runs to an emergency stop.
+    pub stopped: u64,
+}
+
+impl Coverage {
+    /// Creates a coverage without runs.
+    pub fn new(program: &Program) -> Self {
+        Coverage {
+            reach: ReachedPoints::new(program),
+            cycles: 0,
+            finished: 0,
+            limited: 0,
+            stopped: 0,
+        }
+    }
+
+    /// Returns the number of runs.
+    pub fn runs(&self) -> u64 {
+        self.finished + self.limited + self.stopped
+    }
+
+    /// Runs once and adds the result.
+    ///
+    /// # Errors
+    /// The robot lacks an input, or the engines fail.
+    pub fn run<E: Engines>(
+        &mut self,
+        engines: &mut E,
+        inputs: &Inputs,
+    ) -> Result<RunResult, Failed<E::Error>> {
+        match engines.ask(inputs).map_err(Failed::Engines)? {
+            Answer::Refused(reason) => Err(Failed::Refused(reason)),
+            Answer::Diverged(divergence) => Ok(RunResult::Diverged(Diverging {
+                inputs: inputs.clone(),
+                divergence,
+            })),
+            Answer::Agreed {
+                cycles,
+                end,
+                new,
+                chances,
+            } => {
+                self.cycles += cycles;
+                *match end {
+                    RunEnd::Finished => &mut self.finished,
+                    RunEnd::Limit => &mut self.limited,
+                    RunEnd::Emergency => &mut self.stopped,
+                } += 1;
+                for point in &new {
+                    self.reach.add(*point);
+                }
+                Ok(RunResult::Agreed {
+                    cycles,
+                    is_new: !new.is_empty(),
+                    chances,
+                })
+            }
+        }
+    }
+}
+
+/// Key codes beyond these are none that a program can get.
+const KEYS: std::ops::RangeInclusive<f64> = 32.0..=126.0;
+/// Range of the inputs' readings, V.
+const VOLTS: std::ops::RangeInclusive<f64> = -10.0..=10.0;
+
+/// Returns every single event that may happen to a program and matter to it.
+pub fn inputs(program: &Program) -> Vec<Event> {
+    let mut takes_keys = false;
+    let mut takes_halts = false;
+    let mut ports = Vec::new();
+    let mut numbers = Vec::new();
+    for step in program.steps() {
+        match step.action {
+            Action::KeyIn { .. } => takes_keys = true,
+            // Channels have no name that a command line could give.
+            Action::AdIn { port, .. } if !matches!(port, Port::Channel(_)) => ports.push(port),
+            _ => {}
+        }
+        match step.action.condition() {
+            Some(Condition::Flag { flag, .. }) => match flags::row(*flag).map(|row| row.cause) {
+                Some(Cause::Key) => takes_keys = true,
+                Some(Cause::Halt) => takes_halts = true,
+                Some(Cause::Input(port)) => ports.push(port),
+                Some(Cause::Robot) | None => {}
+            },
+            Some(Condition::Compare { left, right, .. }) => {
+                numbers.extend([left, right].into_iter().filter_map(constant));
+            }
+            None => {}
+        }
+    }
+    ports.sort_by_key(|port| format!("{port:?}"));
+    ports.dedup();
+    let keys = if takes_keys {
+        keys(&numbers)
+    } else {
+        BTreeSet::new()
+    };
+    let keys = keys.into_iter().map(Event::Key);
+    let halt = takes_halts.then_some(Event::Halt);
+    let volts = volts(&numbers);
+    let sensors = ports
+        .iter()
+        .flat_map(|port| volts.iter().map(|volts| Event::Sensor(*port, *volts)));
+    keys.chain(halt).chain(sensors).collect()
+}
+
+fn constant(operand: &Operand) -> Option<f64> {
+    match operand {
+        Operand::Constant(number) => Some(*number),
+        Operand::Scalar { .. } | Operand::Reading { .. } => None,
+    }
+}
+
+/// Returns the keys that conditions ask for, and one that none asks for.
+fn keys(numbers: &[f64]) -> BTreeSet<u8> {
+    let codes = numbers.iter().filter(|number| KEYS.contains(number));
+    let mut keys: BTreeSet<u8> = codes.map(|number| *number as u8).collect();
+    keys.extend((b'A'..=b'Z').rev().find(|key| !keys.contains(key)));
+    keys
+}
+
+/// Returns values below, at and above each number that conditions ask for, and both ends.
+fn volts(numbers: &[f64]) -> Vec<f64> {
+    let around = numbers
+        .iter()
+        .flat_map(|number| [number - 0.5, *number, number + 0.5]);
+    let mut volts: Vec<f64> = around
+        .chain([0.0, 5.0, 10.0])
+        .filter(|volts| VOLTS.contains(volts))
+        .collect();
+    volts.sort_by(f64::total_cmp);
+    volts.dedup();
+    volts
 }

@@ -25,10 +25,10 @@
 //! ```
 
 use crate::cycle::Cycle;
+use crate::event::Refused;
 use crate::event::{Event, Events, Timed};
-use crate::refused::Refused;
 use crate::run::Run;
-use crate::snapshot::Snapshot;
+use crate::run::Snapshot;
 use tip_runtime::machine::Status;
 use tip_runtime::record::Sink;
 

@@ -173,7 +173,8 @@ impl search::Engines for Engines {
         let broken =
             |what: String| NotBuilt::Failed(format!("{what} in a run with the inputs `{inputs}`"));
         match self.answer(patience) {
-            Ok(line) => line.parse().map_err(broken),
+            Ok(line) => serde_json::from_str(&line)
+                .map_err(|error| broken(format!("'{line}' is not an answer ({error})"))),
             Err(RecvTimeoutError::Timeout) => {
                 let seconds = patience.as_secs();
                 Err(broken(format!(

@@ -9,8 +9,7 @@ use tip_runtime::program::{End, Program};
 use tip_runtime::record::Ending;
 use tip_sim::lockstep::{Lockstep, Scout};
 use tip_sim::{Robot, Run, load};
-use walking::outcome::Outcome;
-use walking::run::Measured;
+use walking::{Measured, Outcome};
 
 /// Long enough for every run here: cycles.
 const LIMIT: u64 = 20_000;

@@ -7,8 +7,7 @@ use tip_runtime::program::{End, Program};
 use tip_runtime::record::Ending;
 use tip_sim::lockstep::{Lockstep, Scout};
 use tip_sim::{Robot, Run, load};
-use walking::outcome::{Outcome, SLIP};
-use walking::run::Measured;
+use walking::{Measured, Outcome, SLIP};
 
 /// Long enough for every gait here: cycles.
 const LIMIT: u64 = 10_000;

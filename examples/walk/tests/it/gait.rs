@@ -1,6 +1,6 @@
 //! The picture of a gait.
 
-use walking::gait::Gait;
+use walking::Gait;
 
 #[test]
 fn a_short_gait_has_a_column_for_each_cycle() {

@@ -10,8 +10,7 @@ use tip_runtime::record::Ending;
 use tip_sim::lockstep::{Lockstep, Scout};
 use tip_sim::{Robot, Run, load};
 use walk::{SOURCE, Walk};
-use walking::outcome::{GOAL, Outcome, SLIP};
-use walking::run::Measured;
+use walking::{GOAL, Measured, Outcome, SLIP};
 
 /// Long enough for every gait here: cycles.
 const LIMIT: u64 = 20_000;
@@ -72,7 +71,7 @@ fn the_body_comes_forward_by_six_strides_upright_and_alike_in_both_engines() {
 #[test]
 fn the_example_prints_the_run_that_both_engines_make() {
     let mut robot = Machine::simulated(Walk::new());
-    let outcome = walking::run::run(&mut robot, LIMIT, true, &mut ());
+    let outcome = walking::run(&mut robot, LIMIT, true, &mut ());
     assert_eq!(outcome.to_string(), undisturbed().to_string());
 }
 

@@ -112,7 +112,7 @@ echo "{\"executable\":\"$PWD/engines\"}"
 const ENGINES: &str = r#"#!/bin/sh
 for answer in 1 2 3; do
   read -r request
-  printf 'agreed\t10\tlimit\t\t0\n'
+  echo '{"Agreed":{"cycles":10,"end":"Limit","new":[],"chances":[0]}}'
 done
 read -r request
 kill -INT $PPID

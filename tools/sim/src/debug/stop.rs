@@ -2,9 +2,9 @@
 
 use super::Debugger;
 use super::History;
+use crate::event;
 use crate::message::Debugging;
 use crate::motion::Fall;
-use crate::refused;
 use std::fmt;
 use std::str::FromStr;
 use tip_runtime::fault::Fault;
@@ -305,7 +305,7 @@ pub enum DebugError {
     /// The program is over.
     Ended,
     /// It cannot happen to this robot or program.
-    Event(refused::Refused),
+    Event(event::Refused),
 }
 
 impl DebugError {
@@ -319,7 +319,9 @@ impl DebugError {
             DebugError::NoName(name) => Debugging::NoSuchName {
                 name: name.clone().into(),
             },
-            DebugError::NoVariable(name, error) => return refused::of_variable(name, *error, lang),
+            DebugError::NoVariable(name, error) => {
+                return event::refused_variable(name, *error, lang);
+            }
             DebugError::Hits(error) => error.message(),
             DebugError::WouldDiscard(cycles) => Debugging::WouldDiscard {
                 cycles: usize::try_from(*cycles).unwrap_or(usize::MAX),

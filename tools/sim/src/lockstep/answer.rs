@@ -3,16 +3,15 @@
 use super::{Compared, Divergence, Lockstep, Scout};
 use crate::event::Inputs;
 use crate::program_runner::StepTaken;
-use std::fmt::{self, Display};
+use serde::{Deserialize, Serialize};
 use std::io::{self, BufRead, Write};
-use std::str::FromStr;
 use tip_lint::coverage_points::{CoveragePoints, ProgramPoint};
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tipc::program::Program;
 
-/// The result for a requested run. Its text is one line: fields with tabs between them, which no field holds.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The result for a requested run.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
 pub enum Answer {
     /// Both engines did the same.
     Agreed {
@@ -32,7 +31,7 @@ pub enum Answer {
 }
 
 /// The end of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 pub enum RunEnd {
     /// END or EXIT.
     Finished,
@@ -41,12 +40,6 @@ pub enum RunEnd {
     /// Emergency stop.
     Emergency,
 }
-
-const ENDS: [(&str, RunEnd); 3] = [
-    ("finished", RunEnd::Finished),
-    ("limit", RunEnd::Limit),
-    ("emergency", RunEnd::Emergency),
-];
 
 /// A program in both forms, and what its runs have reached so far.
 #[derive(Clone, Debug)]
@@ -86,84 +79,7 @@ impl Session {
     }
 }
 
-impl Display for Answer {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Answer::Agreed {
-                cycles,
-                end,
-                new,
-                chances,
-            } => {
-                let end = ENDS.iter().find(|(_, of)| of == end);
-                let end = end.map_or("", |(name, _)| name);
-                write!(
-                    f,
-                    "agreed\t{cycles}\t{end}\t{}\t{}",
-                    list(new),
-                    list(chances)
-                )
-            }
-            Answer::Diverged(divergence) => {
-                let Divergence {
-                    cycle,
-                    step,
-                    interpreted,
-                    compiled,
-                } = divergence;
-                write!(f, "diverged\t{cycle}\t{step}\t{interpreted}\t{compiled}")
-            }
-            Answer::Refused(reason) => write!(f, "refused\t{reason}"),
-        }
-    }
-}
-
-impl FromStr for Answer {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let fields: Vec<&str> = text.split('\t').collect();
-        let answer = match fields[..] {
-            ["agreed", cycles, end, new, chances] => agreed(cycles, end, new, chances),
-            ["diverged", cycle, step, interpreted, compiled] => {
-                diverged(cycle, step, interpreted, compiled)
-            }
-            ["refused", reason] => Some(Answer::Refused(reason.to_owned())),
-            _ => None,
-        };
-        answer.ok_or_else(|| format!("'{text}' is not an answer"))
-    }
-}
-
-fn agreed(cycles: &str, end: &str, new: &str, chances: &str) -> Option<Answer> {
-    Some(Answer::Agreed {
-        cycles: cycles.parse().ok()?,
-        end: ENDS.iter().find(|(name, _)| *name == end)?.1,
-        new: numbers(new)?,
-        chances: numbers(chances)?,
-    })
-}
-
-fn diverged(cycle: &str, step: &str, interpreted: &str, compiled: &str) -> Option<Answer> {
-    Some(Answer::Diverged(Divergence {
-        cycle: cycle.parse().ok()?,
-        step: step.parse().ok()?,
-        interpreted: interpreted.to_owned(),
-        compiled: compiled.to_owned(),
-    }))
-}
-
-fn list(numbers: &[impl Display]) -> String {
-    let numbers = numbers.iter().map(ToString::to_string);
-    numbers.collect::<Vec<_>>().join(",")
-}
-
-fn numbers<T: FromStr>(list: &str) -> Option<Vec<T>> {
-    let numbers = list.split(',').filter(|number| !number.is_empty());
-    numbers.map(|number| number.parse().ok()).collect()
-}
-
-/// Answers each line of `requests`, which is the text of [`Inputs`], by the line of an [`Answer`].
+/// Answers each line of `requests`, which is the text of [`Inputs`], by an [`Answer`] in a line of JSON.
 ///
 /// # Errors
 /// Requests cannot be read, or answers not be written.
@@ -178,7 +94,8 @@ pub fn serve(
             Ok(inputs) => session.answer(&inputs),
             Err(error) => Answer::Refused(error.to_string()),
         };
-        writeln!(answers, "{answer}")?;
+        serde_json::to_writer(&mut answers, &answer)?;
+        writeln!(answers)?;
         answers.flush()?;
     }
     Ok(())

@@ -22,7 +22,7 @@ fn answers(lockstep: Lockstep, requests: &str) -> Vec<Answer> {
     serve(lockstep, Cursor::new(requests), &mut out).expect("a Vec takes everything");
     let text = String::from_utf8(out).expect("answers are text");
     text.lines()
-        .map(|line| line.parse().expect("an answer"))
+        .map(|line| serde_json::from_str(line).expect("an answer"))
         .collect()
 }
 
@@ -121,7 +121,6 @@ fn what_the_robot_lacks_is_refused() {
         let answers = answers(lockstep.clone(), wrong);
         assert!(matches!(&answers[..], [Answer::Refused(_)]), "{answers:?}");
     }
-    assert!("agreed\t1\tnever\t\t".parse::<Answer>().is_err());
 }
 
 /// Only a key makes it differ.

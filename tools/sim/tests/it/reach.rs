@@ -3,7 +3,7 @@
 use tip_runtime::command::Target;
 use tip_runtime::fault::Fault;
 use tip_runtime::record::Ending;
-use tip_sim::{Interpreter, Limit, Robot, Run, reachability};
+use tip_sim::{Interpreter, Limit, Robot, Run};
 use tipc::message::Message;
 
 /// Returns code, reason and help of the first diagnostic of some statements.
@@ -11,7 +11,7 @@ fn said(robot: &str, statements: &str) -> Vec<String> {
     let robot = Robot::named(robot).expect("a robot");
     let text = format!("3.1\nreach\n{statements}\nEND\n");
     let mut loaded = tipc::load("reach.prg", text.as_bytes(), &robot.options());
-    reachability::warn(&mut loaded, &robot);
+    robot.warn(&mut loaded);
     let findings = loaded.diagnostics.iter();
     let one = |finding: &tipc::diagnostic::Diagnostic| {
         let help = finding.help.as_ref().map(Message::to_string);

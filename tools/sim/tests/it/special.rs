@@ -2,13 +2,13 @@
 
 use tip_runtime::fault::Fault;
 use tip_runtime::record::Ending;
-use tip_sim::{Interpreter, Limit, Robot, Run, special};
+use tip_sim::{Interpreter, Limit, Robot, Run};
 
 /// The codes of what is said of one SPECIAL.
 fn codes(robot: &Robot, number: u8) -> (Vec<&'static str>, bool) {
     let text = format!("3.1\nspecial\nSPECIAL {number}\nEND\n");
     let mut loaded = tipc::load("special.prg", text.as_bytes(), &robot.options());
-    special::warn(&mut loaded, robot);
+    robot.warn(&mut loaded);
     let codes = loaded.diagnostics.iter().map(|it| it.code.id()).collect();
     let program = loaded.program.expect("a program");
     let mut run = Run::new(Interpreter::new(program), robot.clone()).expect("its robot");
