@@ -41,7 +41,7 @@ fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
 }
 
 #[test]
-fn cycles_are_counted_once_however_deep_loops_are_nested() {
+fn loops_in_loops_are_counted_within_the_budget() {
     for (open, close) in [
         ("FOR I = 1 TO 3\n", "NEXT\n"),
         ("FOR I = 1 TO N\n", "NEXT\n"),

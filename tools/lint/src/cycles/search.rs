@@ -1,10 +1,9 @@
-//! The least and the most cycles from one node of a graph to where paths end.
+//! Searches in graphs: the least and the most cycles from one node to where paths end, and what leads back to itself.
 
-use super::count::Count;
+use super::Count;
 use std::cell::Cell;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, VecDeque};
-use std::ops::Range;
 use tipc::analysis::flow::NodeId;
 
 /// Target of a path.
@@ -53,93 +52,61 @@ impl Work {
     }
 }
 
-/// The places that paths from one node come to, by numbers of their own: it is 0. One search after the other
-/// uses the same memory, and takes no longer than what it comes to.
-#[derive(Debug, Default)]
-pub(super) struct Search {
-    places: Vec<Place>,
-    /// The edges that leave each passed place.
-    leaving: Vec<Range<usize>>,
-    edges: Vec<(usize, Count)>,
-    /// The number of each place, and the search that gave it.
-    numbers: Vec<(usize, u64)>,
-    turn: u64,
+/// Returns the cycles from `from` to every place where a path ends. `edges` returns those that leave a node. `None`
+/// if that is more work than is left.
+pub(super) fn ends(
+    from: NodeId,
+    work: &Work,
+    edges: impl Fn(NodeId) -> Option<Vec<Edge>>,
+) -> Option<BTreeMap<Place, Count>> {
+    let found = Paths::from(from, work, edges)?;
+    let (least, most, waiting) = (found.least(), found.most(), found.waiting());
+    let ends = found.places.iter().enumerate();
+    let ends = ends.filter(|(_, place)| !matches!(place, Place::Pass(_)));
+    let counts = ends.map(|(number, place)| {
+        let count = Count {
+            min: least[number].unwrap_or_default(),
+            max: most[number].flatten(),
+            waits: waiting[number],
+        };
+        (*place, count)
+    });
+    Some(counts.collect())
 }
 
-impl Search {
-    /// Returns the cycles from `from` to every place where a path ends. `edges` adds those that leave a node. `None`
-    /// if that is more work than is left.
-    pub(super) fn ends(
-        &mut self,
+/// The places that paths from one node come to, by numbers of their own: it is 0.
+#[derive(Debug)]
+struct Paths {
+    places: Vec<Place>,
+    /// The edges that leave each place.
+    leaving: Vec<Vec<(usize, Count)>>,
+}
+
+impl Paths {
+    fn from(
         from: NodeId,
         work: &Work,
-        edges: impl Fn(NodeId, &mut Vec<Edge>) -> Option<()>,
-    ) -> Option<BTreeMap<Place, Count>> {
-        self.reach(from, work, edges)?;
-        let (least, most, waiting) = (self.least(), self.most(), self.waiting());
-        let ends = self.places.iter().enumerate();
-        let ends = ends.filter(|(_, place)| !matches!(place, Place::Pass(_)));
-        let counts = ends.map(|(number, place)| {
-            let count = Count {
-                min: least[number].unwrap_or_default(),
-                max: most[number].flatten(),
-                waits: waiting[number],
+        edges: impl Fn(NodeId) -> Option<Vec<Edge>>,
+    ) -> Option<Self> {
+        let mut places = vec![Place::Pass(from)];
+        let mut numbers = BTreeMap::from([(Place::Pass(from), 0)]);
+        let mut leaving = Vec::new();
+        while let Some(place) = places.get(leaving.len()) {
+            let found = match *place {
+                Place::Pass(id) => edges(id)?,
+                _ => Vec::new(),
             };
-            (*place, count)
-        });
-        Some(counts.collect())
-    }
-
-    fn reach(
-        &mut self,
-        from: NodeId,
-        work: &Work,
-        edges: impl Fn(NodeId, &mut Vec<Edge>) -> Option<()>,
-    ) -> Option<()> {
-        self.turn += 1;
-        self.places.clear();
-        self.leaving.clear();
-        self.edges.clear();
-        self.number(Place::Pass(from));
-        let mut found = Vec::new();
-        let mut at = 0;
-        while let Some(place) = self.places.get(at) {
-            if let Place::Pass(id) = *place {
-                edges(id, &mut found)?;
-            }
             work.take(1 + found.len())?;
-            let first = self.edges.len();
-            for edge in found.drain(..) {
-                let to = self.number(edge.to);
-                self.edges.push((to, edge.cost));
-            }
-            self.leaving.push(first..self.edges.len());
-            at += 1;
+            let numbered = found.into_iter().map(|edge| {
+                let number = *numbers.entry(edge.to).or_insert_with(|| {
+                    places.push(edge.to);
+                    places.len() - 1
+                });
+                (number, edge.cost)
+            });
+            leaving.push(numbered.collect());
         }
-        Some(())
-    }
-
-    fn number(&mut self, place: Place) -> usize {
-        let key = match place {
-            Place::Return => 0,
-            Place::End => 1,
-            Place::ThreadEnd => 2,
-            Place::Pass(id) => 3 + 2 * id,
-            Place::Stop(id) => 4 + 2 * id,
-        };
-        if self.numbers.len() <= key {
-            self.numbers.resize(key + 1, (0, 0));
-        }
-        let (number, turn) = &mut self.numbers[key];
-        if *turn != self.turn {
-            (*number, *turn) = (self.places.len(), self.turn);
-            self.places.push(place);
-        }
-        *number
-    }
-
-    fn leaving(&self, number: usize) -> &[(usize, Count)] {
-        &self.edges[self.leaving[number].clone()]
+        Some(Paths { places, leaving })
     }
 
     /// Returns the least cycles to each place (Dijkstra).
@@ -151,7 +118,7 @@ impl Search {
             if std::mem::replace(&mut is_done[number], true) {
                 continue;
             }
-            for (to, cost) in self.leaving(number) {
+            for (to, cost) in &self.leaving[number] {
                 let there = cycles.saturating_add(cost.min);
                 if least[*to].is_none_or(|known| there < known) {
                     least[*to] = Some(there);
@@ -166,7 +133,7 @@ impl Search {
     /// before is never in order: it is absent, or `None`.
     fn most(&self) -> Vec<Option<Option<u64>>> {
         let mut ways_in = vec![0_usize; self.places.len()];
-        for (to, _) in &self.edges {
+        for (to, _) in self.leaving.iter().flatten() {
             ways_in[*to] += 1;
         }
         let mut most = vec![None; self.places.len()];
@@ -176,7 +143,7 @@ impl Search {
         let mut so_far = vec![Some(0); self.places.len()];
         let mut open = vec![0];
         while let Some(number) = open.pop() {
-            for (to, cost) in self.leaving(number) {
+            for (to, cost) in &self.leaving[number] {
                 let there = so_far[number]
                     .zip(cost.max)
                     .map(|(a, b): (u64, u64)| a.saturating_add(b));
@@ -196,7 +163,7 @@ impl Search {
         let mut known = vec![None; self.places.len()];
         let mut open = VecDeque::from([(0, false)]);
         while let Some((number, waits)) = open.pop_front() {
-            for (to, cost) in self.leaving(number) {
+            for (to, cost) in &self.leaving[number] {
                 let waits = waits || cost.waits;
                 if known[*to].is_none() || (waits && known[*to] == Some(false)) {
                     known[*to] = Some(waits);
@@ -206,4 +173,50 @@ impl Search {
         }
         known.into_iter().map(|waits| waits == Some(true)).collect()
     }
+}
+
+/// Returns for each node those that lead to it.
+pub(super) fn reversed(next: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut before = vec![Vec::new(); next.len()];
+    for (id, next) in next.iter().enumerate() {
+        for next in next {
+            before[*next].push(id);
+        }
+    }
+    before
+}
+
+/// Returns for each node the number of its component: two nodes with paths to each other share it, no others do
+/// (Kosaraju and Sharir). A component has a lower number than those that it leads to. `before` is the reverse of `next`.
+pub(super) fn components(next: &[Vec<usize>], before: &[Vec<usize>]) -> Vec<usize> {
+    let mut components = vec![usize::MAX; next.len()];
+    for (component, id) in last_first(next).into_iter().enumerate() {
+        let mut open = vec![id];
+        while let Some(id) = open.pop() {
+            if components[id] == usize::MAX {
+                components[id] = component;
+                open.extend(&before[id]);
+            }
+        }
+    }
+    components
+}
+
+/// Returns the nodes, each before those that a depth-first search leaves earlier.
+fn last_first(next: &[Vec<usize>]) -> Vec<usize> {
+    let mut order = Vec::new();
+    let mut seen = vec![false; next.len()];
+    for id in 0..next.len() {
+        let mut open = vec![(id, false)];
+        while let Some((id, is_done)) = open.pop() {
+            if is_done {
+                order.push(id);
+            } else if !std::mem::replace(&mut seen[id], true) {
+                open.push((id, true));
+                open.extend(next[id].iter().map(|next| (*next, false)));
+            }
+        }
+    }
+    order.reverse();
+    order
 }
