@@ -1,6 +1,6 @@
 //! TIP.OBJ: what the original keeps of each step in memory, as text (T.I.P. 3.1 §11, layouts in §5 to §7).
 
-use super::{Constants, formal};
+use super::{Constants, write};
 use std::borrow::Cow;
 use std::fmt::Write;
 use tip_runtime::command::{Port, READING, Reading, Target, Teach};
@@ -31,7 +31,7 @@ pub fn object(source: &Source, module: &Module, program: &Program) -> String {
     steps
         .map(|(number, (statement, step))| {
             line.clear();
-            formal::write(&mut line, source, statement, &constants, b'\t');
+            write(&mut line, source, statement, &constants, b'\t');
             let formal = String::from_utf8_lossy(&line);
             listing.record(&formal, &step.action).text(number, count)
         })
@@ -315,7 +315,7 @@ const fn relation_name(relation: Relation) -> &'static str {
 
 /// A command, its target and its arguments.
 #[derive(Debug)]
-pub(super) struct Record {
+struct Record {
     command: String,
     target: String,
     arguments: Vec<Slot>,
@@ -323,7 +323,7 @@ pub(super) struct Record {
 
 impl Record {
     /// Creates a command without target and arguments.
-    pub(super) fn new(command: impl Into<String>) -> Self {
+    fn new(command: impl Into<String>) -> Self {
         Record {
             command: command.into(),
             target: target_name(Target::None),
@@ -332,18 +332,18 @@ impl Record {
     }
 
     /// Sets the target.
-    pub(super) fn to(self, target: String) -> Self {
+    fn to(self, target: String) -> Self {
         Record { target, ..self }
     }
 
     /// Adds an argument after the others.
-    pub(super) fn with(mut self, argument: Slot) -> Self {
+    fn with(mut self, argument: Slot) -> Self {
         self.arguments.push(argument);
         self
     }
 
     /// Returns its lines, with `count` arguments.
-    pub(super) fn text(&self, number: usize, count: usize) -> String {
+    fn text(&self, number: usize, count: usize) -> String {
         let arguments = || {
             let empty = std::iter::repeat(&Slot::NONE);
             (1..=count).zip(self.arguments.iter().chain(empty))
@@ -364,31 +364,31 @@ impl Record {
 
 /// The type and the value of an argument.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Slot {
-    pub(super) kind: Cow<'static, str>,
-    pub(super) value: f64,
+struct Slot {
+    kind: Cow<'static, str>,
+    value: f64,
 }
 
 impl Slot {
     /// No argument.
-    pub(super) const NONE: Slot = Slot {
+    const NONE: Slot = Slot {
         kind: Cow::Borrowed("ARG_NONE"),
         value: 0.0,
     };
 
-    pub(super) fn new(kind: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    fn new(kind: impl Into<Cow<'static, str>>, value: f64) -> Self {
         Slot {
             kind: kind.into(),
             value,
         }
     }
 
-    pub(super) fn constant(value: f64) -> Self {
+    fn constant(value: f64) -> Self {
         Slot::new("CONSTANT", value)
     }
 
     /// Adds a mark, of which `R` alone shows.
-    pub(super) fn marked(self, mark: Mark) -> Self {
+    fn marked(self, mark: Mark) -> Self {
         match mark {
             Mark::None | Mark::Absolute => self,
             Mark::Relative => Slot::new(format!("REL_{}", self.kind), self.value),
@@ -397,13 +397,13 @@ impl Slot {
 }
 
 /// The index of each variable among those of its type.
-pub(super) struct Variables<'a> {
+struct Variables<'a> {
     program: &'a Program,
     places: Vec<u32>,
 }
 
 impl<'a> Variables<'a> {
-    pub(super) fn new(program: &'a Program) -> Self {
+    fn new(program: &'a Program) -> Self {
         let mut counts = [0; 3];
         let places = program.variables().iter().map(|variable| {
             if let Some(number) = variable.special {
@@ -421,7 +421,7 @@ impl<'a> Variables<'a> {
     }
 
     /// Returns a struct as a whole; of a VAR, the VAR.
-    pub(super) fn whole(&self, variable: VariableId) -> Slot {
+    fn whole(&self, variable: VariableId) -> Slot {
         let Variable { kind, special, .. } = &self.program.variables()[variable];
         let kind = match (kind, special) {
             (VariableKind::Var, None) => "VAR",
@@ -435,7 +435,7 @@ impl<'a> Variables<'a> {
     }
 
     /// Returns a VAR or member, perhaps with a minus before it.
-    pub(super) fn scalar(&self, scalar: Scalar, negative: bool) -> Slot {
+    fn scalar(&self, scalar: Scalar, negative: bool) -> Slot {
         let Slot { kind, value } = self.whole(scalar.variable);
         let sign = if negative { "MINUS_" } else { "" };
         let member = match self.program.variables()[scalar.variable].kind {
@@ -446,7 +446,7 @@ impl<'a> Variables<'a> {
         Slot::new(format!("{sign}{kind}{member}"), value)
     }
 
-    pub(super) fn operand(&self, operand: Operand) -> Slot {
+    fn operand(&self, operand: Operand) -> Slot {
         match operand {
             Operand::Constant(value) => Slot::constant(value),
             Operand::Scalar { scalar, negative } => self.scalar(scalar, negative),
@@ -469,7 +469,7 @@ impl<'a> Variables<'a> {
     }
 
     /// Returns a struct, or a special variable, as a whole.
-    pub(super) fn structure(&self, whole: StructOperand) -> Slot {
+    fn structure(&self, whole: StructOperand) -> Slot {
         match whole {
             StructOperand::Variable(variable) => self.whole(variable),
             StructOperand::Reading(reading) => Slot::new(bare(reading), 0.0),
@@ -486,7 +486,7 @@ impl<'a> Variables<'a> {
     }
 
     /// Returns the struct that was written as `word` in the place of these arguments.
-    pub(super) fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
+    fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
         let first = arguments.first()?;
         let scalar = match first.operand {
             Operand::Scalar { scalar, .. } => scalar,
@@ -509,7 +509,7 @@ fn bare(reading: Reading) -> String {
 }
 
 /// Returns a target's name; `NO_TARGET` for none.
-pub(super) fn target_name(target: Target) -> String {
+fn target_name(target: Target) -> String {
     match target {
         Target::None => "NO_TARGET".to_owned(),
         target => format!("TARGET_{target}"),
@@ -517,7 +517,7 @@ pub(super) fn target_name(target: Target) -> String {
 }
 
 /// Returns an input's name.
-pub(super) fn port_name(port: Port) -> String {
+fn port_name(port: Port) -> String {
     match port {
         Port::Channel(_) => target_name(Target::None),
         port => format!("TARGET_{port}"),
