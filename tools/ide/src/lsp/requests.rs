@@ -3,7 +3,7 @@
 use super::Workspace;
 use super::client::Positions;
 use super::convert;
-use super::server::{Failure, OpenProgram, Server, path};
+use super::server::{OpenProgram, Server, failure, path};
 use crate::{CodeAction, Edit, FoldKind, ReferenceKind};
 use gen_lsp_types::{
     CompletionItem, CompletionList, DocumentHighlight, DocumentHighlightKind, FoldingRange,
@@ -11,7 +11,7 @@ use gen_lsp_types::{
     MarkupContent, MarkupKind, PrepareRenamePlaceholder, ReferenceParams, RenameParams,
     SemanticTokens, TextDocumentIdentifier, TextDocumentPositionParams, Uri,
 };
-use lsp_server::ErrorCode;
+use lsp_server::{ErrorCode, ResponseError};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, from_value, json, to_value};
@@ -26,17 +26,17 @@ const QUICK_FIX: &str = "quickfix";
 const FIX_ALL: &str = "source.fixAll";
 
 /// Parses the parameters of a request.
-fn read<P: DeserializeOwned>(params: Value) -> Result<P, Failure> {
-    from_value(params).map_err(|error| Failure::new(ErrorCode::InvalidParams, error.to_string()))
+fn read<P: DeserializeOwned>(params: Value) -> Result<P, ResponseError> {
+    from_value(params).map_err(|error| failure(ErrorCode::InvalidParams, error.to_string()))
 }
 
-fn write(answer: impl Serialize) -> Result<Value, Failure> {
-    to_value(answer).map_err(|error| Failure::new(ErrorCode::InternalError, error.to_string()))
+fn write(answer: impl Serialize) -> Result<Value, ResponseError> {
+    to_value(answer).map_err(|error| failure(ErrorCode::InternalError, error.to_string()))
 }
 
 impl<W: Workspace> Server<W> {
     /// Answers a request about a program.
-    pub(super) fn answer(&mut self, method: &str, params: Value) -> Result<Value, Failure> {
+    pub(super) fn answer(&mut self, method: &str, params: Value) -> Result<Value, ResponseError> {
         match method {
             "textDocument/hover" => self.at(params, |it, at| it.hover(at)),
             "textDocument/definition" => self.at(params, |it, at| it.definition(at)),
@@ -85,7 +85,7 @@ impl<W: Workspace> Server<W> {
             }
             _ => {
                 let message = format!("`{method}` is not served");
-                Err(Failure::new(ErrorCode::MethodNotFound, message))
+                Err(failure(ErrorCode::MethodNotFound, message))
             }
         }
     }
@@ -94,11 +94,11 @@ impl<W: Workspace> Server<W> {
     fn answer_about(
         &mut self,
         uri: &Uri,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         let Some((mut program, _)) = self.open_program(&uri.0) else {
             let message = format!("`{}` is not open", uri.0);
-            return Err(Failure::new(ErrorCode::InvalidParams, message));
+            return Err(failure(ErrorCode::InvalidParams, message));
         };
         ask(&mut program)
     }
@@ -107,8 +107,8 @@ impl<W: Workspace> Server<W> {
     fn at(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         let params: TextDocumentPositionParams = read(params)?;
         self.at_position(params, ask)
     }
@@ -116,8 +116,8 @@ impl<W: Workspace> Server<W> {
     fn at_position(
         &mut self,
         params: TextDocumentPositionParams,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         self.answer_about(&params.text_document.uri, |program| {
             let at = program.positions().offset(params.position);
             ask(program, at)
@@ -128,8 +128,8 @@ impl<W: Workspace> Server<W> {
     fn range(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>, Span) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, Span) -> Result<Value, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         let params: InlayHintParams = read(params)?;
         self.answer_about(&params.text_document.uri, |program| {
             let span = program.positions().span(params.range);
@@ -141,8 +141,8 @@ impl<W: Workspace> Server<W> {
     fn whole(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         let params: FoldingRangeParams = read(params)?;
         self.answer_about(&params.text_document.uri, ask)
     }
@@ -167,12 +167,12 @@ impl<W: Workspace> OpenProgram<'_, W> {
         }
     }
 
-    fn refused(&self, reason: &Message) -> Failure {
+    fn refused(&self, reason: &Message) -> ResponseError {
         let reason = reason.in_lang(self.client.lang).to_string();
-        Failure::new(ErrorCode::RequestFailed, reason)
+        failure(ErrorCode::RequestFailed, reason)
     }
 
-    fn hover(&self, at: usize) -> Result<Value, Failure> {
+    fn hover(&self, at: usize) -> Result<Value, ResponseError> {
         let hover = self.document.hover(at, self.client.lang);
         write(hover.map(|hover| {
             Hover {
@@ -186,17 +186,17 @@ impl<W: Workspace> OpenProgram<'_, W> {
         }))
     }
 
-    fn definition(&self, at: usize) -> Result<Value, Failure> {
+    fn definition(&self, at: usize) -> Result<Value, ResponseError> {
         let definition = self.document.definition(at);
         write(definition.map(|span| self.location(span)))
     }
 
-    fn references(&self, at: usize, declares: bool) -> Result<Value, Failure> {
+    fn references(&self, at: usize, declares: bool) -> Result<Value, ResponseError> {
         let found = self.document.references(at, declares).into_iter();
         write(found.map(|it| self.location(it.span)).collect::<Vec<_>>())
     }
 
-    fn highlights(&self, at: usize) -> Result<Value, Failure> {
+    fn highlights(&self, at: usize) -> Result<Value, ResponseError> {
         let found = self.document.references(at, true).into_iter();
         let highlights = found.map(|it| DocumentHighlight {
             range: self.positions().range(it.span),
@@ -208,7 +208,7 @@ impl<W: Workspace> OpenProgram<'_, W> {
         write(highlights.collect::<Vec<_>>())
     }
 
-    fn completion(&self, at: usize) -> Result<Value, Failure> {
+    fn completion(&self, at: usize) -> Result<Value, ResponseError> {
         let (items, are_all) = self.document.complete_with(at, MAX_COMPLETIONS);
         let positions = self.positions();
         let items = items
@@ -226,12 +226,12 @@ impl<W: Workspace> OpenProgram<'_, W> {
         }
     }
 
-    fn signatures(&self, at: usize) -> Result<Value, Failure> {
+    fn signatures(&self, at: usize) -> Result<Value, ResponseError> {
         let found = self.document.signatures(at);
         write(found.map(|found| convert::signatures(found, self.client.lang)))
     }
 
-    fn prepare_rename(&self, at: usize) -> Result<Value, Failure> {
+    fn prepare_rename(&self, at: usize) -> Result<Value, ResponseError> {
         match self.document.prepare_rename(at) {
             Ok(name) => write(PrepareRenamePlaceholder {
                 range: self.positions().range(name.span),
@@ -241,7 +241,7 @@ impl<W: Workspace> OpenProgram<'_, W> {
         }
     }
 
-    fn rename(&self, at: usize, name: &str) -> Result<Value, Failure> {
+    fn rename(&self, at: usize, name: &str) -> Result<Value, ResponseError> {
         match self.document.rename(at, name) {
             Ok(edits) => self.change(&edits),
             Err(reason) => Err(self.refused(&reason)),
@@ -249,19 +249,19 @@ impl<W: Workspace> OpenProgram<'_, W> {
     }
 
     /// Returns edits of this program as a change of the workspace.
-    fn change(&self, edits: &[Edit]) -> Result<Value, Failure> {
+    fn change(&self, edits: &[Edit]) -> Result<Value, ResponseError> {
         let edits = write(self.positions().edits(edits))?;
         Ok(json!({ "changes": { self.uri: edits } }))
     }
 
-    fn outline(&self) -> Result<Value, Failure> {
+    fn outline(&self) -> Result<Value, ResponseError> {
         let positions = self.positions();
         let outline = self.document.outline();
         let symbols = outline.iter().map(|one| convert::symbol(one, positions));
         write(symbols.collect::<Vec<_>>())
     }
 
-    fn folds(&self) -> Result<Value, Failure> {
+    fn folds(&self) -> Result<Value, ResponseError> {
         let folds = self.document.folds().into_iter();
         let folds = folds.map(|fold| FoldingRange {
             start_line: fold.first - 1,
@@ -276,7 +276,7 @@ impl<W: Workspace> OpenProgram<'_, W> {
     }
 
     /// Formats the lines of a span. An unfinished program has no edits: editors format after each save, and would show the error.
-    fn format(&self, span: Span) -> Result<Value, Failure> {
+    fn format(&self, span: Span) -> Result<Value, ResponseError> {
         match self.document.format() {
             Ok(mut edits) => {
                 let source = self.document.source();
@@ -290,7 +290,7 @@ impl<W: Workspace> OpenProgram<'_, W> {
         }
     }
 
-    fn semantic_tokens(&self, span: Span) -> Result<Value, Failure> {
+    fn semantic_tokens(&self, span: Span) -> Result<Value, ResponseError> {
         let tokens = self.document.semantic_tokens(span);
         write(SemanticTokens {
             result_id: None,
@@ -298,7 +298,7 @@ impl<W: Workspace> OpenProgram<'_, W> {
         })
     }
 
-    fn inlay_hints(&self, span: Span) -> Result<Value, Failure> {
+    fn inlay_hints(&self, span: Span) -> Result<Value, ResponseError> {
         let hints = self.document.inlay_hints(span).into_iter();
         let hints = hints.map(|hint| InlayHint {
             position: self.positions().position(hint.at),
@@ -314,7 +314,7 @@ impl<W: Workspace> OpenProgram<'_, W> {
     }
 
     /// Returns the fixes of diagnostics, or of the whole file if the client asks for them.
-    fn actions(&mut self, span: Span, only: Option<&[String]>) -> Result<Value, Failure> {
+    fn actions(&mut self, span: Span, only: Option<&[String]>) -> Result<Value, ResponseError> {
         let wants = |kind: &str| {
             let includes = |only: &String| {
                 let rest = kind.strip_prefix(only.as_str());
@@ -333,7 +333,7 @@ impl<W: Workspace> OpenProgram<'_, W> {
         Ok(Value::Array(actions.collect::<Result<_, _>>()?))
     }
 
-    fn action(&mut self, action: &CodeAction) -> Result<Value, Failure> {
+    fn action(&mut self, action: &CodeAction) -> Result<Value, ResponseError> {
         let title = action.title.in_lang(self.client.lang).to_string();
         let edit = self.change(&action.edits)?;
         let loaded = self.document.loaded();
