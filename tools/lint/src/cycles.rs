@@ -100,7 +100,6 @@ pub struct Count {
 }
 
 impl Count {
-    /// Creates an exact number.
     const fn exactly(cycles: u64) -> Self {
         Count {
             min: cycles,
@@ -118,7 +117,6 @@ impl Count {
         }
     }
 
-    /// Multiplies by a number of turns.
     fn times(self, turns: u64) -> Count {
         Count {
             min: self.min.saturating_mul(turns),
@@ -138,7 +136,6 @@ impl Count {
         }
     }
 
-    /// Removes the upper bound.
     fn unbounded(self) -> Count {
         Count { max: None, ..self }
     }

@@ -98,7 +98,6 @@ impl<'a> Site<'a> {
         self.diagnostic.span
     }
 
-    /// Returns the text at the location of the diagnostic.
     fn text(&self) -> &'a str {
         self.slice(self.span())
     }
@@ -107,12 +106,10 @@ impl<'a> Site<'a> {
         self.source.slice(span)
     }
 
-    /// Returns the index of the statement around the diagnostic.
     fn index(&self) -> Option<usize> {
         self.module.statement_at(self.span().start)
     }
 
-    /// Returns the statement around the diagnostic.
     fn statement(&self) -> Option<&'a Statement> {
         self.index().map(|index| &self.module.statements[index])
     }
@@ -124,30 +121,25 @@ impl<'a> Site<'a> {
         statement.map_or_else(Vec::new, |it| self.tokens_of(it.span))
     }
 
-    /// Returns the words and operators at a location.
     fn tokens_of(&self, span: Span) -> Vec<Token> {
         let mut tokens = Vec::new();
         lex(self.source.text(), span, &mut tokens);
         tokens
     }
 
-    /// Returns true if a token is a keyword.
     fn is(&self, token: &Token, keyword: Keyword) -> bool {
         token.kind == Kind::Word && self.is_word(token.span, keyword)
     }
 
-    /// Returns true if there is a keyword at a location.
     fn is_word(&self, span: Span, keyword: Keyword) -> bool {
         self.slice(span).eq_ignore_ascii_case(keyword.word())
     }
 
-    /// Returns the line of the diagnostic.
     fn line(&self) -> Line {
         let (line, _) = self.source.line_column(self.span().start);
         self.source.line(line)
     }
 
-    /// Returns the line end of the file.
     fn line_end(&self) -> &'a str {
         match self.slice(self.source.line(1).end) {
             "" => "\n",

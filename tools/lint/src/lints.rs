@@ -111,14 +111,12 @@ impl LintContext<'_> {
         found
     }
 
-    /// Returns the statement that is a step.
     fn statement(&self, step: StepId) -> Option<&Statement> {
         let index = self.module.statement_of(step)?;
         Some(&self.module.statements[index])
     }
 }
 
-/// Warns of the first statement after END.
 fn after_end(source: &Source, module: &Module) -> Option<Diagnostic> {
     let location = parse::after_end(source, module)?;
     let diagnostic = Diagnostic::new(Code::AfterEnd, location, Suggestion::StandsAfterEnd);

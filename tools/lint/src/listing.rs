@@ -128,14 +128,11 @@ impl Line<'_> {
     fn statement(&mut self, kind: &StatementKind, span: Span) {
         match kind {
             StatementKind::Label(name) => self.label(&name.node),
-            StatementKind::Message { text } => {
-                self.keyword(Keyword::Message);
-                if !text.node.is_empty() {
-                    self.field(&text.node);
-                }
-            }
-            StatementKind::FileMessage { text } => {
-                self.keyword(Keyword::FileMessage);
+            StatementKind::Message { text } | StatementKind::FileMessage { text } => {
+                self.keyword(match kind {
+                    StatementKind::FileMessage { .. } => Keyword::FileMessage,
+                    _ => Keyword::Message,
+                });
                 if !text.node.is_empty() {
                     self.field(&text.node);
                 }

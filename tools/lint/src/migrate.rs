@@ -216,7 +216,6 @@ fn load(name: &str, bytes: &[u8], encoding: Encoding, robot: Robot) -> Loaded {
     tipc::load(name, bytes, &options)
 }
 
-/// Returns the robots that a program loads for.
 fn robots(name: &str, bytes: &[u8], encoding: Encoding) -> Vec<Robot> {
     let loads = |robot: &Robot| load(name, bytes, encoding, *robot).program.is_some();
     Robot::ALL.iter().copied().filter(loads).collect()
@@ -237,7 +236,6 @@ fn like(old: &str, new: &str) -> String {
     }
 }
 
-/// Returns a name that nothing has.
 fn free_name(name: &str, taken: &HashSet<String>) -> String {
     let candidates = (1..).map(|number| {
         let ending = format!("_{number}");
@@ -331,18 +329,15 @@ impl Migrator<'_> {
         version >= TITLED || !is_statement
     }
 
-    /// Returns the text at `span`.
     fn slice(&self, span: Span) -> &str {
         self.source.slice(span)
     }
 
-    /// Notes a change at `span`.
     fn change(&mut self, span: Span, text: Migrating) {
         let note = Note::new(NoteKind::Change, self.source, span, text);
         self.notes.push(note);
     }
 
-    /// Asks about `span`.
     fn question(&mut self, span: Span, text: Migrating) {
         let note = Note::new(NoteKind::Question, self.source, span, text);
         self.notes.push(note);

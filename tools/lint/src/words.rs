@@ -175,7 +175,6 @@ fn label(line: &str) -> Message {
     Parsing::WriteLabel { name }.into()
 }
 
-/// Returns the line from the word of a diagnostic on.
 fn line_of<'s>(diagnostic: &Diagnostic, source: &'s Source) -> &'s str {
     let start = diagnostic.span.start;
     let (line, _) = source.line_column(start);

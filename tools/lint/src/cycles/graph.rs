@@ -48,7 +48,6 @@ impl<'a> Graph<'a> {
         Some(graph)
     }
 
-    /// Returns every entry of a call with what it costs.
     pub(super) fn routines(&self) -> impl Iterator<Item = (NodeId, Option<Count>)> {
         self.routines
             .iter()
@@ -256,7 +255,6 @@ fn slept(ms: f64, sampling: f64) -> u64 {
     ((ms / sampling - 1e-9).ceil() as u64).max(1)
 }
 
-/// Returns the longest sampling time that may be in force.
 fn longest_sampling(program: &Program, sampling: Sampling) -> f64 {
     let times = program.steps().iter().filter_map(|step| {
         let Action::Command { op, arguments, .. } = &step.action else {

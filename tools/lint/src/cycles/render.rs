@@ -190,7 +190,6 @@ fn begin(program: &Program, part: &Part) -> String {
     }
 }
 
-/// Returns the label that stands for a step.
 fn label(program: &Program, step: StepId) -> Option<&str> {
     let labels = program.labels();
     let place = labels

@@ -144,12 +144,10 @@ impl Deeds {
     }
 }
 
-/// Returns true if a step in a block goes elsewhere.
 fn leads_on(action: &Action) -> bool {
     jump(action).is_some() || matches!(action, Action::Return | Action::Finish(_))
 }
 
-/// Returns the step that a step jumps to.
 fn jump(action: &Action) -> Option<StepId> {
     match action {
         Action::Goto { to }
@@ -193,7 +191,6 @@ fn never_ends(statement: &Statement) -> Diagnostic {
         .help(Linting::ChangeOrLoop)
 }
 
-/// Returns the location of a condition.
 pub(super) fn condition(statement: &Statement) -> Span {
     use tipc::syntax::Condition::{Compare, Flag};
     match &statement.kind {
@@ -304,7 +301,6 @@ impl Unreachable {
     }
 }
 
-/// Returns the steps that jump to each step.
 fn sources(program: &Program) -> HashMap<StepId, Vec<StepId>> {
     let mut sources: HashMap<StepId, Vec<StepId>> = HashMap::new();
     for (step, content) in (0..).zip(program.steps()) {

@@ -306,7 +306,10 @@ pub(super) fn waits(context: &LintContext<'_>, unreachable: &Unreachable, found:
         if let Some(reason) = reason.filter(|_| unreachable.is_live(step))
             && let Some(statement) = context.statement(step)
         {
-            let help = way_out(&reason);
+            let help = match reason {
+                Linting::NobodySets => Linting::CallSpecial,
+                _ => Linting::WaitForMoved,
+            };
             let diagnostic = Diagnostic::new(Code::WaitsForNothing, location(statement), reason);
             found.push(diagnostic.help(help));
         }
@@ -335,7 +338,6 @@ fn moves(step: &Step) -> Option<Target> {
     }
 }
 
-/// Returns why a step waits for nothing.
 fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Linting> {
     let is_one = |target: Target| !matches!(target, Target::All | Target::None);
     // A program in which nothing moves at all is a sketch.
@@ -378,13 +380,6 @@ fn meets(one: Target, other: Target) -> bool {
             leg == of
         }
         (one, other) => one == other,
-    }
-}
-
-fn way_out(reason: &Linting) -> Linting {
-    match reason {
-        Linting::NobodySets => Linting::CallSpecial,
-        _ => Linting::WaitForMoved,
     }
 }
 

@@ -170,17 +170,16 @@ impl Listing<'_> {
 
     fn ad_in(&self, name: &str, port: Port, into: Slot) -> Record {
         let record = Record::new(name);
-        match port {
+        let record = match port {
             Port::Channel(channel) => record
                 .with(Slot::constant(0.0))
-                .with(Slot::constant(f64::from(channel)))
-                .with(into),
-            _ => record
-                .to(port_name(port))
+                .with(Slot::constant(f64::from(channel))),
+            port => record
+                .to(format!("TARGET_{port}"))
                 .with(Slot::NONE)
-                .with(Slot::NONE)
-                .with(into),
-        }
+                .with(Slot::NONE),
+        };
+        record.with(into)
     }
 
     /// Returns the arguments. A struct is one argument if it was written as one: as `last`.
@@ -297,7 +296,6 @@ const fn binary_name(operation: Arithmetic) -> &'static str {
     }
 }
 
-/// Returns an equation with a function.
 fn equal(function: Operation) -> String {
     format!("EQUAL_{}", function.word())
 }
@@ -331,12 +329,10 @@ impl Record {
         }
     }
 
-    /// Sets the target.
     fn to(self, target: String) -> Self {
         Record { target, ..self }
     }
 
-    /// Adds an argument after the others.
     fn with(mut self, argument: Slot) -> Self {
         self.arguments.push(argument);
         self
@@ -508,18 +504,9 @@ fn bare(reading: Reading) -> String {
     reading.to_string().split_off(READING.len_utf8())
 }
 
-/// Returns a target's name; `NO_TARGET` for none.
 fn target_name(target: Target) -> String {
     match target {
         Target::None => "NO_TARGET".to_owned(),
         target => format!("TARGET_{target}"),
-    }
-}
-
-/// Returns an input's name.
-fn port_name(port: Port) -> String {
-    match port {
-        Port::Channel(_) => target_name(Target::None),
-        port => format!("TARGET_{port}"),
     }
 }

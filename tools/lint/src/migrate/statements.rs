@@ -344,7 +344,6 @@ pub(super) fn is_statement_word(keyword: &str) -> bool {
         || parameter_command(keyword).is_some()
 }
 
-/// Returns a variable that plain text would show today.
 fn names_a_variable(text: &str, variables: &Variables) -> Option<String> {
     let words = text.split('%').skip(1);
     let closed = text.matches('%').count().saturating_sub(1);
@@ -382,7 +381,6 @@ pub(super) struct Moves {
 }
 
 impl Moves {
-    /// Collects the moves of a program.
     pub(super) fn of(source: &Source, pieces: &[Piece]) -> Self {
         let mut moves = Moves::default();
         for statement in pieces.iter().filter_map(Piece::statement) {
@@ -422,7 +420,6 @@ impl Moves {
     }
 }
 
-/// Returns the leg of a joint's name.
 fn leg_of_joint(target: &str) -> Option<&str> {
     target.strip_prefix('J')?.get(..1)
 }

@@ -29,7 +29,6 @@ impl Prefix {
         (Prefix::Trq, "TRQ"),
     ];
 
-    /// Returns the type of today.
     pub(super) fn kind(self) -> VariableKind {
         match self {
             Prefix::Var => VariableKind::Var,

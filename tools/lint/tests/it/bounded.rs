@@ -266,7 +266,9 @@ fn a_check_takes_time_in_proportion() {
         require_linear(open, |depth| {
             let (open, close) = (open.repeat(depth), close.repeat(depth));
             // One warning more than those that are kept would be another matter.
-            check(&format!("DEF_VAR I\nI = 1\nSLEEP I\n{open}SLEEP 20\n{close}"))
+            check(&format!(
+                "DEF_VAR I\nI = 1\nSLEEP I\n{open}SLEEP 20\n{close}"
+            ))
         });
     }
     require_linear("comments that allow", |count| {
