@@ -5,17 +5,13 @@ mod statements;
 pub(crate) mod texts;
 pub(crate) mod words;
 
-use smol_str::SmolStr;
-use std::cell::OnceCell;
-use std::collections::HashSet;
 use tipc::diagnostic::{Diagnostic, Edit, Fix};
 use tipc::language::Keyword;
-use tipc::language::reserved::LOOP;
 use tipc::lex::{BLANKS, Kind, Token, lex};
 use tipc::message::Message;
 use tipc::parse::LINE_LIMIT;
 use tipc::source::{Line, Source, Span};
-use tipc::syntax::{Module, Shape, Statement, StatementKind, upper_case};
+use tipc::syntax::{Module, Statement};
 
 /// A function that knows the changes for a diagnostic.
 pub(crate) type Fixer = fn(&Site<'_>) -> Option<Fix>;
@@ -38,12 +34,10 @@ pub(crate) fn attach(
     diagnostics: &mut [Diagnostic],
     of_word: fn(&Diagnostic, &Source) -> Option<Fixer>,
 ) {
-    let shared = Shared::default();
     for diagnostic in diagnostics {
         let site = Site {
             source,
             module,
-            shared: &shared,
             diagnostic,
         };
         let fix = match of_word(diagnostic, source) {
@@ -67,20 +61,11 @@ fn is_sound(source: &Source, fix: &Fix) -> bool {
 /// The most bytes of a statement whose diagnostics are put right: what each of many diagnostics looks at must not be long.
 const LONGEST: usize = 4 * LINE_LIMIT;
 
-/// Facts that are looked up once for all diagnostics of a file.
-#[derive(Debug, Default)]
-struct Shared {
-    /// The names that something jumps to, or was going to.
-    targets: OnceCell<HashSet<SmolStr>>,
-    first: OnceCell<Option<u32>>,
-}
-
 /// A diagnostic in its file.
 #[derive(Clone, Copy)]
 pub(crate) struct Site<'a> {
     source: &'a Source,
     module: &'a Module,
-    shared: &'a Shared,
     diagnostic: &'a Diagnostic,
 }
 
@@ -178,45 +163,5 @@ impl<'a> Site<'a> {
     /// Returns a keyword after what ends at `at`.
     fn append(&self, at: usize, word: &str) -> Edit {
         Edit::insert(at, format!(" {}", self.like(word)))
-    }
-
-    /// Returns true if something jumps to a label, or was going to.
-    fn is_target(&self, name: &str) -> bool {
-        let targets = || {
-            self.module
-                .statements
-                .iter()
-                .flat_map(|it| self.targets_of(it))
-        };
-        let targets = self.shared.targets.get_or_init(|| targets().collect());
-        targets.contains(&upper_case(name))
-    }
-
-    fn targets_of(&self, statement: &Statement) -> Vec<SmolStr> {
-        if let Some((_, jump)) = statement.kind.jump() {
-            let label = jump.label.as_ref().map(|label| label.node.clone());
-            return vec![label.unwrap_or(SmolStr::new_static(LOOP))];
-        }
-        // A jump that is broken.
-        if statement.kind != StatementKind::Broken(Shape::Plain) {
-            return Vec::new();
-        }
-        let jumps = [Keyword::Goto, Keyword::Gosub, Keyword::Call];
-        let tokens = self.tokens_of(statement.span);
-        let is_jump = |token: &Token| jumps.iter().any(|jump| self.is(token, *jump));
-        let jumps = tokens.windows(2).filter(|pair| is_jump(&pair[0]));
-        jumps
-            .map(|pair| upper_case(self.slice(pair[1].span)))
-            .collect()
-    }
-
-    /// Returns the line of the first statement that declares nothing.
-    fn first_line(&self) -> Option<u32> {
-        let declares = |it: &Statement| matches!(it.kind, StatementKind::Define { .. });
-        let first = || {
-            let mut others = self.module.statements.iter().filter(|it| !declares(it));
-            others.next().map(|it| it.line)
-        };
-        *self.shared.first.get_or_init(first)
     }
 }

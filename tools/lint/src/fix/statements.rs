@@ -7,7 +7,7 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::language::Keyword;
 use tipc::lex::{BLANKS, Kind, Token};
 use tipc::message::phrase::End;
-use tipc::message::{Commanding, Message, Naming, Parsing, Suggestion};
+use tipc::message::{Message, Naming, Parsing, Suggestion};
 use tipc::source::Span;
 use tipc::syntax::{Shape, StatementKind};
 
@@ -17,7 +17,6 @@ pub(super) fn jumps(site: &Site<'_>) -> Option<Fix> {
         (Message::Parsing(Parsing::LabelColonMissing | Parsing::NameColonMissing), _) => {
             Some(with_colon(site))
         }
-        (_, Some(Message::Commanding(Commanding::LabelOrEquation))) => bare_label(site),
         (Message::Parsing(Parsing::BlankBeforeColon), _) => {
             let edits = [Edit::replace(site.span(), ":")];
             Some(Fix::certain(Fixing::RemoveBlanks, edits))
@@ -26,12 +25,6 @@ pub(super) fn jumps(site: &Site<'_>) -> Option<Fix> {
         (_, Some(Message::Suggestion(Suggestion::WithoutColon { .. }))) => without_colon(site),
         _ => None,
     }
-}
-
-/// `START` where something jumps to `START:`.
-fn bare_label(site: &Site<'_>) -> Option<Fix> {
-    let is_alone = site.statement()?.span == site.span();
-    (is_alone && site.is_target(site.text())).then(|| with_colon(site))
 }
 
 /// `GOTO L1`, `START`, `L1.`
@@ -262,7 +255,9 @@ pub(super) fn initial<'a>(site: &Site<'a>, tokens: &[Token]) -> Option<(&'a str,
 
 /// Returns a declaration before the first statement that is none.
 fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
-    let start = site.source.line(site.first_line()?).span.start;
+    let mut statements = site.module.statements.iter();
+    let first = statements.find(|it| !matches!(it.kind, StatementKind::Define { .. }))?;
+    let start = site.source.line(first.line).span.start;
     let title = Fixing::Insert {
         text: declaration.into(),
     };
