@@ -486,18 +486,7 @@ fn block(keyword: Keyword) -> String {
         Keyword::Define => format!("{keyword} ${{1:name}} ${{2:constant}}"),
         Keyword::DefVar | Keyword::DefPos | Keyword::DefJoint => format!("{keyword} ${{1:name}}"),
         Keyword::Message | Keyword::FileMessage | Keyword::Rem => format!("{keyword} ${{1:text}}"),
-        Keyword::Then
-        | Keyword::Else
-        | Keyword::EndIf
-        | Keyword::Wend
-        | Keyword::To
-        | Keyword::Step
-        | Keyword::Next
-        | Keyword::SubEnd
-        | Keyword::ThreadEnd
-        | Keyword::Return
-        | Keyword::End
-        | Keyword::Exit => keyword.word().to_owned(),
+        _ => keyword.word().to_owned(),
     }
 }
 
@@ -609,7 +598,8 @@ impl Document {
         let offset = (0..=offset.min(text.len()))
             .rev()
             .find(|at| text.is_char_boundary(*at))?;
-        let number = self.line_of_cursor(offset);
+        // The end of a text that ends in a line end is on a line of its own.
+        let number = source.position(offset, Unit::Utf8).line;
         let line = source.line(number).span;
         let before = Span::new(line.start, offset.clamp(line.start, line.end));
         let word = self.letters_around(before.end, line);
@@ -636,11 +626,6 @@ impl Document {
             _ => Context::Start,
         };
         Some((context, word))
-    }
-
-    /// Returns the line of an offset; the end of a text that ends in a line end is on a line of its own.
-    fn line_of_cursor(&self, offset: usize) -> u32 {
-        self.loaded.source.position(offset, Unit::Utf8).line
     }
 
     fn is_after_end(&self, offset: usize) -> bool {
@@ -723,21 +708,7 @@ impl Document {
             {
                 Context::Placeholder
             }
-            Keyword::Message
-            | Keyword::FileMessage
-            | Keyword::ThreadEnd
-            | Keyword::Rem
-            | Keyword::Then
-            | Keyword::Else
-            | Keyword::EndIf
-            | Keyword::Wend
-            | Keyword::Repeat
-            | Keyword::To
-            | Keyword::Step
-            | Keyword::SubEnd
-            | Keyword::Return
-            | Keyword::End
-            | Keyword::Exit => return None,
+            _ => return None,
         })
     }
 

@@ -216,12 +216,7 @@ impl Document {
                     }
                 }
                 Access::Update | Access::Count | Access::Unclear => return None,
-                Access::Define
-                | Access::Read
-                | Access::Jump
-                | Access::Call
-                | Access::Start
-                | Access::Control => {}
+                _ => {}
             }
         }
         Some(values)

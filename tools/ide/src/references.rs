@@ -71,12 +71,7 @@ impl Document {
         match named.access {
             Access::Define => ReferenceKind::Declares,
             Access::Assign | Access::Update | Access::Count => ReferenceKind::Assigns,
-            Access::Read
-            | Access::Jump
-            | Access::Call
-            | Access::Start
-            | Access::Control
-            | Access::Unclear => ReferenceKind::Uses,
+            _ => ReferenceKind::Uses,
         }
     }
 

@@ -166,7 +166,7 @@ impl<W: Workspace> Server<W> {
                 if let Ok(params) = serde_json::from_value::<DidOpenTextDocumentParams>(params) {
                     self.workspace.invalidate();
                     let item = params.text_document;
-                    let buffer = Buffer::new(Some(item.version), item.text);
+                    let buffer = Buffer::new(item.version, item.text);
                     self.buffers.insert(item.uri.0, buffer);
                 }
             }
@@ -174,7 +174,7 @@ impl<W: Workspace> Server<W> {
                 if let Ok(params) = serde_json::from_value::<DidChangeTextDocumentParams>(params) {
                     let uri = params.text_document.text_document_identifier.uri.0;
                     if let Some(buffer) = self.buffers.get_mut(&uri) {
-                        let version = Some(params.text_document.version);
+                        let version = params.text_document.version;
                         buffer.change(version, params.content_changes, unit);
                     }
                 }
@@ -237,7 +237,7 @@ impl<W: Workspace> Server<W> {
         let mut version = None;
         if let Some(buffer) = self.buffers.get_mut(uri) {
             buffer.is_due = false;
-            version = buffer.version;
+            version = Some(buffer.version);
         }
         let mut messages = vec![publish(uri.to_owned(), version, diagnostics)];
         if let Some(error) = &config.error
@@ -254,7 +254,7 @@ impl<W: Workspace> Server<W> {
 /// A program that is open in the editor.
 #[derive(Debug)]
 struct Buffer {
-    version: Option<i32>,
+    version: i32,
     text: String,
     /// `None` until it is needed.
     document: Option<Document>,
@@ -263,7 +263,7 @@ struct Buffer {
 }
 
 impl Buffer {
-    fn new(version: Option<i32>, text: String) -> Self {
+    fn new(version: i32, text: String) -> Self {
         Buffer {
             version,
             text,
@@ -273,7 +273,7 @@ impl Buffer {
     }
 
     /// Applies changes of the text in their order.
-    fn change(&mut self, version: Option<i32>, changes: Vec<Change>, unit: Unit) {
+    fn change(&mut self, version: i32, changes: Vec<Change>, unit: Unit) {
         self.version = version;
         self.is_due = true;
         for change in changes {
