@@ -1,7 +1,7 @@
 //! Completion: the words that can be written at the cursor, with snippets for their arguments. What fits there is told by the text
 //! before it on its line.
 
-use crate::hover::usage;
+use crate::hover::{declaring, usage};
 use crate::{Document, word};
 use tip_runtime::command::{Flag, Port, Reading, TIMERS, Target, Teach};
 use tipc::Robot;
@@ -438,14 +438,6 @@ fn readings(robot: Robot, kinds: &[VariableKind]) -> Vec<CompletionItem> {
 fn reserved_line(word: &str) -> Bilingual {
     let row = RESERVED.iter().find(|row| row.word == word);
     row.map_or(Bilingual::EMPTY, |row| row.description)
-}
-
-fn declaring(kind: VariableKind) -> Keyword {
-    match kind {
-        VariableKind::Var => Keyword::DefVar,
-        VariableKind::Pos => Keyword::DefPos,
-        VariableKind::Joint => Keyword::DefJoint,
-    }
 }
 
 /// Returns a command as a snippet of the Language Server Protocol: `PTP ${1|F1,J11|} ${2:x} ${3:y} ${4:z}`. A word that opens a

@@ -299,6 +299,15 @@ pub(crate) fn usage(row: &functions::Row) -> String {
     format!("{} {operands}", row.word)
 }
 
+/// Returns the keyword that declares variables of a type.
+pub(crate) const fn declaring(kind: VariableKind) -> Keyword {
+    match kind {
+        VariableKind::Var => Keyword::DefVar,
+        VariableKind::Pos => Keyword::DefPos,
+        VariableKind::Joint => Keyword::DefJoint,
+    }
+}
+
 impl Card {
     fn code(&mut self, text: &str) {
         self.text += &format!("```tip\n{text}\n```\n\n");
@@ -350,9 +359,7 @@ fn overlaps(one: &Use, other: &Use) -> bool {
 fn declaration(definition: &Definition) -> String {
     let name = &definition.name;
     let keyword = match definition.kind {
-        DefinitionKind::Variable(VariableKind::Var) => Keyword::DefVar,
-        DefinitionKind::Variable(VariableKind::Pos) => Keyword::DefPos,
-        DefinitionKind::Variable(VariableKind::Joint) => Keyword::DefJoint,
+        DefinitionKind::Variable(kind) => declaring(kind),
         DefinitionKind::Subroutine => return format!("{} {name}:", Keyword::Subroutine),
         DefinitionKind::Thread => return format!("{} {name}:", Keyword::Thread),
         DefinitionKind::Constant => Keyword::Define,

@@ -266,11 +266,8 @@ fn members(debugger: &Debugger, place: i64, lang: Lang) -> Option<Vec<Variable>>
     let variables = debugger.variables();
     let variable = variables.get(usize::try_from(place).ok()?)?;
     let member = |(name, value): &(String, Option<f64>)| Variable {
-        name: name.clone(),
-        value: number(*value, lang),
-        kind: None,
         evaluate_name: Some(name.clone()),
-        variables_reference: 0,
+        ..plain(name.clone(), number(*value, lang))
     };
     Some(variable.scalars.iter().map(member).collect())
 }

@@ -3,15 +3,18 @@
 use super::graph::{Graph, Limits};
 use super::search::{Place, Work, components, reversed};
 use super::{Part, Span};
-use std::collections::BTreeSet;
 use tipc::analysis::flow::{Flow, NodeId};
 
-/// Edges of nodes in their own frame.
-struct Edges {
+/// Edges of nodes in their own frame, and the loop that is looked at.
+struct Loops {
     next: Vec<Vec<NodeId>>,
     before: Vec<Vec<NodeId>>,
     /// Nodes with paths to each other have the same number.
     components: Vec<usize>,
+    /// The last head that a path from each node was found to.
+    leads_to: Vec<NodeId>,
+    /// The head of the last loop that each node was found in.
+    held_by: Vec<NodeId>,
 }
 
 /// Returns the turns in the order of their heads, and true if those are all. A head is a node that something in the
@@ -20,18 +23,20 @@ pub(super) fn turns(flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
     let work = Work::of(flow.nodes().len());
     let next = graph.next();
     let before = reversed(&next);
-    let edges = Edges {
+    let mut loops = Loops {
         components: components(&next, &before),
+        leads_to: vec![NodeId::MAX; next.len()],
+        held_by: vec![NodeId::MAX; next.len()],
         next,
         before,
     };
     let mut parts = Vec::new();
     let mut are_all = true;
-    for head in (0..edges.next.len()).rev() {
-        let mut back = edges.in_loop_with(head, head);
-        back.retain(|from| *from >= head);
+    for head in (0..flow.nodes().len()).rev() {
+        let back = loops.on_ring_before(head, head);
+        let back: Vec<NodeId> = back.filter(|from| *from >= head).collect();
         if !back.is_empty() {
-            let found = turn(flow, graph, &edges, (head, back), &work);
+            let found = turn(flow, graph, &mut loops, (head, back), &work);
             are_all &= found.is_some();
             parts.extend(found.flatten());
         }
@@ -44,13 +49,13 @@ pub(super) fn turns(flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
 fn turn(
     flow: &Flow,
     graph: &Graph,
-    edges: &Edges,
+    loops: &mut Loops,
     (head, back): (NodeId, Vec<NodeId>),
     work: &Work,
 ) -> Option<Option<Part>> {
-    let nodes = edges.body(head, back, work)?;
+    let nodes = loops.body(head, back, work)?;
     let limits = Limits {
-        stops: &|id| id == head || !nodes.contains(&id),
+        stops: &|id| id == head || loops.held_by[id] != head,
         opens: &|counted| counted.nodes.contains(&head),
     };
     let mut ends = graph.ends(head, &limits, work)?;
@@ -66,32 +71,31 @@ fn turn(
     }))
 }
 
-impl Edges {
+impl Loops {
     /// Returns the nodes that lead to a node and are on a ring with the head.
-    fn in_loop_with(&self, head: NodeId, to: NodeId) -> Vec<NodeId> {
+    fn on_ring_before(&self, head: NodeId, to: NodeId) -> impl Iterator<Item = NodeId> {
         let before = self.before[to].iter().copied();
-        before
-            .filter(|from| self.components[*from] == self.components[head])
-            .collect()
+        before.filter(move |from| self.components[*from] == self.components[head])
     }
 
     /// Returns the nodes on the paths from a head over those that lead `back` to it; `None` if that is more work than
     /// is left.
-    fn body(&self, head: NodeId, back: Vec<NodeId>, work: &Work) -> Option<BTreeSet<NodeId>> {
-        let mut leads_back = BTreeSet::from([head]);
+    fn body(&mut self, head: NodeId, back: Vec<NodeId>, work: &Work) -> Option<Vec<NodeId>> {
+        self.leads_to[head] = head;
         let mut open = back;
         while let Some(id) = open.pop() {
-            if leads_back.insert(id) {
+            if std::mem::replace(&mut self.leads_to[id], head) != head {
                 work.take(1 + self.before[id].len())?;
-                open.extend(self.in_loop_with(head, id));
+                open.extend(self.on_ring_before(head, id));
             }
         }
-        let mut nodes = BTreeSet::new();
+        let mut nodes = Vec::new();
         let mut open = vec![head];
         while let Some(id) = open.pop() {
-            if nodes.insert(id) {
+            if std::mem::replace(&mut self.held_by[id], head) != head {
+                nodes.push(id);
                 let next = self.next[id].iter();
-                open.extend(next.filter(|next| leads_back.contains(next)));
+                open.extend(next.filter(|next| self.leads_to[**next] == head));
             }
         }
         Some(nodes)

@@ -3,11 +3,11 @@
 use super::Count;
 use std::cell::Cell;
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BinaryHeap, VecDeque};
+use std::collections::{BTreeMap, BinaryHeap, HashMap, VecDeque};
 use tipc::analysis::flow::NodeId;
 
 /// Target of a path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Place {
     /// To a node, and on from there.
     Pass(NodeId),
@@ -89,7 +89,7 @@ impl Paths {
         edges: impl Fn(NodeId) -> Option<Vec<Edge>>,
     ) -> Option<Self> {
         let mut places = vec![Place::Pass(from)];
-        let mut numbers = BTreeMap::from([(Place::Pass(from), 0)]);
+        let mut numbers = HashMap::from([(Place::Pass(from), 0)]);
         let mut leaving = Vec::new();
         while let Some(place) = places.get(leaving.len()) {
             let found = match *place {

@@ -203,15 +203,18 @@ impl Listing<'_> {
                 operation,
                 right,
             } => (
-                binary_name(*operation).to_owned(),
+                equal(operation_name(*operation)),
                 vec![slot(left), slot(right)],
             ),
-            ScalarExpression::Function { function, operand } => {
-                (equal(Operation::Scalar(*function)), vec![slot(operand)])
+            ScalarExpression::Function { function, operand } => (
+                equal(Operation::Scalar(*function).word()),
+                vec![slot(operand)],
+            ),
+            ScalarExpression::Atan2 { y, x } => {
+                (equal(Operation::Atan2.word()), vec![slot(y), slot(x)])
             }
-            ScalarExpression::Atan2 { y, x } => (equal(Operation::Atan2), vec![slot(y), slot(x)]),
             ScalarExpression::Norm(whole) => (
-                equal(Operation::Norm),
+                equal(Operation::Norm.word()),
                 vec![self.variables.structure(*whole)],
             ),
         }
@@ -226,18 +229,18 @@ impl Listing<'_> {
                 operation,
                 right,
             } => (
-                binary_name(*operation).to_owned(),
+                equal(operation_name(*operation)),
                 vec![whole(left), whole(right)],
             ),
             StructExpression::UnitVect(variable) => {
-                (equal(Operation::UnitVect), vec![whole(variable)])
+                (equal(Operation::UnitVect.word()), vec![whole(variable)])
             }
             StructExpression::Rotate {
                 axis,
                 operand,
                 angle,
             } => {
-                let name = equal(Operation::Rotate(*axis));
+                let name = equal(Operation::Rotate(*axis).word());
                 (name, vec![whole(operand), self.variables.operand(*angle)])
             }
         }
@@ -277,27 +280,24 @@ fn label(step: StepId) -> Slot {
 
 /// Returns the name of the update: how the right side meets the left one.
 fn left_name(update: Option<Arithmetic>) -> String {
-    let name = match update {
-        None => return target_name(Target::None),
-        Some(Arithmetic::Add) => "CAL_LEFT_ADD",
-        Some(Arithmetic::Sub) => "CAL_LEFT_SUB",
-        Some(Arithmetic::Mul) => "CAL_LEFT_MULT",
-        Some(Arithmetic::Div) => "CAL_LEFT_DIV",
-    };
-    name.to_owned()
-}
-
-const fn binary_name(operation: Arithmetic) -> &'static str {
-    match operation {
-        Arithmetic::Add => "EQUAL_ADD",
-        Arithmetic::Sub => "EQUAL_SUB",
-        Arithmetic::Mul => "EQUAL_MULT",
-        Arithmetic::Div => "EQUAL_DIV",
+    match update {
+        None => target_name(Target::None),
+        Some(operation) => format!("CAL_LEFT_{}", operation_name(operation)),
     }
 }
 
-fn equal(function: Operation) -> String {
-    format!("EQUAL_{}", function.word())
+/// Returns the name of an equation with a function or an operation.
+fn equal(name: &str) -> String {
+    format!("EQUAL_{name}")
+}
+
+const fn operation_name(operation: Arithmetic) -> &'static str {
+    match operation {
+        Arithmetic::Add => "ADD",
+        Arithmetic::Sub => "SUB",
+        Arithmetic::Mul => "MULT",
+        Arithmetic::Div => "DIV",
+    }
 }
 
 const fn relation_name(relation: Relation) -> &'static str {
