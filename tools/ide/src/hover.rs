@@ -8,7 +8,7 @@ use tip_lint::cycles::{Part, Span as PartSpan};
 use tipc::code::Code;
 use tipc::language::commands::{self, Command, Cycles, Robots};
 use tipc::language::functions::{self, Operation};
-use tipc::language::{Bilingual, Keyword, flags, inputs, reserved};
+use tipc::language::{Bilingual, Keyword};
 use tipc::message::list::{Each, List};
 use tipc::message::{Lang, Message};
 use tipc::program::StepId;
@@ -50,20 +50,52 @@ impl Document {
     }
 
     fn describe(&self, word: &Word, card: &mut Card) -> Option<()> {
+        let upper = || self.slice(word.span).to_ascii_uppercase();
         match word.kind {
             WordKind::Command(command) => self.command(command, card),
             WordKind::Keyword(keyword) => self.keyword_card(keyword, card),
-            WordKind::Function(row) => function(row, card),
-            WordKind::Flag(row) => self.flag(row, self.slice(word.span), card),
-            WordKind::Input(row) => self.input(row, self.slice(word.span), card),
+            WordKind::Function(row) => {
+                card.row(
+                    &usage(row),
+                    row.description,
+                    Robots::ALL,
+                    (row.section, row.clause),
+                );
+            }
+            WordKind::Flag(row) => {
+                card.row(
+                    &upper(),
+                    row.description,
+                    row.robots,
+                    (row.section, row.clause),
+                );
+            }
+            WordKind::Input(row) => {
+                card.row(
+                    &upper(),
+                    row.description,
+                    row.robots,
+                    (row.section, row.clause),
+                );
+            }
             WordKind::Target(row)
             | WordKind::Reading(row)
             | WordKind::MotionFlag(row)
             | WordKind::Member(row) => {
-                reserved(row, self.slice(word.span), card);
+                card.row(
+                    &upper(),
+                    row.description,
+                    Robots::ALL,
+                    (row.section, row.clause),
+                );
             }
             WordKind::Constant(value, row) => {
-                reserved(row, self.slice(word.span), card);
+                card.row(
+                    &upper(),
+                    row.description,
+                    Robots::ALL,
+                    (row.section, row.clause),
+                );
                 card.item(Editing::Value { value });
             }
             WordKind::Name(named) => return self.name_card(&named, card),
@@ -124,27 +156,14 @@ impl Document {
             return self.command(command, card);
         }
         let row = keyword.row();
-        card.code(row.word);
-        card.paragraph(row.description);
-        card.reference(row.section, row.clause);
+        card.row(
+            row.word,
+            row.description,
+            Robots::ALL,
+            (row.section, row.clause),
+        );
     }
 
-    fn flag(&self, row: &flags::Row, word: &str, card: &mut Card) {
-        card.code(&word.to_ascii_uppercase());
-        card.paragraph(row.description);
-        card.robots(row.robots);
-        card.reference(row.section, row.clause);
-    }
-
-    fn input(&self, row: &inputs::Row, word: &str, card: &mut Card) {
-        card.code(&word.to_ascii_uppercase());
-        card.paragraph(row.description);
-        card.robots(row.robots);
-        card.reference(row.section, row.clause);
-    }
-}
-
-impl Document {
     fn name_card(&self, named: &Use, card: &mut Card) -> Option<()> {
         let definition = self.definition_of(named);
         card.code(&declaration(definition));
@@ -197,12 +216,7 @@ impl Document {
                     }
                 }
                 Access::Update | Access::Count | Access::Unclear => return None,
-                Access::Define
-                | Access::Read
-                | Access::Jump
-                | Access::Call
-                | Access::Start
-                | Access::Control => {}
+                _ => {}
             }
         }
         Some(values)
@@ -273,18 +287,6 @@ impl Document {
     }
 }
 
-fn function(row: &functions::Row, card: &mut Card) {
-    card.code(&usage(row));
-    card.paragraph(row.description);
-    card.reference(row.section, row.clause);
-}
-
-fn reserved(row: &reserved::Row, word: &str, card: &mut Card) {
-    card.code(&word.to_ascii_uppercase());
-    card.paragraph(row.description);
-    card.reference(row.section, row.clause);
-}
-
 /// Returns the form of a function, as `NORM POS|JOINT`.
 pub(crate) fn usage(row: &functions::Row) -> String {
     let operands = match row.operation {
@@ -297,9 +299,32 @@ pub(crate) fn usage(row: &functions::Row) -> String {
     format!("{} {operands}", row.word)
 }
 
+/// Returns the keyword that declares variables of a type.
+pub(crate) const fn declaring(kind: VariableKind) -> Keyword {
+    match kind {
+        VariableKind::Var => Keyword::DefVar,
+        VariableKind::Pos => Keyword::DefPos,
+        VariableKind::Joint => Keyword::DefJoint,
+    }
+}
+
 impl Card {
     fn code(&mut self, text: &str) {
         self.text += &format!("```tip\n{text}\n```\n\n");
+    }
+
+    /// Adds what the tables of the language say of a word.
+    fn row(
+        &mut self,
+        code: &str,
+        description: Bilingual,
+        robots: Robots,
+        (section, clause): (&'static str, &'static str),
+    ) {
+        self.code(code);
+        self.paragraph(description);
+        self.robots(robots);
+        self.reference(section, clause);
     }
 
     fn paragraph(&mut self, text: Bilingual) {
@@ -334,9 +359,7 @@ fn overlaps(one: &Use, other: &Use) -> bool {
 fn declaration(definition: &Definition) -> String {
     let name = &definition.name;
     let keyword = match definition.kind {
-        DefinitionKind::Variable(VariableKind::Var) => Keyword::DefVar,
-        DefinitionKind::Variable(VariableKind::Pos) => Keyword::DefPos,
-        DefinitionKind::Variable(VariableKind::Joint) => Keyword::DefJoint,
+        DefinitionKind::Variable(kind) => declaring(kind),
         DefinitionKind::Subroutine => return format!("{} {name}:", Keyword::Subroutine),
         DefinitionKind::Thread => return format!("{} {name}:", Keyword::Thread),
         DefinitionKind::Constant => Keyword::Define,

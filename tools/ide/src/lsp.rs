@@ -2,7 +2,6 @@
 //! connection and states what it needs of the machine. The session is in `server`, requests are in `requests`, and values of the
 //! protocol are made in `convert`. Files are read by the [`Workspace`] alone.
 
-mod buffer;
 mod client;
 mod convert;
 mod requests;
@@ -12,7 +11,6 @@ pub use server::{Incoming, Server, parse};
 
 use crate::transport::{Connection, Frame};
 use lsp_server::{ErrorCode, Message, RequestId, Response};
-use serde::Serialize;
 use serde_json::json;
 use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -155,16 +153,7 @@ fn internal_error(id: RequestId) -> Message {
 }
 
 fn send<W: Write>(connection: &mut Connection<W>, messages: Vec<Message>) -> io::Result<()> {
-    #[derive(Serialize)]
-    struct JsonRpc {
-        jsonrpc: &'static str,
-        #[serde(flatten)]
-        message: Message,
-    }
-    for message in messages {
-        let jsonrpc = "2.0";
-        let text = serde_json::to_string(&JsonRpc { jsonrpc, message })?;
-        connection.send(&text)?;
-    }
-    Ok(())
+    messages
+        .iter()
+        .try_for_each(|message| message.write(&mut connection.output))
 }

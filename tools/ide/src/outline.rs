@@ -1,9 +1,11 @@
-//! The outline: variables, constants, labels, subroutines and threads of a program as a tree.
+//! The structure of a program: the outline, a tree of variables, constants, labels, subroutines and threads; and folding ranges, of
+//! blocks and of comments of several lines.
 
 use crate::Document;
+use tipc::lex::split_comment;
 use tipc::source::Span;
 use tipc::symbols::DefinitionKind;
-use tipc::syntax::{Shape, VariableKind};
+use tipc::syntax::Shape;
 
 /// A declaration of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -11,7 +13,7 @@ pub struct Outline {
     /// Its name as written.
     pub name: String,
     /// Its kind.
-    pub kind: OutlineKind,
+    pub kind: DefinitionKind,
     /// Its extent: a subroutine up to its end, a label up to the next one.
     pub span: Span,
     /// The span of its name.
@@ -20,29 +22,12 @@ pub struct Outline {
     pub children: Vec<Outline>,
 }
 
-/// The kind of a declaration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum OutlineKind {
-    /// A variable of this type.
-    Variable(VariableKind),
-    /// A label.
-    Label,
-    /// A SUBROUTINE.
-    Subroutine,
-    /// A THREAD.
-    Thread,
-    /// A constant that DEFINE names.
-    Constant,
-}
-
-impl OutlineKind {
-    /// Returns true for a label of its own, a SUBROUTINE and a THREAD.
-    const fn is_label(self) -> bool {
-        matches!(
-            self,
-            OutlineKind::Label | OutlineKind::Subroutine | OutlineKind::Thread
-        )
-    }
+/// Returns true for a label of its own, a SUBROUTINE and a THREAD.
+const fn is_label(kind: DefinitionKind) -> bool {
+    matches!(
+        kind,
+        DefinitionKind::Label | DefinitionKind::Subroutine | DefinitionKind::Thread
+    )
 }
 
 impl Document {
@@ -51,25 +36,25 @@ impl Document {
     pub fn outline(&self) -> Vec<Outline> {
         let mut found: Vec<Outline> = Vec::new();
         let definitions = self.loaded.symbols.definitions().iter();
-        let mut names: Vec<(Span, OutlineKind)> = definitions
-            .filter_map(|it| Some((it.span?, kind(it.kind))))
+        let mut names: Vec<(Span, DefinitionKind)> = definitions
+            .filter_map(|it| Some((it.span?, it.kind)))
             .collect();
         names.sort_unstable_by_key(|(name, _)| *name);
         let mut labels = names
             .iter()
-            .filter(|(_, kind)| kind.is_label())
+            .filter(|(_, kind)| is_label(*kind))
             .map(|(name, _)| name.start)
             .skip(1)
             .collect::<Vec<_>>()
             .into_iter();
         for (name, kind) in names {
             let end = match kind {
-                OutlineKind::Variable(_) | OutlineKind::Constant => name.end,
-                OutlineKind::Subroutine | OutlineKind::Thread => {
+                DefinitionKind::Variable(_) | DefinitionKind::Constant => name.end,
+                DefinitionKind::Subroutine | DefinitionKind::Thread => {
                     labels.next();
                     self.end_of_subroutine(name)
                 }
-                OutlineKind::Label => self.end_of_label(name, labels.next()),
+                DefinitionKind::Label => self.end_of_label(name, labels.next()),
             };
             let one = Outline {
                 name: self.slice(name).to_owned(),
@@ -80,8 +65,10 @@ impl Document {
             };
             match found.last_mut() {
                 Some(around)
-                    if matches!(around.kind, OutlineKind::Subroutine | OutlineKind::Thread)
-                        && kind.is_label()
+                    if matches!(
+                        around.kind,
+                        DefinitionKind::Subroutine | DefinitionKind::Thread
+                    ) && is_label(kind)
                         && one.span.end <= around.span.end =>
                 {
                     around.children.push(one);
@@ -135,12 +122,114 @@ impl Document {
     }
 }
 
-fn kind(kind: DefinitionKind) -> OutlineKind {
-    match kind {
-        DefinitionKind::Variable(kind) => OutlineKind::Variable(kind),
-        DefinitionKind::Label => OutlineKind::Label,
-        DefinitionKind::Subroutine => OutlineKind::Subroutine,
-        DefinitionKind::Thread => OutlineKind::Thread,
-        DefinitionKind::Constant => OutlineKind::Constant,
+/// Lines that can be folded into the first of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fold {
+    /// The line that stays visible, from 1.
+    pub first: u32,
+    /// The last line that is hidden.
+    pub last: u32,
+    /// Their kind.
+    pub kind: FoldKind,
+}
+
+/// The kind of a fold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FoldKind {
+    /// A block of statements.
+    Block,
+    /// Lines of comment.
+    Comment,
+}
+
+impl Document {
+    /// Returns all folds in the order of their first lines.
+    pub fn folds(&self) -> Vec<Fold> {
+        let mut folds = self.blocks();
+        folds.extend(self.comments());
+        folds.sort_by_key(|fold| (fold.first, fold.last));
+        folds
     }
+
+    fn blocks(&self) -> Vec<Fold> {
+        let mut open: Vec<(Shape, u32)> = Vec::new();
+        let mut folds = Vec::new();
+        for statement in self.statements() {
+            let shape = statement.kind.shape();
+            let closes = opener(shape);
+            if let Some(closes) = closes
+                && let Some(at) = open.iter().rposition(|(shape, _)| closes.contains(shape))
+            {
+                let (_, first) = open[at];
+                open.truncate(at);
+                // The line that closes a branch opens the next one, and stays.
+                let last = match shape {
+                    Shape::ElseIf | Shape::Else => statement.line - 1,
+                    _ => statement.line,
+                };
+                if last > first {
+                    let kind = FoldKind::Block;
+                    folds.push(Fold { first, last, kind });
+                }
+            }
+            if opens(shape) {
+                open.push((shape, statement.line));
+            }
+        }
+        folds
+    }
+
+    fn comments(&self) -> Vec<Fold> {
+        let source = &self.loaded.source;
+        let mut folds = Vec::new();
+        let mut run: Option<(u32, u32)> = None;
+        let mut close = |run: Option<(u32, u32)>| {
+            if let Some((first, last)) = run.filter(|(first, last)| last > first) {
+                let kind = FoldKind::Comment;
+                folds.push(Fold { first, last, kind });
+            }
+        };
+        for line in source.lines().filter(|line| line.number != 2) {
+            let (code, comment) = split_comment(source.text(), line.span);
+            let is_comment = comment.is_some() && source.slice(code).trim().is_empty();
+            run = match (run, is_comment) {
+                (Some((first, last)), true) if last + 1 == line.number => {
+                    Some((first, line.number))
+                }
+                (before, is_comment) => {
+                    close(before);
+                    is_comment.then_some((line.number, line.number))
+                }
+            };
+        }
+        close(run);
+        folds
+    }
+}
+
+fn opens(shape: Shape) -> bool {
+    matches!(
+        shape,
+        Shape::If
+            | Shape::ElseIf
+            | Shape::Else
+            | Shape::While
+            | Shape::Repeat
+            | Shape::For
+            | Shape::Subroutine
+            | Shape::Thread
+    )
+}
+
+/// Returns the shapes that a statement closes.
+fn opener(shape: Shape) -> Option<&'static [Shape]> {
+    Some(match shape {
+        Shape::ElseIf | Shape::Else | Shape::EndIf => &[Shape::If, Shape::ElseIf, Shape::Else],
+        Shape::Wend => &[Shape::While],
+        Shape::Until => &[Shape::Repeat],
+        Shape::Next => &[Shape::For],
+        Shape::SubEnd => &[Shape::Subroutine],
+        Shape::ThreadEnd => &[Shape::Thread],
+        _ => return None,
+    })
 }

@@ -2,6 +2,7 @@
 
 use crate::Document;
 use crate::message::Editing;
+use tip_lint::load;
 use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Edit};
@@ -70,12 +71,7 @@ impl Document {
         match named.access {
             Access::Define => ReferenceKind::Declares,
             Access::Assign | Access::Update | Access::Count => ReferenceKind::Assigns,
-            Access::Read
-            | Access::Jump
-            | Access::Call
-            | Access::Start
-            | Access::Control
-            | Access::Unclear => ReferenceKind::Uses,
+            _ => ReferenceKind::Uses,
         }
     }
 
@@ -184,17 +180,11 @@ impl Document {
 
     /// Returns true if all names mean the same after edits, and no diagnostic is new.
     fn keeps_meaning(&self, edits: &[Edit], renamed: &Definition, name: &str) -> bool {
-        let mut text = String::with_capacity(self.loaded.source.text().len());
-        let mut at = 0;
-        for edit in edits {
-            text += self.slice(Span::new(at, edit.span.start));
-            text += &edit.text;
-            at = edit.span.end;
-        }
-        text += &self.loaded.source.text()[at..];
-        let after = Document::new(self.loaded.source.name(), &text, &self.options);
-        !has_new_diagnostics(&self.loaded, &after.loaded)
-            && same_symbols(&self.loaded.symbols, &after.loaded.symbols, renamed, name)
+        let source = &self.loaded.source;
+        let bytes = source.changed(edits.iter().map(|edit| (edit.span, edit.text.as_str())));
+        let after = load(source.name(), &bytes, &self.options);
+        !has_new_diagnostics(&self.loaded, &after)
+            && same_symbols(&self.loaded.symbols, &after.symbols, renamed, name)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::Document;
 use crate::word::{Word, WordKind};
 use tipc::source::{Line, Span};
-use tipc::symbols::{Access, DefinitionKind, Use};
+use tipc::symbols::{Access, DefinitionKind};
 
 /// The class of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -87,50 +87,42 @@ impl Document {
     }
 
     fn token_of(&self, word: &Word) -> Option<SemanticToken> {
-        let plain = |class: TokenClass| SemanticToken {
+        let (mut declares, mut assigns) = (false, false);
+        let class = match word.kind {
+            WordKind::Keyword(_) => TokenClass::Keyword,
+            WordKind::Command(_) => TokenClass::Command,
+            WordKind::Function(_) => TokenClass::Function,
+            WordKind::Flag(_) => TokenClass::Flag,
+            WordKind::Input(_) | WordKind::Target(_) | WordKind::Constant(..) => {
+                TokenClass::Constant
+            }
+            WordKind::Reading(_) => TokenClass::Variable,
+            WordKind::MotionFlag(_) => TokenClass::Modifier,
+            WordKind::Member(_) => TokenClass::Member,
+            WordKind::Number | WordKind::Version => TokenClass::Number,
+            WordKind::Text => TokenClass::Text,
+            WordKind::Comment => TokenClass::Comment,
+            WordKind::Operator => TokenClass::Operator,
+            WordKind::Name(named) => {
+                let definition = self.definition_of(&named);
+                let access = named.access;
+                declares = access == Access::Define || definition.span == Some(named.span);
+                assigns = matches!(access, Access::Assign | Access::Update | Access::Count);
+                match definition.kind {
+                    DefinitionKind::Variable(_) => TokenClass::Variable,
+                    DefinitionKind::Constant => TokenClass::Constant,
+                    DefinitionKind::Label | DefinitionKind::Subroutine | DefinitionKind::Thread => {
+                        TokenClass::Label
+                    }
+                }
+            }
+            WordKind::Unknown => return None,
+        };
+        Some(SemanticToken {
             span: word.span,
             class,
-            declares: false,
-            assigns: false,
-        };
-        Some(match word.kind {
-            WordKind::Keyword(_) => plain(TokenClass::Keyword),
-            WordKind::Command(_) => plain(TokenClass::Command),
-            WordKind::Function(_) => plain(TokenClass::Function),
-            WordKind::Flag(_) => plain(TokenClass::Flag),
-            WordKind::Input(_) | WordKind::Target(_) | WordKind::Constant(..) => {
-                plain(TokenClass::Constant)
-            }
-            WordKind::Reading(_) => plain(TokenClass::Variable),
-            WordKind::MotionFlag(_) => plain(TokenClass::Modifier),
-            WordKind::Member(_) => plain(TokenClass::Member),
-            WordKind::Number | WordKind::Version => plain(TokenClass::Number),
-            WordKind::Text => plain(TokenClass::Text),
-            WordKind::Comment => plain(TokenClass::Comment),
-            WordKind::Operator => plain(TokenClass::Operator),
-            WordKind::Name(named) => self.name_token(&named, plain(TokenClass::Variable)),
-            WordKind::Unknown => return None,
-        })
-    }
-
-    fn name_token(&self, named: &Use, plain: SemanticToken) -> SemanticToken {
-        let definition = self.definition_of(named);
-        let class = match definition.kind {
-            DefinitionKind::Variable(_) => TokenClass::Variable,
-            DefinitionKind::Label | DefinitionKind::Subroutine | DefinitionKind::Thread => {
-                TokenClass::Label
-            }
-            DefinitionKind::Constant => TokenClass::Constant,
-        };
-        let assigns = matches!(
-            named.access,
-            Access::Assign | Access::Update | Access::Count
-        );
-        SemanticToken {
-            class,
-            declares: named.access == Access::Define || definition.span == Some(named.span),
+            declares,
             assigns,
-            ..plain
-        }
+        })
     }
 }

@@ -79,7 +79,7 @@ pub fn write(to: &mut impl Write, message: &str) -> io::Result<()> {
 #[derive(Debug)]
 pub struct Connection<W> {
     frames: Receiver<Frame>,
-    output: W,
+    pub(crate) output: W,
 }
 
 impl<W: Write> Connection<W> {

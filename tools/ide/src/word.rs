@@ -110,7 +110,7 @@ impl Document {
                     let text = Span::new(word.end, text_end);
                     self.text(trimmed(self.loaded.source.text(), text), words);
                 }
-                // WordKind follows END on its line is not read.
+                // What follows END on its line is not read.
                 Some(Keyword::End) => push(words, word, WordKind::Keyword(Keyword::End)),
                 _ => self.statement(word, span, words),
             },

@@ -35,7 +35,6 @@ const START: &str = "tip:";
 const WORD: &str = "allow";
 
 impl Allows {
-    /// Collects the comments of a program.
     pub(crate) fn of(source: &Source, module: &Module) -> Self {
         let mut allows = Allows::default();
         let text = source.text();

@@ -47,15 +47,18 @@ impl CoveragePoints {
             edges: HashMap::new(),
             returns: HashMap::new(),
         };
-        let live = live(&points.flow);
-        for id in &live {
-            let step = points.flow.nodes()[*id].step;
+        let live = reached(&points.flow, points.flow.starts(), |node, next| {
+            next.extend(node.call.iter().flat_map(|call| [call.entry, call.back]));
+        });
+        let live = || (0..live.len()).filter(|id| live[*id]);
+        for id in live() {
+            let step = points.flow.nodes()[id].step;
             if !points.steps.contains_key(&step) {
                 let point = points.add(step, None);
                 points.steps.insert(step, point);
             }
         }
-        for id in live {
+        for id in live() {
             let node = points.flow.nodes()[id].clone();
             let action = &program.steps()[node.step as usize].action;
             points.add_edges(action, id, &node);
@@ -147,18 +150,23 @@ const fn truth(is_true: bool) -> &'static str {
     if is_true { "true" } else { "false" }
 }
 
-/// Returns the nodes that some path leads to from the start of the program or of a thread.
-fn live(flow: &Flow) -> BTreeSet<NodeId> {
-    let mut live = BTreeSet::new();
-    let mut open = flow.starts().to_vec();
+/// Returns for each node whether paths from `starts` lead to it. `more` adds nodes that follow one besides its `next`.
+pub(crate) fn reached(
+    flow: &Flow,
+    starts: &[NodeId],
+    more: impl Fn(&Node, &mut Vec<NodeId>),
+) -> Vec<bool> {
+    let mut reached = vec![false; flow.nodes().len()];
+    let mut open = starts.to_vec();
     while let Some(id) = open.pop() {
-        let Some(node) = flow.nodes().get(id).filter(|_| live.insert(id)) else {
-            continue;
-        };
-        let called = node.call.iter().flat_map(|call| [call.entry, call.back]);
-        open.extend(node.next.iter().copied().chain(called));
+        if let Some(node) = flow.nodes().get(id)
+            && !std::mem::replace(&mut reached[id], true)
+        {
+            open.extend(node.next.iter());
+            more(node, &mut open);
+        }
     }
-    live
+    reached
 }
 
 #[cfg(test)]

@@ -4,37 +4,26 @@
 //! the maximum the longest one, and there is none where a path can loop. A call counts with what
 //! its subroutine takes, a FOR over constants with its turns. A step that waits counts as the least
 //! that it can take, and marks its part. A subroutine that calls itself has no bound here, although
-//! ten open calls are one. All together takes time O(n log n): where jumps cross so often that the same steps belong to very
-//! many parts, counting ends early, and says so. A part counts in steps of its own thread: that is in cycles if a cycle
-//! runs one step.
+//! ten open calls are one. Where the same steps belong to very many parts, counting ends early, and says so. A part
+//! counts in steps of its own thread: that is in cycles if a cycle runs one step.
 
-mod components;
-mod costs;
-mod count;
 mod counted;
-mod counters;
-mod distance;
 mod graph;
 mod loops;
 mod render;
-mod routines;
-mod steps;
-mod turns;
+mod search;
 
 #[cfg(test)]
 mod tests;
 
-pub use count::Count;
 pub use render::{human, json, short};
-pub use steps::Steps;
 
-use distance::{Place, Work};
 use graph::Graph;
+use search::{Place, Work};
 use std::collections::BTreeSet;
 use tipc::Robot;
 use tipc::analysis::flow::{Flow, NodeId};
-use tipc::program::{Program, StepId};
-use turns::turns;
+use tipc::program::{Action, Op, Program, StepId};
 
 /// A part of a program, and how many cycles it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,6 +32,21 @@ pub struct Part {
     pub span: Span,
     /// Number of cycles it takes.
     pub cycles: Count,
+}
+
+impl Part {
+    /// Returns the step that it is known by: the turn of a FOR by the FOR, not by the first step of its body.
+    pub fn first_step(&self, program: &Program) -> StepId {
+        match self.span {
+            Span::Subroutine { entry } => entry,
+            Span::Turn { head, .. } => {
+                let before = head.saturating_sub(1);
+                let is_for = matches!(program.steps()[before as usize].action, Action::For { .. });
+                if is_for { before } else { head }
+            }
+            Span::Stretch { from, .. } => from,
+        }
+    }
 }
 
 /// A part of a program.
@@ -58,7 +62,7 @@ pub enum Span {
         /// First step; for a FOR, the first one of its body.
         head: StepId,
         /// The steps that a turn can pass.
-        steps: Steps,
+        steps: BTreeSet<StepId>,
         /// Number of turns of a FOR over constants.
         turns: Option<u64>,
     },
@@ -84,6 +88,59 @@ pub enum Stop {
     ThreadEnd,
 }
 
+/// Number of cycles that a part of a program takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    /// The least.
+    pub min: u64,
+    /// The most, outside waits; `None` if nothing bounds it.
+    pub max: Option<u64>,
+    /// Some path through the part waits: there it may take longer.
+    pub waits: bool,
+}
+
+impl Count {
+    const fn exactly(cycles: u64) -> Self {
+        Count {
+            min: cycles,
+            max: Some(cycles),
+            waits: false,
+        }
+    }
+
+    /// Adds another number: this, and then that.
+    fn then(self, other: Count) -> Count {
+        Count {
+            min: self.min.saturating_add(other.min),
+            max: self.max.zip(other.max).map(|(a, b)| a.saturating_add(b)),
+            waits: self.waits || other.waits,
+        }
+    }
+
+    fn times(self, turns: u64) -> Count {
+        Count {
+            min: self.min.saturating_mul(turns),
+            max: self.max.map(|max| max.saturating_mul(turns)),
+            waits: self.waits,
+        }
+    }
+
+    /// Multiplies by up to a number of turns, or none.
+    fn at_most(self, turns: u64) -> Count {
+        match turns {
+            0 => Count::exactly(0),
+            _ => Count {
+                min: 0,
+                ..self.times(turns)
+            },
+        }
+    }
+
+    fn unbounded(self) -> Count {
+        Count { max: None, ..self }
+    }
+}
+
 /// The sampling times of a run: ms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
@@ -102,6 +159,23 @@ impl Sampling {
             longest: facts.periods.max,
         }
     }
+}
+
+/// Returns the line of the first step that sets a sampling time.
+pub fn sampling_set(program: &Program) -> Option<u32> {
+    line_with(program, |op| {
+        matches!(op, Op::SetSamplingTime | Op::SetSamplingFreq)
+    })
+}
+
+/// Returns the line of the first command of a kind.
+fn line_with(program: &Program, is_it: impl Fn(Op) -> bool) -> Option<u32> {
+    let mut steps = program.steps().iter();
+    let found = steps.find(|step| match step.action {
+        Action::Command { op, .. } => is_it(op),
+        _ => false,
+    });
+    found.map(|step| step.line)
 }
 
 /// The parts of a program that could be counted.
@@ -123,7 +197,7 @@ pub fn parts(program: &Program, sampling: Sampling) -> Parts {
         };
     };
     let mut counted = subroutines(&flow, &graph);
-    let (turns, are_all_turns) = turns(&flow, &graph);
+    let (turns, are_all_turns) = loops::turns(&flow, &graph);
     let (stretches, are_all_stretches) = stretches(program, &flow, &graph);
     counted.extend(turns);
     counted.extend(stretches);

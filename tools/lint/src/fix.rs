@@ -1,32 +1,30 @@
 //! Fixes: for what a diagnostic says, the changes of the text that put it right. It judges no program: what the checker knows
 //! is in the diagnostic's messages, the rest in the statement around its location.
 
-mod blocks;
-mod characters;
-mod declarations;
-mod jumps;
-mod operators;
-mod site;
+mod statements;
 pub(crate) mod texts;
 pub(crate) mod words;
 
-use site::{Shared, Site};
 use tipc::diagnostic::{Diagnostic, Edit, Fix};
-use tipc::source::Source;
-use tipc::syntax::Module;
+use tipc::language::Keyword;
+use tipc::lex::{BLANKS, Kind, Token, lex};
+use tipc::message::Message;
+use tipc::parse::LINE_LIMIT;
+use tipc::source::{Line, Source, Span};
+use tipc::syntax::{Module, Statement};
 
 /// A function that knows the changes for a diagnostic.
 pub(crate) type Fixer = fn(&Site<'_>) -> Option<Fix>;
 
 /// Sources of fixes, asked in this order. The first answer counts.
 const FIXERS: &[Fixer] = &[
-    characters::fix,
-    texts::fix,
-    words::fix,
-    jumps::fix,
-    blocks::fix,
-    operators::fix,
-    declarations::fix,
+    texts::characters,
+    texts::messages,
+    words::words,
+    statements::jumps,
+    statements::blocks,
+    words::operators,
+    statements::declarations,
 ];
 
 /// Gives each diagnostic the fix that is known for it; `of_word` knows that of a word of another language.
@@ -36,9 +34,12 @@ pub(crate) fn attach(
     diagnostics: &mut [Diagnostic],
     of_word: fn(&Diagnostic, &Source) -> Option<Fixer>,
 ) {
-    let shared = Shared::default();
     for diagnostic in diagnostics {
-        let site = Site::new(source, module, &shared, diagnostic);
+        let site = Site {
+            source,
+            module,
+            diagnostic,
+        };
         let fix = match of_word(diagnostic, source) {
             Some(fixer) => fixer(&site),
             None => FIXERS.iter().find_map(|fixer| fixer(&site)),
@@ -55,4 +56,112 @@ fn is_sound(source: &Source, fix: &Fix) -> bool {
     let is_change = |edit: &Edit| source.slice(edit.span) != edit.text && edit.text.is_ascii();
     let follows = |pair: &[Edit]| pair[0].span.end <= pair[1].span.start;
     !fix.edits.is_empty() && fix.edits.iter().all(is_change) && fix.edits.windows(2).all(follows)
+}
+
+/// The most bytes of a statement whose diagnostics are put right: what each of many diagnostics looks at must not be long.
+const LONGEST: usize = 4 * LINE_LIMIT;
+
+/// A diagnostic in its file.
+#[derive(Clone, Copy)]
+pub(crate) struct Site<'a> {
+    source: &'a Source,
+    module: &'a Module,
+    diagnostic: &'a Diagnostic,
+}
+
+impl<'a> Site<'a> {
+    fn reason(&self) -> &'a Message {
+        &self.diagnostic.reason
+    }
+
+    fn help(&self) -> Option<&'a Message> {
+        self.diagnostic.help.as_ref()
+    }
+
+    /// Returns the location of the diagnostic.
+    fn span(&self) -> Span {
+        self.diagnostic.span
+    }
+
+    fn text(&self) -> &'a str {
+        self.slice(self.span())
+    }
+
+    fn slice(&self, span: Span) -> &'a str {
+        self.source.slice(span)
+    }
+
+    fn index(&self) -> Option<usize> {
+        self.module.statement_at(self.span().start)
+    }
+
+    fn statement(&self) -> Option<&'a Statement> {
+        self.index().map(|index| &self.module.statements[index])
+    }
+
+    /// Returns the words and operators of the statement around the diagnostic; none of one that no line can hold.
+    fn tokens(&self) -> Vec<Token> {
+        let is_short = |it: &&Statement| it.span.end - it.span.start <= LONGEST;
+        let statement = self.statement().filter(is_short);
+        statement.map_or_else(Vec::new, |it| self.tokens_of(it.span))
+    }
+
+    fn tokens_of(&self, span: Span) -> Vec<Token> {
+        let mut tokens = Vec::new();
+        lex(self.source.text(), span, &mut tokens);
+        tokens
+    }
+
+    fn is(&self, token: &Token, keyword: Keyword) -> bool {
+        token.kind == Kind::Word && self.is_word(token.span, keyword)
+    }
+
+    fn is_word(&self, span: Span, keyword: Keyword) -> bool {
+        self.slice(span).eq_ignore_ascii_case(keyword.word())
+    }
+
+    fn line(&self) -> Line {
+        let (line, _) = self.source.line_column(self.span().start);
+        self.source.line(line)
+    }
+
+    fn line_end(&self) -> &'a str {
+        match self.slice(self.source.line(1).end) {
+            "" => "\n",
+            end => end,
+        }
+    }
+
+    /// Returns the end of a line, and the blanks that the line of the diagnostic begins with.
+    fn next_line(&self) -> String {
+        let text = self.slice(self.line().span);
+        let indent = &text[..text.len() - text.trim_start_matches([' ', '\t']).len()];
+        format!("{}{indent}", self.line_end())
+    }
+
+    /// `word` in small letters if that is how the statement begins.
+    fn like(&self, word: &str) -> String {
+        let start = self.statement().map_or(self.span(), |it| it.span);
+        let letters = || {
+            self.slice(start)
+                .chars()
+                .take_while(|char| !BLANKS.contains(char))
+        };
+        let small = letters().any(|char| char.is_ascii_lowercase())
+            && !letters().any(|char| char.is_ascii_uppercase());
+        match small {
+            true => word.to_ascii_lowercase(),
+            false => word.to_owned(),
+        }
+    }
+
+    /// Returns a keyword in the place of what stands there.
+    fn write(&self, location: Span, word: &str) -> Edit {
+        Edit::replace(location, self.like(word))
+    }
+
+    /// Returns a keyword after what ends at `at`.
+    fn append(&self, at: usize, word: &str) -> Edit {
+        Edit::insert(at, format!(" {}", self.like(word)))
+    }
 }

@@ -2,28 +2,26 @@
 //!
 //! A lint that fires on honest programs is wrong itself: each says in its file when it stays silent.
 
-mod assignment;
-mod commands;
-mod conditions;
-mod equations;
-mod file;
-mod labels;
+mod flow;
 mod message;
-mod overridden;
-mod routines;
-mod threads;
-mod unreachable;
-mod waits;
-mod walk;
+mod motions;
+mod statements;
 
 use crate::allow::Allows;
+use crate::message::Foreign;
 use crate::{Loaded, Options};
 use tipc::Robot;
 use tipc::analysis::flow::Flow;
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Diagnostics};
+use tipc::language::Keyword;
+use tipc::language::commands::{self, Meaning};
+use tipc::lex::{Kind, Token, lex};
+use tipc::load::lowered;
+use tipc::message::{Reading, Suggestion};
+use tipc::parse;
 use tipc::program::{Program, StepId};
-use tipc::source::Source;
+use tipc::source::{Encoding, Source, Span, looks_like};
 use tipc::symbols::Symbols;
 use tipc::syntax::{Module, Statement};
 
@@ -55,10 +53,9 @@ pub(crate) fn find(
             robot: options.robot,
         };
         context.warn(&mut found);
-        let encoding = file::other_encoding(loaded, bytes, options);
-        let title = file::title(loaded, options);
-        let after_end = file::after_end(&loaded.source, &loaded.module);
-        found.extend(encoding.into_iter().chain(title).chain(after_end));
+        found.extend(other_encoding(loaded, bytes, options));
+        found.extend(title(loaded, options));
+        found.extend(after_end(&loaded.source, &loaded.module));
     }
     let mut allows = Allows::of(&loaded.source, &loaded.module);
     allows.silence(&loaded.source, &mut found);
@@ -93,41 +90,95 @@ impl LintContext<'_> {
     }
 
     fn warnings(&self) -> Diagnostics {
-        let mut found = self.of_statements();
-        found.append(self.of_flow());
-        found
-    }
-
-    /// Returns warnings about statements by themselves, and the values that they read.
-    fn of_statements(&self) -> Diagnostics {
         let mut found = Diagnostics::default();
-        assignment::warn(self, &mut found);
-        commands::warn(self, &mut found);
-        equations::warn(self, &mut found);
+        // Statements by themselves, and the values that they read.
+        statements::unassigned(self, &mut found);
+        statements::commands(self, &mut found);
+        statements::swapped_signs(self, &mut found);
         message::warn(self, &mut found);
-        threads::warn(self, &mut found);
-        overridden::warn(self, &mut found);
-        found
-    }
-
-    /// Returns warnings about conditions and jumps.
-    fn of_flow(&self) -> Diagnostics {
-        let mut found = Diagnostics::default();
-        let constant = conditions::constant(self);
+        statements::threads(self, &mut found);
+        motions::overridden(self, &mut found);
+        // Conditions and jumps.
+        let constant = flow::constant(self);
         let open: Vec<StepId> = constant.iter().map(|one| one.step).collect();
-        let unreachable = unreachable::Unreachable::of(self, &open);
-        conditions::warn(self, &constant, &unreachable, &mut found);
-        routines::warn(self, &unreachable, &mut found);
-        waits::warn(self, &unreachable, &mut found);
+        let unreachable = flow::Unreachable::of(self, &open);
+        flow::conditions(self, &constant, &unreachable, &mut found);
+        flow::routines(self, &unreachable, &mut found);
+        motions::waits(self, &unreachable, &mut found);
         unreachable.warn(self, &mut found);
         // It takes back what follows from it.
-        labels::warn(self, &mut found);
+        flow::glued_jumps(self, &mut found);
         found
     }
 
-    /// Returns the statement that is a step.
     fn statement(&self, step: StepId) -> Option<&Statement> {
         let index = self.module.statement_of(step)?;
         Some(&self.module.statements[index])
     }
+}
+
+fn after_end(source: &Source, module: &Module) -> Option<Diagnostic> {
+    let location = parse::after_end(source, module)?;
+    let diagnostic = Diagnostic::new(Code::AfterEnd, location, Suggestion::StandsAfterEnd);
+    let end = module.statements.last()?;
+    Some(
+        diagnostic
+            .label(end.span, Suggestion::EndsTheText)
+            .help(Foreign::MoveEndOrComment),
+    )
+}
+
+/// Warns of a file that can be read, but not as what was written: in EUC-JP, say.
+fn other_encoding(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<Diagnostic> {
+    if options.encoding != Encoding::Auto {
+        return None;
+    }
+    let encoding = looks_like(bytes)?;
+    let text = loaded.source.text();
+    let at = text.find(|c: char| !c.is_ascii() || c == '\u{1B}')?;
+    let length = text[at..].find(['\n', '\r']).unwrap_or(text.len() - at);
+    let location = Span::new(at, at + length);
+    let diagnostic = Diagnostic::new(Code::OtherEncoding, location, Reading::OtherCharacters);
+    Some(diagnostic.help(Suggestion::OtherEncoding { encoding }))
+}
+
+/// Warns if line 2 is a statement that the program would load with, had it a title before.
+fn title(loaded: &Loaded, options: &Options) -> Option<Diagnostic> {
+    let source = &loaded.source;
+    let line = source.line(2).span;
+    let mut tokens = Vec::new();
+    if lex(source.text(), line, &mut tokens).is_some() || !is_statement(loaded, &tokens) {
+        return None;
+    }
+    let (before, after) = source.text().split_at(line.start);
+    let text = format!("{before}A title\n{after}");
+    let options = Options {
+        encoding: Encoding::Utf8,
+        ..*options
+    };
+    let (titled, found) = lowered(source.name(), text.as_bytes(), &options);
+    if found.have_error(titled.module.edition) {
+        return None;
+    }
+    let location = tokens.first()?.span.to(tokens.last()?.span);
+    let diagnostic = Diagnostic::new(Code::StatementAsTitle, location, Suggestion::TitleHere);
+    Some(diagnostic.help(Suggestion::Title))
+}
+
+/// Returns true if these words begin a statement, and no title of one word.
+fn is_statement(loaded: &Loaded, tokens: &[Token]) -> bool {
+    let Some(first) = tokens.first() else {
+        return false;
+    };
+    let word = loaded.source.slice(first.span);
+    if matches!(tokens.get(1), Some(next) if matches!(next.kind, Kind::Assign(_))) {
+        return true;
+    }
+    // Anything may follow these.
+    let is_text = |meaning| {
+        let words = [Keyword::Rem, Keyword::Message, Keyword::End];
+        words.map(Meaning::Keyword).contains(&meaning)
+    };
+    let command = commands::find(word).filter(|command| !is_text(command.meaning));
+    command.is_some() && (tokens.len() > 1 || word.contains('_'))
 }

@@ -4,32 +4,42 @@
 //! are. Every change is noted with its line. What cannot be decided from the text is a question, and then there is
 //! no result.
 
-mod commands;
-mod declarations;
-mod edits;
-mod header;
-mod labels;
 mod lines;
-mod message;
-mod near;
 mod next;
-mod placeholders;
-mod report;
+mod statements;
 mod variables;
-mod verify;
 
-pub use report::{render_human, render_json, render_short};
-
-use crate::message::Migrating;
-use crate::{Loaded, Options, load};
-use edits::Edits;
-use header::Header;
-use lines::{Piece, Statement};
-use near::Moves;
+use crate::message::{Loads, Migrating};
+use crate::{Loaded, Options};
+use lines::Piece;
+use statements::Moves;
+use std::collections::HashSet;
+use std::fmt::Write;
+use tip_runtime::printable::Printable;
 use tipc::Robot;
+use tipc::code::{Code, Level};
+use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::language::Edition;
+use tipc::language::commands::find;
+use tipc::language::names::LIMIT;
+use tipc::load::check_module;
+use tipc::message::Lang;
+use tipc::message::list::List;
 use tipc::parse::header::{version_number, version_word};
+use tipc::parse::parse;
+use tipc::render::{push_member, push_number, push_string};
 use tipc::source::{Encoding, Source, Span};
+use tipc::syntax::{Module, Statement, StatementKind};
+use variables::Variables;
+
+/// The version that a migration leads to.
+const CURRENT: f64 = 3.1;
+/// The first version with declared variables, and with several statements on a line.
+const DECLARED: f64 = 3.0;
+/// The first version with a title in line 2.
+const TITLED: f64 = 1.1;
+/// A version that older programs name, although the language never came so far.
+const ODD: f64 = 4.0;
 
 /// Kind of a note: a change or a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,6 +71,18 @@ pub struct Note {
     pub column: u32,
     /// The change and its reason, or the question.
     pub text: Migrating,
+}
+
+impl Note {
+    fn new(kind: NoteKind, source: &Source, span: Span, text: Migrating) -> Self {
+        let (line, column) = source.line_column(span.start);
+        Note {
+            kind,
+            line,
+            column,
+            text,
+        }
+    }
 }
 
 /// The result for an older program.
@@ -104,18 +126,8 @@ impl Migration {
 
     /// Returns the robots that the new program loads for.
     pub fn robots(&self) -> Vec<Robot> {
-        let Some(bytes) = &self.bytes else {
-            return Vec::new();
-        };
-        let loads = |robot: &Robot| {
-            let options = Options {
-                robot: *robot,
-                encoding: self.encoding,
-                ..Options::default()
-            };
-            load(self.source.name(), bytes, &options).program.is_some()
-        };
-        Robot::ALL.iter().copied().filter(loads).collect()
+        let bytes = self.bytes.as_deref().unwrap_or_default();
+        robots(self.source.name(), bytes, self.encoding)
     }
 }
 
@@ -123,7 +135,7 @@ impl Migration {
 ///
 /// # Errors
 ///
-/// The diagnostics about bytes that are not text, as [`load`] reports them.
+/// The diagnostics about bytes that are not text, as [`load`](crate::load) reports them.
 pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let (source, undecodable) = Source::decode(name, bytes, encoding);
     if let Some(fault) = undecodable {
@@ -131,16 +143,16 @@ pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration
     }
     let mut migrator = Migrator {
         source: &source,
-        edits: Edits::default(),
+        edits: Vec::new(),
         notes: Vec::new(),
     };
     let older = migrator.program();
     let Migrator {
         edits, mut notes, ..
     } = migrator;
-    let result = edits.apply(&source);
+    let result = changed(&source, edits);
     if older {
-        notes.extend(verify::questions(&source, &result, encoding, &notes));
+        notes.extend(questions(&source, &result, encoding, &notes));
     }
     notes.sort_by_key(|note| (note.line, note.column));
     let open = notes.iter().any(|note| note.kind == NoteKind::Question);
@@ -156,22 +168,24 @@ pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration
 ///
 /// # Errors
 ///
-/// The diagnostics about bytes that are not text, as [`load`] reports them.
+/// The diagnostics about bytes that are not text, as [`load`](crate::load) reports them.
 pub fn migrate_to(
     edition: Edition,
     name: &str,
     bytes: &[u8],
     encoding: Encoding,
 ) -> Result<Migration, Box<Loaded>> {
-    let says_next = || {
-        let (source, _) = Source::decode(name, bytes, encoding);
-        let version = version_number(source.slice(version_word(&source)));
-        version == Some(Edition::V3_2.number())
-    };
-    let mut migration = match says_next() {
-        true => unchanged(name, bytes, encoding),
-        false => migrate(name, bytes, encoding)?,
-    };
+    let (source, _) = Source::decode(name, bytes, encoding);
+    let version = version_number(source.slice(version_word(&source)));
+    if version == Some(Edition::V3_2.number()) {
+        return Ok(Migration {
+            source,
+            encoding,
+            notes: Vec::new(),
+            bytes: Some(bytes.to_vec()),
+        });
+    }
+    let mut migration = migrate(name, bytes, encoding)?;
     if edition < Edition::V3_2 {
         return Ok(migration);
     }
@@ -192,96 +206,312 @@ pub fn migrate_to(
     Ok(migration)
 }
 
-/// Returns the result for a program that is to stay as it is.
-fn unchanged(name: &str, bytes: &[u8], encoding: Encoding) -> Migration {
-    Migration {
-        source: Source::decode(name, bytes, encoding).0,
+/// Loads a program for a robot, without lints.
+fn load(name: &str, bytes: &[u8], encoding: Encoding, robot: Robot) -> Loaded {
+    let options = Options {
+        robot,
         encoding,
-        notes: Vec::new(),
-        bytes: Some(bytes.to_vec()),
+        ..Options::default()
+    };
+    tipc::load(name, bytes, &options)
+}
+
+fn robots(name: &str, bytes: &[u8], encoding: Encoding) -> Vec<Robot> {
+    let loads = |robot: &Robot| load(name, bytes, encoding, *robot).program.is_some();
+    Robot::ALL.iter().copied().filter(loads).collect()
+}
+
+/// Returns the bytes of the file with edits that do not overlap; what is put in is ASCII, so it is the same in both
+/// encodings.
+fn changed(source: &Source, mut edits: Vec<Edit>) -> Vec<u8> {
+    edits.sort_by_key(|edit| edit.span);
+    source.changed(edits.iter().map(|edit| (edit.span, edit.text.as_str())))
+}
+
+/// Returns a word in small letters if the old one is written so.
+fn like(old: &str, new: &str) -> String {
+    match old.contains(|c: char| c.is_ascii_uppercase()) {
+        true => new.to_owned(),
+        false => new.to_ascii_lowercase(),
     }
+}
+
+fn free_name(name: &str, taken: &HashSet<String>) -> String {
+    let candidates = (1..).map(|number| {
+        let ending = format!("_{number}");
+        format!("{}{ending}", &name[..name.len().min(LIMIT - ending.len())])
+    });
+    let mut free = candidates.filter(|candidate| !taken.contains(candidate));
+    free.next().unwrap_or_default()
+}
+
+/// Contents of line 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Header {
+    /// Variables are typed by their names, as `VAR01`, and a line is one statement: before 3.0. `;` is an ordinary
+    /// character of texts then.
+    is_typed: bool,
+    /// The first line that holds statements: 3, or 2 if there is no title.
+    first_line: u32,
 }
 
 /// Collects edits and notes.
 struct Migrator<'a> {
     source: &'a Source,
-    edits: Edits,
+    edits: Vec<Edit>,
     notes: Vec<Note>,
 }
 
 impl Migrator<'_> {
     /// Applies every rule, in order; returns true if the program is of a known older version.
     fn program(&mut self) -> bool {
-        let Some(Header { style, title }) = self.header() else {
+        let Some(header) = self.header() else {
             return false;
         };
-        let pieces = lines::read(self.source, title.first_line(), style.single());
-        let spelling = variables::Variables::collect(self.source, &pieces, style);
+        let is_typed = header.is_typed;
+        let pieces = lines::read(self.source, header.first_line, is_typed);
+        let variables = Variables::collect(self.source, &pieces, is_typed);
         self.labels(&pieces);
         let moves = Moves::of(self.source, &pieces);
         for statement in pieces.iter().filter_map(Piece::statement) {
-            self.statement(statement, style, &spelling, &moves);
+            self.statement(statement, is_typed, &variables, &moves);
         }
-        self.variables(&spelling);
-        self.declare(&spelling, title);
+        self.variables(&variables);
+        self.declare(&variables, header.first_line);
         true
     }
 
-    fn statement(
-        &mut self,
-        statement: &Statement,
-        style: header::Style,
-        variables: &variables::Variables,
-        moves: &Moves,
-    ) {
-        match statement.keyword.as_str() {
-            "MESSAGE" if style.typed() => self.message(statement, variables),
-            "MESSAGE" => {}
-            "REM" if style.typed() => self.remark(statement),
-            "REM" => {}
-            "DEF_VAR" | "DEF_POS" | "DEF_JOINT" => self.clashes(statement),
-            "FOR" => self.for_statement(statement),
-            "WAIT_NEAR" => self.wait_near(statement, variables, moves),
-            _ if statement.is_equation() => self.sign(statement),
-            _ => self.command(statement),
+    /// Brings line 1 to version 3.1; `None` if nothing else is to be done.
+    fn header(&mut self) -> Option<Header> {
+        let location = version_word(self.source);
+        let word = self.slice(location).to_owned();
+        let Some(version) = version_number(&word) else {
+            self.question(location, Migrating::WhichVersion);
+            return None;
+        };
+        if version == CURRENT {
+            return None;
         }
+        let known = (1.0..CURRENT).contains(&version) || version == ODD;
+        if !known {
+            self.question(location, Migrating::UnknownVersion { version: word });
+            return None;
+        }
+        self.edits.push(Edit::replace(location, "3.1"));
+        self.change(location, Migrating::Version { version: word });
+        let is_declared = match version == ODD {
+            // What says 4.0 shows by its declarations what it is.
+            true => self.declares(),
+            false => version >= DECLARED,
+        };
+        Some(Header {
+            is_typed: !is_declared,
+            first_line: if self.has_title(version) { 3 } else { 2 },
+        })
     }
 
-    /// Returns the text at `span`.
+    fn declares(&self) -> bool {
+        let pieces = lines::read(self.source, 3, false);
+        let mut statements = pieces.iter().filter_map(Piece::statement);
+        statements.any(|statement| statement.keyword.starts_with("DEF_"))
+    }
+
+    /// Returns true if line 2 is a title. Version 1.0 had none: there it is a statement if it looks like one.
+    fn has_title(&self, version: f64) -> bool {
+        let pieces = lines::read(self.source, 2, true);
+        let first = pieces.first().filter(|piece| piece.line() == 2);
+        let is_statement = first.is_some_and(|piece| match piece {
+            Piece::Label { .. } => true,
+            Piece::Statement(statement) => {
+                statement.is_equation() || statements::is_statement_word(&statement.keyword)
+            }
+        });
+        version >= TITLED || !is_statement
+    }
+
     fn slice(&self, span: Span) -> &str {
         self.source.slice(span)
     }
 
-    /// Notes a change at `span`.
     fn change(&mut self, span: Span, text: Migrating) {
-        self.note(NoteKind::Change, span, text);
+        let note = Note::new(NoteKind::Change, self.source, span, text);
+        self.notes.push(note);
     }
 
-    /// Asks about `span`.
     fn question(&mut self, span: Span, text: Migrating) {
-        self.note(NoteKind::Question, span, text);
-    }
-
-    fn note(&mut self, kind: NoteKind, span: Span, text: Migrating) {
-        let (line, column) = self.source.line_column(span.start);
-        self.notes.push(Note {
-            kind,
-            line,
-            column,
-            text,
-        });
+        let note = Note::new(NoteKind::Question, self.source, span, text);
+        self.notes.push(note);
     }
 
     /// Puts another word in the place of a command word, in small letters if the program writes it so.
     fn rename(&mut self, keyword: Span, name: &str) {
-        let small = !self
-            .slice(keyword)
-            .contains(|c: char| c.is_ascii_uppercase());
-        let name = if small {
-            name.to_ascii_lowercase()
-        } else {
-            name.to_owned()
-        };
-        self.edits.replace(keyword, name);
+        let name = like(self.slice(keyword), name);
+        self.edits.push(Edit::replace(keyword, name));
     }
+}
+
+/// Asks about what is still no statement of version 3.1, on lines that nothing is asked about yet.
+fn questions(old: &Source, result: &[u8], encoding: Encoding, notes: &[Note]) -> Vec<Note> {
+    let asked = notes.iter().filter(|note| note.kind == NoteKind::Question);
+    let asked: HashSet<u32> = asked.map(|note| note.line).collect();
+    let (source, _) = Source::decode(old.name(), result, encoding);
+    // Lines are put in after the title alone, and nothing is wrong with them: only names that fit are declared.
+    let added = source.line_count() - old.line_count();
+    let (module, found) = parse(&source, Some(3.1));
+    let broken = found
+        .iter()
+        .filter(|diagnostic| diagnostic.level() == Level::Error)
+        .map(|diagnostic| (diagnostic.span.start, explained(diagnostic)));
+    let refused = refused_by_all(&source, &module);
+    let unknown = module.statements.iter().zip(&refused);
+    let unknown = unknown.filter_map(|(statement, refused)| {
+        let StatementKind::Command {
+            name, malformed, ..
+        } = &statement.kind
+        else {
+            return None;
+        };
+        let text = match malformed {
+            _ if find(&name.node).is_none() => Migrating::NoCommand {
+                word: name.node.to_string(),
+            },
+            Some(fault) => explained(fault),
+            None => explained(refused.as_ref()?),
+        };
+        Some((name.span.start, text))
+    });
+    let questions = broken.chain(unknown).map(|(start, text)| {
+        let (line, column) = source.line_column(start);
+        Note {
+            kind: NoteKind::Question,
+            line: if line > 2 { line - added } else { line },
+            column,
+            text,
+        }
+    });
+    questions
+        .filter(|note| !asked.contains(&note.line))
+        .collect()
+}
+
+/// Returns for each statement why no robot takes its arguments, if none does.
+fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
+    let mut refused: Vec<Option<Diagnostic>> = vec![None; module.statements.len()];
+    let mut robots = vec![0; module.statements.len()];
+    for robot in Robot::ALL {
+        let mut found = check_module(source, module, *robot);
+        found.retain(|one| matches!(one.code, Code::Argument | Code::UnknownCommand));
+        let mut seen = vec![false; module.statements.len()];
+        for fault in found {
+            let location = fault.span.start;
+            let before = |statement: &Statement| statement.span.start <= location;
+            let behind = module.statements.partition_point(before);
+            let Some(at) = behind.checked_sub(1) else {
+                continue;
+            };
+            robots[at] += usize::from(!seen[at]);
+            seen[at] = true;
+            // That a robot lacks the command says less than what is wrong with it on another.
+            if refused[at].is_none() || fault.code == Code::Argument {
+                refused[at] = Some(fault);
+            }
+        }
+    }
+    for (refused, robots) in refused.iter_mut().zip(robots) {
+        *refused = refused.take().filter(|_| robots == Robot::ALL.len());
+    }
+    refused
+}
+
+fn explained(diagnostic: &Diagnostic) -> Migrating {
+    if diagnostic.code == Code::NoEnd {
+        return Migrating::NoEnd;
+    }
+    Migrating::NoStatement {
+        title: diagnostic.message().into(),
+        reason: Box::new(diagnostic.reason.clone()),
+    }
+}
+
+/// Returns every question with its line, or every change; one sentence at the end.
+pub fn render_human(migration: &Migration, lang: Lang) -> String {
+    let mut out = String::new();
+    for note in &migration.notes {
+        let source = &migration.source;
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "{}", line(migration, note, lang));
+        if note.kind == NoteKind::Question {
+            let text = source.line_text(note.line).trim();
+            let _ = writeln!(out, "    {}", Printable::line(text));
+        }
+    }
+    let _ = writeln!(out, "{}", Printable::line(summary(migration).in_lang(lang)));
+    out
+}
+
+fn summary(migration: &Migration) -> Migrating {
+    let file = migration.source.name().to_owned().into();
+    let (changes, questions) = (migration.changes().count(), migration.questions().count());
+    match (changes, questions) {
+        (0, 0) => {
+            let source = &migration.source;
+            let version = version_number(source.slice(version_word(source)));
+            let version = Edition::of(version.unwrap_or_default());
+            Migrating::AlreadyCurrent { file, version }
+        }
+        (_, 0) => Migrating::Migrated {
+            file,
+            changes: changes.into(),
+            loads: loads(migration),
+        },
+        _ => Migrating::ToAnswer {
+            file,
+            questions: questions.into(),
+        },
+    }
+}
+
+fn loads(migration: &Migration) -> Loads {
+    let robots = migration.robots();
+    let robots: Vec<String> = robots.iter().map(|robot| robot.name().to_owned()).collect();
+    match robots.is_empty() {
+        true => Loads::ForNone,
+        false => Loads::For {
+            robots: List(robots),
+        },
+    }
+}
+
+/// `FILE:LINE:COLUMN: change: <text>` or `…: question: <text>`, one line each.
+pub fn render_short(migration: &Migration, lang: Lang) -> String {
+    let notes = migration.notes.iter();
+    notes
+        .map(|note| line(migration, note, lang) + "\n")
+        .collect()
+}
+
+fn line(migration: &Migration, note: &Note, lang: Lang) -> String {
+    let name = migration.source.name();
+    let (line, column, kind) = (note.line, note.column, note.kind.name());
+    let text = note.text.in_lang(lang);
+    Printable::line(format_args!("{name}:{line}:{column}: {kind}: {text}")).to_string()
+}
+
+/// Returns one object a line: `level` (`change` or `question`), `message`, `file`, `line`, `column`.
+pub fn render_json(migration: &Migration, lang: Lang) -> String {
+    let notes = migration.notes.iter();
+    notes
+        .map(|note| object(migration, note, lang) + "\n")
+        .collect()
+}
+
+fn object(migration: &Migration, note: &Note, lang: Lang) -> String {
+    let mut out = String::from("{\"level\":");
+    push_string(&mut out, note.kind.name());
+    push_member(&mut out, "message", &note.text.in_lang(lang).to_string());
+    push_member(&mut out, "file", migration.source.name());
+    push_number(&mut out, "line", note.line);
+    push_number(&mut out, "column", note.column);
+    out.push('}');
+    out
 }

@@ -4,11 +4,9 @@
 
 use crate::Loaded;
 use crate::fix::Fixer;
-use crate::fix::texts::name;
+use crate::fix::texts::{name, print};
 use crate::fix::words as fixes;
 use crate::message::Foreign;
-use std::collections::HashMap;
-use std::sync::LazyLock;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::language::Keyword;
@@ -64,7 +62,7 @@ impl Row {
 /// Words with blanks between, what to write, and the mechanical fix.
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
-    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT LOG DEBUG TEXT MSG MESS SERIAL.PRINT SERIAL.PRINTLN CONSOLE.LOG SYSTEM.OUT.PRINTLN TPWRITE TYPE LCD.PRINT SHOW_TEXT ?", |_| Foreign::ShowText.into(), fixes::print),
+    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT LOG DEBUG TEXT MSG MESS SERIAL.PRINT SERIAL.PRINTLN CONSOLE.LOG SYSTEM.OUT.PRINTLN TPWRITE TYPE LCD.PRINT SHOW_TEXT ?", |_| Foreign::ShowText.into(), print),
     row("ELIF ELSIF ELSE_IF", |_| Suggestion::ElseIf.into(), fixes::branch),
     row("FI END_IF IFEND END-IF", |_| Foreign::EndIf.into(), |site| fixes::closer(site, Keyword::EndIf)),
     row("ENDWHILE END_WHILE ENDW WHEND WHILE_END", |_| Suggestion::Wend.into(), |site| fixes::closer(site, Keyword::Wend)),
@@ -143,15 +141,8 @@ fn find(diagnostic: &Diagnostic, source: &Source) -> Option<&'static Row> {
 }
 
 fn row_of(place: Place, word: &str) -> Option<&'static Row> {
-    static INDEX: LazyLock<HashMap<(Place, &str), &Row>> = LazyLock::new(|| {
-        let words = |row: &'static Row| {
-            row.words
-                .split(' ')
-                .map(move |word| ((row.place, word), row))
-        };
-        ROWS.iter().flat_map(words).collect()
-    });
-    INDEX.get(&(place, word)).copied()
+    let holds = |row: &&Row| row.place == place && row.words.split(' ').any(|it| it == word);
+    ROWS.iter().find(holds)
 }
 
 /// `DEF N`, or `DEF WALK()`.
@@ -184,7 +175,6 @@ fn label(line: &str) -> Message {
     Parsing::WriteLabel { name }.into()
 }
 
-/// Returns the line from the word of a diagnostic on.
 fn line_of<'s>(diagnostic: &Diagnostic, source: &'s Source) -> &'s str {
     let start = diagnostic.span.start;
     let (line, _) = source.line_column(start);

@@ -1,16 +1,16 @@
 //! Breakpoints on lines, on names and on variables.
 
-use super::inspection;
+use super::inspection::column;
 use super::protocol::{
     Breakpoint, DataBreakpointInfo, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints,
     SetFunctionBreakpoints, SourceBreakpoint,
 };
-use super::session::{Answer, BreakpointNumbers, Session, read};
-use super::{Debuggee, Launcher};
+use super::{Answer, BreakpointNumbers, Debuggee, Launcher, Session, read};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_sim::debug::{DebugError, Placed, When};
 use tipc::message::Lang;
+use tipc::source::Unit;
 
 /// A kind of breakpoints; a client replaces all of a kind together.
 #[derive(Clone, Copy)]
@@ -31,10 +31,7 @@ impl<L: Launcher> Session<L> {
         let debuggee = self.debuggee()?;
         let mut answers = Vec::new();
         for one in &wanted.breakpoints {
-            let when = When {
-                condition: text(&one.condition),
-                hits: text(&one.hit_condition),
-            };
+            let when = when(&one.condition, &one.hit_condition);
             let placed = place(debuggee, one, (base, first_column), &when);
             let line = placed
                 .as_ref()
@@ -47,10 +44,9 @@ impl<L: Launcher> Session<L> {
     /// Rejects breakpoints in a file that is not debugged; those of the program stay.
     fn reject_other_file(&self, wanted: &[SourceBreakpoint]) -> Answer {
         let reason = self.text(DebugAdapter::OtherFile);
-        let answers = wanted
-            .iter()
-            .map(|one| unverified(reason.clone(), Some(one.line)));
-        Ok(Some(json!({ "breakpoints": values(answers) })))
+        let answers = wanted.iter();
+        let answers = answers.map(|one| unverified(reason.clone(), Some(one.line)));
+        Ok(Some(json!({ "breakpoints": answers.collect::<Vec<_>>() })))
     }
 
     fn set_function_breakpoints(&mut self, wanted: SetFunctionBreakpoints) -> Answer {
@@ -58,10 +54,7 @@ impl<L: Launcher> Session<L> {
         let (lang, base) = (self.lang(), self.first_line());
         let debuggee = self.debuggee()?;
         let place = |one: &super::protocol::FunctionBreakpoint| {
-            let when = When {
-                condition: text(&one.condition),
-                hits: text(&one.hit_condition),
-            };
+            let when = when(&one.condition, &one.hit_condition);
             let placed = debuggee.debugger.break_at_name(&one.name, &when);
             let line = placed
                 .as_ref()
@@ -184,7 +177,7 @@ impl<L: Launcher> Session<L> {
             all.push(BreakpointNumbers { client, debugger });
         }
         self.breakpoints[kind as usize] = all;
-        Ok(Some(json!({ "breakpoints": values(answers) })))
+        Ok(Some(json!({ "breakpoints": answers })))
     }
 
     fn new_number(&mut self) -> u32 {
@@ -219,11 +212,19 @@ fn place(
     (base, first_column): (i64, i64),
     when: &When<'_>,
 ) -> Result<Placed, DebugError> {
-    let line = wanted.line.saturating_sub(base).saturating_add(1);
-    let line = u32::try_from(line.max(1)).unwrap_or(u32::MAX);
-    let column = wanted.column.map_or(1, |column| {
-        let units = column.saturating_sub(first_column);
-        inspection::character(&debuggee.source, line, units)
+    let from_one = |number: i64, base| {
+        let number = number.saturating_sub(base).saturating_add(1);
+        u32::try_from(number.max(1)).unwrap_or(u32::MAX)
+    };
+    let line = from_one(wanted.line, base);
+    let column = wanted.column.map_or(1, |wanted| {
+        let wanted = from_one(wanted, first_column);
+        column(
+            &debuggee.source,
+            line,
+            wanted,
+            [Unit::Utf16, Unit::Character],
+        )
     });
     let debugger = &mut debuggee.debugger;
     match text(&wanted.log_message) {
@@ -244,18 +245,18 @@ fn answer(placed: Result<Placed, DebugError>, lang: Lang, line: Option<i64>) -> 
     }
 }
 
-fn values(answers: impl IntoIterator<Item = Breakpoint>) -> Vec<Value> {
-    let answers = answers.into_iter();
-    answers
-        .filter_map(|one| serde_json::to_value(one).ok())
-        .collect()
-}
-
 fn unverified(message: String, line: Option<i64>) -> Breakpoint {
     Breakpoint {
         message: Some(message),
         line,
         ..Breakpoint::default()
+    }
+}
+
+fn when<'a>(condition: &'a Option<String>, hits: &'a Option<String>) -> When<'a> {
+    When {
+        condition: text(condition),
+        hits: text(hits),
     }
 }
 

@@ -1,9 +1,8 @@
 //! Movements forwards and backwards, and the events that report their progress and where they stop.
 
-use super::Launcher;
 use super::inspection::thread;
 use super::protocol::Step;
-use super::session::{Answer, MAIN, Session, read};
+use super::{Answer, Launcher, MAIN, Session, read};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_runtime::program::End;
@@ -138,17 +137,16 @@ impl<L: Launcher> Session<L> {
             return;
         }
         let percentage = progress.done.saturating_mul(100) / of;
-        if !self.has_progress {
-            self.has_progress = true;
+        let last = self.progress.unwrap_or_else(|| {
             let title = self.text(DebugAdapter::Searches);
             self.event(
                 "progressStart",
                 Some(json!({ "progressId": PROGRESS, "title": title, "cancellable": true, "percentage": 0 })),
             );
-            self.percentage = 0;
-        }
-        if percentage > self.percentage {
-            self.percentage = percentage;
+            0
+        });
+        self.progress = Some(percentage.max(last));
+        if percentage > last {
             self.event(
                 "progressUpdate",
                 Some(json!({ "progressId": PROGRESS, "percentage": percentage })),
@@ -158,7 +156,7 @@ impl<L: Launcher> Session<L> {
 
     /// Reports where and why the program has stopped.
     pub(super) fn report_stop(&mut self) {
-        if std::mem::take(&mut self.has_progress) {
+        if self.progress.take().is_some() {
             self.event("progressEnd", Some(json!({ "progressId": PROGRESS })));
         }
         self.report_output();

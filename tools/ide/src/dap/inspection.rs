@@ -1,10 +1,9 @@
 //! The state of a paused program: call stack, variables and robot, expressions, and changes of it from variables and the console.
 
-use super::Launcher;
 use super::protocol::{
-    Evaluate, Scope, SetVariable, SourceFile, StackFrame, StackTrace, Variable, Variables,
+    Evaluate, SetVariable, SourceFile, StackFrame, StackTrace, Variable, Variables,
 };
-use super::session::{Answer, MAIN, Session};
+use super::{Answer, Launcher, MAIN, Session};
 use crate::message::DebugAdapter;
 use serde_json::{Value, json};
 use tip_runtime::command::{Reading, TIMERS, Target};
@@ -14,7 +13,7 @@ use tip_sim::debug::{self, DebugError, Debugger, Discard, Move, Value as Evaluat
 use tip_sim::message::Debugging;
 use tipc::message::{Lang, Message};
 use tipc::program::VariableKind;
-use tipc::source::Source;
+use tipc::source::{Position, Source, Unit};
 
 /// Number of frame ids of a thread.
 const FRAMES: i64 = 100;
@@ -66,23 +65,21 @@ impl<L: Launcher> Session<L> {
         let outermost = debugger.thread_name(thread);
         let outermost = outermost.unwrap_or(debugger.program().title());
         let first = i64::from(thread) * FRAMES + 1;
+        let units = [Unit::Character, Unit::Utf16];
+        let column_of = |line, of| i64::from(column(&debuggee.source, line, of, units));
         let frames = (first..).zip(all).map(|(id, frame)| StackFrame {
             id,
             name: frame.name.unwrap_or_else(|| outermost.to_owned()),
             source: file.clone(),
             line: i64::from(frame.line) - 1 + first_line,
-            column: column(&debuggee.source, frame.line, frame.column) - 1 + first_column,
+            column: column_of(frame.line, frame.column) - 1 + first_column,
         });
         let from = usize::try_from(asked.start_frame.unwrap_or(0)).unwrap_or(0);
         let levels = asked.levels.filter(|levels| *levels > 0);
         let levels = levels.map_or(usize::MAX, |levels| {
             usize::try_from(levels).unwrap_or(usize::MAX)
         });
-        let frames: Vec<Value> = frames
-            .skip(from)
-            .take(levels)
-            .filter_map(|frame| serde_json::to_value(frame).ok())
-            .collect();
+        let frames: Vec<StackFrame> = frames.skip(from).take(levels).collect();
         Ok(Some(json!({ "stackFrames": frames, "totalFrames": total })))
     }
 
@@ -90,24 +87,17 @@ impl<L: Launcher> Session<L> {
         self.paused()?;
         let debuggee = self.debuggee.as_ref();
         let count = debuggee.map(|it| it.debugger.program().variables().len());
-        let scope = |name: Message, variables_reference, presentation_hint| Scope {
-            name: self.text(name),
-            presentation_hint,
-            variables_reference,
-            // A client may ask for some of them.
-            named_variables: count.filter(|_| variables_reference == PROGRAM),
-            expensive: false,
+        let scope = |name: Message, reference: i64| {
+            let name = self.text(name);
+            json!({ "name": name, "variablesReference": reference, "expensive": false })
         };
-        let scopes = [
-            scope(Debugging::Variables.into(), PROGRAM, Some("locals")),
-            scope(DebugAdapter::Robot.into(), ROBOT, None),
-            scope(Debugging::Legs.into(), LEGS, None),
-        ];
-        let scopes: Vec<Value> = scopes
-            .iter()
-            .filter_map(|scope| serde_json::to_value(scope).ok())
-            .collect();
-        Ok(Some(json!({ "scopes": scopes })))
+        let mut variables = scope(Debugging::Variables.into(), PROGRAM);
+        variables["presentationHint"] = json!("locals");
+        // A client may ask for some of them.
+        variables["namedVariables"] = json!(count);
+        let robot = scope(DebugAdapter::Robot.into(), ROBOT);
+        let legs = scope(Debugging::Legs.into(), LEGS);
+        Ok(Some(json!({ "scopes": [variables, robot, legs] })))
     }
 
     pub(super) fn variables(&mut self, asked: &Variables) -> Answer {
@@ -120,12 +110,7 @@ impl<L: Launcher> Session<L> {
         let all = match asked.variables_reference {
             PROGRAM => {
                 let all = (0..).zip(debugger.variables());
-                let asked = all.skip(from).take(count);
-                let shown = asked.filter_map(|(place, it)| {
-                    serde_json::to_value(variable(place, &it, lang)).ok()
-                });
-                let shown: Vec<Value> = shown.collect();
-                return Ok(Some(json!({ "variables": shown })));
+                all.map(|(place, it)| variable(place, &it, lang)).collect()
             }
             ROBOT => robot(debugger, lang),
             LEGS => {
@@ -137,12 +122,7 @@ impl<L: Launcher> Session<L> {
                 members(debugger, place, lang).ok_or(no_such_list)?
             }
         };
-        let shown: Vec<Value> = all
-            .iter()
-            .skip(from)
-            .take(count)
-            .filter_map(|it| serde_json::to_value(it).ok())
-            .collect();
+        let shown: Vec<Variable> = all.into_iter().skip(from).take(count).collect();
         Ok(Some(json!({ "variables": shown })))
     }
 
@@ -286,11 +266,8 @@ fn members(debugger: &Debugger, place: i64, lang: Lang) -> Option<Vec<Variable>>
     let variables = debugger.variables();
     let variable = variables.get(usize::try_from(place).ok()?)?;
     let member = |(name, value): &(String, Option<f64>)| Variable {
-        name: name.clone(),
-        value: number(*value, lang),
-        kind: None,
         evaluate_name: Some(name.clone()),
-        variables_reference: 0,
+        ..plain(name.clone(), number(*value, lang))
     };
     Some(variable.scalars.iter().map(member).collect())
 }
@@ -360,24 +337,8 @@ fn aim(aim: &Setpoint, lang: Lang) -> Variable {
     plain(aim.of.to_string(), format!("{mode}{goal}"))
 }
 
-/// Converts a column in characters to one in UTF-16 code units; both from 1.
-fn column(source: &Source, line: u32, column: u32) -> i64 {
-    let line = source.line_text(line);
-    let before = line.chars().take((column as usize).saturating_sub(1));
-    let units: usize = before.map(char::len_utf16).sum();
-    i64::try_from(units).unwrap_or(0) + 1
-}
-
-/// Converts a number of UTF-16 code units before a column to that column in characters, from 1.
-pub(super) fn character(source: &Source, line: u32, units: i64) -> u32 {
-    let mut left = usize::try_from(units).unwrap_or(0);
-    let mut column = 1;
-    for char in source.line_text(line).chars() {
-        match left.checked_sub(char.len_utf16()) {
-            Some(rest) => left = rest,
-            None => break,
-        }
-        column += 1;
-    }
-    column
+/// Converts a column from one unit to another; both count from 1.
+pub(super) fn column(source: &Source, line: u32, column: u32, [from, to]: [Unit; 2]) -> u32 {
+    let offset = source.offset(Position { line, column }, from);
+    source.position(offset, to).column
 }

@@ -63,34 +63,6 @@ impl Default for Client {
     }
 }
 
-/// The optional features of the protocol that are supported.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub(crate) struct Capabilities {
-    pub(crate) supports_configuration_done_request: bool,
-    pub(crate) supports_function_breakpoints: bool,
-    pub(crate) supports_conditional_breakpoints: bool,
-    pub(crate) supports_hit_conditional_breakpoints: bool,
-    pub(crate) supports_log_points: bool,
-    pub(crate) supports_evaluate_for_hovers: bool,
-    pub(crate) supports_step_back: bool,
-    pub(crate) supports_set_variable: bool,
-    pub(crate) supports_exception_info_request: bool,
-    pub(crate) supports_data_breakpoints: bool,
-    pub(crate) supports_stepping_granularity: bool,
-    pub(crate) supports_terminate_request: bool,
-    pub(crate) supports_restart_request: bool,
-    pub(crate) supports_cancel_request: bool,
-    pub(crate) exception_breakpoint_filters: Vec<Filter>,
-}
-
-#[derive(Debug, Serialize)]
-pub(crate) struct Filter {
-    pub(crate) filter: &'static str,
-    pub(crate) label: String,
-    pub(crate) default: bool,
-}
-
 /// The arguments of `launch`: a program, its robot and its inputs.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -201,8 +173,6 @@ pub(crate) struct Breakpoint {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) message: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) source: Option<SourceFile>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) line: Option<i64>,
 }
 
@@ -221,18 +191,6 @@ pub(crate) struct StackFrame {
     pub(crate) source: SourceFile,
     pub(crate) line: i64,
     pub(crate) column: i64,
-}
-
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub(crate) struct Scope {
-    pub(crate) name: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) presentation_hint: Option<&'static str>,
-    pub(crate) variables_reference: i64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) named_variables: Option<usize>,
-    pub(crate) expensive: bool,
 }
 
 #[derive(Debug, Deserialize)]

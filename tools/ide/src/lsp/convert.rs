@@ -138,13 +138,11 @@ pub(crate) fn semantic_tokens(
         let delta_line = range.start.line - line;
         let before = if delta_line == 0 { start } else { 0 };
         (line, start) = (range.start.line, range.start.character);
-        let mut classes = TokenClass::ALL.iter();
-        let number = classes.position(|class| *class == token.class);
         gen_lsp_types::SemanticToken {
             delta_line,
             delta_start: start - before,
             length: range.end.character - range.start.character,
-            token_type: number.unwrap_or_default() as u32,
+            token_type: token.class as u32,
             token_modifiers_bitset: u32::from(token.declares) | u32::from(token.assigns) << 1,
         }
     });

@@ -3,18 +3,19 @@
 use super::Workspace;
 use super::client::Positions;
 use super::convert;
-use super::server::{Failure, OpenProgram, Server, path};
+use super::server::{OpenProgram, Server, failure, path};
 use crate::{CodeAction, Edit, FoldKind, ReferenceKind};
 use gen_lsp_types::{
-    CompletionItem, CompletionList, DocumentHighlight, DocumentHighlightKind, FoldingRange,
-    FoldingRangeKind, FoldingRangeParams, Hover, InlayHint, InlayHintParams, Location,
-    MarkupContent, MarkupKind, PrepareRenamePlaceholder, ReferenceParams, RenameParams,
-    SemanticTokens, TextDocumentIdentifier, TextDocumentPositionParams, Uri,
+    CompletionItem, CompletionList, DocumentHighlight, DocumentHighlightKind, DocumentSymbol,
+    FoldingRange, FoldingRangeKind, FoldingRangeParams, Hover, InlayHint, InlayHintParams,
+    Location, MarkupContent, MarkupKind, PrepareRenamePlaceholder, ReferenceParams, RenameParams,
+    SemanticTokens, SignatureHelp, TextDocumentIdentifier, TextDocumentPositionParams, TextEdit,
+    Uri,
 };
-use lsp_server::ErrorCode;
+use lsp_server::{ErrorCode, ResponseError};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Value, from_value, json, to_value};
+use serde_json::{Value, from_value, json};
 use tip_lint::message::Formatting;
 use tipc::message::Message;
 use tipc::source::Span;
@@ -26,29 +27,25 @@ const QUICK_FIX: &str = "quickfix";
 const FIX_ALL: &str = "source.fixAll";
 
 /// Parses the parameters of a request.
-fn read<P: DeserializeOwned>(params: Value) -> Result<P, Failure> {
-    from_value(params).map_err(|error| Failure::new(ErrorCode::InvalidParams, error.to_string()))
-}
-
-fn write(answer: impl Serialize) -> Result<Value, Failure> {
-    to_value(answer).map_err(|error| Failure::new(ErrorCode::InternalError, error.to_string()))
+fn read<P: DeserializeOwned>(params: Value) -> Result<P, ResponseError> {
+    from_value(params).map_err(|error| failure(ErrorCode::InvalidParams, error.to_string()))
 }
 
 impl<W: Workspace> Server<W> {
     /// Answers a request about a program.
-    pub(super) fn answer(&mut self, method: &str, params: Value) -> Result<Value, Failure> {
+    pub(super) fn answer(&mut self, method: &str, params: Value) -> Result<Value, ResponseError> {
         match method {
-            "textDocument/hover" => self.at(params, |it, at| it.hover(at)),
-            "textDocument/definition" => self.at(params, |it, at| it.definition(at)),
-            "textDocument/documentHighlight" => self.at(params, |it, at| it.highlights(at)),
-            "textDocument/completion" => self.at(params, |it, at| it.completion(at)),
-            "textDocument/signatureHelp" => self.at(params, |it, at| it.signatures(at)),
+            "textDocument/hover" => self.at(params, |it, at| Ok(it.hover(at))),
+            "textDocument/definition" => self.at(params, |it, at| Ok(it.definition(at))),
+            "textDocument/documentHighlight" => self.at(params, |it, at| Ok(it.highlights(at))),
+            "textDocument/completion" => self.at(params, |it, at| Ok(it.completion(at))),
+            "textDocument/signatureHelp" => self.at(params, |it, at| Ok(it.signatures(at))),
             "textDocument/prepareRename" => self.at(params, |it, at| it.prepare_rename(at)),
             "textDocument/references" => {
                 let params: ReferenceParams = read(params)?;
                 let declares = params.context.include_declaration;
                 self.at_position(params.text_document_position_params, |it, at| {
-                    it.references(at, declares)
+                    Ok(it.references(at, declares))
                 })
             }
             "textDocument/rename" => {
@@ -58,66 +55,66 @@ impl<W: Workspace> Server<W> {
                     it.rename(at, &name)
                 })
             }
-            "textDocument/documentSymbol" => self.whole(params, |it| it.outline()),
-            "textDocument/foldingRange" => self.whole(params, |it| it.folds()),
+            "textDocument/documentSymbol" => self.whole(params, |it| Ok(it.outline())),
+            "textDocument/foldingRange" => self.whole(params, |it| Ok(it.folds())),
             "textDocument/formatting" => self.whole(params, |it| it.format(it.all())),
             "textDocument/rangeFormatting" => self.range(params, |it, span| it.format(span)),
             "textDocument/semanticTokens/full" => {
-                self.whole(params, |it| it.semantic_tokens(it.all()))
+                self.whole(params, |it| Ok(it.semantic_tokens(it.all())))
             }
             "textDocument/semanticTokens/range" => {
-                self.range(params, |it, span| it.semantic_tokens(span))
+                self.range(params, |it, span| Ok(it.semantic_tokens(span)))
             }
-            "textDocument/inlayHint" => self.range(params, |it, span| it.inlay_hints(span)),
+            "textDocument/inlayHint" => self.range(params, |it, span| Ok(it.inlay_hints(span))),
             "textDocument/codeAction" => {
                 let only = params.pointer("/context/only").and_then(Value::as_array);
                 let only: Option<Vec<String>> = only.map(|kinds| {
                     let kinds = kinds.iter().filter_map(Value::as_str);
                     kinds.map(str::to_owned).collect()
                 });
-                self.range(params, |it, span| it.actions(span, only.as_deref()))
+                self.range(params, |it, span| Ok(it.actions(span, only.as_deref())))
             }
             // An extension of the protocol, for editors that read and write files in the encoding of a `tip.toml`.
             "tip/encoding" => {
                 let params: TextDocumentIdentifier = read(params)?;
                 let file = path(&params.uri.0);
-                write(file.and_then(|file| self.workspace.encoding(&file)))
+                Ok(json!(file.and_then(|file| self.workspace.encoding(&file))))
             }
             _ => {
                 let message = format!("`{method}` is not served");
-                Err(Failure::new(ErrorCode::MethodNotFound, message))
+                Err(failure(ErrorCode::MethodNotFound, message))
             }
         }
     }
 
     /// Answers a request about the open program at an address.
-    fn answer_about(
+    fn answer_about<A: Serialize>(
         &mut self,
         uri: &Uri,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<A, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         let Some((mut program, _)) = self.open_program(&uri.0) else {
             let message = format!("`{}` is not open", uri.0);
-            return Err(Failure::new(ErrorCode::InvalidParams, message));
+            return Err(failure(ErrorCode::InvalidParams, message));
         };
-        ask(&mut program)
+        ask(&mut program).map(|answer| json!(answer))
     }
 
     /// Answers a request whose only parameter is a position.
-    fn at(
+    fn at<A: Serialize>(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<A, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         let params: TextDocumentPositionParams = read(params)?;
         self.at_position(params, ask)
     }
 
-    fn at_position(
+    fn at_position<A: Serialize>(
         &mut self,
         params: TextDocumentPositionParams,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<A, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         self.answer_about(&params.text_document.uri, |program| {
             let at = program.positions().offset(params.position);
             ask(program, at)
@@ -125,11 +122,11 @@ impl<W: Workspace> Server<W> {
     }
 
     /// Answers a request about a range of a program.
-    fn range(
+    fn range<A: Serialize>(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>, Span) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, Span) -> Result<A, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         let params: InlayHintParams = read(params)?;
         self.answer_about(&params.text_document.uri, |program| {
             let span = program.positions().span(params.range);
@@ -138,11 +135,11 @@ impl<W: Workspace> Server<W> {
     }
 
     /// Answers a request about a whole program.
-    fn whole(
+    fn whole<A: Serialize>(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, Failure>,
-    ) -> Result<Value, Failure> {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<A, ResponseError>,
+    ) -> Result<Value, ResponseError> {
         let params: FoldingRangeParams = read(params)?;
         self.answer_about(&params.text_document.uri, ask)
     }
@@ -167,36 +164,34 @@ impl<W: Workspace> OpenProgram<'_, W> {
         }
     }
 
-    fn refused(&self, reason: &Message) -> Failure {
+    fn refused(&self, reason: &Message) -> ResponseError {
         let reason = reason.in_lang(self.client.lang).to_string();
-        Failure::new(ErrorCode::RequestFailed, reason)
+        failure(ErrorCode::RequestFailed, reason)
     }
 
-    fn hover(&self, at: usize) -> Result<Value, Failure> {
-        let hover = self.document.hover(at, self.client.lang);
-        write(hover.map(|hover| {
-            Hover {
-                contents: MarkupContent {
-                    kind: MarkupKind::Markdown,
-                    value: hover.text,
-                }
-                .into(),
-                range: Some(self.positions().range(hover.span)),
-            }
-        }))
+    fn hover(&self, at: usize) -> Option<Hover> {
+        let hover = self.document.hover(at, self.client.lang)?;
+        let contents = MarkupContent {
+            kind: MarkupKind::Markdown,
+            value: hover.text,
+        };
+        Some(Hover {
+            contents: contents.into(),
+            range: Some(self.positions().range(hover.span)),
+        })
     }
 
-    fn definition(&self, at: usize) -> Result<Value, Failure> {
-        let definition = self.document.definition(at);
-        write(definition.map(|span| self.location(span)))
+    fn definition(&self, at: usize) -> Option<Location> {
+        let span = self.document.definition(at)?;
+        Some(self.location(span))
     }
 
-    fn references(&self, at: usize, declares: bool) -> Result<Value, Failure> {
+    fn references(&self, at: usize, declares: bool) -> Vec<Location> {
         let found = self.document.references(at, declares).into_iter();
-        write(found.map(|it| self.location(it.span)).collect::<Vec<_>>())
+        found.map(|it| self.location(it.span)).collect()
     }
 
-    fn highlights(&self, at: usize) -> Result<Value, Failure> {
+    fn highlights(&self, at: usize) -> Vec<DocumentHighlight> {
         let found = self.document.references(at, true).into_iter();
         let highlights = found.map(|it| DocumentHighlight {
             range: self.positions().range(it.span),
@@ -205,10 +200,10 @@ impl<W: Workspace> OpenProgram<'_, W> {
                 ReferenceKind::Declares | ReferenceKind::Assigns => DocumentHighlightKind::Write,
             }),
         });
-        write(highlights.collect::<Vec<_>>())
+        highlights.collect()
     }
 
-    fn completion(&self, at: usize) -> Result<Value, Failure> {
+    fn completion(&self, at: usize) -> Value {
         let (items, are_all) = self.document.complete_with(at, MAX_COMPLETIONS);
         let positions = self.positions();
         let items = items
@@ -216,9 +211,9 @@ impl<W: Workspace> OpenProgram<'_, W> {
             .map(|it| convert::completion_item(it, positions, self.client));
         let items: Vec<CompletionItem> = items.collect();
         match are_all {
-            true => write(items),
+            true => json!(items),
             // The editor asks again after the next letter.
-            false => write(CompletionList {
+            false => json!(CompletionList {
                 is_incomplete: true,
                 items,
                 ..CompletionList::default()
@@ -226,42 +221,39 @@ impl<W: Workspace> OpenProgram<'_, W> {
         }
     }
 
-    fn signatures(&self, at: usize) -> Result<Value, Failure> {
-        let found = self.document.signatures(at);
-        write(found.map(|found| convert::signatures(found, self.client.lang)))
+    fn signatures(&self, at: usize) -> Option<SignatureHelp> {
+        let found = self.document.signatures(at)?;
+        Some(convert::signatures(found, self.client.lang))
     }
 
-    fn prepare_rename(&self, at: usize) -> Result<Value, Failure> {
-        match self.document.prepare_rename(at) {
-            Ok(name) => write(PrepareRenamePlaceholder {
-                range: self.positions().range(name.span),
-                placeholder: name.name,
-            }),
-            Err(reason) => Err(self.refused(&reason)),
-        }
+    fn prepare_rename(&self, at: usize) -> Result<PrepareRenamePlaceholder, ResponseError> {
+        let name = self.document.prepare_rename(at);
+        let name = name.map_err(|reason| self.refused(&reason))?;
+        Ok(PrepareRenamePlaceholder {
+            range: self.positions().range(name.span),
+            placeholder: name.name,
+        })
     }
 
-    fn rename(&self, at: usize, name: &str) -> Result<Value, Failure> {
-        match self.document.rename(at, name) {
-            Ok(edits) => self.change(&edits),
-            Err(reason) => Err(self.refused(&reason)),
-        }
+    fn rename(&self, at: usize, name: &str) -> Result<Value, ResponseError> {
+        let edits = self.document.rename(at, name);
+        let edits = edits.map_err(|reason| self.refused(&reason))?;
+        Ok(self.change(&edits))
     }
 
     /// Returns edits of this program as a change of the workspace.
-    fn change(&self, edits: &[Edit]) -> Result<Value, Failure> {
-        let edits = write(self.positions().edits(edits))?;
-        Ok(json!({ "changes": { self.uri: edits } }))
+    fn change(&self, edits: &[Edit]) -> Value {
+        json!({ "changes": { self.uri: self.positions().edits(edits) } })
     }
 
-    fn outline(&self) -> Result<Value, Failure> {
+    fn outline(&self) -> Vec<DocumentSymbol> {
         let positions = self.positions();
         let outline = self.document.outline();
         let symbols = outline.iter().map(|one| convert::symbol(one, positions));
-        write(symbols.collect::<Vec<_>>())
+        symbols.collect()
     }
 
-    fn folds(&self) -> Result<Value, Failure> {
+    fn folds(&self) -> Vec<FoldingRange> {
         let folds = self.document.folds().into_iter();
         let folds = folds.map(|fold| FoldingRange {
             start_line: fold.first - 1,
@@ -272,33 +264,33 @@ impl<W: Workspace> OpenProgram<'_, W> {
             }),
             ..FoldingRange::default()
         });
-        write(folds.collect::<Vec<_>>())
+        folds.collect()
     }
 
     /// Formats the lines of a span. An unfinished program has no edits: editors format after each save, and would show the error.
-    fn format(&self, span: Span) -> Result<Value, Failure> {
+    fn format(&self, span: Span) -> Result<Option<Vec<TextEdit>>, ResponseError> {
         match self.document.format() {
             Ok(mut edits) => {
                 let source = self.document.source();
                 let line = |at: usize| source.line_column(at).0;
                 let lines = line(span.start)..=line(span.end);
                 edits.retain(|edit| lines.contains(&line(edit.span.start)));
-                write(self.positions().edits(&edits))
+                Ok(Some(self.positions().edits(&edits)))
             }
-            Err(Formatting::DoesNotLoad) => Ok(Value::Null),
+            Err(Formatting::DoesNotLoad) => Ok(None),
             Err(reason) => Err(self.refused(&reason.into())),
         }
     }
 
-    fn semantic_tokens(&self, span: Span) -> Result<Value, Failure> {
+    fn semantic_tokens(&self, span: Span) -> SemanticTokens {
         let tokens = self.document.semantic_tokens(span);
-        write(SemanticTokens {
+        SemanticTokens {
             result_id: None,
             data: convert::semantic_tokens(&tokens, self.positions()),
-        })
+        }
     }
 
-    fn inlay_hints(&self, span: Span) -> Result<Value, Failure> {
+    fn inlay_hints(&self, span: Span) -> Vec<InlayHint> {
         let hints = self.document.inlay_hints(span).into_iter();
         let hints = hints.map(|hint| InlayHint {
             position: self.positions().position(hint.at),
@@ -310,11 +302,11 @@ impl<W: Workspace> OpenProgram<'_, W> {
             padding_right: None,
             data: None,
         });
-        write(hints.collect::<Vec<_>>())
+        hints.collect()
     }
 
     /// Returns the fixes of diagnostics, or of the whole file if the client asks for them.
-    fn actions(&mut self, span: Span, only: Option<&[String]>) -> Result<Value, Failure> {
+    fn actions(&mut self, span: Span, only: Option<&[String]>) -> Vec<Value> {
         let wants = |kind: &str| {
             let includes = |only: &String| {
                 let rest = kind.strip_prefix(only.as_str());
@@ -329,27 +321,26 @@ impl<W: Workspace> OpenProgram<'_, W> {
         if wants(FIX_ALL) {
             found.extend(self.document.fix_all());
         }
-        let actions = found.iter().map(|action| self.action(action));
-        Ok(Value::Array(actions.collect::<Result<_, _>>()?))
+        found.iter().map(|action| self.action(action)).collect()
     }
 
-    fn action(&mut self, action: &CodeAction) -> Result<Value, Failure> {
+    fn action(&mut self, action: &CodeAction) -> Value {
         let title = action.title.in_lang(self.client.lang).to_string();
-        let edit = self.change(&action.edits)?;
+        let edit = self.change(&action.edits);
         let loaded = self.document.loaded();
         let one = action
             .diagnostic
             .and_then(|index| loaded.diagnostics.get(index));
         let Some(one) = one else {
-            return Ok(json!({ "title": title, "kind": FIX_ALL, "edit": edit }));
+            return json!({ "title": title, "kind": FIX_ALL, "edit": edit });
         };
         let diagnostic = convert::diagnostic(loaded, one, self.uri, self.client, self.workspace);
-        Ok(json!({
+        json!({
             "title": title,
             "kind": QUICK_FIX,
-            "diagnostics": [write(diagnostic)?],
+            "diagnostics": [diagnostic],
             "isPreferred": action.is_certain,
             "edit": edit,
-        }))
+        })
     }
 }

@@ -1,21 +1,24 @@
 //! The state of a session: initialization and shutdown, open programs and settings, and the messages that the server sends on
 //! its own. It does no input or output.
 
-use super::buffer::Buffer;
-use super::client::{self, Client};
+use super::client::{self, Client, Positions};
 use super::{RobotConfig, Workspace, convert};
 use crate::Document;
 use gen_lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
-    PublishDiagnosticsParams, Uri,
+    PublishDiagnosticsParams, TextDocumentContentChangeEvent as Change, Uri,
 };
-use lsp_server::{ErrorCode, Message, Notification, Request, Response};
+use lsp_server::{ErrorCode, Message, Notification, Request, Response, ResponseError};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::PathBuf;
 use std::rc::Rc;
+use std::thread;
+use tipc::diagnostic::Diagnostic;
+use tipc::source::{Encoding, Source, Unit};
 
 /// A session with one editor.
 #[derive(Debug)]
@@ -33,19 +36,12 @@ pub struct Server<W> {
     shown_errors: Vec<String>,
 }
 
-/// The error of a request.
-#[derive(Debug)]
-pub(super) struct Failure {
-    code: ErrorCode,
-    message: String,
-}
-
-impl Failure {
-    pub(super) fn new(code: ErrorCode, message: impl Into<String>) -> Self {
-        Failure {
-            code,
-            message: message.into(),
-        }
+/// Returns the error of a request.
+pub(super) fn failure(code: ErrorCode, message: impl Into<String>) -> ResponseError {
+    ResponseError {
+        code: code as i32,
+        message: message.into(),
+        data: None,
     }
 }
 
@@ -86,12 +82,14 @@ impl<W: Workspace> Server<W> {
         match message {
             Message::Request(request) => {
                 let id = request.id.clone();
-                vec![match self.request(request) {
-                    Ok(result) => Response::new_ok(id, result).into(),
-                    Err(failure) => {
-                        Response::new_err(id, failure.code as i32, failure.message).into()
+                let response_result = self.request(request);
+                vec![
+                    Response {
+                        id,
+                        response_result,
                     }
-                }]
+                    .into(),
+                ]
             }
             Message::Notification(notification) => self.notification(notification),
             // The only request to clients is the one to watch files; a refusal changes nothing here.
@@ -115,19 +113,19 @@ impl<W: Workspace> Server<W> {
         self.buffers.values().for_each(Buffer::prepare);
     }
 
-    fn request(&mut self, request: Request) -> Result<Value, Failure> {
+    fn request(&mut self, request: Request) -> Result<Value, ResponseError> {
         let Request { method, params, .. } = request;
         match (method.as_str(), &self.client) {
-            _ if self.is_shut_down => Err(Failure::new(
+            _ if self.is_shut_down => Err(failure(
                 ErrorCode::InvalidRequest,
                 "the session is shut down",
             )),
             ("initialize", None) => Ok(self.initialize(&params)),
-            ("initialize", Some(_)) => Err(Failure::new(
+            ("initialize", Some(_)) => Err(failure(
                 ErrorCode::InvalidRequest,
                 "the session is initialized already",
             )),
-            (_, None) => Err(Failure::new(
+            (_, None) => Err(failure(
                 ErrorCode::ServerNotInitialized,
                 "initialize comes first",
             )),
@@ -168,7 +166,7 @@ impl<W: Workspace> Server<W> {
                 if let Ok(params) = serde_json::from_value::<DidOpenTextDocumentParams>(params) {
                     self.workspace.invalidate();
                     let item = params.text_document;
-                    let buffer = Buffer::new(Some(item.version), item.text);
+                    let buffer = Buffer::new(item.version, item.text);
                     self.buffers.insert(item.uri.0, buffer);
                 }
             }
@@ -176,7 +174,7 @@ impl<W: Workspace> Server<W> {
                 if let Ok(params) = serde_json::from_value::<DidChangeTextDocumentParams>(params) {
                     let uri = params.text_document.text_document_identifier.uri.0;
                     if let Some(buffer) = self.buffers.get_mut(&uri) {
-                        let version = Some(params.text_document.version);
+                        let version = params.text_document.version;
                         buffer.change(version, params.content_changes, unit);
                     }
                 }
@@ -239,7 +237,7 @@ impl<W: Workspace> Server<W> {
         let mut version = None;
         if let Some(buffer) = self.buffers.get_mut(uri) {
             buffer.is_due = false;
-            version = buffer.version;
+            version = Some(buffer.version);
         }
         let mut messages = vec![publish(uri.to_owned(), version, diagnostics)];
         if let Some(error) = &config.error
@@ -251,6 +249,91 @@ impl<W: Workspace> Server<W> {
         }
         messages
     }
+}
+
+/// A program that is open in the editor.
+#[derive(Debug)]
+struct Buffer {
+    version: i32,
+    text: String,
+    /// `None` until it is needed.
+    document: Option<Document>,
+    /// Its diagnostics have not been sent yet.
+    is_due: bool,
+}
+
+impl Buffer {
+    fn new(version: i32, text: String) -> Self {
+        Buffer {
+            version,
+            text,
+            document: None,
+            is_due: true,
+        }
+    }
+
+    /// Applies changes of the text in their order.
+    fn change(&mut self, version: i32, changes: Vec<Change>, unit: Unit) {
+        self.version = version;
+        self.is_due = true;
+        for change in changes {
+            match change {
+                Change::TextDocumentContentChangeWholeDocument(whole) => self.text = whole.text,
+                Change::TextDocumentContentChangePartial(part) => {
+                    let decoded = || Source::decode("", self.text.as_bytes(), Encoding::Utf8).0;
+                    let bytes = match &self.document {
+                        Some(document) => bytes(document.source(), part.range, unit),
+                        None => bytes(&decoded(), part.range, unit),
+                    };
+                    self.text.replace_range(bytes, &part.text);
+                }
+            }
+            self.invalidate();
+        }
+    }
+
+    /// Drops the document; its diagnostics are due again.
+    fn invalidate(&mut self) {
+        self.is_due = true;
+        if let Some(past) = self.document.take() {
+            // Freeing a large document takes a while, and would delay the next answer.
+            let _ = thread::Builder::new().spawn(|| drop(past));
+        }
+    }
+
+    /// Computes what the next requests are likely to need.
+    fn prepare(&self) {
+        if let Some(document) = &self.document {
+            document.prepare();
+        }
+    }
+
+    /// Returns the document of the text for a robot; `other_robot` returns the warning that the crate around the file is for
+    /// another one.
+    fn document(
+        &mut self,
+        name: &str,
+        config: &RobotConfig,
+        other_robot: impl FnOnce() -> Option<Diagnostic>,
+    ) -> &Document {
+        self.document.get_or_insert_with(|| {
+            let mut document = Document::new(name, &self.text, &config.options);
+            document.judge(|loaded| {
+                if let Some(robot) = &config.robot {
+                    robot.warn(loaded);
+                }
+                tip_lint::add(loaded, other_robot().into_iter().collect());
+            });
+            document
+        })
+    }
+}
+
+/// Returns the bytes of a text in a range. A byte order mark is not part of the text's `Source`.
+fn bytes(source: &Source, range: gen_lsp_types::Range, unit: Unit) -> Range<usize> {
+    let span = Positions { source, unit }.span(range);
+    let mark = source.mark().len();
+    span.start + mark..span.end + mark
 }
 
 fn publish(

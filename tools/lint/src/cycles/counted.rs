@@ -1,8 +1,9 @@
 //! FOR loops whose number of turns is known: constants, and a body that leaves the counting alone.
 
-use super::counters::Counters;
+use super::search::Work;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use tipc::analysis::access;
 use tipc::analysis::flow::{Flow, NodeId};
 use tipc::program::{Action, Operand, Program, StepId};
 
@@ -15,73 +16,53 @@ const DEPTH: usize = 32;
 /// A loop that turns a known number of times, unless something leaves it before.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Counted {
-    /// Its body, NEXT included.
+    /// Its body, whose last node is NEXT.
     pub(super) nodes: Range<NodeId>,
-    /// NEXT, the last node of the body.
-    pub(super) next: NodeId,
-    /// After NEXT.
-    pub(super) exit: NodeId,
     /// Number of runs of the body.
     pub(super) turns: u64,
 }
 
-/// Returns the counted loops of a program by the nodes of their FORs. Takes time O(n log n).
+impl Counted {
+    /// Returns NEXT.
+    pub(super) fn next(&self) -> NodeId {
+        self.nodes.end - 1
+    }
+}
+
+/// Returns the counted loops of a program by the nodes of their FORs. Of very many in each other some may be missing:
+/// the work is bounded.
 pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counted> {
-    let nodes = flow.nodes().iter().enumerate();
-    let mut all: BTreeMap<NodeId, Counted> = nodes
-        .filter_map(|(head, node)| Some((head, candidate(program, flow, node.step)?)))
-        .collect();
+    let work = Work::of(flow.nodes().len());
+    let before = flow.before();
     let entries: BTreeSet<NodeId> = flow.calls().map(|call| call.entry).collect();
-    let bodies = all
-        .iter()
-        .map(|(head, counted)| (*head, counted.nodes.start..counted.next));
-    let bodies: BTreeMap<_, _> = bodies.collect();
-    let counters = Counters::new(program, flow, &bodies);
-    let entered = entered(flow, &all);
-    all.retain(|head, counted| {
-        let is_called = entries.range(counted.nodes.clone()).next().is_some();
-        !is_called && !entered.contains(head) && !counters.are_set_in(*head, &bodies[head])
-    });
+    // Something else leads or calls into the body.
+    let is_entered = |head: NodeId, body: &Range<NodeId>| {
+        let is_outside = |from: &NodeId| *from != head && !body.contains(from);
+        let is_called = entries.range(body.clone()).next().is_some();
+        is_called || before[body.clone()].iter().flatten().any(is_outside)
+    };
+    let mut assignments = Assignments {
+        program,
+        flow,
+        called: BTreeMap::new(),
+    };
+    let mut all = BTreeMap::new();
+    for (head, node) in flow.nodes().iter().enumerate() {
+        if let Some(one) = candidate(program, flow, node.step)
+            && work.take(one.nodes.len()).is_some()
+            && !is_entered(head, &one.nodes)
+            && !assignments.set_counter(head, &one, &work)
+        {
+            all.insert(head, one);
+        }
+    }
     let mut around: Vec<NodeId> = Vec::new();
-    all.retain(|_, one| {
+    all.retain(|_, one: &mut Counted| {
         while around.pop_if(|end| *end < one.nodes.end).is_some() {}
         around.push(one.nodes.end);
         around.len() <= DEPTH
     });
     all
-}
-
-/// Returns the FORs whose bodies something else leads into. Bodies nest: what leads into one leads into those around
-/// it, unless it comes from there.
-fn entered(flow: &Flow, all: &BTreeMap<NodeId, Counted>) -> BTreeSet<NodeId> {
-    let mut entered = BTreeSet::new();
-    let mut open: Vec<(NodeId, Range<NodeId>)> = Vec::new();
-    let mut close = |open: &mut Vec<(NodeId, Range<NodeId>)>, id: NodeId| {
-        while let Some((head, from)) = open.pop_if(|(head, _)| all[head].nodes.end <= id) {
-            let nodes = &all[&head].nodes;
-            if from.start < nodes.start || from.end > nodes.end {
-                entered.insert(head);
-            }
-            if let Some((_, around)) = open.last_mut() {
-                *around = around.start.min(from.start)..around.end.max(from.end);
-            }
-        }
-    };
-    for (id, before) in flow.before().iter().enumerate() {
-        close(&mut open, id);
-        let head = id.checked_sub(1).filter(|head| all.contains_key(head));
-        if let Some(head) = head {
-            open.push((head, id..id));
-        }
-        let Some((_, from)) = open.last_mut() else {
-            continue;
-        };
-        for before in before.iter().filter(|before| Some(**before) != head) {
-            *from = from.start.min(*before)..from.end.max(before + 1);
-        }
-    }
-    close(&mut open, NodeId::MAX);
-    entered
 }
 
 /// Returns the loop of a FOR over constants that is entered.
@@ -98,8 +79,6 @@ fn candidate(program: &Program, flow: &Flow, step: StepId) -> Option<Counted> {
     };
     Some(Counted {
         nodes: flow.first(step + 1)..flow.first(exit),
-        next: flow.first(exit - 1),
-        exit: flow.first(exit),
         turns: turns(from, to, by)?,
     })
 }
@@ -132,4 +111,54 @@ fn turns(from: f64, to: f64, by: f64) -> Option<u64> {
 /// Returns true if sums of a few million such numbers are exact.
 fn is_whole(number: f64) -> bool {
     number.fract() == 0.0 && number.abs() < 1e9
+}
+
+/// Assignments of scalars, direct or in what is called.
+struct Assignments<'a> {
+    program: &'a Program,
+    flow: &'a Flow,
+    /// The scalars that a call of a routine may assign; `None` if that was more work than was left.
+    called: BTreeMap<NodeId, Option<BTreeSet<usize>>>,
+}
+
+impl Assignments<'_> {
+    /// Returns true if the body of a loop, or what it calls, may assign the counter.
+    fn set_counter(&mut self, head: NodeId, one: &Counted, work: &Work) -> bool {
+        let counter = self.assigned(head).start;
+        (one.nodes.start..one.next()).any(|id| {
+            let call = self.flow.nodes()[id].call;
+            self.assigned(id).contains(&counter)
+                || call.is_some_and(|call| self.call_sets(call.entry, counter, work))
+        })
+    }
+
+    fn call_sets(&mut self, entry: NodeId, scalar: usize, work: &Work) -> bool {
+        if !self.called.contains_key(&entry) {
+            let assigned = self.assigned_in(entry, work);
+            self.called.insert(entry, assigned);
+        }
+        let assigned = self.called[&entry].as_ref();
+        assigned.is_none_or(|assigned| assigned.contains(&scalar))
+    }
+
+    fn assigned_in(&self, entry: NodeId, work: &Work) -> Option<BTreeSet<usize>> {
+        let mut assigned = BTreeSet::new();
+        let mut seen = BTreeSet::new();
+        let mut open = vec![entry];
+        while let Some(id) = open.pop() {
+            if seen.insert(id) {
+                work.take(1)?;
+                assigned.extend(self.assigned(id));
+                let node = &self.flow.nodes()[id];
+                let called = node.call.iter().flat_map(|call| [call.entry, call.back]);
+                open.extend(node.next.iter().copied().chain(called));
+            }
+        }
+        Some(assigned)
+    }
+
+    fn assigned(&self, id: NodeId) -> Range<usize> {
+        let step = self.flow.nodes()[id].step;
+        access::assigns(self.program, &self.program.steps()[step as usize].action)
+    }
 }

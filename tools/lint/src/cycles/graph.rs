@@ -1,16 +1,14 @@
-//! Costs of a program's steps, and edges between them: calls and loops inside as one edge.
+//! Costs of a program's steps, and edges between them: calls and counted loops inside as one edge.
 
-use super::Sampling;
-use super::costs::{cost, longest_sampling};
-use super::count::Count;
 use super::counted::{Counted, counted};
-use super::distance::{Edge, Place, Search, Work};
-use super::loops::Loops;
-use super::routines::Calls;
+use super::search::{Edge, Place, Work, components, ends, reversed};
+use super::{Count, Sampling};
 use std::cell::RefCell;
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use tipc::analysis::flow::{Call, Flow, NodeId};
-use tipc::program::{Action, Program};
+use tipc::language::commands;
+use tipc::program::{Action, Op, Operand, Program};
 
 /// The flow of a program with its costs.
 pub(super) struct Graph<'a> {
@@ -23,17 +21,14 @@ pub(super) struct Graph<'a> {
     routines: BTreeMap<NodeId, Option<Count>>,
     /// Cost of a counted loop from its FOR to where it is left, once all calls are counted.
     passed: RefCell<BTreeMap<NodeId, Vec<Edge>>>,
-    searches: RefCell<Vec<Search>>,
 }
 
-/// Ends of paths, besides the end of their frame, and parts that count as one edge.
+/// Ends of paths, besides the end of their frame.
 pub(super) struct Limits<'a> {
     /// A node that is not passed.
     pub(super) stops: &'a dyn Fn(NodeId) -> bool,
     /// A counted loop that cannot count as one edge, because paths end inside.
     pub(super) opens: &'a dyn Fn(&Counted) -> bool,
-    /// Returns the cost to leave the loop that begins at a node, if that counts as one edge.
-    pub(super) closed: &'a dyn Fn(NodeId) -> Option<&'a [Edge]>,
 }
 
 impl<'a> Graph<'a> {
@@ -48,31 +43,25 @@ impl<'a> Graph<'a> {
             counted: counted(program, flow),
             routines: flow.calls().map(|call| (call.entry, None)).collect(),
             passed: RefCell::default(),
-            searches: RefCell::default(),
         };
         graph.count_routines(&Work::of(flow.nodes().len()))?;
         Some(graph)
     }
 
-    /// Returns every entry of a call with what it costs.
     pub(super) fn routines(&self) -> impl Iterator<Item = (NodeId, Option<Count>)> {
         self.routines
             .iter()
             .map(|(entry, cycles)| (*entry, *cycles))
     }
 
-    /// Returns the loops, calls passed in one.
-    pub(super) fn loops(&self) -> Loops {
+    /// Returns the nodes that follow each node in its own frame, calls passed in one.
+    pub(super) fn next(&self) -> Vec<Vec<NodeId>> {
         let comes_back = |call: &Call| self.routines[&call.entry].is_some();
         let next = self.flow.nodes().iter().map(|node| {
             let back = node.call.filter(comes_back).map(|call| call.back);
             node.next.iter().copied().chain(back).collect()
         });
-        let entries = self.routines.keys().copied();
-        Loops::new(
-            next.collect(),
-            entries.chain(self.flow.starts().iter().copied()),
-        )
+        next.collect()
     }
 
     /// Returns the number of runs of the body, which begins here, of a counted loop.
@@ -88,10 +77,7 @@ impl<'a> Graph<'a> {
         limits: &Limits,
         work: &Work,
     ) -> Option<BTreeMap<Place, Count>> {
-        let mut search = self.searches.borrow_mut().pop().unwrap_or_default();
-        let found = search.ends(from, work, |id, edges| self.edges(id, limits, work, edges));
-        self.searches.borrow_mut().push(search);
-        found
+        ends(from, work, |id| self.edges(id, limits, work))
     }
 
     /// Returns the stretches from a node to the next ones among `labels`, to the return and to the end; `None` if that
@@ -105,24 +91,28 @@ impl<'a> Graph<'a> {
         let limits = Limits {
             stops: &|id| labels.contains(&id),
             opens: &|counted| labels.range(counted.nodes.clone()).next().is_some(),
-            closed: &|_| None,
         };
         self.ends(from, &limits, work)
     }
 
     /// Counts the calls, those inside first, and those again that something changes for.
     fn count_routines(&mut self, work: &Work) -> Option<()> {
-        let calls = Calls::new(self.flow, work)?;
-        let mut open: BTreeSet<usize> = (0..calls.count()).collect();
-        while let Some(place) = open.pop_first() {
-            let entry = calls.entry(place);
+        let entries: Vec<NodeId> = self.routines.keys().copied().collect();
+        let called = called(self.flow, &entries, work)?;
+        let callers = reversed(&called);
+        let components = components(&called, &callers);
+        let place = |routine: usize| (Reverse(components[routine]), routine);
+        let mut open: BTreeSet<_> = (0..entries.len()).map(place).collect();
+        while let Some((_, routine)) = open.pop_first() {
+            let entry = entries[routine];
             let mut cycles = self.routine(entry, work)?;
-            if calls.is_recursive(place) {
+            let mut calls = called[routine].iter();
+            if calls.any(|inner| components[*inner] == components[routine]) {
                 cycles = cycles.map(Count::unbounded);
             }
             self.passed.borrow_mut().clear();
             if self.routines.insert(entry, cycles) != Some(cycles) {
-                open.extend(calls.callers(place));
+                open.extend(callers[routine].iter().map(|caller| place(*caller)));
             }
         }
         Some(())
@@ -132,24 +122,17 @@ impl<'a> Graph<'a> {
         let limits = Limits {
             stops: &|_| false,
             opens: &|_| false,
-            closed: &|_| None,
         };
         let ends = self.ends(entry, &limits, work)?;
         Some(ends.get(&Place::Return).copied())
     }
 
-    fn edges(&self, id: NodeId, limits: &Limits, work: &Work, edges: &mut Vec<Edge>) -> Option<()> {
-        let onward = |edge: &Edge| Edge {
-            to: match edge.to {
-                Place::Stop(outside) => arrival(outside, limits),
-                place => place,
-            },
-            ..*edge
+    /// Returns the edges that leave a node; `None` if that is more work than is left.
+    fn edges(&self, id: NodeId, limits: &Limits, work: &Work) -> Option<Vec<Edge>> {
+        let arrival = |id: NodeId| match (limits.stops)(id) {
+            true => Place::Stop(id),
+            false => Place::Pass(id),
         };
-        if let Some(left) = (limits.closed)(id) {
-            edges.extend(left.iter().map(onward));
-            return Some(());
-        }
         if let Some(counted) = self.counted.get(&id)
             && !(limits.opens)(counted)
         {
@@ -157,57 +140,56 @@ impl<'a> Graph<'a> {
                 let left = self.past(id, counted, work)?;
                 self.passed.borrow_mut().insert(id, left);
             }
-            edges.extend(self.passed.borrow()[&id].iter().map(onward));
-            return Some(());
+            let onward = |edge: &Edge| Edge {
+                to: match edge.to {
+                    Place::Stop(outside) => arrival(outside),
+                    place => place,
+                },
+                ..*edge
+            };
+            return Some(self.passed.borrow()[&id].iter().map(onward).collect());
         }
         let node = &self.flow.nodes()[id];
         let cost = self.costs[id];
-        edges.extend(node.next.iter().map(|next| Edge {
-            to: arrival(*next, limits),
+        let next = node.next.iter().map(|next| Edge {
+            to: arrival(*next),
             cost,
-        }));
-        if let Some(call) = node.call
-            && let Some(inner) = self.routines[&call.entry]
-        {
-            edges.push(Edge {
-                to: arrival(call.back, limits),
+        });
+        let call = node.call.and_then(|call| {
+            let inner = self.routines[&call.entry]?;
+            Some(Edge {
+                to: arrival(call.back),
                 cost: cost.then(inner),
-            });
-        }
-        if node.returns {
-            edges.push(Edge {
-                to: Place::Return,
-                cost,
-            });
-        }
+            })
+        });
         let end = match action(self.program, node.step) {
+            Action::Return => Some(Place::Return),
             Action::Finish(_) => Some(Place::End),
             Action::ThreadEnd => Some(Place::ThreadEnd),
             _ => None,
         };
-        edges.extend(end.map(|to| Edge { to, cost }));
-        Some(())
+        let end = end.map(|to| Edge { to, cost });
+        Some(next.chain(call).chain(end).collect())
     }
 
     /// Returns a counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
     fn past(&self, head: NodeId, counted: &Counted, work: &Work) -> Option<Vec<Edge>> {
+        let (body, next) = (counted.nodes.start, counted.next());
         let inner = Limits {
-            stops: &|id| id == counted.next || !counted.nodes.contains(&id),
+            stops: &|id| id == next || !counted.nodes.contains(&id),
             opens: &|_| false,
-            closed: &|_| None,
         };
-        let body = counted.nodes.start;
-        let mut found = match body == counted.next {
+        let mut found = match body == next {
             true => BTreeMap::from([(Place::Stop(body), Count::exactly(0))]),
             false => self.ends(body, &inner, work)?,
         };
-        let to_next = found.remove(&Place::Stop(counted.next));
-        let turn = to_next.map(|to_next| to_next.then(self.costs[counted.next]));
+        let to_next = found.remove(&Place::Stop(next));
+        let turn = to_next.map(|to_next| to_next.then(self.costs[next]));
         let before = self.costs[head];
         let mut edges = Vec::new();
         if let Some(turn) = turn {
             edges.push(Edge {
-                to: Place::Stop(counted.exit),
+                to: Place::Stop(counted.nodes.end),
                 cost: before.then(turn.times(counted.turns)),
             });
         }
@@ -220,13 +202,73 @@ impl<'a> Graph<'a> {
     }
 }
 
-fn arrival(id: NodeId, limits: &Limits) -> Place {
-    match (limits.stops)(id) {
-        true => Place::Stop(id),
-        false => Place::Pass(id),
+fn action(program: &Program, step: u32) -> &Action {
+    &program.steps()[step as usize].action
+}
+
+/// Returns for each routine the indices of those that it calls itself; `None` if they share more steps than there is
+/// work left for.
+fn called(flow: &Flow, entries: &[NodeId], work: &Work) -> Option<Vec<Vec<usize>>> {
+    let mut seen = vec![NodeId::MAX; flow.nodes().len()];
+    let called = entries.iter().map(|entry| {
+        let mut called = BTreeSet::new();
+        let mut open = vec![*entry];
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut seen[id], *entry) == *entry {
+                continue;
+            }
+            work.take(1)?;
+            let node = &flow.nodes()[id];
+            open.extend(node.next.iter());
+            open.extend(node.call.map(|call| call.back));
+            called.extend(
+                node.call
+                    .and_then(|call| entries.binary_search(&call.entry).ok()),
+            );
+        }
+        Some(called.into_iter().collect())
+    });
+    called.collect()
+}
+
+/// Returns the cost of a single step: one cycle, or the least of a step that waits.
+fn cost(action: &Action, longest_sampling: f64) -> Count {
+    let least = match action {
+        Action::KeyIn { .. } | Action::WaitThread { .. } => 1,
+        Action::Command { op, arguments, .. } if commands::waits(*op) => {
+            match (op, arguments.first().map(|argument| argument.operand)) {
+                (Op::Sleep, Some(Operand::Constant(ms))) => slept(ms, longest_sampling),
+                _ => 1,
+            }
+        }
+        _ => return Count::exactly(1),
+    };
+    Count {
+        waits: true,
+        ..Count::exactly(least)
     }
 }
 
-fn action(program: &Program, step: u32) -> &Action {
-    &program.steps()[step as usize].action
+/// Returns the cycles of SLEEP (clause 2.19).
+fn slept(ms: f64, sampling: f64) -> u64 {
+    // Out of range saturates; a negative time fails when it runs.
+    ((ms / sampling - 1e-9).ceil() as u64).max(1)
+}
+
+fn longest_sampling(program: &Program, sampling: Sampling) -> f64 {
+    let times = program.steps().iter().filter_map(|step| {
+        let Action::Command { op, arguments, .. } = &step.action else {
+            return None;
+        };
+        let operand = arguments.first().map(|argument| argument.operand);
+        match (op, operand?) {
+            (Op::SetSamplingTime, Operand::Constant(ms)) => Some(ms),
+            (Op::SetSamplingFreq, Operand::Constant(hz)) if hz > 0.0 => Some(1000.0 / hz),
+            (Op::SetSamplingTime | Op::SetSamplingFreq, _) => Some(sampling.longest),
+            _ => None,
+        }
+    });
+    times
+        .fold(sampling.standard, f64::max)
+        .min(sampling.longest)
 }

@@ -1,174 +1,103 @@
-//! The loops of a program, whatever statements they are made of.
+//! One turn of each loop, whatever statements it is made of.
 
-use super::components::components;
-use super::distance::Work;
-use tipc::analysis::flow::NodeId;
+use super::graph::{Graph, Limits};
+use super::search::{Place, Work, components, reversed};
+use super::{Part, Span};
+use tipc::analysis::flow::{Flow, NodeId};
 
-/// Edges of nodes in their own frame, and nodes that a run can come back to.
-pub(super) struct Loops {
+/// Edges of nodes in their own frame, and the loop that is looked at.
+struct Loops {
     next: Vec<Vec<NodeId>>,
     before: Vec<Vec<NodeId>>,
     /// Nodes with paths to each other have the same number.
     components: Vec<usize>,
-    /// Runs come here from outside of all nodes.
-    is_entry: Vec<bool>,
-    /// The closed loop that a node stands for is in this one, or is the node itself.
-    around: Vec<NodeId>,
-    /// A shortcut along `around`.
-    outermost: Vec<NodeId>,
-    /// The last search that found a node in a loop, and the last that found paths from it back to the head.
-    held_by: Vec<usize>,
-    leads_back: Vec<usize>,
-    search: usize,
+    /// The last head that a path from each node was found to.
+    leads_to: Vec<NodeId>,
+    /// The head of the last loop that each node was found in.
+    held_by: Vec<NodeId>,
 }
 
-/// The nodes of a loop.
-pub(super) enum Body {
-    /// Its head is the only way in. A closed loop in it is given by its head alone.
-    Closed(Vec<NodeId>),
-    /// There are other ways in.
-    Open(Vec<NodeId>),
+/// Returns the turns in the order of their heads, and true if those are all. A head is a node that something in the
+/// loop, after it or itself, leads back to.
+pub(super) fn turns(flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
+    let work = Work::of(flow.nodes().len());
+    let next = graph.next();
+    let before = reversed(&next);
+    let mut loops = Loops {
+        components: components(&next, &before),
+        leads_to: vec![NodeId::MAX; next.len()],
+        held_by: vec![NodeId::MAX; next.len()],
+        next,
+        before,
+    };
+    let mut parts = Vec::new();
+    let mut are_all = true;
+    for head in (0..flow.nodes().len()).rev() {
+        let back = loops.on_ring_before(head, head);
+        let back: Vec<NodeId> = back.filter(|from| *from >= head).collect();
+        if !back.is_empty() {
+            let found = turn(flow, graph, &mut loops, (head, back), &work);
+            are_all &= found.is_some();
+            parts.extend(found.flatten());
+        }
+    }
+    parts.reverse();
+    (parts, are_all)
+}
+
+/// Returns one turn, if there is a way; `None` if that is more work than is left.
+fn turn(
+    flow: &Flow,
+    graph: &Graph,
+    loops: &mut Loops,
+    (head, back): (NodeId, Vec<NodeId>),
+    work: &Work,
+) -> Option<Option<Part>> {
+    let nodes = loops.body(head, back, work)?;
+    let limits = Limits {
+        stops: &|id| id == head || loops.held_by[id] != head,
+        opens: &|counted| counted.nodes.contains(&head),
+    };
+    let mut ends = graph.ends(head, &limits, work)?;
+    let cycles = ends.remove(&Place::Stop(head));
+    let steps = nodes.iter().map(|id| flow.nodes()[*id].step);
+    Some(cycles.map(|cycles| Part {
+        span: Span::Turn {
+            head: flow.nodes()[head].step,
+            steps: steps.collect(),
+            turns: graph.turns_from(head),
+        },
+        cycles,
+    }))
 }
 
 impl Loops {
-    /// Creates the loops of nodes that lead so; runs begin at the `entries`. Takes linear time.
-    pub(super) fn new(next: Vec<Vec<NodeId>>, entries: impl Iterator<Item = NodeId>) -> Self {
-        let mut before = vec![Vec::new(); next.len()];
-        for (id, next) in next.iter().enumerate() {
-            for next in next {
-                before[*next].push(id);
-            }
-        }
-        let mut is_entry = vec![false; next.len()];
-        entries.for_each(|id| is_entry[id] = true);
-        Loops {
-            components: components(&next, &before),
-            is_entry,
-            around: (0..next.len()).collect(),
-            outermost: (0..next.len()).collect(),
-            held_by: vec![0; next.len()],
-            leads_back: vec![0; next.len()],
-            search: 0,
-            next,
-            before,
-        }
+    /// Returns the nodes that lead to a node and are on a ring with the head.
+    fn on_ring_before(&self, head: NodeId, to: NodeId) -> impl Iterator<Item = NodeId> {
+        let before = self.before[to].iter().copied();
+        before.filter(move |from| self.components[*from] == self.components[head])
     }
 
-    /// Returns the nodes where loops begin, the last first: something in the loop leads back to them.
-    pub(super) fn heads(&self) -> Vec<NodeId> {
-        let is_head = |head: &NodeId| self.backwards_to(*head).next().is_some();
-        (0..self.next.len()).rev().filter(is_head).collect()
-    }
-
-    /// Returns the nodes on the paths from a head back to it, over a jump backwards. Of heads asked for in their order
-    /// each closed loop is passed once by those around it; an open one takes as long as its component. `None` if that is
-    /// more work than is left.
-    pub(super) fn body(&mut self, head: NodeId, work: &Work) -> Option<Body> {
-        match self.closed(head, work) {
-            Some(nodes) => Some(Body::Closed(nodes)),
-            None => Some(Body::Open(self.open(head, work)?)),
-        }
-    }
-
-    /// Returns true if the node is in the loop that [`body`](Self::body) found last.
-    pub(super) fn holds(&self, id: NodeId) -> bool {
-        self.held_by[id] == self.search
-    }
-
-    /// Returns true if a closed loop holds a node besides its head.
-    pub(super) fn is_inside(&self, id: NodeId, closed: NodeId) -> bool {
-        let mut at = id;
-        while self.around[at] != at {
-            at = self.around[at];
-            if at == closed {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Returns the nodes from which paths lead back to the head, if all of them begin at it.
-    fn closed(&mut self, head: NodeId, work: &Work) -> Option<Vec<NodeId>> {
-        if self.outermost(head) != head {
-            return None;
-        }
-        self.search += 1;
-        self.held_by[head] = self.search;
-        let mut nodes = vec![head];
-        let mut open: Vec<NodeId> = self.backwards_to(head).collect();
+    /// Returns the nodes on the paths from a head over those that lead `back` to it; `None` if that is more work than
+    /// is left.
+    fn body(&mut self, head: NodeId, back: Vec<NodeId>, work: &Work) -> Option<Vec<NodeId>> {
+        self.leads_to[head] = head;
+        let mut open = back;
         while let Some(id) = open.pop() {
-            let id = self.outermost(id);
-            if self.holds(id) {
-                continue;
-            }
-            let before = &self.before[id];
-            work.take(1 + before.len())?;
-            let is_entered = before
-                .iter()
-                .any(|from| self.components[*from] != self.components[head]);
-            if is_entered || self.is_entry[id] {
-                return None;
-            }
-            self.held_by[id] = self.search;
-            nodes.push(id);
-            open.extend(before);
-        }
-        for id in &nodes[1..] {
-            self.around[*id] = head;
-            self.outermost[*id] = head;
-        }
-        Some(nodes)
-    }
-
-    fn open(&mut self, head: NodeId, work: &Work) -> Option<Vec<NodeId>> {
-        // What an attempt at a closed loop found is none of it.
-        self.search += 1;
-        self.leads_back[head] = self.search;
-        let mut open: Vec<NodeId> = self.backwards_to(head).collect();
-        while let Some(id) = open.pop() {
-            if std::mem::replace(&mut self.leads_back[id], self.search) != self.search {
+            if std::mem::replace(&mut self.leads_to[id], head) != head {
                 work.take(1 + self.before[id].len())?;
-                open.extend(self.on_ring_of(head, &self.before[id]));
+                open.extend(self.on_ring_before(head, id));
             }
         }
         let mut nodes = Vec::new();
         let mut open = vec![head];
         while let Some(id) = open.pop() {
-            if !self.holds(id) {
-                self.held_by[id] = self.search;
+            if std::mem::replace(&mut self.held_by[id], head) != head {
                 nodes.push(id);
-                let next = self.next[id].iter().copied();
-                open.extend(next.filter(|next| self.leads_back[*next] == self.search));
+                let next = self.next[id].iter();
+                open.extend(next.filter(|next| self.leads_to[**next] == head));
             }
         }
         Some(nodes)
-    }
-
-    /// Returns the head of the closed loop that is around all others around a node; the node itself if there is none.
-    fn outermost(&mut self, id: NodeId) -> NodeId {
-        let mut found = id;
-        while self.outermost[found] != found {
-            found = self.outermost[found];
-        }
-        let mut at = id;
-        while at != found {
-            at = std::mem::replace(&mut self.outermost[at], found);
-        }
-        found
-    }
-
-    /// Returns the nodes that lead back to a node, from after it or from itself.
-    fn backwards_to(&self, head: NodeId) -> impl Iterator<Item = NodeId> {
-        let before = self.on_ring_of(head, &self.before[head]);
-        before.filter(move |from| *from >= head)
-    }
-
-    fn on_ring_of<'a>(
-        &'a self,
-        head: NodeId,
-        nodes: &'a [NodeId],
-    ) -> impl Iterator<Item = NodeId> + 'a {
-        let nodes = nodes.iter().copied();
-        nodes.filter(move |id| self.components[*id] == self.components[head])
     }
 }

@@ -1,10 +1,10 @@
 //! Cycle counts as a table for people, and as lines for tools.
 
-use super::{Part, Parts, Sampling, Span, Stop};
+use super::{Part, Parts, Sampling, Span, Stop, line_with, sampling_set};
 use std::fmt::Write;
 use tip_runtime::printable::Printable;
 use tipc::language::Keyword;
-use tipc::program::{Action, Op, Program, StepId};
+use tipc::program::{Op, Program, StepId};
 use tipc::render::{push_member, push_number, push_string};
 
 /// Note that counting ended early.
@@ -54,7 +54,7 @@ pub fn human(program: &Program, parts: &Parts, sampling: Sampling) -> String {
 pub fn short(program: &Program, parts: &Parts, sampling: Sampling) -> String {
     let lines = parts.counted.iter().map(|part| {
         let [what, _, cycles, ms, waits] = row(program, part, sampling);
-        let line = line_of(program, first_step(program, &part.span));
+        let line = line_of(program, part.first_step(program));
         let waits = if waits.is_empty() { "" } else { ", waits" };
         let name = Printable::line(program.source_name());
         let plural = if cycles == "1" { "" } else { "s" };
@@ -85,10 +85,10 @@ pub fn json(program: &Program, parts: &Parts, sampling: Sampling) -> String {
 }
 
 fn object(program: &Program, part: &Part, sampling: Sampling) -> String {
-    let first = first_step(program, &part.span);
+    let first = part.first_step(program);
     let mut out = String::from("{\"part\":");
     push_string(&mut out, kind(&part.span));
-    push_member(&mut out, "name", &begin(program, &part.span));
+    push_member(&mut out, "name", &begin(program, part));
     push_member(&mut out, "file", program.source_name());
     push_number(&mut out, "line", line_of(program, first));
     match &part.span {
@@ -117,8 +117,8 @@ fn push(out: &mut String, key: &str, value: impl std::fmt::Display) {
 }
 
 fn row(program: &Program, part: &Part, sampling: Sampling) -> [String; 5] {
-    let first = first_step(program, &part.span);
-    let name = begin(program, &part.span);
+    let first = part.first_step(program);
+    let name = begin(program, part);
     let what = match &part.span {
         Span::Subroutine { .. } => format!("subroutine {name}"),
         Span::Turn {
@@ -163,22 +163,9 @@ fn kind(span: &Span) -> &'static str {
     }
 }
 
-/// Returns the step that a part is known by: the turn of a FOR by the FOR, not by the first step of its body.
-fn first_step(program: &Program, span: &Span) -> StepId {
-    match span {
-        Span::Subroutine { entry } => *entry,
-        Span::Turn { head, .. } => {
-            let before = head.saturating_sub(1);
-            let is_for = matches!(program.steps()[before as usize].action, Action::For { .. });
-            if is_for { before } else { *head }
-        }
-        Span::Stretch { from, .. } => *from,
-    }
-}
-
 fn last_step(span: &Span) -> Option<StepId> {
     match span {
-        Span::Turn { steps, .. } => steps.last(),
+        Span::Turn { steps, .. } => steps.last().copied(),
         Span::Stretch {
             to: Stop::Label(step),
             ..
@@ -192,9 +179,9 @@ fn line_of(program: &Program, step: StepId) -> u32 {
 }
 
 /// Returns the name of a part: the label at its first step, else the statement.
-fn begin(program: &Program, span: &Span) -> String {
-    let step = first_step(program, span);
-    match (label(program, step), span) {
+fn begin(program: &Program, part: &Part) -> String {
+    let step = part.first_step(program);
+    match (label(program, step), &part.span) {
         (Some(label), _) => label.to_owned(),
         (None, Span::Stretch { .. }) => "start".to_owned(),
         (None, Span::Subroutine { .. } | Span::Turn { .. }) => {
@@ -203,7 +190,6 @@ fn begin(program: &Program, span: &Span) -> String {
     }
 }
 
-/// Returns the label that stands for a step.
 fn label(program: &Program, step: StepId) -> Option<&str> {
     let labels = program.labels();
     let place = labels
@@ -223,33 +209,8 @@ fn end(program: &Program, stop: Stop) -> String {
 
 /// Returns the note about a program that sets how many steps a cycle runs.
 fn speed_up(program: &Program) -> Option<String> {
-    let sets = |action: &Action| {
-        matches!(
-            action,
-            Action::Command {
-                op: Op::SpeedUp,
-                ..
-            }
-        )
-    };
-    let step = program.steps().iter().find(|step| sets(&step.action))?;
+    let line = line_with(program, |op| op == Op::SpeedUp)?;
     Some(format!(
-        "line {} sets the steps of a cycle: the counts are steps, which are cycles at one step a cycle",
-        step.line
+        "line {line} sets the steps of a cycle: the counts are steps, which are cycles at one step a cycle"
     ))
-}
-
-/// Returns the line of the first step that sets a sampling time.
-fn sampling_set(program: &Program) -> Option<u32> {
-    let sets = |action: &Action| {
-        matches!(
-            action,
-            Action::Command {
-                op: Op::SetSamplingTime | Op::SetSamplingFreq,
-                ..
-            }
-        )
-    };
-    let step = program.steps().iter().find(|step| sets(&step.action))?;
-    Some(step.line)
 }

@@ -2,8 +2,6 @@
 
 use super::{Sampling, human, json, parts, short};
 use crate::{Options, load};
-use std::fmt::Write as _;
-use std::time::{Duration, Instant};
 use tipc::program::Program;
 
 const TITAN: Sampling = Sampling {
@@ -237,27 +235,4 @@ fn deep_nesting_ends_in_no_bound() {
     assert_eq!(own(32), Some(65));
     assert_eq!(own(33), None);
     assert_eq!(own(100), None);
-}
-
-/// Time grows with the length, not with its square.
-#[test]
-fn long_programs_take_time_in_proportion() {
-    let time = |steps: usize| -> Duration {
-        let mut text = "DEF_VAR I\n".to_owned();
-        for n in 0..steps / 10 {
-            writeln!(
-                text,
-                "L{n}: FOR I = 1 TO 3\nIF KB_HIT THEN\nREM\nELSE\nREM\nENDIF\nNEXT\nIF KB_HIT GOSUB R:"
-            )
-            .expect("writing to a string");
-        }
-        let program = program(&(text + "EXIT\nR: RETURN\nEND"));
-        let start = Instant::now();
-        assert!(parts(&program, TITAN).counted.len() > steps / 10);
-        start.elapsed()
-    };
-    let _warm = time(1_000);
-    let (short, ten_times) = (time(1_000), time(10_000));
-    let bound = short * 40 + Duration::from_millis(200);
-    assert!(ten_times < bound, "{short:?}, then {ten_times:?}");
 }

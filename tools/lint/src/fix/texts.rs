@@ -1,20 +1,152 @@
-//! Texts for people: PRINT of other languages, quotes, and line breaks.
+//! Characters and texts: full-width words, comments of other languages, PRINT of other languages, quotes, and line breaks.
 
-use super::site::Site;
+use super::Site;
 use crate::message::{Fixing, Linting};
-use tipc::diagnostic::{Edit, Fix};
-use tipc::language::Keyword;
-use tipc::lex::DELIMITERS;
-use tipc::message::{Message, Parsing, Suggestion};
+use tipc::diagnostic::{Edit, Fix, Label};
+use tipc::language::{Keyword, keywords};
+use tipc::lex::{BLANKS, DELIMITERS, foreign_run, word_end};
+use tipc::message::{Message, Naming, Parsing, Suggestion};
+use tipc::parse::{self, LONG_VOWEL, comment_after, comment_mark, is_comment, narrow};
 use tipc::source::Span;
 use tipc::syntax::StatementKind;
+
+/// Start of a comment in this language.
+const COMMENT: &str = "//";
+
+/// Opener of a comment of C.
+const OPENS: &str = "/*";
+const CLOSES: &str = "*/";
 
 /// Line end in a text of C.
 const BREAK: &str = "\\n";
 /// Starts of placeholders and escapes: other languages mean something else by them.
 const SPECIAL: &[char] = &['%', '\\', '\u{A5}', '{'];
 
-pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+/// Characters that cannot stand where they are, and comments.
+pub(super) fn characters(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()?) {
+        (_, Message::Parsing(Parsing::WriteHalfWidth { .. }))
+        | (_, Message::Suggestion(Suggestion::Plain { .. } | Suggestion::PlainBlank)) => {
+            half_width(site)
+        }
+        (_, Message::Suggestion(Suggestion::Invisible)) => {
+            let title = Fixing::RemoveInvisible;
+            Some(Fix::certain(title, [Edit::remove(site.span())]))
+        }
+        (_, Message::Suggestion(Suggestion::Comment)) => comment(site),
+        _ => None,
+    }
+}
+
+/// `ＮＥＸＴ`, at each location that the diagnostic lists.
+fn half_width(site: &Site<'_>) -> Option<Fix> {
+    let also = |label: &&Label| label.text == Naming::AlsoHere.into();
+    let others = site.diagnostic.labels.iter().filter(also);
+    let locations = [site.span()].into_iter().chain(others.map(|it| it.span));
+    let statements = locations.filter_map(|location| site.module.statement_at(location.start));
+    let mut statements: Vec<usize> = statements.collect();
+    statements.dedup();
+    let spans = statements.iter().map(|at| site.module.statements[*at].span);
+    let edits = spans.flat_map(|span| narrowed(site, span));
+    Some(Fix::certain(Fixing::HalfWidth, edits.collect::<Vec<_>>()))
+}
+
+/// Returns all full-width characters of a statement, since one after the other would never be the last one.
+fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
+    let text = site.source.text();
+    let first = Span::new(
+        span.start,
+        word_end(text.as_bytes(), span.start).min(span.end),
+    );
+    // After these words any character may stand.
+    let word = narrow(site.slice(first));
+    let takes_text = keywords::find(&word, site.module.edition)
+        .is_some_and(|word| matches!(word, Keyword::Message | Keyword::Rem));
+    if takes_text {
+        span = first;
+    }
+    let mut edits = Vec::new();
+    'words: for token in site.tokens_of(span) {
+        let mut rest = token.span;
+        while let Some(run) = foreign_run(text, rest) {
+            let written = plain(site.slice(run));
+            let comments = written.contains(COMMENT);
+            edits.push(Edit::replace(run, written));
+            if comments {
+                break 'words;
+            }
+            rest.start = run.end;
+        }
+    }
+    edits
+}
+
+/// Returns the plain spelling of characters that are wide, or of typesetting.
+fn plain(text: &str) -> String {
+    if text == LONG_VOWEL {
+        return "-".to_owned();
+    }
+    let mut out = String::new();
+    for char in text.chars() {
+        match parse::plain(char) {
+            Some(plain) => out += plain,
+            None if char.is_whitespace() => out.push(' '),
+            None => out.push(char),
+        }
+    }
+    narrow(&out)
+}
+
+/// `# …`, `' …`, `/* … */` on one line.
+fn comment(site: &Site<'_>) -> Option<Fix> {
+    let line = site.line().span;
+    let before = site.slice(Span::new(line.start, site.span().end));
+    let starts = site.statement().map(|it| it.span.start);
+    // Of a comment after a statement the mark stands before its text.
+    let start = match starts.filter(|start| is_comment(&before[start - line.start..])) {
+        Some(start) => start,
+        None => line.start + comment_after(before)?,
+    };
+    let rest = Span::new(start, line.end);
+    let text = site.slice(rest);
+    let mark = comment_mark(text)?;
+    let mut edits = vec![Edit::replace(Span::new(start, start + mark.len()), COMMENT)];
+    let kept = text.trim_end_matches(BLANKS);
+    if let Some(at) = kept.find(CLOSES).filter(|_| mark == OPENS) {
+        // What follows the comment is a statement.
+        if at + CLOSES.len() != kept.len() {
+            return None;
+        }
+        edits.push(without_end(site, start + mark.len(), start + at));
+    }
+    match surely_comments(text) {
+        true => Some(Fix::certain(Fixing::Comment, edits)),
+        false => Some(Fix::likely(Fixing::Comment, edits)),
+    }
+}
+
+/// Returns true if a comment of another language can be nothing else: `#define` and `--N` do something.
+fn surely_comments(comment: &str) -> bool {
+    let directives = ["define", "if", "else", "endif", "undef", "pragma"];
+    let rest = comment.trim_start_matches('#');
+    match comment_mark(comment) {
+        Some("#") => !directives.iter().any(|word| rest.starts_with(word)),
+        Some(mark @ "--") => comment[mark.len()..].starts_with(' '),
+        mark => mark.is_some(),
+    }
+}
+
+/// Returns the end of a comment, and the blanks before it, from `start` on.
+fn without_end(site: &Site<'_>, start: usize, closes: usize) -> Edit {
+    let before = site
+        .slice(Span::new(start, closes))
+        .trim_end_matches(BLANKS);
+    let end = Span::new(start + before.len(), closes + CLOSES.len());
+    Edit::remove(end)
+}
+
+/// Texts of MESSAGE.
+pub(super) fn messages(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (_, Some(Message::Suggestion(Suggestion::Glued { command })))
             if *command == Keyword::Message.word() =>
@@ -31,7 +163,7 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
 }
 
 /// `PRINT "text"`.
-pub(super) fn print(site: &Site<'_>) -> Option<Fix> {
+pub(crate) fn print(site: &Site<'_>) -> Option<Fix> {
     let start = site.span().start;
     let word = Span::new(start, start + name(site.text()).len());
     let rest = Span::new(word.end, site.statement()?.span.end);

@@ -106,15 +106,13 @@ pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
             StatementKind::FileMessage { text } => (text, false),
             _ => continue,
         };
-        {
-            let names = names.get_or_insert_with(|| Names::of(context));
-            if is_shown {
-                found.extend(quoted(context.source.slice(text.span), text.span));
-            }
-            placeholders(context, names, text.span, found);
-            foreign_values(context, names, text.span, found);
-            wide_placeholder(context, text.span, found);
+        let names = names.get_or_insert_with(|| Names::of(context));
+        if is_shown {
+            found.extend(quoted(context.source.slice(text.span), text.span));
         }
+        placeholders(context, names, text.span, found);
+        foreign_values(context, names, text.span, found);
+        wide_placeholder(context, names, text.span, found);
     }
 }
 
@@ -345,7 +343,12 @@ pub(super) fn placeholder_names(found: &[Diagnostic]) -> HashSet<SmolStr> {
 const SIGNS: [char; 2] = ['%', '％'];
 
 /// Warns of the first one that would show a VAR, were it half-width.
-fn wide_placeholder(context: &LintContext<'_>, location: Span, found: &mut Diagnostics) {
+fn wide_placeholder(
+    context: &LintContext<'_>,
+    names: &Names<'_>,
+    location: Span,
+    found: &mut Diagnostics,
+) {
     let text = context.source.slice(location);
     if text.is_ascii() {
         return;
@@ -356,9 +359,7 @@ fn wide_placeholder(context: &LintContext<'_>, location: Span, found: &mut Diagn
         let whole = at..end + last.len();
         let inner = narrow(&text[at + sign.len()..end]);
         let name = upper_case(inner.split('.').next().unwrap_or_default());
-        let mut vars = context.program.variables().iter();
-        let is_var = vars.any(|one| one.kind == VariableKind::Var && one.name == *name);
-        (is_var && !text[whole.clone()].is_ascii()).then_some((whole, name))
+        (names.is_var(&name) && !text[whole.clone()].is_ascii()).then_some((whole, name))
     });
     if let Some((whole, name)) = wide {
         let span = Span::new(location.start + whole.start, location.start + whole.end);

@@ -1,6 +1,6 @@
 //! TIP.OBJ: what the original keeps of each step in memory, as text (T.I.P. 3.1 §11, layouts in §5 to §7).
 
-use super::{Constants, formal};
+use super::{Constants, write};
 use std::borrow::Cow;
 use std::fmt::Write;
 use tip_runtime::command::{Port, READING, Reading, Target, Teach};
@@ -31,7 +31,7 @@ pub fn object(source: &Source, module: &Module, program: &Program) -> String {
     steps
         .map(|(number, (statement, step))| {
             line.clear();
-            formal::write(&mut line, source, statement, &constants, b'\t');
+            write(&mut line, source, statement, &constants, b'\t');
             let formal = String::from_utf8_lossy(&line);
             listing.record(&formal, &step.action).text(number, count)
         })
@@ -170,17 +170,16 @@ impl Listing<'_> {
 
     fn ad_in(&self, name: &str, port: Port, into: Slot) -> Record {
         let record = Record::new(name);
-        match port {
+        let record = match port {
             Port::Channel(channel) => record
                 .with(Slot::constant(0.0))
-                .with(Slot::constant(f64::from(channel)))
-                .with(into),
-            _ => record
-                .to(port_name(port))
+                .with(Slot::constant(f64::from(channel))),
+            port => record
+                .to(format!("TARGET_{port}"))
                 .with(Slot::NONE)
-                .with(Slot::NONE)
-                .with(into),
-        }
+                .with(Slot::NONE),
+        };
+        record.with(into)
     }
 
     /// Returns the arguments. A struct is one argument if it was written as one: as `last`.
@@ -204,15 +203,18 @@ impl Listing<'_> {
                 operation,
                 right,
             } => (
-                binary_name(*operation).to_owned(),
+                equal(operation_name(*operation)),
                 vec![slot(left), slot(right)],
             ),
-            ScalarExpression::Function { function, operand } => {
-                (equal(Operation::Scalar(*function)), vec![slot(operand)])
+            ScalarExpression::Function { function, operand } => (
+                equal(Operation::Scalar(*function).word()),
+                vec![slot(operand)],
+            ),
+            ScalarExpression::Atan2 { y, x } => {
+                (equal(Operation::Atan2.word()), vec![slot(y), slot(x)])
             }
-            ScalarExpression::Atan2 { y, x } => (equal(Operation::Atan2), vec![slot(y), slot(x)]),
             ScalarExpression::Norm(whole) => (
-                equal(Operation::Norm),
+                equal(Operation::Norm.word()),
                 vec![self.variables.structure(*whole)],
             ),
         }
@@ -227,18 +229,18 @@ impl Listing<'_> {
                 operation,
                 right,
             } => (
-                binary_name(*operation).to_owned(),
+                equal(operation_name(*operation)),
                 vec![whole(left), whole(right)],
             ),
             StructExpression::UnitVect(variable) => {
-                (equal(Operation::UnitVect), vec![whole(variable)])
+                (equal(Operation::UnitVect.word()), vec![whole(variable)])
             }
             StructExpression::Rotate {
                 axis,
                 operand,
                 angle,
             } => {
-                let name = equal(Operation::Rotate(*axis));
+                let name = equal(Operation::Rotate(*axis).word());
                 (name, vec![whole(operand), self.variables.operand(*angle)])
             }
         }
@@ -278,28 +280,24 @@ fn label(step: StepId) -> Slot {
 
 /// Returns the name of the update: how the right side meets the left one.
 fn left_name(update: Option<Arithmetic>) -> String {
-    let name = match update {
-        None => return target_name(Target::None),
-        Some(Arithmetic::Add) => "CAL_LEFT_ADD",
-        Some(Arithmetic::Sub) => "CAL_LEFT_SUB",
-        Some(Arithmetic::Mul) => "CAL_LEFT_MULT",
-        Some(Arithmetic::Div) => "CAL_LEFT_DIV",
-    };
-    name.to_owned()
-}
-
-const fn binary_name(operation: Arithmetic) -> &'static str {
-    match operation {
-        Arithmetic::Add => "EQUAL_ADD",
-        Arithmetic::Sub => "EQUAL_SUB",
-        Arithmetic::Mul => "EQUAL_MULT",
-        Arithmetic::Div => "EQUAL_DIV",
+    match update {
+        None => target_name(Target::None),
+        Some(operation) => format!("CAL_LEFT_{}", operation_name(operation)),
     }
 }
 
-/// Returns an equation with a function.
-fn equal(function: Operation) -> String {
-    format!("EQUAL_{}", function.word())
+/// Returns the name of an equation with a function or an operation.
+fn equal(name: &str) -> String {
+    format!("EQUAL_{name}")
+}
+
+const fn operation_name(operation: Arithmetic) -> &'static str {
+    match operation {
+        Arithmetic::Add => "ADD",
+        Arithmetic::Sub => "SUB",
+        Arithmetic::Mul => "MULT",
+        Arithmetic::Div => "DIV",
+    }
 }
 
 const fn relation_name(relation: Relation) -> &'static str {
@@ -315,7 +313,7 @@ const fn relation_name(relation: Relation) -> &'static str {
 
 /// A command, its target and its arguments.
 #[derive(Debug)]
-pub(super) struct Record {
+struct Record {
     command: String,
     target: String,
     arguments: Vec<Slot>,
@@ -323,7 +321,7 @@ pub(super) struct Record {
 
 impl Record {
     /// Creates a command without target and arguments.
-    pub(super) fn new(command: impl Into<String>) -> Self {
+    fn new(command: impl Into<String>) -> Self {
         Record {
             command: command.into(),
             target: target_name(Target::None),
@@ -331,19 +329,17 @@ impl Record {
         }
     }
 
-    /// Sets the target.
-    pub(super) fn to(self, target: String) -> Self {
+    fn to(self, target: String) -> Self {
         Record { target, ..self }
     }
 
-    /// Adds an argument after the others.
-    pub(super) fn with(mut self, argument: Slot) -> Self {
+    fn with(mut self, argument: Slot) -> Self {
         self.arguments.push(argument);
         self
     }
 
     /// Returns its lines, with `count` arguments.
-    pub(super) fn text(&self, number: usize, count: usize) -> String {
+    fn text(&self, number: usize, count: usize) -> String {
         let arguments = || {
             let empty = std::iter::repeat(&Slot::NONE);
             (1..=count).zip(self.arguments.iter().chain(empty))
@@ -364,31 +360,31 @@ impl Record {
 
 /// The type and the value of an argument.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Slot {
-    pub(super) kind: Cow<'static, str>,
-    pub(super) value: f64,
+struct Slot {
+    kind: Cow<'static, str>,
+    value: f64,
 }
 
 impl Slot {
     /// No argument.
-    pub(super) const NONE: Slot = Slot {
+    const NONE: Slot = Slot {
         kind: Cow::Borrowed("ARG_NONE"),
         value: 0.0,
     };
 
-    pub(super) fn new(kind: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    fn new(kind: impl Into<Cow<'static, str>>, value: f64) -> Self {
         Slot {
             kind: kind.into(),
             value,
         }
     }
 
-    pub(super) fn constant(value: f64) -> Self {
+    fn constant(value: f64) -> Self {
         Slot::new("CONSTANT", value)
     }
 
     /// Adds a mark, of which `R` alone shows.
-    pub(super) fn marked(self, mark: Mark) -> Self {
+    fn marked(self, mark: Mark) -> Self {
         match mark {
             Mark::None | Mark::Absolute => self,
             Mark::Relative => Slot::new(format!("REL_{}", self.kind), self.value),
@@ -397,13 +393,13 @@ impl Slot {
 }
 
 /// The index of each variable among those of its type.
-pub(super) struct Variables<'a> {
+struct Variables<'a> {
     program: &'a Program,
     places: Vec<u32>,
 }
 
 impl<'a> Variables<'a> {
-    pub(super) fn new(program: &'a Program) -> Self {
+    fn new(program: &'a Program) -> Self {
         let mut counts = [0; 3];
         let places = program.variables().iter().map(|variable| {
             if let Some(number) = variable.special {
@@ -421,7 +417,7 @@ impl<'a> Variables<'a> {
     }
 
     /// Returns a struct as a whole; of a VAR, the VAR.
-    pub(super) fn whole(&self, variable: VariableId) -> Slot {
+    fn whole(&self, variable: VariableId) -> Slot {
         let Variable { kind, special, .. } = &self.program.variables()[variable];
         let kind = match (kind, special) {
             (VariableKind::Var, None) => "VAR",
@@ -435,7 +431,7 @@ impl<'a> Variables<'a> {
     }
 
     /// Returns a VAR or member, perhaps with a minus before it.
-    pub(super) fn scalar(&self, scalar: Scalar, negative: bool) -> Slot {
+    fn scalar(&self, scalar: Scalar, negative: bool) -> Slot {
         let Slot { kind, value } = self.whole(scalar.variable);
         let sign = if negative { "MINUS_" } else { "" };
         let member = match self.program.variables()[scalar.variable].kind {
@@ -446,7 +442,7 @@ impl<'a> Variables<'a> {
         Slot::new(format!("{sign}{kind}{member}"), value)
     }
 
-    pub(super) fn operand(&self, operand: Operand) -> Slot {
+    fn operand(&self, operand: Operand) -> Slot {
         match operand {
             Operand::Constant(value) => Slot::constant(value),
             Operand::Scalar { scalar, negative } => self.scalar(scalar, negative),
@@ -469,7 +465,7 @@ impl<'a> Variables<'a> {
     }
 
     /// Returns a struct, or a special variable, as a whole.
-    pub(super) fn structure(&self, whole: StructOperand) -> Slot {
+    fn structure(&self, whole: StructOperand) -> Slot {
         match whole {
             StructOperand::Variable(variable) => self.whole(variable),
             StructOperand::Reading(reading) => Slot::new(bare(reading), 0.0),
@@ -486,7 +482,7 @@ impl<'a> Variables<'a> {
     }
 
     /// Returns the struct that was written as `word` in the place of these arguments.
-    pub(super) fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
+    fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
         let first = arguments.first()?;
         let scalar = match first.operand {
             Operand::Scalar { scalar, .. } => scalar,
@@ -508,18 +504,9 @@ fn bare(reading: Reading) -> String {
     reading.to_string().split_off(READING.len_utf8())
 }
 
-/// Returns a target's name; `NO_TARGET` for none.
-pub(super) fn target_name(target: Target) -> String {
+fn target_name(target: Target) -> String {
     match target {
         Target::None => "NO_TARGET".to_owned(),
         target => format!("TARGET_{target}"),
-    }
-}
-
-/// Returns an input's name.
-pub(super) fn port_name(port: Port) -> String {
-    match port {
-        Port::Channel(_) => target_name(Target::None),
-        port => format!("TARGET_{port}"),
     }
 }

@@ -66,7 +66,6 @@ impl Statement {
             .map(|(token, _)| token.span)
     }
 
-    /// Returns the labels that it jumps to.
     pub(super) fn jumps(&self) -> impl Iterator<Item = Span> {
         let pairs = self.tokens.windows(2);
         pairs
@@ -74,7 +73,6 @@ impl Statement {
             .map(|pair| pair[0].span)
     }
 
-    /// Returns its end.
     pub(super) fn end(&self) -> usize {
         self.tokens
             .last()

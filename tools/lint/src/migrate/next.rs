@@ -1,56 +1,41 @@
 //! A program of version 3.1 to edition 3.2: line 1, names that 3.2 reserves, and what the text leaves open, since 3.2
 //! refuses what 3.1 warns of, and shows more values in a MESSAGE.
 
-use super::edits::Edits;
-use super::{Note, NoteKind};
+use super::{Note, NoteKind, changed, free_name, like, load, robots};
 use crate::message::Migrating;
 use std::collections::HashSet;
 use tipc::code::Level;
-use tipc::diagnostic::Diagnostic;
+use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::language::Edition;
-use tipc::language::names::LIMIT;
 use tipc::language::reserved::is_reserved;
-use tipc::parse::header::{version_number, version_word};
+use tipc::parse::header::version_word;
 use tipc::program::{Action, MessagePart, Program};
-use tipc::source::{Encoding, Source, Span};
+use tipc::source::{Encoding, Span};
 use tipc::symbols::DefinitionKind;
-use tipc::{Loaded, Options, Robot};
+use tipc::{Loaded, Robot};
 
 /// Text of line 1 afterwards.
 const NEXT: &str = "3.2";
 
-/// Turns a program of version 3.1 into one of 3.2; returns its bytes, and what was changed or is open. A program that
-/// says 3.2 already stays as it is.
+/// Turns a program of version 3.1 into one of 3.2; returns its bytes, and what was changed or is open.
 pub(super) fn to_3_2(name: &str, bytes: &[u8], encoding: Encoding) -> (Vec<u8>, Vec<Note>) {
     let before = best(name, bytes, encoding);
     let source = &before.source;
     let version = version_word(source);
-    if version_number(source.slice(version)) == Some(Edition::V3_2.number()) {
-        return (bytes.to_vec(), Vec::new());
-    }
-    let mut notes = Vec::new();
     if before.program.is_none() {
-        let errors = before.errors();
-        notes.extend(errors.map(|error| question(source, error.span, refused(error))));
-        return (bytes.to_vec(), notes);
+        let question =
+            |error: &Diagnostic| Note::new(NoteKind::Question, source, error.span, refused(error));
+        return (bytes.to_vec(), before.errors().map(question).collect());
     }
-    let mut edits = Edits::default();
-    edits.replace(version, NEXT);
-    notes.push(note(
-        NoteKind::Change,
-        source,
-        version,
-        Migrating::ToVersion { to: NEXT },
-    ));
+    let mut edits = vec![Edit::replace(version, NEXT)];
+    let text = Migrating::ToVersion { to: NEXT };
+    let mut notes = vec![Note::new(NoteKind::Change, source, version, text)];
     rename(&before, &mut edits, &mut notes);
-    let result = edits.apply(source);
+    let result = changed(source, edits);
     for robot in robots(name, bytes, encoding) {
         let after = load(name, &result, encoding, robot);
         // Line 1 and the names have changed, the lines and the statements have not.
-        let place = |span: Span| {
-            let (line, column) = after.source.line_column(span.start);
-            (line, column)
-        };
+        let place = |span: Span| after.source.line_column(span.start);
         let errors = after
             .errors()
             .map(|error| (place(error.span), refused(error)));
@@ -74,21 +59,6 @@ pub(super) fn to_3_2(name: &str, bytes: &[u8], encoding: Encoding) -> (Vec<u8>, 
     (result, notes)
 }
 
-fn load(name: &str, bytes: &[u8], encoding: Encoding, robot: Robot) -> Loaded {
-    let options = Options {
-        robot,
-        encoding,
-        ..Options::default()
-    };
-    tipc::load(name, bytes, &options)
-}
-
-/// Returns the robots that a program loads for.
-fn robots(name: &str, bytes: &[u8], encoding: Encoding) -> Vec<Robot> {
-    let loads = |robot: &Robot| load(name, bytes, encoding, *robot).program.is_some();
-    Robot::ALL.iter().copied().filter(loads).collect()
-}
-
 /// Loads a program for the robot on which it has the fewest errors.
 fn best(name: &str, bytes: &[u8], encoding: Encoding) -> Loaded {
     let all = Robot::ALL.iter();
@@ -98,7 +68,7 @@ fn best(name: &str, bytes: &[u8], encoding: Encoding) -> Loaded {
 }
 
 /// Gives names that 3.2 reserves other ones, wherever they are.
-fn rename(before: &Loaded, edits: &mut Edits, notes: &mut Vec<Note>) {
+fn rename(before: &Loaded, edits: &mut Vec<Edit>, notes: &mut Vec<Note>) {
     let symbols = &before.symbols;
     let definitions = symbols.definitions();
     let mut taken: HashSet<String> = definitions.iter().map(|it| it.name.to_string()).collect();
@@ -123,12 +93,7 @@ fn rename(before: &Loaded, edits: &mut Edits, notes: &mut Vec<Note>) {
             continue;
         };
         let written = before.source.slice(used.span);
-        let is_small = !written.contains(|c: char| c.is_ascii_uppercase());
-        let new_word = match is_small {
-            true => new.to_ascii_lowercase(),
-            false => new.clone(),
-        };
-        edits.replace(used.span, new_word);
+        edits.push(Edit::replace(used.span, like(written, new)));
         let definition = symbols.definition(used.definition);
         if definition.span == Some(used.span) {
             let name = definition.name.to_string();
@@ -137,19 +102,9 @@ fn rename(before: &Loaded, edits: &mut Edits, notes: &mut Vec<Note>) {
                 DefinitionKind::Variable(_) => Migrating::VariableIn3_2 { name, new },
                 _ => Migrating::LabelIn3_2 { name, new },
             };
-            notes.push(note(NoteKind::Change, &before.source, used.span, text));
+            notes.push(Note::new(NoteKind::Change, &before.source, used.span, text));
         }
     }
-}
-
-/// Returns a name that nothing has.
-fn free_name(name: &str, taken: &HashSet<String>) -> String {
-    let candidates = (1..).map(|number| {
-        let ending = format!("_{number}");
-        format!("{}{ending}", &name[..name.len().min(LIMIT - ending.len())])
-    });
-    let mut free = candidates.filter(|candidate| !taken.contains(candidate));
-    free.next().unwrap_or_default()
 }
 
 /// Returns where a MESSAGE shows another text than before.
@@ -171,20 +126,6 @@ fn form(part: &MessagePart) -> (Option<&str>, u8) {
     match part {
         MessagePart::Text(text) => (Some(text), 0),
         MessagePart::Value { decimals, .. } => (None, *decimals),
-    }
-}
-
-fn question(source: &Source, span: Span, text: Migrating) -> Note {
-    note(NoteKind::Question, source, span, text)
-}
-
-fn note(kind: NoteKind, source: &Source, span: Span, text: Migrating) -> Note {
-    let (line, column) = source.line_column(span.start);
-    Note {
-        kind,
-        line,
-        column,
-        text,
     }
 }
 

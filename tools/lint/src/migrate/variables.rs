@@ -3,12 +3,11 @@
 //! Old programs know a variable by its number: `VAR1` and `VAR01` are one.
 
 use super::Migrator;
-use super::header::Style;
 use super::lines::Piece;
-use super::placeholders::old_placeholders;
 use crate::message::Migrating;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashSet};
+use tipc::diagnostic::Edit;
 use tipc::language::names;
 use tipc::source::{Source, Span};
 use tipc::syntax::VariableKind;
@@ -30,7 +29,6 @@ impl Prefix {
         (Prefix::Trq, "TRQ"),
     ];
 
-    /// Returns the type of today.
     pub(super) fn kind(self) -> VariableKind {
         match self {
             Prefix::Var => VariableKind::Var,
@@ -62,9 +60,9 @@ pub(super) struct Variables {
 
 impl Variables {
     /// Finds them all; there are none in a program that declares its variables.
-    pub(super) fn collect(source: &Source, pieces: &[Piece], style: Style) -> Self {
+    pub(super) fn collect(source: &Source, pieces: &[Piece], is_typed: bool) -> Self {
         let mut variables = Variables::default();
-        if !style.typed() {
+        if !is_typed {
             return variables;
         }
         let statements = || pieces.iter().filter_map(Piece::statement);
@@ -174,7 +172,7 @@ impl Migrator<'_> {
     pub(super) fn variables(&mut self, variables: &Variables) {
         for (span, name) in &variables.respelt {
             let old = self.slice(*span).to_ascii_uppercase();
-            self.edits.replace(*span, name.as_str());
+            self.edits.push(Edit::replace(*span, name.as_str()));
             let name = name.clone();
             self.change(*span, Migrating::OneVariable { old, name });
         }
@@ -191,4 +189,51 @@ impl Migrator<'_> {
             self.question(*span, text);
         }
     }
+}
+
+/// `%fnn%` or `%dnn%`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Placeholder {
+    /// Start in the text.
+    pub(super) start: usize,
+    /// End in the text.
+    pub(super) end: usize,
+    /// With decimals.
+    pub(super) real: bool,
+    /// The number of the VAR.
+    pub(super) digits: String,
+}
+
+/// Returns the old placeholders of a text, from left to right.
+pub(super) fn old_placeholders(text: &str) -> Vec<Placeholder> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    while let Some(percent) = text[start..].find('%') {
+        start += percent;
+        match placeholder(&text[start..]) {
+            Some((real, digits)) => {
+                let end = start + "%f%".len() + digits.len();
+                found.push(Placeholder {
+                    start,
+                    end,
+                    real,
+                    digits: digits.to_owned(),
+                });
+                start = end;
+            }
+            None => start += 1,
+        }
+    }
+    found
+}
+
+fn placeholder(text: &str) -> Option<(bool, &str)> {
+    let (word, _) = text.strip_prefix('%')?.split_once('%')?;
+    let (real, digits) = match (word.strip_prefix('f'), word.strip_prefix('d')) {
+        (Some(digits), _) => (true, digits),
+        (None, Some(digits)) => (false, digits),
+        (None, None) => return None,
+    };
+    let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    is_number.then_some((real, digits))
 }

@@ -98,7 +98,7 @@ impl Measured<'_> {
                 if let Some(since) = frame.turning.insert(step, cycle) {
                     self.note(index, cycle - since);
                 }
-            } else if !steps.contains(step) {
+            } else if !steps.contains(&step) {
                 frame.turning.remove(head);
             }
         }

@@ -1,24 +1,27 @@
-//! Commands that another thread certainly overrides in the same cycle.
-//!
-//! The turns of a program are followed from its start for as long as constants tell what each of them does. At the first
-//! open condition and the first command that waits for the robot, for a key or for native code nothing is certain any
-//! more, and the rest of the program stays silent. So does a command that counts from the one before it.
+//! Lints about motions: commands that another thread overrides, and waits for what nothing moves.
 
 use super::LintContext;
+use super::flow::{Unreachable, condition};
 use crate::message::Linting;
 use std::collections::BTreeSet;
-use tip_runtime::command::Target;
 use tip_runtime::program::CallStack;
 use tipc::analysis::flow::NodeId;
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::commands::{self, Moves};
-use tipc::program::{Action, Argument, Mark, Op, Operand, StepId};
+use tipc::program::{Action, Argument, Condition, Flag, Mark, Op, Operand, Step, StepId, Target};
+use tipc::source::Span;
+use tipc::syntax::{Statement, StatementKind};
 
 /// The most cycles that are followed.
 const CYCLES: u32 = 1000;
 
-pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+/// Warns of commands that another thread certainly overrides in the same cycle.
+///
+/// The turns of a program are followed from its start for as long as constants tell what each of them does. At the first
+/// open condition and the first command that waits for the robot, for a key or for native code nothing is certain any
+/// more, and the rest of the program stays silent. So does a command that counts from the one before it.
+pub(super) fn overridden(context: &LintContext<'_>, found: &mut Diagnostics) {
     if context.program.threads().is_empty() {
         return;
     }
@@ -255,9 +258,7 @@ struct Joints {
 
 impl Joints {
     fn of(op: Op, target: Target) -> Option<Self> {
-        let row = commands::COMMANDS
-            .iter()
-            .find(|row| row.name == op.name())?;
+        let row = commands::find(op.name())?;
         // NO_COMPLIANCE changes only joints that are compliant.
         if row.moves != Moves::Target || op == Op::NoCompliance {
             return None;
@@ -281,5 +282,114 @@ impl Joints {
     fn meet(self, other: Joints) -> bool {
         let one_leg = self.leg.is_none() || other.leg.is_none() || self.leg == other.leg;
         one_leg && self.first <= other.last && other.first <= self.last
+    }
+}
+
+/// Warns of waits for what nothing in the program moves or sets: they end immediately, never, or stop the program.
+///
+/// A wait for ALL stays silent, so does a question that is no loop, and a program with a SPECIAL, whose native code may
+/// move anything.
+pub(super) fn waits(context: &LintContext<'_>, unreachable: &Unreachable, found: &mut Diagnostics) {
+    let steps = context.program.steps();
+    if steps.iter().any(calls_native_code) {
+        return;
+    }
+    let mut moved = Vec::new();
+    for target in steps.iter().filter_map(moves) {
+        // Robots have few of them, and programs many steps.
+        if !moved.contains(&target) {
+            moved.push(target);
+        }
+    }
+    for (step, content) in (0..).zip(steps) {
+        let reason = waits_for_nothing(&content.action, &moved);
+        if let Some(reason) = reason.filter(|_| unreachable.is_live(step))
+            && let Some(statement) = context.statement(step)
+        {
+            let help = match reason {
+                Linting::NobodySets => Linting::CallSpecial,
+                _ => Linting::WaitForMoved,
+            };
+            let diagnostic = Diagnostic::new(Code::WaitsForNothing, location(statement), reason);
+            found.push(diagnostic.help(help));
+        }
+    }
+}
+
+fn calls_native_code(step: &Step) -> bool {
+    matches!(
+        step.action,
+        Action::Command {
+            op: Op::Special,
+            ..
+        }
+    )
+}
+
+/// Returns what a step brings under control, if it moves anything.
+fn moves(step: &Step) -> Option<Target> {
+    let Action::Command { op, target, .. } = step.action else {
+        return None;
+    };
+    match commands::find(op.name())?.moves {
+        Moves::Nothing => None,
+        Moves::Target => Some(target),
+        Moves::Robot => Some(Target::All),
+    }
+}
+
+fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Linting> {
+    let is_one = |target: Target| !matches!(target, Target::All | Target::None);
+    // A program in which nothing moves at all is a sketch.
+    let others_move =
+        |target: Target| !moved.is_empty() && !moved.iter().any(|moved| meets(*moved, target));
+    let rests = |target: Target| is_one(target) && others_move(target);
+    match *action {
+        Action::Command {
+            op: Op::WaitInpos,
+            target,
+            ..
+        } if rests(target) => Some(Linting::PassesAtOnce { target }),
+        Action::Command {
+            op: Op::WaitNear,
+            target,
+            ..
+        } if rests(target) => Some(Linting::NeverControlled { target }),
+        Action::While {
+            condition: Condition::Flag { flag, .. },
+            ..
+        }
+        | Action::Until {
+            condition: Condition::Flag { flag, .. },
+            ..
+        } => match flag {
+            Flag::Inpos(target) if rests(target) => Some(Linting::InposOfNothing { target }),
+            Flag::Near(target) if rests(target) => Some(Linting::NearOfNothing { target }),
+            Flag::Special(_) => Some(Linting::NobodySets),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Returns true if two targets have a joint in common.
+fn meets(one: Target, other: Target) -> bool {
+    match (one, other) {
+        (Target::All, _) | (_, Target::All) => true,
+        (Target::Foot(leg), Target::Joint(of, _)) | (Target::Joint(of, _), Target::Foot(leg)) => {
+            leg == of
+        }
+        (one, other) => one == other,
+    }
+}
+
+/// Returns the target of a command, or the flag.
+fn location(statement: &Statement) -> Span {
+    match &statement.kind {
+        StatementKind::Command { arguments, .. } => {
+            let target = arguments.first();
+            target.map_or(statement.span, |target| target.span)
+        }
+        _ => condition(statement),
     }
 }

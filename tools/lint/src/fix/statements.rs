@@ -1,16 +1,65 @@
-//! Blocks: THEN, words that stand alone on their line, END.
+//! Statements: labels and jumps, blocks and words that stand alone on their lines, and declarations.
 
-use super::site::Site;
+use super::Site;
 use crate::message::Fixing;
+use tipc::code::Code;
 use tipc::diagnostic::{Edit, Fix};
 use tipc::language::Keyword;
-use tipc::lex::Token;
+use tipc::lex::{BLANKS, Kind, Token};
 use tipc::message::phrase::End;
-use tipc::message::{Message, Parsing, Suggestion};
+use tipc::message::{Message, Naming, Parsing, Suggestion};
 use tipc::source::Span;
 use tipc::syntax::{Shape, StatementKind};
 
-pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+/// Labels and jumps.
+pub(super) fn jumps(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()) {
+        (Message::Parsing(Parsing::LabelColonMissing | Parsing::NameColonMissing), _) => {
+            Some(with_colon(site))
+        }
+        (Message::Parsing(Parsing::BlankBeforeColon), _) => {
+            let edits = [Edit::replace(site.span(), ":")];
+            Some(Fix::certain(Fixing::RemoveBlanks, edits))
+        }
+        (Message::Suggestion(Suggestion::ThenJumps { .. }), _) => without_then(site),
+        (_, Some(Message::Suggestion(Suggestion::WithoutColon { .. }))) => without_colon(site),
+        _ => None,
+    }
+}
+
+/// `GOTO L1`, `START`, `L1.`
+fn with_colon(site: &Site<'_>) -> Fix {
+    let bare = site.text().trim_end_matches(['.', '-']);
+    let rest = Span::new(site.span().start + bare.len(), site.span().end);
+    let title = Fixing::Insert { text: ":".into() };
+    Fix::certain(title, [Edit::replace(rest, ":")])
+}
+
+/// `IF c THEN GOTO L1:`, `IF c GOTO L1: THEN`.
+fn without_then(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let at = tokens.iter().position(|it| site.is(it, Keyword::Then))?;
+    let before = tokens.get(at.checked_sub(1)?)?;
+    let rest = Span::new(before.span.end, tokens[at].span.end);
+    let title = Fixing::Remove {
+        text: Keyword::Then.into(),
+    };
+    Some(Fix::certain(title, [Edit::remove(rest)]))
+}
+
+/// `ELSE:`
+fn without_colon(site: &Site<'_>) -> Option<Fix> {
+    let end = site.span().end;
+    let rest = site.slice(Span::new(end, site.line().span.end));
+    let blanks = rest.len() - rest.trim_start_matches(BLANKS).len();
+    let is_colon = rest[blanks..].starts_with(':');
+    let title = Fixing::Remove { text: ":".into() };
+    let edit = Edit::remove(Span::new(end, end + blanks + 1));
+    is_colon.then(|| Fix::certain(title, [edit]))
+}
+
+/// THEN, words that stand alone on their lines, and END.
+pub(super) fn blocks(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
         (Message::Parsing(Parsing::ThenOrJumpBelongsHere | Parsing::ThenBelongsHere), _) => {
             then(site)
@@ -165,4 +214,82 @@ fn end(site: &Site<'_>) -> Option<Fix> {
     };
     let at = site.source.text().len();
     Some(Fix::certain(title, [Edit::insert(at, text)]))
+}
+
+/// The title before declarations, names that lack one, values in them, and those that nothing uses.
+pub(super) fn declarations(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()) {
+        (_, Some(Message::Suggestion(Suggestion::Title))) => {
+            let title = site.source.line(2).span.start;
+            let edit = Edit::insert(title, site.line_end());
+            Some(Fix::certain(Fixing::TitleLine, [edit]))
+        }
+        (_, Some(Message::Suggestion(Suggestion::Initial { .. }))) => {
+            let (name, edit) = initial(site, &site.tokens())?;
+            Some(Fix::certain(Fixing::OwnLine { name: name.into() }, [edit]))
+        }
+        (_, Some(Message::Naming(Naming::DeclareAs { declaration }))) => declare(site, declaration),
+        (Message::Naming(Naming::NothingUses), _) if site.diagnostic.code == Code::Unused => {
+            unused(site)
+        }
+        _ => None,
+    }
+}
+
+/// `DEF_VAR N = 0`: the value as an assignment after the declaration, and the name.
+pub(super) fn initial<'a>(site: &Site<'a>, tokens: &[Token]) -> Option<(&'a str, Edit)> {
+    let (name, value) = match tokens {
+        [_, name, operator, value] if operator.kind == Kind::Assign(None) => (name, value.span),
+        [_, name, operator, sign, value]
+            if operator.kind == Kind::Assign(None) && !value.spaced =>
+        {
+            (name, sign.span.to(value.span))
+        }
+        _ => return None,
+    };
+    let word = site.slice(name.span);
+    let text = format!("{}{word} = {}", site.next_line(), site.slice(value));
+    let rest = Span::new(name.span.end, value.end);
+    Some((word, Edit::replace(rest, text)))
+}
+
+/// Returns a declaration before the first statement that is none.
+fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
+    let mut statements = site.module.statements.iter();
+    let first = statements.find(|it| !matches!(it.kind, StatementKind::Define { .. }))?;
+    let start = site.source.line(first.line).span.start;
+    let title = Fixing::Insert {
+        text: declaration.into(),
+    };
+    let text = format!("{declaration}{}", site.line_end());
+    Some(Fix::likely(title, [Edit::insert(start, text)]))
+}
+
+/// Returns the name alone, or the whole declaration if it has no other.
+fn unused(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let at = tokens.iter().position(|token| token.span == site.span())?;
+    let title = Fixing::RemoveDeclaration {
+        name: site.text().into(),
+    };
+    let location = match (at, tokens.get(2)) {
+        // Where the line is wrong too, what stands before the name may be no part of it.
+        (0, _) => return None,
+        (_, None) => declaration(site)?,
+        // Of several names, one side's blanks stay.
+        (1, Some(next)) => Span::new(tokens[1].span.start, next.span.start),
+        (_, Some(_)) => Span::new(tokens[at - 1].span.end, tokens[at].span.end),
+    };
+    Some(Fix::likely(title, [Edit::remove(location)]))
+}
+
+/// Returns the line of a declaration, if it holds nothing else.
+fn declaration(site: &Site<'_>) -> Option<Span> {
+    let statement = site.statement()?.span;
+    let line = site.line();
+    let is_alone = site.slice(line.span).trim() == site.slice(statement);
+    Some(match is_alone {
+        true => line.span.to(line.end),
+        false => statement,
+    })
 }

@@ -1,0 +1,602 @@
+//! Lints about conditions, loops, jumps and calls (T.I.P. 3.1 §7-6).
+
+use super::LintContext;
+use crate::coverage_points::reached;
+use crate::message::Linting;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use tipc::analysis::access::{assigns, reads};
+use tipc::analysis::flow::{Call, Entry, Flow, NodeId, always, enters};
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Diagnostics};
+use tipc::language::Keyword;
+use tipc::parse::glued;
+use tipc::program::{Action, Condition, End, Operand, Program, StepId};
+use tipc::source::Span;
+use tipc::symbols::{Access, Definition, DefinitionKind, Symbols};
+use tipc::syntax::{Statement, StatementKind};
+
+/// A step whose outcome is always the same.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Constant {
+    pub(super) step: StepId,
+    /// Presence of a warning about it.
+    outcome: Outcome,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Outcome {
+    /// A condition.
+    Is(bool),
+    /// A FOR that runs its body not even once.
+    Never,
+    /// A count by 0, of which another warning speaks.
+    Stops,
+}
+
+/// Returns the steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 ==
+/// 0` are meant so.
+pub(super) fn constant(context: &LintContext<'_>) -> Vec<Constant> {
+    let steps = (0..).zip(context.program.steps());
+    let constant = |(step, content): (StepId, &tipc::program::Step)| {
+        let outcome = outcome(&content.action)?;
+        Some(Constant { step, outcome })
+    };
+    steps.filter_map(constant).collect()
+}
+
+fn outcome(action: &Action) -> Option<Outcome> {
+    if let Action::For { from, to, step, .. } = action {
+        return match enters(*from, *to, *step) {
+            Entry::Known(false) => Some(Outcome::Never),
+            Entry::Fails => Some(Outcome::Stops),
+            Entry::Known(true) | Entry::Open => None,
+        };
+    }
+    if let Action::Next {
+        step: Operand::Constant(0.0),
+        ..
+    } = action
+    {
+        return Some(Outcome::Stops);
+    }
+    let is = settled(*action.condition()?)?;
+    let is_endless = match action {
+        Action::While { .. } => is,
+        Action::Until { .. } => !is,
+        _ => false,
+    };
+    (!is_endless).then_some(Outcome::Is(is))
+}
+
+/// Returns the constant result of a condition: two constants compared, or a variable with itself.
+fn settled(condition: Condition) -> Option<bool> {
+    use tipc::program::Relation::{Eq, Ge, Gt, Le, Lt, Ne};
+    match condition {
+        Condition::Compare {
+            left: left @ Operand::Scalar { .. },
+            relation,
+            right,
+        } if left == right => Some(match relation {
+            Eq | Le | Ge => true,
+            Ne | Lt | Gt => false,
+        }),
+        _ => always(condition),
+    }
+}
+
+/// Warns of conditions whose outcome never changes, and loops that therefore never run, or never end.
+pub(super) fn conditions(
+    context: &LintContext<'_>,
+    constant: &[Constant],
+    unreachable: &Unreachable,
+    found: &mut Diagnostics,
+) {
+    let deeds = Deeds::of(context.program);
+    for Constant { step, outcome } in constant {
+        let Some(statement) = context
+            .statement(*step)
+            .filter(|_| unreachable.is_live(*step))
+        else {
+            continue;
+        };
+        found.extend(match outcome {
+            _ if !deeds.depend_on(context.program, *step) => None,
+            Outcome::Is(is) => Some(always_so(statement, *is)),
+            Outcome::Never => Some(never_runs(context.program, statement, *step)),
+            Outcome::Stops => None,
+        });
+    }
+    let location = |step: &StepId| constant.binary_search_by_key(step, |one| one.step);
+    let is_judged = |step: &StepId| location(step).is_err();
+    let stuck = stuck(context.program, context.flow)
+        .into_iter()
+        .filter(is_judged);
+    for step in stuck.filter(|step| unreachable.is_live(*step)) {
+        found.extend(context.statement(step).map(never_ends));
+    }
+}
+
+/// For each step how many before it do something or go elsewhere.
+struct Deeds(Vec<u32>);
+
+impl Deeds {
+    fn of(program: &Program) -> Self {
+        let mut deeds = vec![0];
+        let mut count = 0;
+        for step in program.steps() {
+            count += u32::from(step.action.acts() || leads_on(&step.action));
+            deeds.push(count);
+        }
+        Deeds(deeds)
+    }
+
+    /// Returns true if something depends on a step: a block without any action is a sketch.
+    fn depend_on(&self, program: &Program, step: StepId) -> bool {
+        match &program.steps()[step as usize].action {
+            Action::If { otherwise: end, .. }
+            | Action::ElseIf { otherwise: end, .. }
+            | Action::For { exit: end, .. } => {
+                let before = |step: StepId| self.0.get(step as usize).or(self.0.last());
+                before(step) < before(*end)
+            }
+            _ => true,
+        }
+    }
+}
+
+fn leads_on(action: &Action) -> bool {
+    jump(action).is_some() || matches!(action, Action::Return | Action::Finish(_))
+}
+
+fn jump(action: &Action) -> Option<StepId> {
+    match action {
+        Action::Goto { to }
+        | Action::IfGoto { to, .. }
+        | Action::Gosub { to }
+        | Action::IfGosub { to, .. } => Some(*to),
+        _ => None,
+    }
+}
+
+fn always_so(statement: &Statement, is: bool) -> Diagnostic {
+    let (reason, help) = match (&statement.kind, is) {
+        (StatementKind::While { .. }, _) => (Linting::AlwaysFalse, Linting::NeverTurns),
+        (StatementKind::Until { .. }, _) => (Linting::AlwaysTrue, Linting::TurnsOnce),
+        (_, true) => (Linting::AlwaysTrue, Linting::CompareVariable),
+        (_, false) => (Linting::AlwaysFalse, Linting::CompareVariable),
+    };
+    Diagnostic::new(Code::ConstantCondition, condition(statement), reason).help(help)
+}
+
+fn never_runs(program: &Program, statement: &Statement, step: StepId) -> Diagnostic {
+    let action = &program.steps()[step as usize].action;
+    let (reason, help) = match action {
+        Action::For {
+            from: Operand::Constant(from),
+            to: Operand::Constant(to),
+            step: Operand::Constant(step),
+            ..
+        } => {
+            let (from, to, step) = (*from, *to, -*step);
+            (Linting::BeyondEnd { from, to }, Linting::CountBack { step })
+        }
+        _ => return always_so(statement, false),
+    };
+    Diagnostic::new(Code::ForNever, statement.span, reason).help(help)
+}
+
+fn never_ends(statement: &Statement) -> Diagnostic {
+    let location = condition(statement);
+    Diagnostic::new(Code::EndlessLoop, location, Linting::NothingChanges)
+        .help(Linting::ChangeOrLoop)
+}
+
+pub(super) fn condition(statement: &Statement) -> Span {
+    use tipc::syntax::Condition::{Compare, Flag};
+    match &statement.kind {
+        StatementKind::If { condition, .. }
+        | StatementKind::ElseIf { condition, .. }
+        | StatementKind::While { condition, .. }
+        | StatementKind::Until { condition, .. } => match &**condition {
+            Compare { left, right, .. } => left.span.to(right.span),
+            Flag { name, .. } => name.span,
+        },
+        _ => statement.span,
+    }
+}
+
+/// Returns the steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the
+/// condition. Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag or a special variable says
+/// may change at any time, and so may a variable that native code or another thread assigns. A loop that does nothing is left out: whoever runs the program may assign the variable that it waits for.
+fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
+    if !program.threads().is_empty() {
+        return Vec::new();
+    }
+    let mut walk = Walk::new(flow);
+    let steps = (0..).zip(program.steps());
+    let loops =
+        steps.filter_map(|(step, content)| Some((step, turn(flow, step, &content.action)?)));
+    loops
+        .filter(|(step, turn)| is_stuck(program, flow, &mut walk, *step, *turn) == Some(true))
+        .map(|(step, _)| step)
+        .collect()
+}
+
+/// Returns the node where a loop goes on to turn, if a step decides that by comparing variables.
+fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
+    let (condition, turn) = match action {
+        Action::While { condition, .. } => (condition, step + 1),
+        Action::Until { condition, back } => (condition, *back),
+        Action::IfGoto { condition, to } if *to <= step => (condition, *to),
+        _ => return None,
+    };
+    let is_fixed = |operand: &Operand| !matches!(operand, Operand::Reading { .. });
+    let compares = match condition {
+        Condition::Compare { left, right, .. } => is_fixed(left) && is_fixed(right),
+        Condition::Flag { .. } => false,
+    };
+    compares.then(|| flow.first(turn))
+}
+
+/// Returns whether the loop cannot end; `None` if it is too large to say.
+fn is_stuck(
+    program: &Program,
+    flow: &Flow,
+    walk: &mut Walk<'_>,
+    step: StepId,
+    turn: NodeId,
+) -> Option<bool> {
+    let mut compared = BTreeSet::new();
+    let action = |id: NodeId| &program.steps()[flow.nodes()[id].step as usize].action;
+    let end = flow.first(step);
+    reads(program, action(end), |scalar| {
+        compared.insert(scalar);
+    });
+    let own = walk.from(&[turn], Some(end), Into::Itself)?;
+    let all = walk.from(&[turn], Some(end), Into::Calls)?;
+    let returns = own.iter().any(|id| flow.nodes()[*id].returns);
+    let ends = all
+        .iter()
+        .any(|id| matches!(action(*id), Action::Finish(_)));
+    let changes = all
+        .iter()
+        .any(|id| assigns(program, action(*id)).any(|scalar| compared.contains(&scalar)));
+    let acts = all.iter().any(|id| action(*id).acts());
+    let variable = |scalar: &usize| &program.variables()[program.variable_of(*scalar)];
+    let is_shared = compared
+        .iter()
+        .any(|scalar| variable(scalar).special.is_some());
+    let changes = changes || is_shared;
+    Some(!compared.is_empty() && acts && own.contains(&end) && !returns && !ends && !changes)
+}
+
+/// The steps that no path leads to, in order; what only a constant condition keeps from running is not among them.
+pub(super) struct Unreachable(Vec<StepId>);
+
+impl Unreachable {
+    /// Creates each branch of the steps `open`, which have to be in order, counts as taken.
+    pub(super) fn of(context: &LintContext<'_>, open: &[StepId]) -> Self {
+        Unreachable(dead(context.program, context.flow, open))
+    }
+
+    pub(super) fn is_live(&self, step: StepId) -> bool {
+        self.0.binary_search(&step).is_err()
+    }
+
+    /// Warns once of each run of steps that would do something. Silent about routines that nothing calls: a program may
+    /// have more of them than it needs.
+    pub(super) fn warn(&self, context: &LintContext<'_>, found: &mut Diagnostics) {
+        if self.0.is_empty() {
+            return;
+        }
+        let sources = sources(context.program);
+        let is_subroutine = |step: StepId| {
+            let statement = context.statement(step);
+            statement.is_some_and(|it| matches!(it.kind, StatementKind::Subroutine { .. }))
+        };
+        let belongs = |before: &StepId, step: &StepId| before + 1 == *step && !is_subroutine(*step);
+        for run in self.0.chunk_by(belongs) {
+            found.extend(unreachable_warning(context, run, &sources));
+        }
+    }
+}
+
+fn sources(program: &Program) -> HashMap<StepId, Vec<StepId>> {
+    let mut sources: HashMap<StepId, Vec<StepId>> = HashMap::new();
+    for (step, content) in (0..).zip(program.steps()) {
+        if let Some(to) = jump(&content.action) {
+            sources.entry(to).or_default().push(step);
+        }
+    }
+    sources
+}
+
+fn unreachable_warning(
+    context: &LintContext<'_>,
+    run: &[StepId],
+    sources: &HashMap<StepId, Vec<StepId>>,
+) -> Option<Diagnostic> {
+    let actions = run
+        .iter()
+        .map(|step| &context.program.steps()[*step as usize].action);
+    let is_routine = actions
+        .clone()
+        .any(|action| matches!(action, Action::Return));
+    if !actions.clone().any(Action::acts) {
+        return None;
+    }
+    let mut statements = run.iter().filter_map(|step| context.statement(*step));
+    let start = statements.find(|statement| !closes(&statement.kind))?;
+    if is_routine && start.kind.label().is_some() {
+        return None;
+    }
+    let (first, last) = (*run.first()?, *run.last()?);
+    // What other unreachable steps jump to follows from them.
+    let mut jumps = sources.get(&start.step).into_iter().flatten();
+    if jumps.any(|from| !(first..=last).contains(from)) {
+        return None;
+    }
+    let (reason, help) = match start.kind.label() {
+        Some((name, _)) => {
+            let name = name.node.clone();
+            (
+                Linting::NothingJumps { name: name.clone() },
+                Linting::JumpOrDelete { name },
+            )
+        }
+        None => (Linting::NoPath, Linting::LabelOrDelete),
+    };
+    let diagnostic = Diagnostic::new(Code::Unreachable, start.keyword(), reason).help(help);
+    let above = first
+        .checked_sub(1)
+        .and_then(|step| context.statement(step));
+    Some(
+        match above.filter(|above| !above.kind.goes_on() && !closes(&above.kind)) {
+            Some(above) => diagnostic.label(above.span, Linting::LeadsElsewhere),
+            None => diagnostic,
+        },
+    )
+}
+
+/// Returns true if a step only closes a block.
+fn closes(kind: &StatementKind) -> bool {
+    matches!(
+        kind,
+        StatementKind::Else
+            | StatementKind::EndIf
+            | StatementKind::Wend
+            | StatementKind::Until { .. }
+            | StatementKind::Next { .. }
+            | StatementKind::SubEnd
+            | StatementKind::ThreadEnd
+    )
+}
+
+/// Returns the steps that no path from the start leads to, in order. Each branch of the steps `open`, which have to be
+/// in order, counts as taken, even if constants decide otherwise.
+fn dead(program: &Program, flow: &Flow, open: &[StepId]) -> Vec<StepId> {
+    let is_live = reached(flow, flow.starts(), |node, next| {
+        next.extend(node.call.iter().flat_map(|call| [call.entry, call.back]));
+        if open.binary_search(&node.step).is_ok() {
+            let action = &program.steps()[node.step as usize].action;
+            next.extend(branches(flow, node.step, action));
+        }
+    });
+    let steps = 0..program.steps().len() as StepId;
+    let is_dead = |step: &StepId| !is_live[flow.first(*step)] && !is_live[flow.last(*step)];
+    steps.filter(is_dead).collect()
+}
+
+/// Returns the targets of a step with two branches.
+fn branches(flow: &Flow, step: StepId, action: &Action) -> [NodeId; 2] {
+    let other = match action {
+        Action::If { otherwise, .. } | Action::ElseIf { otherwise, .. } => flow.last(*otherwise),
+        Action::While { exit: to, .. }
+        | Action::Until { back: to, .. }
+        | Action::For { exit: to, .. }
+        | Action::Next { body: to, .. }
+        | Action::IfGoto { to, .. }
+        | Action::IfGosub { to, .. } => flow.first(*to),
+        _ => flow.first(step + 1),
+    };
+    [flow.first(step + 1), other]
+}
+
+/// Warns of parts that GOSUB calls and that do not come back, and of a RETURN that comes back from nowhere (T.I.P. 3.1
+/// §7-6-5). Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a
+/// SUBROUTINE, since another warning speaks of running into that.
+pub(super) fn routines(
+    context: &LintContext<'_>,
+    unreachable: &Unreachable,
+    found: &mut Diagnostics,
+) {
+    for (entry, call) in one_way(context.program, context.flow) {
+        if unreachable.is_live(call) {
+            found.extend(never_returns(context, entry, call));
+        }
+    }
+    if let Some(lost) = lost_return(context).and_then(|step| context.statement(step)) {
+        let diagnostic = Diagnostic::new(Code::LostReturn, lost.span, Linting::ReturnsNowhere);
+        found.push(diagnostic.help(Linting::PutJumpAboveLabel));
+    }
+}
+
+fn never_returns(context: &LintContext<'_>, entry: StepId, call: StepId) -> Option<Diagnostic> {
+    let (part, caller) = (context.statement(entry)?, context.statement(call)?);
+    let (name, _) = part.kind.label()?;
+    let diagnostic = Diagnostic::new(Code::NoReturn, part.span, Linting::NeverReturns);
+    let diagnostic = diagnostic.about(name.node.as_str());
+    Some(
+        diagnostic
+            .label(caller.span, Linting::CalledHere)
+            .help(Linting::EndWithReturn),
+    )
+}
+
+/// Returns the first RETURN outside a SUBROUTINE that paths from the start come to without being called, as if every
+/// call came back.
+fn lost_return(context: &LintContext<'_>) -> Option<StepId> {
+    let own = reached(context.flow, &[0], |node, next| {
+        next.extend(node.call.map(|call| call.back));
+    });
+    let mut is_inside = Vec::new();
+    let mut inside = false;
+    for statement in context.module.steps() {
+        inside |= matches!(statement.kind, StatementKind::Subroutine { .. });
+        is_inside.push(inside);
+        inside &= !matches!(statement.kind, StatementKind::SubEnd);
+    }
+    let nodes = context.flow.nodes().iter().zip(own);
+    let mut returns = nodes.filter(|(node, own)| *own && node.returns);
+    let lost = returns.find(|(node, _)| !is_inside[node.step as usize]);
+    lost.map(|(node, _)| node.step)
+}
+
+/// Returns the first steps of routines that cannot come back, although they do not end the program by EXIT, each with
+/// the first step that calls it.
+fn one_way(program: &Program, flow: &Flow) -> Vec<(StepId, StepId)> {
+    let mut walk = Walk::new(flow);
+    let mut entries = BTreeSet::new();
+    let calls = flow
+        .nodes()
+        .iter()
+        .filter_map(|node| Some((node.step, node.call?)));
+    calls
+        .filter(|(_, call)| entries.insert(call.entry))
+        .filter(|(_, call)| is_one_way(program, flow, &mut walk, *call) == Some(true))
+        .map(|(step, call)| (flow.nodes()[call.entry].step, step))
+        .collect()
+}
+
+/// Returns whether the routine does something, and then runs to the end of the source or into a call of itself, but
+/// never returns;
+/// `None` if it is too long to say.
+fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
+    let path = walk.from(&[call.entry], None, Into::Itself)?;
+    let nodes = || path.iter().map(|id| &flow.nodes()[*id]);
+    let actions = || nodes().map(|node| &program.steps()[node.step as usize].action);
+    if nodes().any(|node| node.returns) {
+        return Some(false);
+    }
+    let runs_out = actions().any(|action| matches!(action, Action::Finish(End::End)));
+    let calls_itself = nodes().any(|node| node.call.is_some_and(|inner| inner.entry == call.entry));
+    Some((runs_out || calls_itself) && actions().any(Action::acts))
+}
+
+/// Maximum number of nodes on a path that is followed: the time stays in proportion to the program.
+const FARTHEST: usize = 1_000;
+
+/// Nodes of a path that count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Into {
+    /// Nodes of its own routine: a call is passed.
+    Itself,
+    /// Nodes of called routines too.
+    Calls,
+}
+
+/// Follows paths from nodes, one search after the other.
+struct Walk<'a> {
+    flow: &'a Flow,
+    /// The last search that came to each node.
+    seen: Vec<u32>,
+    search: u32,
+}
+
+impl<'a> Walk<'a> {
+    fn new(flow: &'a Flow) -> Self {
+        Walk {
+            flow,
+            seen: vec![0; flow.nodes().len()],
+            search: 0,
+        }
+    }
+
+    /// Returns the nodes that paths from `starts` come to, themselves among them, without those behind `end`, where
+    /// paths end;
+    /// `None` if there are very many.
+    fn from(&mut self, starts: &[NodeId], end: Option<NodeId>, into: Into) -> Option<Vec<NodeId>> {
+        self.search += 1;
+        let mut found = Vec::new();
+        let mut open = starts.to_vec();
+        while let Some(id) = open.pop() {
+            let Some(node) = self.flow.nodes().get(id) else {
+                continue;
+            };
+            if std::mem::replace(&mut self.seen[id], self.search) == self.search {
+                continue;
+            }
+            if found.len() == FARTHEST {
+                return None;
+            }
+            found.push(id);
+            if Some(id) == end {
+                continue;
+            }
+            open.extend(node.next.iter());
+            if let Some(call) = node.call {
+                open.push(call.back);
+                open.extend((into == Into::Calls).then_some(call.entry));
+            }
+        }
+        Some(found)
+    }
+}
+
+/// Warns of labels like `GOTOL1:`. Silent about a label that something jumps to, and where no label has the rest of
+/// its name. That nothing comes to the label that was meant follows from it.
+pub(super) fn glued_jumps(context: &LintContext<'_>, found: &mut Diagnostics) {
+    let suspects = suspects(context.symbols);
+    let meant: HashSet<&str> = suspects.iter().map(|it| it.meant).collect();
+    let follows = |diagnostic: &Diagnostic| match diagnostic.reason.get() {
+        Some(Linting::NothingJumps { name }) => meant.contains(name.as_str()),
+        _ => false,
+    };
+    found.retain(|diagnostic| !follows(diagnostic));
+    for Suspect { label, jump, meant } in suspects {
+        let help = Linting::JumpInTwoWords {
+            written: format!("{jump} {meant}:").into(),
+            word: label.name.clone(),
+        };
+        let reason = Linting::JumpInOneWord { jump };
+        let diagnostic = |location| Diagnostic::new(Code::GluedJump, location, reason).help(help);
+        found.extend(label.span.map(diagnostic));
+    }
+}
+
+/// A label that looks like a jump.
+struct Suspect<'a> {
+    label: &'a Definition,
+    jump: Keyword,
+    /// The label that it would jump to.
+    meant: &'a str,
+}
+
+/// Returns the label as a suspect, if it looks like a jump.
+fn suspect(label: &Definition) -> Option<Suspect<'_>> {
+    let (jump, meant) = glued(&label.name)?;
+    (label.kind == DefinitionKind::Label).then_some(Suspect { label, jump, meant })
+}
+
+fn suspects(symbols: &Symbols) -> Vec<Suspect<'_>> {
+    let definitions = symbols.definitions();
+    let kinds: HashMap<&str, DefinitionKind> = definitions
+        .iter()
+        .map(|it| (it.name.as_str(), it.kind))
+        .collect();
+    let leads_on = |jump: Keyword, meant: &str| match kinds.get(meant) {
+        None | Some(DefinitionKind::Variable(_) | DefinitionKind::Constant) => false,
+        Some(kind) => jump != Keyword::Call || *kind == DefinitionKind::Subroutine,
+    };
+    let uses = symbols.all_uses().iter();
+    let jumps = uses.filter(|it| matches!(it.access, Access::Jump | Access::Call));
+    let used: HashSet<usize> = jumps.map(|it| it.definition.index()).collect();
+    let is_unused = |(index, _): &(usize, &Definition)| !used.contains(index);
+    definitions
+        .iter()
+        .enumerate()
+        .filter(is_unused)
+        .filter_map(|(_, label)| suspect(label))
+        .filter(|it| leads_on(it.jump, it.meant))
+        .collect()
+}
