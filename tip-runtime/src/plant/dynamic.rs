@@ -19,13 +19,9 @@
 //! ```
 
 mod body_dynamics;
-mod cholesky;
 mod contact;
-mod edge_contact;
 mod fall_detector;
-mod foot_contact;
 mod leg;
-mod links;
 mod multibody;
 mod self_collision;
 mod servo;
@@ -35,20 +31,22 @@ mod terrain;
 pub use servo::Drives;
 
 use super::sensors::{LegInputs, Overrides, SensorNoise};
-use super::{DIVERGED, Fall, Foot, Limbs, Motion, Noise, Plant, Pose, TrackingErrors, Travel};
+use super::{
+    ContactLaw, DIVERGED, Fall, Foot, GRAVITY, Limbs, Motion, Noise, Plant, Pose, TrackingErrors,
+    Travel, is_lit,
+};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
 use crate::scene::Scene;
 use body_dynamics::{BodyDynamics, ExternalForce};
-use contact::ContactLaw;
 use fall_detector::FallDetector;
 use leg::LegBody;
 use multibody::Multibody;
 use nalgebra::Vector3;
 use spatial::{Inertia, Spatial};
-use terrain::{GRAVITY, Terrain};
+use terrain::Terrain;
 
 /// The velocity of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,7 +98,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
                 detector: FallDetector::new(&base.frame, &terrain),
                 base,
                 terrain,
-                law: ContactLaw::of(1.0, 1.0, 1.0),
+                law: ContactLaw::of_robot(1.0, 1.0, 1.0),
                 drives: Drives::default(),
                 unit: forces.map_or(1.0, |forces| forces.unit.per_newton_metre()),
                 period: model.standards.period,
@@ -263,8 +261,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
 
     /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
-        let word = self.lamps.get(usize::from(device / 32));
-        word.is_some_and(|word| word >> (device % 32) & 1 == 1)
+        is_lit(&self.lamps, device)
     }
 
     fn robot_mut(&mut self) -> &mut Multibody<[LegBody<J>]> {

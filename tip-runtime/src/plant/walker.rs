@@ -17,40 +17,32 @@
 //! assert!(plant.margin() > 0.0, "its centre of mass is above what carries it");
 //! ```
 
-mod crossing;
-mod descent;
+pub(super) mod events;
 pub(super) mod fall;
-mod floor;
 mod ground;
 mod legs;
 mod links;
-mod odometry;
-pub(super) mod polygon;
 mod pose;
 mod servo;
 mod stance;
 mod support;
-pub(super) mod tracking;
-mod unmodelled;
 
+pub use events::{TrackingErrors, Unmodelled};
 pub use fall::Fall;
-pub use odometry::Travel;
-pub use pose::Pose;
+pub use pose::{Pose, Travel};
 pub use servo::ServoDynamics;
-pub use tracking::TrackingErrors;
-pub use unmodelled::Unmodelled;
 
 use super::sensors::{LegInputs, Overrides};
-use super::{DIVERGED, Limbs, Motion, Plant, are_sane};
+use super::{DIVERGED, Limbs, Motion, Plant, are_sane, is_lit};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
 use crate::scene::{BLOCKS, Block, Floor};
-use floor::Obstacles;
 use ground::Ground;
 use legs::{LegPlant, Legs};
 use nalgebra::Vector3;
+use pose::Obstacles;
 
 /// One foot of a simulated robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,15 +123,6 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     #[must_use]
     pub fn with_servos(mut self, dynamics: ServoDynamics) -> Self {
         self.legs.dynamics = dynamics;
-        self
-    }
-
-    /// Sets the height above the lowest foot, along the body's z axis, up to which feet count as
-    /// standing in the detection of falls: `lift` mm, 20 mm by default. A program that leans the
-    /// body on purpose needs more.
-    #[must_use]
-    pub fn with_lift(mut self, lift: f64) -> Self {
-        self.ground.falls.lift = lift;
         self
     }
 
@@ -237,8 +220,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
 
     /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
-        let word = self.lamps.get(usize::from(device / 32));
-        word.is_some_and(|word| word >> (device % 32) & 1 == 1)
+        is_lit(&self.lamps, device)
     }
 
     fn settle(&mut self) {
