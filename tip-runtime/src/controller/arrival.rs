@@ -1,13 +1,14 @@
 //! INPOS and NEAR: whether what a target names has arrived (T.I.P. 3.1 §6-2, §7-4).
 
+use super::drive::distance;
 use super::leg::LegState;
 use super::params::{FootParams, JointParams};
 use super::trajectory::Track;
 use super::{ControllerView, targets};
-use crate::command::{Poll, Target};
+use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
 use crate::kinematics::LegPoint;
-use crate::model::{Inverse, Point};
+use crate::model::Inverse;
 
 /// The distance at which a target counts as reached.
 #[derive(Clone, Copy)]
@@ -135,11 +136,6 @@ impl<const J: usize> LegState<J> {
     }
 }
 
-fn distance(a: Point, b: Point) -> f64 {
-    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
-    libm::sqrt(squares.sum())
-}
-
 /// Returns true if all parts are true, looking no farther than the first that is not; `None`
 /// without parts.
 fn all(parts: impl Iterator<Item = bool>) -> Option<bool> {
@@ -153,6 +149,24 @@ fn all(parts: impl Iterator<Item = bool>) -> Option<bool> {
     all
 }
 
-pub(super) fn done_if(done: bool) -> Poll {
+fn done_if(done: bool) -> Poll {
     if done { Poll::Done } else { Poll::Pending }
+}
+
+impl<const J: usize> ControllerView<J> {
+    /// Runs SLEEP: at least one cycle, and no time of a cycle too little.
+    pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        let sleep = self.tasks.sleep().ok_or(Fault::Domain)?;
+        let left = match (*sleep, command.values) {
+            (left, _) if left > 0.0 => left,
+            (_, [time]) if time.number() >= 0.0 => {
+                // The subtrahend forgives the rounding of a division that should be exact.
+                libm::ceil(time.number() / self.params.period - 1e-9).max(1.0)
+            }
+            _ => return Err(Fault::Domain),
+        };
+        let done = left <= 1.0;
+        *sleep = if done { 0.0 } else { left - 1.0 };
+        Ok(done_if(done))
+    }
 }

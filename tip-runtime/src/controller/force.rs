@@ -2,8 +2,7 @@
 //! that they set to work are in [`law`](super::drive).
 
 use super::drive::Drive;
-use super::operands::{Base, resolve, resolve_from};
-use super::targets::{joint_of, unlocked};
+use super::targets::{Base, joint_of, resolve, resolve_from, unlocked};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};

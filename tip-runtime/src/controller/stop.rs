@@ -112,7 +112,7 @@ impl<const J: usize> ControllerView<J> {
         for leg in &mut self.legs {
             let mut angles = leg.angles;
             for (angle, joint) in angles.iter_mut().zip(&leg.model.joints) {
-                *angle = angle.max(joint.outer.min).min(joint.outer.max);
+                *angle = joint.outer.nearest(*angle);
             }
             leg.drive = LegDrive::free(angles);
         }
@@ -121,7 +121,7 @@ impl<const J: usize> ControllerView<J> {
         let axes = self.slider_at.iter().zip(travel.iter().flatten());
         for (at, (measured, travel)) in slider.iter_mut().zip(axes) {
             if measured.is_finite() {
-                *at = measured.max(travel.min).min(travel.max);
+                *at = travel.nearest(*measured);
             }
         }
         self.slider = Track::resting(slider);

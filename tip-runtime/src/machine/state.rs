@@ -1,10 +1,14 @@
 //! The state of a machine in its run.
 
-use super::io_state::IoState;
-use super::threads::Threads;
+use super::threads::{Threads, Timers};
+use super::variables::SpecialVariables;
+use crate::command::{Flag, MAX, Port, Target, Teach};
+use crate::console::{Bars, Console};
 use crate::controller::ControllerView;
 use crate::emergency::Emergency;
 use crate::fault::Fault;
+use crate::hardware::Inputs;
+use crate::model::Forces;
 use crate::program::End;
 
 /// The software emergency stop.
@@ -91,5 +95,231 @@ impl State {
                 controller.release();
             }
         }
+    }
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct IoState {
+    pub(super) keyboard: Keyboard,
+    pub(super) halt_requested: bool,
+    pub(super) special_flags: [bool; 10],
+    /// Lamps and relays: bit n % 32 of word n / 32 is device n.
+    pub(super) lamps: [u32; 8],
+    /// Each cycle is sampled (LOG_START).
+    pub(super) samples: bool,
+    /// This cycle is sampled (LOG_ONE_SHOT).
+    pub(super) samples_once: bool,
+    /// SILENT_ON or SILENT_OFF ran in this cycle.
+    pub(super) silence: Option<bool>,
+    /// OUTPUT_VARIABLES ran in this cycle.
+    pub(super) dump_requested: bool,
+    /// True if OUTPUT_VARIABLES holds the robot.
+    pub(super) held_for_dump: bool,
+    /// True if a pause holds the robot.
+    held_for_pause: bool,
+    pub(super) graphs: Graphs,
+    pub(super) timers: Timers,
+    /// Number of steps in a turn, from the next cycle on (TIP_SPEED_UP).
+    pub(super) speed: u8,
+    pub(super) variables: SpecialVariables,
+}
+
+/// Volts from which the antenna counts as touching.
+const TOUCH: f64 = 0.5;
+
+impl IoState {
+    /// Returns true if a flag of conditions is up.
+    pub(super) fn flag<const J: usize>(
+        &self,
+        flag: Flag,
+        controller: &ControllerView<J>,
+        inputs: &Inputs,
+    ) -> bool {
+        match flag {
+            Flag::Inpos(target) => controller.inpos(target),
+            Flag::Near(target) => controller.near(target),
+            Flag::HaltRequest => self.halt_requested,
+            Flag::KbHit => !self.keyboard.is_empty(),
+            Flag::Special(n) => {
+                let flag = self.special_flags.get(usize::from(n));
+                flag.is_some_and(|up| *up)
+            }
+            Flag::Antenna => inputs
+                .get(Port::Antenna)
+                .is_some_and(|volts| volts >= TOUCH),
+        }
+    }
+
+    pub(super) fn new() -> Self {
+        IoState {
+            keyboard: Keyboard::new(),
+            halt_requested: false,
+            special_flags: [false; 10],
+            lamps: [0; 8],
+            samples: false,
+            samples_once: false,
+            silence: None,
+            dump_requested: false,
+            held_for_dump: false,
+            held_for_pause: false,
+            graphs: Graphs::OFF,
+            timers: Timers::HALTED,
+            speed: 1,
+            variables: SpecialVariables::ZERO,
+        }
+    }
+}
+
+/// Keys that wait for KEY_IN.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Keyboard {
+    bytes: [u8; Self::CAPACITY],
+    len: usize,
+}
+
+impl Keyboard {
+    const CAPACITY: usize = 64;
+
+    pub(super) const fn new() -> Self {
+        Keyboard {
+            bytes: [0; Self::CAPACITY],
+            len: 0,
+        }
+    }
+
+    /// Drops the byte if the buffer is full.
+    pub(super) fn push(&mut self, byte: u8) {
+        if let Some(slot) = self.bytes.get_mut(self.len) {
+            *slot = byte;
+            self.len += 1;
+        }
+    }
+
+    /// Takes the oldest key, upper-cased; all others are lost.
+    pub(super) fn take(&mut self) -> Option<u8> {
+        let oldest = (!self.is_empty()).then_some(self.bytes[0]);
+        self.clear();
+        oldest.map(|byte| byte.to_ascii_uppercase())
+    }
+
+    pub(super) const fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    pub(super) const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+}
+
+/// Time between two drawings of the bars, ms.
+const EVERY: f64 = 100.0;
+
+/// One bar for each joint that the language can name.
+const MOST: usize = MAX * MAX;
+
+/// A bar graph.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Graph {
+    /// It is not shown.
+    Off,
+    /// It is to be taken away.
+    Leaving,
+    /// Time at which a shown graph is redrawn, ms.
+    On(f64),
+}
+
+/// Graph 0 shows the joint torques, graph 1 the forces of the fingertips.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Graphs([Graph; 2]);
+
+impl Graphs {
+    const OFF: Self = Graphs([Graph::Off; 2]);
+
+    pub(super) fn switch(&mut self, graph: u8, on: bool) -> Result<(), Fault> {
+        let graph = self.0.get_mut(usize::from(graph)).ok_or(Fault::Domain)?;
+        *graph = if on { Graph::On(0.0) } else { Graph::Leaving };
+        Ok(())
+    }
+    /// Hands the graphs that are due at `time` (ms) to the console: of these torques, and of the forces
+    /// that the controller senses.
+    pub(super) fn show<const J: usize>(
+        &mut self,
+        time: f64,
+        torques: &[[f64; J]],
+        controller: &ControllerView<J>,
+        console: &mut dyn Console,
+    ) {
+        let Some(forces) = &controller.robot().forces else {
+            return;
+        };
+        for (number, graph) in (0..).zip(&mut self.0) {
+            *graph = match *graph {
+                Graph::Leaving => {
+                    console.bars(number, Bars(&[]));
+                    Graph::Off
+                }
+                Graph::On(due) if time >= due => {
+                    let mut bars = [0.0; MOST];
+                    let bars = match number {
+                        0 => torque_bars(torques.as_flattened(), forces, &mut bars),
+                        _ => force_bars(controller, forces, &mut bars),
+                    };
+                    console.bars(number, Bars(bars));
+                    Graph::On(time + EVERY)
+                }
+                Graph::Off | Graph::On(_) => continue,
+            };
+        }
+    }
+}
+
+/// Fills bars with torques; full height is twice the torque of a search.
+fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) -> &'a [f64] {
+    let full = 2.0 * forces.search_torque;
+    for (bar, torque) in bars.iter_mut().zip(torques) {
+        *bar = torque / full;
+    }
+    bars.get(..torques.len()).unwrap_or(bars)
+}
+
+/// Fills bars with forces; full height is four times the force of a search, and a force that is not
+/// available has no height.
+fn force_bars<'a, const J: usize>(
+    controller: &ControllerView<J>,
+    forces: &Forces,
+    bars: &'a mut [f64; MOST],
+) -> &'a [f64] {
+    let full = 4.0 * forces.search_force;
+    let legs = controller.count();
+    for (n, bar) in (1..=legs).zip(bars.iter_mut()) {
+        if let Ok([x, y, z, ..]) = controller.teach(Teach::Force, Target::Foot(n))
+            && z >= 0.0
+        {
+            *bar = libm::sqrt(x * x + y * y) / full;
+        }
+    }
+    bars.get(..usize::from(legs)).unwrap_or(bars)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // clauses: 2.23 7.33 7.34
+    #[test]
+    fn the_oldest_of_at_most_64_keys_is_taken_and_the_rest_is_lost() {
+        let mut keyboard = Keyboard::new();
+        assert_eq!(keyboard.take(), None);
+        for byte in b'a'..=b'a' + 25 {
+            keyboard.push(byte);
+        }
+        for _ in 0..100 {
+            keyboard.push(b'?');
+        }
+        assert_eq!(keyboard.len, 64);
+        assert_eq!(keyboard.take(), Some(b'A'));
+        assert_eq!(keyboard.take(), None);
+        keyboard.push(b'{');
+        assert_eq!(keyboard.take(), Some(b'{'));
     }
 }

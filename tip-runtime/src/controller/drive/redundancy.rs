@@ -5,11 +5,8 @@
 //! rest to that posture. The line is tried out before the leg sets off; where a posture leads into a
 //! limit, another one is tried. If that takes more than one cycle, the leg waits, or brakes first.
 
-use super::bend::Bend;
-use super::posture_path::{Line, PosturePath};
 use super::reach::has_few_joints;
-use super::search::{Outcome, Search};
-use super::trial::PointOfLeg;
+use super::search::{Bend, Line, Outcome, PointOfLeg, PosturePath, Search};
 use crate::controller::trajectory::{Limits, Track};
 use crate::kinematics::{self, LegPoint};
 use crate::model::{Inverse, Leg};
@@ -30,38 +27,22 @@ pub(in crate::controller) enum Redundancy<const J: usize> {
 }
 
 impl<const J: usize> Redundancy<J> {
-    /// Starts a motion on the path of a point along `line`, for a leg at the angles `from`.
-    pub(in crate::controller) fn to_place(
+    /// Starts a motion on the path of a point along `line`, for a leg at the angles `from`, whose joints return to the
+    /// angles `home`, if there are any.
+    pub(in crate::controller) fn seek(
         inverse: Inverse,
         leg: &Leg<J>,
         point: LegPoint,
         from: &[f64; J],
         line: Line,
+        home: Option<[f64; J]>,
     ) -> Self {
-        if has_choice::<J>(inverse, point) {
-            let axes = inverse.axes();
-            let point = PointOfLeg { leg, point, axes };
-            Redundancy::Sought(Search::new(&point, *from, line, None))
-        } else {
-            Redundancy::None
+        if !has_choice::<J>(inverse, point) {
+            return Redundancy::None;
         }
-    }
-
-    /// Starts a motion on the path of the foot along `line` to its initial posture, for a leg at
-    /// the angles `from`.
-    pub(in crate::controller) fn to_initial(
-        inverse: Inverse,
-        leg: &Leg<J>,
-        from: &[f64; J],
-        line: Line,
-    ) -> Self {
-        if has_choice::<J>(inverse, LegPoint::Tip) {
-            let (point, axes) = (LegPoint::Tip, inverse.axes());
-            let point = PointOfLeg { leg, point, axes };
-            Redundancy::Sought(Search::new(&point, *from, line, Some(leg.initial)))
-        } else {
-            Redundancy::None
-        }
+        let axes = inverse.axes();
+        let point = PointOfLeg { leg, point, axes };
+        Redundancy::Sought(Search::new(&point, *from, line, home))
     }
 
     /// Goes on with a search for postures, for a leg at the angles `from`. If its point moves, and would

@@ -3,10 +3,13 @@
 //! It begins at the target with the posture nearest to the present one. Where that leads into a limit,
 //! it goes on from postures that are spread over the limits.
 
-use super::bend::{Bend, BendResult, Bending, middle};
-use super::posture_path::{Line, PosturePath};
-use super::trial::{PointOfLeg, Trial, TrialResult};
-use crate::kinematics::{self, is_straight, resolve_piece};
+#[cfg(test)]
+mod tests;
+
+use super::distance;
+use crate::controller::trajectory::{Goal, Limits, Track};
+use crate::kinematics::{self, LegPoint, is_straight, largest_turn, resolve_piece};
+use crate::model::{Axes, Leg};
 
 /// The pieces of a line that are tried in one cycle, at most: enough for the nearest posture and for as
 /// many pieces as lines mostly have, so that most legs set off immediately.
@@ -189,9 +192,11 @@ impl<const J: usize> Search<J> {
             nearest => {
                 let end = nearest.unwrap_or(end);
                 let bow = (self.attempt == Attempt::Bowed).then(|| middle(point.leg));
-                let guide = PosturePath::between(self.from, end, self.line)
-                    .and_home(self.home)
-                    .bowed(bow);
+                let guide = PosturePath {
+                    home: self.home,
+                    bow,
+                    ..PosturePath::between(self.from, end, self.line)
+                };
                 Stage::Trying(Trial::new(guide, self.from))
             }
         }
@@ -203,5 +208,320 @@ fn straight<const J: usize>(from: [f64; J], home: [f64; J], line: Line) -> Postu
     PosturePath::between(from, home, line).eased()
 }
 
-#[cfg(test)]
-mod tests;
+/// Shortest time of the return to the initial angles, s.
+const RETURN: f64 = 0.8;
+
+/// Limits of the pace, which speeds up in the first half of that time and slows down in the second.
+const PACE: Limits = Limits {
+    speed: 2.0 / RETURN,
+    acceleration: 4.0 / (RETURN * RETURN),
+};
+
+/// The share of the way to the posture past which it goes that a bowed leg takes halfway.
+const MOST_BOW: f64 = 0.75;
+
+/// A straight line of a point: from where to where, in mm.
+pub(super) type Line = ([f64; 3], [f64; 3]);
+
+/// Postures between two ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::controller) struct PosturePath<const J: usize> {
+    from: [f64; J],
+    to: [f64; J],
+    /// Distance of the point from its target at the start, mm.
+    length: f64,
+    /// Rest of the path to the posture, where time decides as well.
+    ease: Option<Track<1>>,
+    /// The posture to be taken once the point is at its target, if it is not `to`.
+    home: Option<[f64; J]>,
+    /// The posture past which the leg goes halfway, if it does not go straight.
+    bow: Option<[f64; J]>,
+}
+
+impl<const J: usize> PosturePath<J> {
+    /// Postures for a point on `line`, in step with it.
+    pub(super) fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
+        PosturePath {
+            from,
+            to,
+            length: distance(line.0, line.1),
+            ease: None,
+            home: None,
+            bow: None,
+        }
+    }
+
+    /// Limits the motion to the speed that [`RETURN`] allows.
+    fn eased(self) -> Self {
+        let ease = Track::resting([1.0]).towards(Goal::Point {
+            target: [0.0],
+            hs: false,
+        });
+        PosturePath {
+            ease: Some(ease),
+            ..self
+        }
+    }
+
+    /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
+    pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
+        if let Some(ease) = &mut self.ease {
+            ease.advance(PACE, dt, held);
+        }
+        if line.0 == line.1
+            && let Some(home) = self.home
+        {
+            *self = PosturePath::between(self.to, home, line).eased();
+        }
+    }
+
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.ease.as_ref().is_none_or(Track::is_at_rest)
+    }
+
+    /// Returns the posture for a point that is at `place` and goes to `target`.
+    pub(super) fn posture(&self, place: [f64; 3], target: [f64; 3]) -> [f64; J] {
+        let line = if self.length > 0.0 {
+            (distance(place, target) / self.length).min(1.0)
+        } else {
+            0.0
+        };
+        let time = self.ease.map_or(0.0, |ease| ease.position().iter().sum());
+        self.with_left(line.max(time))
+    }
+
+    /// Returns the posture with a share `left` of the way to go.
+    fn with_left(&self, left: f64) -> [f64; J] {
+        let mut posture = self.to;
+        for (angle, from) in posture.iter_mut().zip(self.from) {
+            *angle += left * (from - *angle);
+        }
+        for (angle, bow) in posture.iter_mut().zip(self.bow.into_iter().flatten()) {
+            *angle += MOST_BOW * 4.0 * left * (1.0 - left) * (bow - *angle);
+        }
+        posture
+    }
+}
+
+/// Pieces of a line are no longer than this share of it.
+const LONGEST: f64 = 1.0 / 32.0;
+
+/// Nor shorter than this.
+const SHORTEST: f64 = 1.0 / 16384.0;
+
+/// The most pieces that are tried.
+const PIECES: u16 = 400;
+
+/// Turn of a joint beyond which a piece has left out what is between, deg.
+const LEAP: f64 = 6.0;
+
+/// A point of a leg that is to be put somewhere, and the axes that count.
+#[derive(Clone, Copy)]
+pub(super) struct PointOfLeg<'a, const J: usize> {
+    pub(super) leg: &'a Leg<J>,
+    pub(super) point: LegPoint,
+    pub(super) axes: Axes,
+}
+
+/// A trial of the postures that lead a point along a line, as far as it has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Trial<const J: usize> {
+    guide: PosturePath<J>,
+    angles: [f64; J],
+    gone: f64,
+    piece: f64,
+    pieces: u16,
+}
+
+/// Result of one piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum TrialResult<const J: usize> {
+    /// The line has to be tried farther.
+    SoFar(Trial<J>),
+    /// The postures lead to the target.
+    Leads(PosturePath<J>),
+    /// The postures do not lead to the target.
+    Fails,
+}
+
+impl<const J: usize> Trial<J> {
+    pub(super) fn new(guide: PosturePath<J>, from: [f64; J]) -> Self {
+        Trial {
+            guide,
+            angles: from,
+            gone: 0.0,
+            piece: LONGEST,
+            pieces: 0,
+        }
+    }
+
+    /// Tries one piece, and half of it next if the point does not get over it without a leap.
+    fn try_piece(mut self, point: &PointOfLeg<'_, J>, line: Line) -> TrialResult<J> {
+        let next = (self.gone + self.piece).min(1.0);
+        let posture = self.guide.with_left(1.0 - next);
+        let at = on_line(line, next);
+        let turned = resolve_piece(
+            point.leg,
+            &self.angles,
+            point.point,
+            at,
+            point.axes,
+            &posture,
+        )
+        .filter(|turned| largest_turn(&self.angles, turned) <= LEAP);
+        self.pieces += 1;
+        match turned {
+            Some(_) if next >= 1.0 => return TrialResult::Leads(self.guide),
+            Some(turned) => {
+                (self.angles, self.gone) = (turned, next);
+                self.piece = (self.piece * 2.0).min(LONGEST);
+            }
+            None => self.piece /= 2.0,
+        }
+        if self.piece < SHORTEST || self.pieces >= PIECES {
+            return TrialResult::Fails;
+        }
+        TrialResult::SoFar(self)
+    }
+}
+
+/// Returns the place with a share `gone` of a line left behind.
+fn on_line((place, target): Line, gone: f64) -> [f64; 3] {
+    let mut at = target;
+    for (at, place) in at.iter_mut().zip(place) {
+        *at += (1.0 - gone) * (place - *at);
+    }
+    at
+}
+
+/// Joint speed of a leg that bends, deg/s.
+const BEND_RATE: f64 = 30.0;
+
+/// Turn of the joints in one step of the search for a bend, deg.
+const BEND_STEP: f64 = 0.5;
+
+/// The most steps of that search.
+const BEND_STEPS: u8 = 60;
+
+/// Largest turn for which a leg is nearly straight, deg.
+const BEND_FARTHEST: f64 = 25.0;
+
+/// Joints that turn less than this share of a step have arrived.
+const AT_REST: f64 = 0.05;
+
+/// Longest time that a leg bends, s.
+const BEND_TIME: f64 = 3.0;
+
+/// Distance from the posture at which joints have taken it, deg.
+const TAKEN: f64 = 0.2;
+
+/// A leg that bends, and what it does then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::controller) struct Bend<const J: usize> {
+    aim: [f64; J],
+    to: [f64; J],
+    /// The posture at the end of the line that follows.
+    end: [f64; J],
+    line: Line,
+    /// Turn of the joints in this cycle, deg.
+    step: f64,
+    /// Time that the leg may still take, s.
+    left: f64,
+}
+
+impl<const J: usize> Bend<J> {
+    /// Creates a bend to the posture `to`, and from there along `line` to the posture `end`.
+    pub(super) fn new(point: &PointOfLeg<'_, J>, to: [f64; J], end: [f64; J], line: Line) -> Self {
+        Bend {
+            aim: middle(point.leg),
+            to,
+            end,
+            line,
+            step: 0.0,
+            left: BEND_TIME,
+        }
+    }
+
+    /// Moves on by `dt` seconds; what is held waits.
+    pub(super) fn advance(&mut self, dt: f64, held: bool) {
+        let dt = if held { 0.0 } else { dt };
+        self.step = BEND_RATE * dt;
+        self.left -= dt;
+    }
+
+    /// Returns the postures to follow once the leg at `angles` is bent.
+    pub(super) fn done(&self, angles: &[f64; J]) -> Option<PosturePath<J>> {
+        let is_near = largest_turn(angles, &self.to) <= TAKEN;
+        (is_near || self.left <= 0.0).then(|| PosturePath::between(*angles, self.end, self.line))
+    }
+
+    /// Returns the posture that the joints at `angles` turn towards.
+    pub(super) fn posture(&self, angles: &[f64; J]) -> [f64; J] {
+        towards(angles, &self.aim, self.step)
+    }
+}
+
+/// The search for a posture with the leg bent to the other side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Bending<const J: usize> {
+    from: [f64; J],
+    angles: [f64; J],
+    steps: u8,
+}
+
+/// Result of one step of the search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum BendResult<const J: usize> {
+    SoFar(Bending<J>),
+    /// The leg is bent.
+    To([f64; J]),
+    /// The leg does not bend.
+    Fails,
+}
+
+impl<const J: usize> Bending<J> {
+    pub(super) fn new(from: [f64; J]) -> Self {
+        Bending {
+            from,
+            angles: from,
+            steps: 0,
+        }
+    }
+
+    /// Turns the joints by one step, with the point at `place`.
+    pub(super) fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> BendResult<J> {
+        let before = self.angles;
+        let posture = towards(&before, &middle(point.leg), BEND_STEP);
+        let turned = resolve_piece(point.leg, &before, point.point, place, point.axes, &posture);
+        let Some(angles) = turned else {
+            return BendResult::Fails;
+        };
+        if largest_turn(&angles, &before) <= AT_REST * BEND_STEP {
+            return match largest_turn(&angles, &self.from) > TAKEN {
+                true => BendResult::To(angles),
+                false => BendResult::Fails,
+            };
+        }
+        (self.angles, self.steps) = (angles, self.steps + 1);
+        if self.steps >= BEND_STEPS || largest_turn(&angles, &self.from) > BEND_FARTHEST {
+            return BendResult::Fails;
+        }
+        BendResult::SoFar(self)
+    }
+}
+
+/// Returns the middle of the limits.
+pub(super) fn middle<const J: usize>(leg: &Leg<J>) -> [f64; J] {
+    kinematics::starts(leg).nth(1).unwrap_or([0.0; J])
+}
+
+/// Returns the posture that joints lean to in order to turn by about `step` towards `aim`; the
+/// first joint only turns the leg.
+fn towards<const J: usize>(angles: &[f64; J], aim: &[f64; J], step: f64) -> [f64; J] {
+    let mut posture = *angles;
+    let share = 2.0 * step / largest_turn(angles, aim).max(step);
+    for (posture, aim) in posture.iter_mut().zip(aim).skip(1) {
+        *posture += share * (aim - *posture);
+    }
+    posture
+}

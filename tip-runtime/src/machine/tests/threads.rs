@@ -2,174 +2,20 @@
 
 use super::*;
 use crate::program::SpecialVariable;
-use crate::record::{Ending, JsonLines};
-use crate::special::Call;
-use std::string::String;
-use std::{format, vec};
+use std::format;
 
-/// Action of a step in a test.
-#[derive(Clone, Copy)]
-enum Do {
-    Nop,
-    /// Adds 1 to `A`.
-    Count,
-    Say(&'static str),
-    Append(&'static str),
-    Ask(Op, Target, &'static [f64]),
-    Start(u8),
-    Stop(u8),
-    Wait(u8),
-    /// Stores a timer in `A`.
-    Time(u8),
-    ReadVr1,
-    Fail,
-    Key,
-    Jump(u32),
-    ThreadEnd,
-    End,
+fn machine(parts: &[&'static [Do]], keys: &[(u64, u8)]) -> Bench {
+    bench_with(parts, keys, ())
 }
 
-/// A program of a main part and threads: `steps[0]` is the main part. Steps of part n count from 100 n.
-#[derive(Clone)]
-struct Parts {
-    parts: &'static [&'static [Do]],
-    at: [u32; 8],
-    selected: u8,
-    scalars: [(&'static str, Option<f64>); 3],
+fn run(parts: &[&'static [Do]]) -> Vec<String> {
+    trace(&mut machine(parts, &[]))
 }
-
-const NAMES: [&str; 3] = ["", "ONE", "TWO"];
-
-impl Program for Parts {
-    fn signature(&self) -> Signature {
-        titan8::MODEL.signature()
-    }
-    fn name(&self) -> &str {
-        "parts"
-    }
-    fn title(&self) -> &str {
-        ""
-    }
-    fn at(&self) -> u32 {
-        self.at[usize::from(self.selected)]
-    }
-    fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
-        let part = usize::from(self.selected);
-        let at = self.at[part];
-        match self.parts[part][at as usize - 100 * part] {
-            Do::Nop => {}
-            Do::Count => self.scalars[2].1 = Some(self.scalars[2].1.unwrap_or(0.0) + 1.0),
-            Do::Say(text) => cx.message(&text),
-            Do::Append(text) => cx.append(&text),
-            Do::Ask(op, target, values) => {
-                let values: Vec<_> = values.iter().copied().map(Value::Absolute).collect();
-                let command = Command {
-                    op,
-                    hs: false,
-                    target,
-                    values: &values,
-                };
-                if cx.command(&command)? == Poll::Pending {
-                    return Ok(Flow::Wait);
-                }
-            }
-            Do::Start(thread) => cx.start_thread(thread)?,
-            Do::Stop(thread) => cx.stop_thread(thread),
-            Do::Wait(thread) => {
-                if cx.wait_thread(thread)? == Poll::Pending {
-                    return Ok(Flow::Wait);
-                }
-            }
-            Do::Time(n) => self.scalars[2].1 = Some(cx.timer(n)),
-            Do::ReadVr1 => drop(cx.analog(crate::command::Port::Knob(1))?),
-            Do::Fail => return Err(Fault::TooDeep),
-            Do::Key => match cx.key() {
-                Some(key) => self.scalars[0].1 = Some(f64::from(key)),
-                None => return Ok(Flow::Wait),
-            },
-            Do::Jump(to) => {
-                self.at[part] = to;
-                return Ok(Flow::Next);
-            }
-            Do::ThreadEnd => return Ok(Flow::ThreadEnd),
-            Do::End => return Ok(Flow::Finished(End::End)),
-        }
-        self.at[part] = at + 1;
-        Ok(Flow::Next)
-    }
-    fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
-        self.scalars.get(i).copied()
-    }
-    fn set_scalar(&mut self, i: usize, value: f64) {
-        self.scalars[i].1 = Some(value);
-    }
-    fn line(&self, step: u32) -> u32 {
-        step + 3
-    }
-    fn reset(&mut self) {
-        *self = parts(self.parts);
-    }
-    fn thread(&self, n: u8) -> Option<(&str, u32)> {
-        let n = usize::from(n);
-        (n < self.parts.len()).then(|| (NAMES[n], self.at[n]))
-    }
-    fn select(&mut self, thread: u8) {
-        self.selected = thread;
-    }
-    fn begin(&mut self, thread: u8) {
-        self.at[usize::from(thread)] = 100 * u32::from(thread);
-    }
-    fn specials(&self) -> usize {
-        1
-    }
-}
-
-fn parts(parts: &'static [&'static [Do]]) -> Parts {
-    Parts {
-        parts,
-        at: [0; 8],
-        selected: 0,
-        scalars: [("VAR_KEY", None), ("VAR_SPECIAL_1", Some(0.0)), ("A", None)],
-    }
-}
-
-type Threaded<S = ()> = Machine<Parts, Follower, Scripted, S, 4, 3>;
-
-fn machine(program: &'static [&'static [Do]], keys: &[(u64, u8)]) -> Threaded {
-    let keys = Scripted::new(keys.to_vec());
-    Machine::new(parts(program), &MODEL, follower(), keys, ()).expect("made for this robot")
-}
-
-/// Runs to the end, and returns the trace: of each record cycle, sub, thread, step and next, and what follows.
-fn trace<S: Special>(machine: &mut Threaded<S>) -> Vec<String> {
-    let mut trace = JsonLines::new(String::new(), false);
-    while machine.cycle_traced(&mut trace).is_running() {
-        assert!(machine.cycles() < 100, "it never ends");
-    }
-    let ending = match machine.status() {
-        Status::Finished(end) => Ending::Program(end),
-        _ => Ending::Emergency(*machine.emergency().expect("it stopped")),
-    };
-    trace.end(ending, machine.cycles());
-    let text = trace.into_inner();
-    let short = |line: &str| {
-        let line = &line[1..line.len() - 1];
-        line.replace("\"", "").replace(',', " ")
-    };
-    text.lines().map(short).collect()
-}
-
-fn run(program: &'static [&'static [Do]]) -> Vec<String> {
-    trace(&mut machine(program, &[]))
-}
-
-const NONE: Target = Target::None;
-const J11: Target = Target::Joint(1, 1);
 
 // clauses: 14.2 14.3
 #[test]
 fn several_steps_run_in_a_turn_from_the_next_cycle_on() {
-    let program: &[&[Do]] = &[&[
+    let program: &[&'static [Do]] = &[&[
         Do::Ask(Op::SpeedUp, NONE, &[3.9]),
         Do::Count,
         Do::Count,
@@ -193,26 +39,18 @@ fn several_steps_run_in_a_turn_from_the_next_cycle_on() {
             "end:END cycles:4",
         ]
     );
-    for values in [[0.9], [256.0], [-1.0]] {
-        let mut machine = bench(&[nop], &[]);
-        machine.cycle();
-        let mut devices = crate::machine::devices::Devices {
-            controller: &mut machine.controller,
-            sensors: machine.sensors.view(),
-            io: &mut machine.state.io,
-        };
-        let values = values.map(Value::Absolute);
-        let command = Command {
-            op: Op::SpeedUp,
-            hs: false,
-            target: NONE,
-            values: &values,
-        };
-        assert_eq!(
-            crate::program::Robot::command(&mut devices, &command),
-            Err(Fault::Domain)
-        );
+    for steps in [
+        &[Do::Ask(Op::SpeedUp, NONE, &[0.9])],
+        &[Do::Ask(Op::SpeedUp, NONE, &[256.0])],
+        &[Do::Ask(Op::SpeedUp, NONE, &[-1.0])],
+    ] {
+        let last = run(&[steps]).pop().expect("one");
+        assert!(last.contains("Domain error"), "{last}");
     }
+}
+
+fn read_vr1(cx: &mut dyn Context) {
+    assert_eq!(cx.analog(Port::Knob(1)), Ok(0.0));
 }
 
 // clauses: 14.2
@@ -243,7 +81,7 @@ fn waits_and_what_shows_outside_end_a_turn_done_or_not() {
         (count!(Do::Ask(Op::LogOneShot, NONE, &[])), 3),
         (count!(Do::Say("")), 3),
         (count!(Do::Append("")), 3),
-        (count!(Do::ReadVr1), 3),
+        (count!(Do::Call(read_vr1)), 3),
         (count!(Do::Wait(1)), 3),
     ] {
         assert_eq!(step, format!("end:END cycles:{cycles}"));
@@ -258,12 +96,12 @@ fn waits_and_what_shows_outside_end_a_turn_done_or_not() {
 // clauses: 14.4
 #[test]
 fn a_fault_in_a_later_step_leaves_what_earlier_ones_did_but_no_motion() {
-    let program: &[&[Do]] = &[&[
+    let program: &[&'static [Do]] = &[&[
         Do::Ask(Op::SpeedUp, NONE, &[5.0]),
         Do::Count,
         Do::Ask(Op::PtpAngle, J11, &[20.0]),
         Do::Ask(Op::LampOn, NONE, &[3.0]),
-        Do::Fail,
+        Do::Fail(Fault::TooDeep),
         Do::End,
     ]];
     let mut machine = machine(program, &[]);
@@ -283,13 +121,13 @@ fn a_fault_in_a_later_step_leaves_what_earlier_ones_did_but_no_motion() {
         "the second cycle stops"
     );
     assert_eq!(machine.hardware().stops.len(), 1);
-    assert_eq!(machine.program().scalars[2].1, Some(1.0));
+    assert_eq!(machine.a(), Some(1.0));
 }
 
 // clauses: 15.1 15.2 15.3
 #[test]
 fn threads_run_after_the_main_program_in_the_order_of_their_text() {
-    let program: &[&[Do]] = &[
+    let program: &[&'static [Do]] = &[
         &[Do::Start(2), Do::Start(1), Do::Nop, Do::Wait(1), Do::End],
         &[Do::Nop, Do::ThreadEnd],
         &[Do::Count, Do::Count, Do::Jump(200)],
@@ -334,7 +172,7 @@ fn of_a_start_and_a_stop_in_one_cycle_the_later_stands() {
     ]);
     assert_eq!(lines.last().expect("one"), "end:END cycles:3");
     // A stopped one has its turn, and begins anew.
-    let program: &[&[Do]] = &[
+    let program: &[&'static [Do]] = &[
         &[
             Do::Start(1),
             Do::Nop,
@@ -357,7 +195,7 @@ fn of_a_start_and_a_stop_in_one_cycle_the_later_stands() {
             "end:END cycles:5",
         ]
     );
-    let program: &[&[Do]] = &[
+    let program: &[&'static [Do]] = &[
         &[Do::Start(1), Do::Stop(1), Do::Nop, Do::Stop(1), Do::End],
         &[Do::Nop, Do::Nop, Do::Nop, Do::Nop],
     ];
@@ -421,7 +259,7 @@ fn a_running_thread_cannot_be_started_and_none_waits_for_itself() {
 // clauses: 15.2
 #[test]
 fn each_sleeps_for_itself_and_the_first_that_asks_takes_the_key() {
-    let program: &[&[Do]] = &[
+    let program: &[&'static [Do]] = &[
         &[
             Do::Start(1),
             Do::Start(2),
@@ -456,7 +294,7 @@ fn each_sleeps_for_itself_and_the_first_that_asks_takes_the_key() {
 // clauses: 15.4
 #[test]
 fn one_command_that_moves_the_whole_robot_excludes_others() {
-    let program: &[&[Do]] = &[
+    let program: &[&'static [Do]] = &[
         &[Do::Start(1), Do::Ask(Op::StandUp, NONE, &[20.0]), Do::End],
         &[Do::Nop, Do::Ask(Op::InitialPosture, NONE, &[])],
     ];
@@ -466,7 +304,7 @@ fn one_command_that_moves_the_whole_robot_excludes_others() {
         "end:EMERGENCY error:Invalid control mode kind:RuntimeError thread:ONE step:101 cycles:2"
     );
     // A domain comes first.
-    let program: &[&[Do]] = &[
+    let program: &[&'static [Do]] = &[
         &[Do::Start(1), Do::Ask(Op::StandUp, NONE, &[20.0]), Do::End],
         &[Do::Nop, Do::Ask(Op::DetectFloor, Target::All, &[4.0])],
     ];
@@ -480,7 +318,7 @@ fn one_command_that_moves_the_whole_robot_excludes_others() {
 // clauses: 15.1 15.4
 #[test]
 fn a_stop_gives_up_the_wait_and_its_speed_comes_back() {
-    let program: &[&[Do]] = &[
+    let program: &[&'static [Do]] = &[
         &[
             Do::Start(1),
             Do::Ask(Op::Sleep, NONE, &[100.0]),
@@ -509,7 +347,7 @@ fn a_stop_gives_up_the_wait_and_its_speed_comes_back() {
 // clauses: 14.1
 #[test]
 fn timers_count_cycles_from_the_end_of_the_one_that_starts_them() {
-    let program: &[&[Do]] = &[&[
+    let program: &[&'static [Do]] = &[&[
         Do::Ask(Op::StartTimer, NONE, &[7.9]),
         Do::Time(7),
         Do::Ask(Op::StopTimer, NONE, &[7.0]),
@@ -556,7 +394,7 @@ fn the_timers_of_a_paused_program_stand() {
 struct Adds;
 
 impl Special for Adds {
-    fn poll(&mut self, _: Call, robot: &mut dyn crate::program::Robot) -> Result<Poll, Fault> {
+    fn poll(&mut self, _: Call, robot: &mut dyn Robot) -> Result<Poll, Fault> {
         let variable = SpecialVariable::Var(1);
         let value = robot.special_variable(variable);
         robot.set_special_variable(variable, value + 100.0)?;
@@ -565,7 +403,7 @@ impl Special for Adds {
         Ok(Poll::Done)
     }
 
-    fn cycle(&mut self, robot: &mut dyn crate::program::Robot) -> Result<(), Fault> {
+    fn cycle(&mut self, robot: &mut dyn Robot) -> Result<(), Fault> {
         let variable = SpecialVariable::Var(1);
         let value = robot.special_variable(variable);
         let _ = robot.set_special_variable(variable, value + 1.0);
@@ -584,12 +422,8 @@ fn native_code_writes_variables_that_the_next_steps_see() {
         Do::Nop,
         Do::End,
     ];
-    let keys = Scripted::new(vec![]);
-    let mut machine: Threaded<Adds> =
-        Machine::new(parts(const { &[&[]] }), &MODEL, follower(), keys, Adds).expect("made for it");
-    machine.program_mut().parts = std::boxed::Box::leak(std::boxed::Box::new([steps]));
     assert_eq!(
-        trace(&mut machine),
+        trace(&mut bench_with(&[steps], &[], Adds)),
         [
             "cycle:0 step:0 next:1",
             "cycle:1 step:1 next:2 set:{VAR_SPECIAL_1:101.0} cmd:[SPECIAL null 9.0]",
@@ -605,7 +439,7 @@ fn native_code_writes_variables_that_the_next_steps_see() {
 // clauses: 7.41
 #[test]
 fn a_stop_and_a_dump_in_one_cycle_do_not_undo_each_other() {
-    let program: &[&[Do]] = &[
+    let program: &[&'static [Do]] = &[
         &[
             Do::Start(1),
             Do::Ask(Op::OutputVariables, NONE, &[]),

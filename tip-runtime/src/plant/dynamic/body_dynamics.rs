@@ -172,7 +172,7 @@ const CLIMB: f64 = 1e4;
 /// Calls `meet` for each place where an edge of the body passes through a block, or an edge of a
 /// block through the body: the midpoint of the part inside, from the body's origin (m). Corners of
 /// the body are handled elsewhere.
-pub(super) fn for_each_edge_contact(
+fn for_each_edge_contact(
     extent: &Cuboid,
     frame: &MovingFrame,
     terrain: &Terrain,

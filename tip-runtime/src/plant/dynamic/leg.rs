@@ -449,7 +449,7 @@ pub(super) fn length(joint: &Joint) -> Vector {
 }
 
 /// A walk along a leg from its base to its foot. Positions are from the body's origin.
-pub(super) struct LinkWalk {
+struct LinkWalk {
     /// Position of the joint or of the link's end, m.
     at: Vector,
     /// m/s.

@@ -357,7 +357,7 @@ const FASTEST: f64 = 1000.0;
 
 /// A slider and the floor on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct SliderServo {
+struct SliderServo {
     travel: [Range; 3],
     /// Position, mm.
     pub(super) position: Point,
@@ -376,7 +376,7 @@ impl SliderServo {
     }
 
     /// Starts a motion that arrives in `time` s; a position that is not a number stops the slider.
-    pub(super) fn send(&mut self, target: Point, time: f64) {
+    fn send(&mut self, target: Point, time: f64) {
         let axes = self.velocity.iter_mut().zip(self.position);
         for ((velocity, at), (target, travel)) in axes.zip(target.iter().zip(self.travel)) {
             let way = travel.nearest(*target) - at;

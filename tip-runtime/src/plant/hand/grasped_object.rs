@@ -238,7 +238,7 @@ impl Surface {
 /// belongs to the link before it, if there is one. A body that has passed through the link, or a
 /// link through the body, goes back to the side in the contact history.
 #[inline]
-pub(super) fn of_link(
+fn of_link(
     link: &Link,
     is_first: bool,
     body: &RigidBody,
@@ -299,7 +299,7 @@ fn poking(link: &Link, along: Vector, side: f64, body: &RigidBody) -> [Option<Ov
 }
 
 /// Returns the places where two bodies can touch: of boxes the corners of each, otherwise one.
-pub(super) fn of_bodies(first: &RigidBody, second: &RigidBody) -> [Option<Overlap>; 8] {
+fn of_bodies(first: &RigidBody, second: &RigidBody) -> [Option<Overlap>; 8] {
     let apart = first.centre - second.centre;
     let reach = first.reach + second.reach;
     let mut places = [None; 8];

@@ -2,8 +2,8 @@
 
 use super::Vector;
 use super::fall::{Polygon, TIPPING};
-use super::links::LegLinks;
 use crate::hardware::JointCommand;
+use crate::kinematics::Chain;
 use crate::model::Leg;
 use crate::plant::GRAVITY;
 
@@ -230,7 +230,7 @@ impl Path {
             *self = Path::NONE;
             return 0.0;
         };
-        let place = reached(leg, angles);
+        let place = Vector::from(Chain::new(leg, &angles).foot());
         let step = (place - self.place).norm();
         if step > SAME {
             self.along = (place - self.place) / step;
@@ -250,15 +250,8 @@ impl Path {
         commands: &[JointCommand; J],
         angles: [f64; J],
     ) -> f64 {
-        self.stray(leg, commands, reached(leg, angles))
+        self.stray(leg, commands, Chain::new(leg, &angles).foot().into())
     }
-}
-
-/// Returns the position of the foot at joint angles (deg), mm.
-fn reached<const J: usize>(leg: &Leg<J>, angles: [f64; J]) -> Vector {
-    let mut links = LegLinks::NOWHERE;
-    links.place(leg, angles);
-    links.foot
 }
 
 /// Returns the angles of commands, if all are angles.

@@ -253,10 +253,7 @@ pub(super) fn fill_joints<const J: usize>(
 const THICK: f64 = 0.04;
 
 /// Returns true if a joint of a leg is below the floor.
-pub(super) fn is_below_floor<const J: usize>(
-    leg: &LegLinks<J>,
-    ground: &dyn GroundInterface,
-) -> bool {
+fn is_below_floor<const J: usize>(leg: &LegLinks<J>, ground: &dyn GroundInterface) -> bool {
     (leg.places().skip(1)).any(|joint| ground.height(joint) < -SINK_TOLERANCE)
 }
 

@@ -253,7 +253,7 @@ impl<T, const L: usize> Contacts<T, L> {
     }
 
     /// Calls `f` with both values of each contact, feet first.
-    pub(super) fn for_each_with<U>(&self, other: &Contacts<U, L>, mut f: impl FnMut(&T, &U)) {
+    fn for_each_with<U>(&self, other: &Contacts<U, L>, mut f: impl FnMut(&T, &U)) {
         for (one, other) in self.feet.iter().zip(&other.feet) {
             f(one, other);
         }

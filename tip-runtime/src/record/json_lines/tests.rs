@@ -1,7 +1,7 @@
 //! Records compared with lines written by hand from the trace's definition.
 
 use super::*;
-use crate::command::{Op, Poll};
+use crate::command::Op;
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
 use crate::model::titan8;
@@ -290,72 +290,10 @@ fn a_writer_that_refuses_is_remembered() {
     assert_eq!(trace.result(), Err(fmt::Error));
 }
 
-/// Records of a machine, through the recorder.
-mod through_a_machine {
-    use super::*;
-    use crate::console::Scripted;
-    use crate::machine::Machine;
-    use crate::plant::SimulatedPlant;
-
-    struct Waits;
-
-    impl Program for Waits {
-        fn signature(&self) -> Signature {
-            titan8::MODEL.signature()
-        }
-        fn name(&self) -> &str {
-            "waits"
-        }
-        fn title(&self) -> &str {
-            ""
-        }
-        fn at(&self) -> u32 {
-            0
-        }
-        fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
-            let poll = cx.command(&Command {
-                op: Op::Special,
-                hs: false,
-                target: Target::None,
-                values: &[Value::Absolute(7.0)],
-            })?;
-            Ok(match poll {
-                Poll::Done => Flow::Finished(End::Exit),
-                Poll::Pending => Flow::Wait,
-            })
-        }
-        fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
-            (i == 0).then_some(("VAR_KEY", None))
-        }
-        fn set_scalar(&mut self, _: usize, _: f64) {}
-        fn line(&self, _: u32) -> u32 {
-            3
-        }
-        fn reset(&mut self) {}
-    }
-
-    // clauses: 2.17 7.43
-    #[test]
-    fn a_waiting_command_is_told_once() {
-        let model = titan8::MODEL;
-        let mut calls = 0;
-        let special = |_: crate::special::Call, _: &mut dyn crate::program::Robot| {
-            calls += 1;
-            Ok(if calls < 3 { Poll::Pending } else { Poll::Done })
-        };
-        let plant = SimulatedPlant::new(&model);
-        let console = Scripted::new(Vec::new());
-        let mut machine =
-            Machine::new(Waits, &model, plant, console, special).expect("made for this robot");
-        let mut trace = JsonLines::new(String::new(), false);
-        while machine.cycle_traced(&mut trace).is_running() {}
-        trace.end(Ending::Program(End::Exit), machine.cycles());
-        assert_eq!(
-            trace.into_inner(),
-            "{\"cycle\":0,\"step\":0,\"next\":0,\"cmd\":[\"SPECIAL\",null,7.0]}\n\
-             {\"cycle\":1,\"step\":0,\"next\":0}\n\
-             {\"cycle\":2,\"step\":0}\n\
-             {\"end\":\"EXIT\",\"cycles\":3}\n"
-        );
-    }
+#[test]
+fn numbers_that_json_lacks_are_null() {
+    let mut out = String::new();
+    let all = [1.5, f64::NAN, -0.0, f64::INFINITY, f64::NEG_INFINITY, 1e300];
+    assert_eq!(numbers(&mut out, &all), Ok(()));
+    assert_eq!(out, "[1.5,null,-0.0,null,null,1e300]");
 }
