@@ -104,7 +104,7 @@ pub struct Core<S: ?Sized> {
     /// True once joint angles have been measured.
     sensed: bool,
     hold: Hold,
-    tasks: Tasks,
+    pub(crate) tasks: Tasks,
     /// Fault of the last advance, for the next sense to report.
     pending: Option<Fault>,
     legs: S,

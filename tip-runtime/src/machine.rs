@@ -169,7 +169,7 @@ impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
     }
 
     /// Takes a typed byte: RETURN stops the robot in the next cycle, ESC requests a halt, any other
-    /// goes to the keyboard buffer, which keeps 64.
+    /// goes to the keyboard buffer.
     pub fn key(&mut self, byte: u8) {
         self.state.key(byte);
     }
@@ -187,12 +187,18 @@ impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
     /// Runs no step and holds the robot until [`resume`](Self::resume), as `ALL_STOP` does. Paused
     /// cycles do not count.
     pub fn pause(&mut self) {
-        self.state.pause(&mut self.controller);
+        if !self.state.paused {
+            self.state.paused = true;
+            self.state.io.held_for_pause = self.controller.take_hold();
+        }
     }
 
     /// Goes on after [`pause`](Self::pause).
     pub fn resume(&mut self) {
-        self.state.resume(&mut self.controller);
+        self.state.paused = false;
+        if core::mem::take(&mut self.state.io.held_for_pause) {
+            self.controller.release();
+        }
     }
 
     /// Returns the status of the program.

@@ -103,11 +103,6 @@ impl<C> LogFiles<C> {
         &self.inner
     }
 
-    /// Returns the inner console.
-    pub fn inner_mut(&mut self) -> &mut C {
-        &mut self.inner
-    }
-
     /// Writes WARNING.LOG: the compiler's warnings, one a line.
     pub fn warnings(&mut self, text: &str) {
         self.write(WARNING_LOG, text);

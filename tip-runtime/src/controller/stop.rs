@@ -4,7 +4,6 @@ use super::ControllerView;
 use super::drive::LegDrive;
 use super::task::{Stand, Task, Tasks};
 use super::trajectory::Track;
-use crate::fault::Fault;
 
 /// The hold of all motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,24 +83,6 @@ impl<const J: usize> ControllerView<J> {
             }
         }
         self.tasks.give_up();
-    }
-
-    /// Lets the main program (0) or a thread run the steps that follow.
-    pub(crate) fn select(&mut self, thread: u8) {
-        self.tasks.select(thread);
-    }
-
-    /// Checks that SPECIAL may begin or go on.
-    ///
-    /// # Errors
-    /// `InvalidMode` while another thread stands in SPECIAL or a command that SPECIAL excludes.
-    pub(crate) fn begin_special(&self) -> Result<(), Fault> {
-        self.tasks.begin()
-    }
-
-    /// Notes that the thread that runs a step stands in SPECIAL, or has done it.
-    pub(crate) fn set_special(&mut self, waits: bool) {
-        self.tasks.set_special(waits);
     }
 
     /// Stops in an emergency: every joint, and the slider, is to stay where it is measured; nothing

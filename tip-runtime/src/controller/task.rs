@@ -1,4 +1,5 @@
-//! The state that a command of several cycles keeps between them.
+//! Commands of several cycles and what they keep between them: INITIAL_POSTURE (T.I.P. 3.1 §7-1-7), and STAND_UP and
+//! SIT_DOWN (§7-11-1, §7-11-2), where the feet push the body up or let it down.
 
 use super::ControllerView;
 use super::drive::{Drive, Redundancy};
@@ -47,7 +48,7 @@ pub(super) enum FloorSearch {
 
 /// The commands of several cycles in which the main program (0) and threads stand.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tasks {
+pub(crate) struct Tasks {
     /// The one that runs a step.
     thread: u8,
     task: Task,
@@ -69,7 +70,7 @@ impl Tasks {
     };
 
     /// Lets the main program (0) or a thread run a step.
-    pub(super) fn select(&mut self, thread: u8) {
+    pub(crate) fn select(&mut self, thread: u8) {
         self.thread = thread;
     }
 
@@ -82,11 +83,11 @@ impl Tasks {
         }
     }
 
-    /// Checks that a task may begin.
+    /// Checks that a task, or SPECIAL, may begin or go on.
     ///
     /// # Errors
     /// `InvalidMode` while another stands in a task or in SPECIAL.
-    pub(super) fn begin(&self) -> Result<(), Fault> {
+    pub(crate) fn begin(&self) -> Result<(), Fault> {
         let another = self.task != Task::Idle && self.owner != self.thread;
         if another || self.special.is_some_and(|special| special != self.thread) {
             return Err(Fault::InvalidMode);
@@ -108,7 +109,7 @@ impl Tasks {
     }
 
     /// Notes that who runs a step stands in SPECIAL, or has done it.
-    pub(super) fn set_special(&mut self, waits: bool) {
+    pub(crate) fn set_special(&mut self, waits: bool) {
         self.special = waits.then_some(self.thread);
     }
 

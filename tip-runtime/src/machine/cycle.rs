@@ -143,7 +143,7 @@ impl<const J: usize> ControlCycle<'_, J> {
     fn select(&mut self, thread: u8) {
         self.state.turn = thread;
         self.program.select(thread);
-        self.controller.select(thread);
+        self.controller.tasks.select(thread);
     }
 
     /// Runs the steps of one turn.
@@ -252,11 +252,11 @@ impl<const J: usize> ControlCycle<'_, J> {
     fn change_threads(&mut self) {
         let (stopped, started) = self.state.threads.turn_over();
         for thread in stopped {
-            self.controller.select(thread);
+            self.controller.tasks.select(thread);
             self.controller.give_up();
             self.state.waiting &= !bit(thread);
         }
-        self.controller.select(0);
+        self.controller.tasks.select(0);
         for thread in started {
             self.program.begin(thread);
         }

@@ -39,7 +39,7 @@ impl<const J: usize> Devices<'_, J> {
     /// Runs a command.
     fn run(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         match command.op {
-            Op::FlushBuf => self.io.keyboard.clear(),
+            Op::FlushBuf => self.io.key = None,
             Op::LampOn => self.switch_lamp(command, true)?,
             Op::LampOff => self.switch_lamp(command, false)?,
             Op::SilentOn => self.io.silence = Some(true),
@@ -63,7 +63,7 @@ impl<const J: usize> Devices<'_, J> {
 
     fn call_special(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let special = self.special.take().ok_or(Fault::Domain)?;
-        self.controller.begin_special()?;
+        self.controller.tasks.begin()?;
         self.io.variables.share();
         let value = |place: usize| command.values.get(place).map(|value| value.number());
         let call = Call {
@@ -72,7 +72,7 @@ impl<const J: usize> Devices<'_, J> {
             first: self.first,
         };
         let poll = special.poll(call, self)?;
-        self.controller.set_special(poll == Poll::Pending);
+        self.controller.tasks.set_special(poll == Poll::Pending);
         self.special = Some(special);
         Ok(poll)
     }
@@ -266,7 +266,7 @@ impl<const J: usize> Robot for Devices<'_, J> {
 impl<const J: usize> Context for Devices<'_, J> {
     fn key(&mut self) -> Option<u8> {
         self.ends_turn.set(true);
-        self.io.keyboard.take()
+        self.io.key.take().map(|key| key.to_ascii_uppercase())
     }
 
     fn message(&mut self, text: &dyn Display) {

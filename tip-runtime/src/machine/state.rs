@@ -77,22 +77,8 @@ impl State {
         match byte {
             RETURN_KEY => self.stop_requested = true,
             ESCAPE_KEY => self.io.halt_requested = true,
-            _ => self.io.keyboard.push(byte),
-        }
-    }
-
-    pub(super) fn pause<const J: usize>(&mut self, controller: &mut ControllerView<J>) {
-        if !self.paused {
-            self.paused = true;
-            self.io.held_for_pause = controller.take_hold();
-        }
-    }
-
-    pub(super) fn resume<const J: usize>(&mut self, controller: &mut ControllerView<J>) {
-        if self.paused {
-            self.paused = false;
-            if core::mem::take(&mut self.io.held_for_pause) {
-                controller.release();
+            _ => {
+                self.io.key.get_or_insert(byte);
             }
         }
     }
@@ -100,7 +86,8 @@ impl State {
 
 #[derive(Clone, Debug)]
 pub(super) struct IoState {
-    pub(super) keyboard: Keyboard,
+    /// The oldest key since KEY_IN. It empties the keyboard buffer, so that no other one counts.
+    pub(super) key: Option<u8>,
     pub(super) halt_requested: bool,
     pub(super) special_flags: [bool; 10],
     /// Lamps and relays: bit n % 32 of word n / 32 is device n.
@@ -116,7 +103,7 @@ pub(super) struct IoState {
     /// True if OUTPUT_VARIABLES holds the robot.
     pub(super) held_for_dump: bool,
     /// True if a pause holds the robot.
-    held_for_pause: bool,
+    pub(super) held_for_pause: bool,
     pub(super) graphs: Graphs,
     pub(super) timers: Timers,
     /// Number of steps in a turn, from the next cycle on (TIP_SPEED_UP).
@@ -139,7 +126,7 @@ impl IoState {
             Flag::Inpos(target) => controller.inpos(target),
             Flag::Near(target) => controller.near(target),
             Flag::HaltRequest => self.halt_requested,
-            Flag::KbHit => !self.keyboard.is_empty(),
+            Flag::KbHit => self.key.is_some(),
             Flag::Special(n) => {
                 let flag = self.special_flags.get(usize::from(n));
                 flag.is_some_and(|up| *up)
@@ -152,7 +139,7 @@ impl IoState {
 
     pub(super) fn new() -> Self {
         IoState {
-            keyboard: Keyboard::new(),
+            key: None,
             halt_requested: false,
             special_flags: [false; 10],
             lamps: [0; 8],
@@ -167,47 +154,6 @@ impl IoState {
             speed: 1,
             variables: SpecialVariables::ZERO,
         }
-    }
-}
-
-/// Keys that wait for KEY_IN.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Keyboard {
-    bytes: [u8; Self::CAPACITY],
-    len: usize,
-}
-
-impl Keyboard {
-    const CAPACITY: usize = 64;
-
-    pub(super) const fn new() -> Self {
-        Keyboard {
-            bytes: [0; Self::CAPACITY],
-            len: 0,
-        }
-    }
-
-    /// Drops the byte if the buffer is full.
-    pub(super) fn push(&mut self, byte: u8) {
-        if let Some(slot) = self.bytes.get_mut(self.len) {
-            *slot = byte;
-            self.len += 1;
-        }
-    }
-
-    /// Takes the oldest key, upper-cased; all others are lost.
-    pub(super) fn take(&mut self) -> Option<u8> {
-        let oldest = (!self.is_empty()).then_some(self.bytes[0]);
-        self.clear();
-        oldest.map(|byte| byte.to_ascii_uppercase())
-    }
-
-    pub(super) const fn clear(&mut self) {
-        self.len = 0;
-    }
-
-    pub(super) const fn is_empty(&self) -> bool {
-        self.len == 0
     }
 }
 
@@ -299,27 +245,4 @@ fn force_bars<'a, const J: usize>(
         }
     }
     bars.get(..usize::from(legs)).unwrap_or(bars)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    // clauses: 2.23 7.33 7.34
-    #[test]
-    fn the_oldest_of_at_most_64_keys_is_taken_and_the_rest_is_lost() {
-        let mut keyboard = Keyboard::new();
-        assert_eq!(keyboard.take(), None);
-        for byte in b'a'..=b'a' + 25 {
-            keyboard.push(byte);
-        }
-        for _ in 0..100 {
-            keyboard.push(b'?');
-        }
-        assert_eq!(keyboard.len, 64);
-        assert_eq!(keyboard.take(), Some(b'A'));
-        assert_eq!(keyboard.take(), None);
-        keyboard.push(b'{');
-        assert_eq!(keyboard.take(), Some(b'{'));
-    }
 }

@@ -1,14 +1,12 @@
 //! The control loop with scripted programs on a robot that follows every command immediately.
 
-mod threads;
-
 use super::*;
 use crate::command::{Command, Flag, Op, Poll, Port, Target, Value};
 use crate::console::Scripted;
 use crate::fault::Fault;
 use crate::hardware::HardwareFault;
 use crate::model::titan8;
-use crate::program::{Context, End, Flow, Robot, Signature};
+use crate::program::{Context, End, Flow, Robot, Signature, SpecialVariable};
 use crate::record::{Ending, JsonLines};
 use crate::special::Call;
 use std::string::String;
@@ -25,19 +23,11 @@ enum Do {
     Set(f64),
     /// Stores a flag in `A`.
     Test(Flag),
-    /// Stores a timer in `A`.
-    Time(u8),
     Say(&'static str),
-    Append(&'static str),
     Ask(Op, Target, &'static [f64]),
     Start(u8),
-    Stop(u8),
-    Wait(u8),
     Call(fn(&mut dyn Context)),
     Fail(Fault),
-    Key,
-    Jump(u32),
-    ThreadEnd,
     End,
 }
 
@@ -68,16 +58,14 @@ impl Program for Script {
     fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
         let part = usize::from(self.selected);
         let at = self.at[part];
-        let [(_, key), _, (_, a)] = &mut self.scalars;
+        let (_, a) = &mut self.scalars[2];
         match self.parts[part][at as usize - 100 * part] {
             Do::Nop => {}
             Do::Stay => return Ok(Flow::Wait),
             Do::Count => *a = Some(a.unwrap_or(0.0) + 1.0),
             Do::Set(value) => *a = Some(value),
             Do::Test(flag) => *a = Some(f64::from(u8::from(cx.flag(flag)))),
-            Do::Time(n) => *a = Some(cx.timer(n)),
             Do::Say(text) => cx.message(&text),
-            Do::Append(text) => cx.append(&text),
             Do::Ask(op, target, values) => {
                 let values: Vec<_> = values.iter().copied().map(Value::Absolute).collect();
                 let command = Command {
@@ -91,23 +79,8 @@ impl Program for Script {
                 }
             }
             Do::Start(thread) => cx.start_thread(thread)?,
-            Do::Stop(thread) => cx.stop_thread(thread),
-            Do::Wait(thread) => {
-                if cx.wait_thread(thread)? == Poll::Pending {
-                    return Ok(Flow::Wait);
-                }
-            }
             Do::Call(call) => call(cx),
             Do::Fail(fault) => return Err(fault),
-            Do::Key => match cx.key() {
-                Some(byte) => *key = Some(f64::from(byte)),
-                None => return Ok(Flow::Wait),
-            },
-            Do::Jump(to) => {
-                self.at[part] = to;
-                return Ok(Flow::Next);
-            }
-            Do::ThreadEnd => return Ok(Flow::ThreadEnd),
             Do::End => return Ok(Flow::Finished(End::End)),
         }
         self.at[part] = at + 1;
@@ -505,53 +478,9 @@ fn a_restart_runs_the_program_again() {
     assert_eq!(machine.console().inner().ended, 2);
 }
 
-const HIT: Do = Do::Test(Flag::KbHit);
-
-// clauses: 2.17 7.33
 #[test]
-fn key_in_waits_takes_the_oldest_key_upper_cased_and_empties_the_buffer() {
-    let mut machine = bench(&[Do::Key, HIT, Do::End], &[(2, b'q'), (2, b'x')]);
-    machine.cycle();
-    machine.cycle();
-    assert_eq!(machine.program().at(), 0);
-    machine.cycle();
-    assert_eq!(machine.program().scalars[0].1, Some(81.0));
-    machine.cycle();
-    assert_eq!(machine.a(), Some(0.0));
-}
-
-// clauses: 5.1
-#[test]
-fn a_hit_key_is_not_consumed_by_looking() {
-    let mut machine = bench(&[HIT, HIT, Do::Key, Do::End], &[(1, b'7')]);
-    machine.cycle();
-    assert_eq!(machine.a(), Some(0.0));
-    machine.cycle();
-    assert_eq!(machine.a(), Some(1.0));
-    machine.cycle();
-    assert_eq!(machine.program().scalars[0].1, Some(55.0));
-}
-
-// clauses: 7.34
-#[test]
-fn flush_buf_forgets_all_keys() {
-    let steps = &[Do::Ask(Op::FlushBuf, NONE, &[]), HIT, Do::End];
-    let mut machine = bench(steps, &[(0, b'a'), (0, b'b')]);
-    machine.cycle();
-    machine.cycle();
-    assert_eq!(machine.a(), Some(0.0));
-}
-
-// clauses: 2.23 5.1
-#[test]
-fn escape_requests_a_halt_and_is_no_key() {
+fn a_host_requests_a_halt_as_escape_does() {
     const HALTED: Do = Do::Test(Flag::HaltRequest);
-    let mut machine = bench(&[HIT, HALTED, Do::End], &[(0, 0x1B)]);
-    machine.cycle();
-    assert_eq!(machine.a(), Some(0.0));
-    machine.cycle();
-    assert_eq!(machine.a(), Some(1.0));
-
     let mut machine = bench(&[HALTED, HALTED], &[]);
     machine.cycle();
     assert_eq!(machine.a(), Some(0.0));
@@ -809,4 +738,130 @@ fn every_input_reads_in_volts_by_channel_and_by_name() {
     sensors.inputs.set(Port::Paw(4), 4.0);
     sensors.inputs.set(Port::Antenna, 0.75);
     assert_eq!(machine.cycle(), Status::Running);
+}
+
+// clauses: 14.4
+#[test]
+fn a_fault_in_a_later_step_leaves_what_earlier_ones_did_but_no_motion() {
+    let program: &[&'static [Do]] = &[&[
+        Do::Ask(Op::SpeedUp, NONE, &[5.0]),
+        Do::Count,
+        Do::Ask(Op::PtpAngle, J11, &[20.0]),
+        Do::Ask(Op::LampOn, NONE, &[3.0]),
+        Do::Fail(Fault::TooDeep),
+        Do::End,
+    ]];
+    let mut machine = bench_with(program, &[], ());
+    assert_eq!(
+        trace(&mut machine),
+        [
+            "cycle:0 step:0 next:1 cmd:[TIP_SPEED_UP null 5.0]",
+            "cycle:1 step:1 next:2 set:{A:1.0}",
+            "cycle:1 sub:1 step:2 next:3 cmd:[PTP_ANGLE J11 20.0]",
+            "cycle:1 sub:2 step:3 next:4 lamp:{3:true}",
+            "end:EMERGENCY error:Too deep subroutine call kind:RuntimeError step:4 cycles:1",
+        ]
+    );
+    assert_eq!(
+        machine.hardware().outputs.len(),
+        1,
+        "the second cycle stops"
+    );
+    assert_eq!(machine.hardware().stops.len(), 1);
+    assert_eq!(machine.a(), Some(1.0));
+}
+
+// clauses: 15.4
+#[test]
+fn a_wrong_operand_comes_before_a_command_that_excludes_another() {
+    let program: &[&'static [Do]] = &[
+        &[Do::Start(1), Do::Ask(Op::StandUp, NONE, &[20.0]), Do::End],
+        &[Do::Nop, Do::Ask(Op::DetectFloor, Target::All, &[4.0])],
+    ];
+    let mut machine = bench_with(program, &[], ());
+    while machine.cycle().is_running() {}
+    assert_eq!(machine.emergency().map(|e| e.fault), Some(Fault::Domain));
+}
+
+// clauses: 14.1
+#[test]
+fn the_timers_of_a_paused_program_stand() {
+    let steps = &[Do::Ask(Op::StartTimer, NONE, &[0.0]), Do::Nop, Do::Nop];
+    let mut machine = bench(steps, &[]);
+    machine.cycle();
+    assert_eq!(machine.timer(0), 20.0);
+    machine.pause();
+    machine.cycle();
+    assert_eq!(machine.timer(0), 20.0);
+    machine.resume();
+    machine.cycle();
+    assert_eq!(machine.timer(0), 40.0);
+    machine.restart();
+    assert_eq!(machine.timer(0), 0.0);
+}
+
+/// Adds 1 to VAR_SPECIAL_1 in each motion phase, and 100 when it is called.
+struct Adds;
+
+impl Special for Adds {
+    fn poll(&mut self, _: Call, robot: &mut dyn Robot) -> Result<Poll, Fault> {
+        let variable = SpecialVariable::Var(1);
+        let value = robot.special_variable(variable);
+        robot.set_special_variable(variable, value + 100.0)?;
+        let refused = robot.set_special_variable(variable, f64::INFINITY);
+        assert_eq!(refused, Err(Fault::Domain));
+        Ok(Poll::Done)
+    }
+
+    fn cycle(&mut self, robot: &mut dyn Robot) -> Result<(), Fault> {
+        let variable = SpecialVariable::Var(1);
+        let value = robot.special_variable(variable);
+        let _ = robot.set_special_variable(variable, value + 1.0);
+        Ok(())
+    }
+}
+
+// clauses: 13.3
+#[test]
+fn native_code_writes_variables_that_the_next_steps_see() {
+    let steps: &[Do] = &[
+        Do::Nop,
+        Do::Ask(Op::Special, NONE, &[9.0]),
+        Do::Ask(Op::SpeedUp, NONE, &[2.0]),
+        Do::Nop,
+        Do::Nop,
+        Do::End,
+    ];
+    assert_eq!(
+        trace(&mut bench_with(&[steps], &[], Adds)),
+        [
+            "cycle:0 step:0 next:1",
+            "cycle:1 step:1 next:2 set:{VAR_SPECIAL_1:101.0} cmd:[SPECIAL null 9.0]",
+            "cycle:2 step:2 next:3 set:{VAR_SPECIAL_1:102.0} cmd:[TIP_SPEED_UP null 2.0]",
+            "cycle:3 step:3 next:4",
+            "cycle:3 sub:1 step:4 next:5 set:{VAR_SPECIAL_1:103.0}",
+            "cycle:4 step:5",
+            "end:END cycles:5",
+        ]
+    );
+}
+
+// clauses: 7.41
+#[test]
+fn a_stop_and_a_dump_in_one_cycle_do_not_undo_each_other() {
+    let program: &[&'static [Do]] = &[
+        &[
+            Do::Start(1),
+            Do::Ask(Op::OutputVariables, NONE, &[]),
+            Do::Nop,
+            Do::End,
+        ],
+        &[Do::Ask(Op::AllStop, NONE, &[]), Do::Nop],
+    ];
+    let mut machine = bench_with(program, &[], ());
+    machine.cycle();
+    machine.cycle();
+    assert!(machine.controller().is_held());
+    machine.cycle();
+    assert!(machine.controller().is_held(), "ALL_STOP stays");
 }

@@ -1,8 +1,5 @@
 //! The trace: one JSON object a line.
 
-#[cfg(test)]
-mod tests;
-
 use super::{Cycle, Ending, Sink, state_hash};
 use crate::command::{Command, FAST, Target, Value};
 use crate::emergency::Emergency;
@@ -377,4 +374,167 @@ fn numbers(out: &mut impl Write, values: &[f64]) -> fmt::Result {
         opening = ',';
     }
     out.write_char(']')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fault::Fault;
+    use crate::hardware::JointCommand;
+    use crate::model::titan8;
+    use crate::program::{Context, Flow, Signature};
+    use crate::record::Sample;
+
+    struct Variables(Vec<(&'static str, Option<f64>)>);
+
+    impl Program for Variables {
+        fn signature(&self) -> Signature {
+            titan8::MODEL.signature()
+        }
+        fn name(&self) -> &str {
+            ""
+        }
+        fn title(&self) -> &str {
+            ""
+        }
+        fn at(&self) -> u32 {
+            0
+        }
+        fn step(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+            Ok(Flow::Next)
+        }
+        fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
+            self.0.get(i).copied()
+        }
+        fn set_scalar(&mut self, i: usize, value: f64) {
+            self.0[i].1 = Some(value);
+        }
+        fn line(&self, _: u32) -> u32 {
+            0
+        }
+        fn reset(&mut self) {}
+    }
+
+    fn cycle(number: u64, step: u32, next: Option<u32>, program: &Variables) -> Cycle<'_> {
+        Cycle {
+            sub: 0,
+            last: true,
+            thread: None,
+            step,
+            next,
+            program,
+            sample: Sample {
+                cycle: number,
+                time: 0.0,
+                joints_per_leg: 1,
+                angles: &[0.0],
+                commands: const { &[JointCommand::at(0.0)] },
+                torques: &[],
+                paws: &[],
+                knobs: &[],
+                antenna: 0.0,
+            },
+        }
+    }
+
+    // clauses: 3.3 3.4
+    #[test]
+    fn set_holds_what_changed_bit_by_bit_in_declaration_order() {
+        let mut program = Variables(std::vec![
+            ("VAR_KEY", None),
+            ("A", None),
+            ("P.X", Some(0.0)),
+            ("Q.J2", Some(4.0)),
+        ]);
+        let mut trace = JsonLines::new(String::new(), false);
+        trace.begin(&program);
+        program.0[3].1 = Some(0.1 + 0.2);
+        program.0[2].1 = Some(-0.0);
+        program.0[1].1 = Some(1.0);
+        trace.cycle(&cycle(0, 0, Some(1), &program));
+        // Assigned again with the value that it has: no change.
+        trace.begin(&program);
+        program.0[1].1 = Some(1.0);
+        trace.cycle(&cycle(1, 1, Some(2), &program));
+        trace.begin(&program);
+        program.0[0].1 = Some(65.0);
+        trace.cycle(&cycle(2, 2, Some(3), &program));
+        assert_eq!(
+            trace.into_inner(),
+            "{\"cycle\":0,\"step\":0,\"next\":1,\"set\":{\"A\":1.0,\"P.X\":-0.0,\"Q.J2\":0.30000000000000004}}\n\
+         {\"cycle\":1,\"step\":1,\"next\":2}\n\
+         {\"cycle\":2,\"step\":2,\"next\":3,\"set\":{\"VAR_KEY\":65.0}}\n"
+        );
+    }
+
+    #[test]
+    fn state_ends_the_record_in_sixteen_digits() {
+        let program = Variables(std::vec![("VAR_KEY", None)]);
+        let mut trace = JsonLines::new(String::new(), true);
+        trace.begin(&program);
+        let mut record = cycle(0, 0, Some(1), &program);
+        record.sample.commands = &[];
+        record.sample.angles = &[];
+        trace.say(&"x");
+        trace.cycle(&record);
+        assert_eq!(
+            trace.into_inner(),
+            "{\"cycle\":0,\"step\":0,\"next\":1,\"say\":\"x\",\"state\":\"cbf29ce484222325\"}\n"
+        );
+    }
+
+    // clauses: 8.1
+    #[test]
+    fn the_last_record_says_how_it_ended() {
+        let last = |ending| {
+            let mut trace = JsonLines::new(String::new(), true);
+            trace.end(ending, 12);
+            trace.into_inner()
+        };
+        assert_eq!(
+            last(Ending::Program(End::End)),
+            "{\"end\":\"END\",\"cycles\":12}\n"
+        );
+        assert_eq!(
+            last(Ending::Program(End::Exit)),
+            "{\"end\":\"EXIT\",\"cycles\":12}\n"
+        );
+        assert_eq!(
+            last(Ending::Interrupted),
+            "{\"end\":\"INTERRUPTED\",\"cycles\":12}\n"
+        );
+        assert_eq!(last(Ending::Limit), "{\"end\":\"LIMIT\",\"cycles\":12}\n");
+        let emergency = Emergency {
+            fault: Fault::OutOfReach(Target::Foot(1)),
+            step: 4,
+            cycle: 12,
+            thread: None,
+        };
+        assert_eq!(
+            last(Ending::Emergency(emergency)),
+            "{\"end\":\"EMERGENCY\",\"error\":\"Out of reach F1\",\"kind\":\"RobotError\",\"step\":4,\"cycles\":12}\n"
+        );
+    }
+
+    #[test]
+    fn a_writer_that_refuses_is_remembered() {
+        struct Full;
+        impl Write for Full {
+            fn write_str(&mut self, _: &str) -> fmt::Result {
+                Err(fmt::Error)
+            }
+        }
+        let mut trace = JsonLines::new(Full, false);
+        assert_eq!(trace.result(), Ok(()));
+        trace.end(Ending::Limit, 0);
+        assert_eq!(trace.result(), Err(fmt::Error));
+    }
+
+    #[test]
+    fn numbers_that_json_lacks_are_null() {
+        let mut out = String::new();
+        let all = [1.5, f64::NAN, -0.0, f64::INFINITY, f64::NEG_INFINITY, 1e300];
+        assert_eq!(numbers(&mut out, &all), Ok(()));
+        assert_eq!(out, "[1.5,null,-0.0,null,null,1e300]");
+    }
 }
