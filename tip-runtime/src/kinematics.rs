@@ -70,7 +70,7 @@ const NEAR_AXIS: f64 = 1e-10;
 /// not reach it. Of several solutions within the limits, a closed form takes the one nearest to the
 /// initial posture; if there is none, it returns its first solution, so that the caller can name
 /// the joint that would have to turn too far. Least squares keep within the limits. See
-/// [`within_limits`](super::within_limits).
+/// [`within_limits`].
 #[must_use]
 pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: Point) -> Option<[f64; J]> {
     if !kind.is_closed() {
@@ -109,17 +109,13 @@ pub fn inverse_from<const J: usize>(
     sized(closed.nearest(&from, foot)?)
 }
 
-/// Like [`inverse_from`], for the next position of a foot on its path: a closed form skips no
-/// postures.
+/// Like [`inverse_from`] of a closed form, for the next position of a foot on its path: it skips no postures.
 pub(crate) fn inverse_next<const J: usize>(
     kind: Inverse,
     leg: &Leg<J>,
     from: &[f64; J],
     foot: Point,
 ) -> Option<[f64; J]> {
-    if !kind.is_closed() {
-        return inverse_from(kind, leg, from, foot);
-    }
     let (closed, from) = closed(kind, leg, from)?;
     sized(closed.next(&from, foot)?)
 }

@@ -18,17 +18,10 @@ enum Tolerance {
 }
 
 impl Tolerance {
-    fn of_foot(self, params: &FootParams) -> f64 {
+    fn of(self, just: f64, near: f64) -> f64 {
         match self {
-            Tolerance::Just => params.just,
-            Tolerance::Near => params.near,
-        }
-    }
-
-    fn of_joint(self, params: &JointParams) -> f64 {
-        match self {
-            Tolerance::Just => params.just,
-            Tolerance::Near => params.near,
+            Tolerance::Just => just,
+            Tolerance::Near => near,
         }
     }
 }
@@ -81,7 +74,8 @@ impl<const J: usize> ControllerView<J> {
     fn slider_arrived(&self, tolerance: Tolerance) -> Option<bool> {
         let target = self.slider.goal().target()?;
         let gap = distance(target, self.slider_at);
-        Some(gap <= tolerance.of_foot(&self.params.slider))
+        let FootParams { just, near, .. } = self.params.slider;
+        Some(gap <= tolerance.of(just, near))
     }
 }
 
@@ -119,9 +113,9 @@ impl<const J: usize> LegState<J> {
     /// Returns true if joint `m`, counted from 0, has arrived.
     fn angle_arrived(&self, m: usize, track: &Track<1>, tolerance: Tolerance) -> Option<bool> {
         let [target] = track.goal().target()?;
-        let params = self.params.joints.get(m)?;
+        let JointParams { just, near, .. } = *self.params.joints.get(m)?;
         let measured = self.angles.get(m)?;
-        Some(libm::fabs(target - measured) <= tolerance.of_joint(params))
+        Some(libm::fabs(target - measured) <= tolerance.of(just, near))
     }
 
     fn point_arrived(
@@ -132,7 +126,8 @@ impl<const J: usize> LegState<J> {
     ) -> Option<bool> {
         let target = track.goal().target()?;
         let measured = self.place(point, inverse).ok()?;
-        Some(distance(target, measured) <= tolerance.of_foot(&self.params.foot))
+        let FootParams { just, near, .. } = self.params.foot;
+        Some(distance(target, measured) <= tolerance.of(just, near))
     }
 }
 

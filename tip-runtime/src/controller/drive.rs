@@ -3,7 +3,6 @@
 mod advance;
 mod reach;
 mod redundancy;
-mod search;
 
 pub(super) use advance::bounded;
 pub(super) use advance::{CycleParams, MovingLeg};

@@ -1,7 +1,7 @@
 //! Everything that the controller keeps of one leg.
 
 use super::drive::{CycleParams, Drive, LegDrive, MovingLeg, THIRD};
-use super::native::{JointVibration, VibrationContext};
+use super::native::JointVibration;
 use super::params::LegParams;
 use super::targets::joint_of;
 use super::trajectory::Track;
@@ -127,12 +127,8 @@ impl<const J: usize> LegState<J> {
         for (command, ((joint, params), (vibration, measured))) in
             commands.iter_mut().zip(joints.zip(states))
         {
-            let state = VibrationContext {
-                per_volt,
-                most_torque: params.most_torque(joint, robot.torque_unit()),
-                measured: *measured,
-            };
-            *command = vibration.vibrated(*command, joint, &state);
+            let most_torque = params.most_torque(joint, robot.torque_unit());
+            *command = vibration.vibrated(*command, joint, *measured, (per_volt, most_torque));
         }
         commands
     }

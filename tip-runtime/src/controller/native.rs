@@ -76,15 +76,6 @@ pub(super) struct JointVibration {
     phase: f64,
 }
 
-/// The values that a vibration of a joint depends on.
-pub(super) struct VibrationContext {
-    pub(super) per_volt: VibrationGain,
-    /// The most torque that the joint is commanded.
-    pub(super) most_torque: f64,
-    /// deg.
-    pub(super) measured: f64,
-}
-
 /// The share of a sawtooth's time that its slow flank takes.
 const SLOW: f64 = 0.8;
 
@@ -109,17 +100,19 @@ impl JointVibration {
         })
     }
 
-    /// Returns a command with the vibration of its joint.
+    /// Returns the command of a joint that is at `measured` (deg) with its vibration; the joint is commanded no more
+    /// than the torque `most_torque`.
     pub(super) fn vibrated(
         &self,
         command: JointCommand,
         joint: &Joint,
-        state: &VibrationContext,
+        measured: f64,
+        (per_volt, most_torque): (VibrationGain, f64),
     ) -> JointCommand {
         if self.vibration.is_none() {
             return command;
         }
-        let (volts, per_volt) = (self.volts(), state.per_volt);
+        let volts = self.volts();
         match command {
             JointCommand::Angle { angle, rate } => JointCommand::Angle {
                 // A departure does not leave the joint's working limits.
@@ -130,8 +123,8 @@ impl JointVibration {
                 rate,
             },
             JointCommand::Torque(torque) => {
-                let vibrated = bounded(torque + per_volt.torque * volts, state.most_torque);
-                JointCommand::Torque(inward(vibrated, state.measured, joint))
+                let vibrated = bounded(torque + per_volt.torque * volts, most_torque);
+                JointCommand::Torque(inward(vibrated, measured, joint))
             }
         }
     }
@@ -171,13 +164,8 @@ impl<const J: usize> ControllerView<J> {
         let Target::Joint(n, m) = joint else {
             return Err(Fault::Domain);
         };
-        let sound = vibration.is_none_or(|vibration| {
-            let Vibration {
-                amplitude,
-                frequency,
-                ..
-            } = vibration;
-            amplitude.is_finite() && frequency.is_finite() && frequency >= 0.0
+        let sound = vibration.is_none_or(|it| {
+            it.amplitude.is_finite() && it.frequency.is_finite() && it.frequency >= 0.0
         });
         if !sound || self.robot.vibration.is_none() {
             return Err(Fault::Domain);

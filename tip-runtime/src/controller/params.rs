@@ -22,15 +22,6 @@ pub(super) struct FootParams {
     third_limit: Option<[f64; 3]>,
 }
 
-/// Parameters of a spring at a point of a leg.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PointParams {
-    /// N/mm along each axis.
-    pub(super) stiffness: [f64; 3],
-    /// N.
-    pub(super) limit: Option<[f64; 3]>,
-}
-
 /// Parameters of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JointParams {
@@ -74,13 +65,11 @@ impl FootParams {
         }
     }
 
-    pub(super) const fn of_point(&self, point: LegPoint) -> PointParams {
-        PointParams {
-            stiffness: self.stiffness,
-            limit: match point {
-                LegPoint::Tip => self.foot_limit,
-                LegPoint::Joint(_) => self.third_limit,
-            },
+    /// Returns the largest pull of a spring at a point, N.
+    pub(super) const fn limit(&self, point: LegPoint) -> Option<[f64; 3]> {
+        match point {
+            LegPoint::Tip => self.foot_limit,
+            LegPoint::Joint(_) => self.third_limit,
         }
     }
 

@@ -406,17 +406,6 @@ fn the_report_names_the_variable_that_was_read_too_early() {
     assert!(text.ends_with("variable\tA\n"));
 }
 
-// clauses: 2.19
-#[test]
-fn the_failing_cycle_leaves_no_record() {
-    let mut trace = JsonLines::new(String::new(), false);
-    let mut machine = bench(&[Do::Nop, DIVIDE], &[]);
-    machine.cycle_traced(&mut trace);
-    machine.cycle_traced(&mut trace);
-    machine.cycle_traced(&mut trace);
-    assert_eq!(trace.into_inner(), "{\"cycle\":0,\"step\":0,\"next\":1}\n");
-}
-
 // clauses: 2.22 8.1
 #[test]
 fn sensors_are_judged_before_the_step() {

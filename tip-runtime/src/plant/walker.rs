@@ -177,11 +177,6 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.ground.falls.falls.count
     }
 
-    /// Returns the least margin so far, mm.
-    pub fn least_margin(&self) -> f64 {
-        self.ground.falls.least
-    }
-
     /// Returns the counts of effects that mass would have had.
     pub fn unmodelled(&self) -> Unmodelled {
         self.ground.unmodelled.counted
@@ -277,7 +272,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
             falls: self.falls(),
             upright_falls: self.ground.falls.falls.upright(),
             margin: self.margin(),
-            least_margin: self.least_margin(),
+            least_margin: self.ground.falls.least,
             slip: self.worst_slip(),
             tracking_errors: self.tracking_errors(),
             unmodelled: Some(self.unmodelled()),

@@ -1,10 +1,9 @@
 //! One sampling time of a leg: set points move on, and joint commands follow from them.
 
 use super::reach::{follow, has_few_joints, leap, name, reach};
-use super::redundancy::{Redundancy, has_choice};
-use super::search::PointOfLeg;
+use super::redundancy::{PointOfLeg, Redundancy, has_choice};
 use super::{Drive, LegDrive, Solved, THIRD};
-use crate::controller::params::{JointParams, LegParams, PointParams};
+use crate::controller::params::{JointParams, LegParams};
 use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Limits, Track};
 use crate::fault::Fault;
@@ -240,15 +239,15 @@ impl<const J: usize> LegDrive<J> {
         track.advance(leg.params.foot.limits(), cycle.dt, cycle.held);
         let chain = Chain::new(leg.model, leg.measured);
         let at = cycle.inverse.flat(chain.point(point).unwrap_or([0.0; 3]));
-        let PointParams { stiffness, limit } = leg.params.foot.of_point(point);
         let force = match track.goal() {
             Goal::Effort(force) => {
                 *track = track.stopped_at(at);
                 force
             }
             _ => {
-                let stiffness = self.own_stiffness.unwrap_or(stiffness);
-                spring(stiffness, track.position(), at, limit)
+                let params = &leg.params.foot;
+                let stiffness = self.own_stiffness.unwrap_or(params.stiffness);
+                spring(stiffness, track.position(), at, params.limit(point))
             }
         };
         let Some(torques) = chain.torques_of_force(point, force) else {

@@ -52,17 +52,6 @@ pub(super) struct CycleEvents {
     pub(super) stray: f64,
 }
 
-impl CycleEvents {
-    /// Merges the events of two legs.
-    pub(super) fn and(self, other: Self) -> Self {
-        CycleEvents {
-            crosses: self.crosses || other.crosses,
-            hurries: self.hurries || other.hurries,
-            stray: self.stray.max(other.stray),
-        }
-    }
-}
-
 /// A counter of unmodelled effects.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct UnmodelledCounter {

@@ -52,15 +52,6 @@ impl<const J: usize> LegPlant<J> {
         }
     }
 
-    /// Returns the events of a cycle with these commands, without collisions.
-    fn events(&mut self, commands: &[JointCommand; J], speed: f64) -> CycleEvents {
-        CycleEvents {
-            crosses: false,
-            hurries: hurries(commands, speed),
-            stray: self.path.stray(&self.model, commands, self.links.foot),
-        }
-    }
-
     /// Moves every joint under the load of its foot (N) and gravity; returns true if any turned.
     /// Joints that gave way under a body that `has_lost_hold` do not push their foot back before it has
     /// come down.
@@ -163,13 +154,16 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
             self.crosses = self.cross(ground);
         }
         let speed = self.dynamics.speed;
-        let legs = self.each.iter_mut().zip(commands);
-        let legs = legs.map(|(leg, commands)| leg.events(commands, speed));
-        let none = CycleEvents {
+        let mut events = CycleEvents {
             crosses: self.crosses,
             ..CycleEvents::default()
         };
-        legs.fold(none, CycleEvents::and)
+        for (leg, commands) in self.each.iter_mut().zip(commands) {
+            let stray = leg.path.stray(&leg.model, commands, leg.links.foot);
+            events.hurries |= hurries(commands, speed);
+            events.stray = events.stray.max(stray);
+        }
+        events
     }
 
     /// Moves every joint for `dt` s under its previous load; returns true if any turned.
