@@ -233,7 +233,7 @@ impl<const J: usize> ControllerView<J> {
     }
 
     fn leg(&self, n: u8) -> Result<&LegState<J>, Fault> {
-        targets::leg(&self.legs, n)
+        self.legs.get(targets::index(n)).ok_or(Fault::Domain)
     }
 
     /// Starts or continues a command. A command that answers `Pending` is asked again, unchanged,

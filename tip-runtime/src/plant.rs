@@ -155,6 +155,22 @@ impl ContactLaw {
     }
 }
 
+/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
+/// numbers of legs.
+#[inline(never)]
+fn fill_joints<G, S, const J: usize>(
+    legs: &[G],
+    servos: fn(&G) -> &[S; J],
+    into: &mut [[f64; J]],
+    value: fn(&S) -> f64,
+) {
+    for (row, leg) in into.iter_mut().zip(legs) {
+        for (place, servo) in row.iter_mut().zip(servos(leg)) {
+            *place = value(servo);
+        }
+    }
+}
+
 /// Returns true if a lamp or relay of these words is on.
 fn is_lit(lamps: &[u32; 8], device: u8) -> bool {
     let word = lamps.get(usize::from(device / 32));

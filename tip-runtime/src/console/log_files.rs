@@ -91,13 +91,6 @@ impl<C> LogFiles<C> {
         })
     }
 
-    /// Keeps at most `rows` rows of TITAN.LOG.
-    #[must_use]
-    pub fn with_capacity(mut self, rows: usize) -> Self {
-        self.log = TitanLog::with_capacity(rows);
-        self
-    }
-
     /// Returns the inner console.
     pub fn inner(&self) -> &C {
         &self.inner

@@ -1,4 +1,4 @@
-//! INPOS and NEAR: whether what a target names has arrived (T.I.P. 3.1 §6-2, §7-4).
+//! INPOS and NEAR: whether what a target names has arrived (T.I.P. 3.1 §6-2, §7-4); SLEEP.
 
 use super::drive::distance;
 use super::leg::LegState;

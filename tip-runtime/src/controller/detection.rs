@@ -1,5 +1,15 @@
-//! DETECT_FLOOR of TITAN VIII (T.I.P. 3.1 §7-11-3): feet move until their soles touch the floor,
-//! or leave it.
+//! DETECT_FLOOR and DETECT_OBJECT (T.I.P. 3.1 §7-11-3, §7-11-4).
+//!
+//! Feet of TITAN VIII move until their soles touch the floor, or leave it. Fingers of a hand close with a gentle torque
+//! or force until something stops them.
+//!
+//! A finger has found something when a joint that closes senses at least the contact torque while no
+//! joint has turned for [`STILL_CYCLES`]. It goes on pressing until every finger that searches has
+//! found something; then all of them hold the angles that are measured.
+//!
+//! Two joints that close by torque push a fingertip in a direction of their own: `τ = Jᵀ F`. Where that
+//! is flatter than the floor's friction allows, it slides to the limits of the joints. DETECT_FLOOR 2
+//! therefore pushes straight down.
 
 use super::drive::{Drive, THIRD};
 use super::leg::LegState;

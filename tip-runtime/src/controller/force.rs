@@ -1,5 +1,5 @@
 //! TORQUE, FORCE, COMPLIANCE_ and NO_COMPLIANCE (T.I.P. 3.1 §7-3); they take one cycle. The laws
-//! that they set to work are in [`law`](super::drive).
+//! that they set to work are in [`drive`](super::drive).
 
 use super::drive::Drive;
 use super::targets::{Base, joint_of, resolve, resolve_from, unlocked};

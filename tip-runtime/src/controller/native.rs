@@ -1,4 +1,5 @@
-//! Queries and changes that only native code makes.
+//! Queries and changes that only native code makes; the vibration that it adds to the commands of joints (active
+//! friction control, T.I.P. 3.1 §8-2-2).
 
 use super::drive::{bounded, reach};
 use super::sensing::members;

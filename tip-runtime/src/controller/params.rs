@@ -263,7 +263,11 @@ impl<const J: usize> ControllerView<J> {
             return Some(set);
         }
         if let Some((field, source)) = setting(command.op) {
-            return Some(self.set_field(command, field, source));
+            let operands = Checked::new(command, source);
+            return Some(operands.and_then(|operands| match field {
+                Field::Foot(field) => self.set_foot_field(&operands, field),
+                Field::Joint(field) => self.set_joint_field(&operands, field),
+            }));
         }
         match command.op {
             Op::SetSamplingTime => Some(self.set_period(command, |time| time)),
@@ -273,19 +277,6 @@ impl<const J: usize> ControllerView<J> {
                 Some(Ok(()))
             }
             _ => None,
-        }
-    }
-
-    fn set_field(
-        &mut self,
-        command: &Command<'_>,
-        field: Field,
-        source: Source,
-    ) -> Result<(), Fault> {
-        let operands = Checked::new(command, source)?;
-        match field {
-            Field::Foot(field) => self.set_foot_field(&operands, field),
-            Field::Joint(field) => self.set_joint_field(&operands, field),
         }
     }
 

@@ -1,4 +1,4 @@
-//! The readings at the start of a cycle, and the checks of them.
+//! The readings at the start of a cycle with their checks, and what TEACH_ commands measure (T.I.P. 3.1 §7-5).
 
 use super::drive::THIRD;
 use super::{ControllerView, targets};

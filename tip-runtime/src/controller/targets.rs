@@ -1,4 +1,4 @@
-//! From the operands of a motion to numbers.
+//! Targets and operands of commands; legs and joints count from 1 in the language.
 
 use crate::command::{Target, Value};
 use crate::fault::Fault;
@@ -55,11 +55,6 @@ pub(super) fn resolve_from<const N: usize>(
 /// Returns the place of leg or joint `n`, counted from 0.
 pub(super) fn index(n: u8) -> usize {
     usize::from(n).wrapping_sub(1)
-}
-
-/// Returns the entry of leg or joint `n`.
-pub(super) fn leg<T>(legs: &[T], n: u8) -> Result<&T, Fault> {
-    legs.get(index(n)).ok_or(Fault::Domain)
 }
 
 /// Returns the entry of leg or joint `n`.

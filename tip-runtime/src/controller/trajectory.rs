@@ -257,7 +257,12 @@ const STRAIGHT: f64 = 1e-9;
 
 /// The largest share of the acceleration that the part across takes.
 const MOST_ACROSS: f64 = core::f64::consts::FRAC_1_SQRT_2;
-
+/// The path of a set point to a target: a straight line, joined without a jump in velocity.
+///
+/// The velocity at the start is split into a part along the line and one across it. Each is
+/// brought to rest by its own [`Approach`]; being at right angles they share speed and
+/// acceleration as the sides of a right triangle share its hypotenuse, so that neither limit is
+/// exceeded. From rest, and for a target straight ahead, there is no part across.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Course<const N: usize> {
     target: [f64; N],
@@ -352,7 +357,9 @@ fn leg_of_triangle(hypotenuse: f64, leg: f64) -> f64 {
     libm::sqrt(((hypotenuse - leg) * (hypotenuse + leg)).max(0.0))
 }
 
-/// Distance of the point from its goal, and the speed at which it shrinks.
+/// Distance of the point from its goal, and the speed at which it shrinks: the time-optimal move to a point on a line,
+/// at rest there (the "trapezoidal" profile; Biagiotti and Melchiorri, *Trajectory Planning for Automatic Machines and
+/// Robots*, ch. 3), planned again from the present state in each cycle, so that limits may change during the move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Approach {
     gap: f64,
@@ -455,6 +462,8 @@ impl Plan {
         }
     }
 }
+
+// Arithmetic of small vectors that neither overflows nor makes NaN of finite members.
 
 /// Returns `a + k b`.
 fn add_scaled<const N: usize>(mut a: [f64; N], b: [f64; N], k: f64) -> [f64; N] {

@@ -1,4 +1,6 @@
-//! Forward kinematics: positions and axes of a leg's joints, and the Jacobians of its points.
+//! Forward kinematics: positions, axes and frames of a leg's joints, and the Jacobians of its points; forces at a point
+//! and the joint torques that balance them (Craig, *Introduction to Robotics*, ch. 5.9: `τ = Jᵀ F`). Forces are in N,
+//! torques in N·m.
 
 use super::LegPoint;
 use crate::model::{Axes, Joint, Leg, Point};

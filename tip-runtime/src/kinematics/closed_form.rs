@@ -1,4 +1,4 @@
-//! Selection among the solutions of a closed form.
+//! Closed forms of the inverse kinematics, and the selection among their solutions.
 
 use super::chain::ChainBuilder;
 use super::{NEAR_AXIS, ROUNDING, Solutions, largest_turn};
@@ -146,6 +146,10 @@ const STRETCH: f64 = 1e-12;
 
 /// Returns the angles (deg) that put a foot at `foot` (mm): first those of a leg that points at it
 /// with its knee up. On the yaw axis, where any yaw is possible, the yaw stays at `yaw_now`.
+///
+/// The leg turns about the vertical until it points at the foot, or away from it; the remaining
+/// triangle is made of thigh, shank and the line between their ends, with the knee above or below
+/// that line.
 fn yaw_pitch_pitch(base: Point, joints: [&Joint; 3], foot: Point, yaw_now: f64) -> Solutions {
     let [yaw, thigh, knee] = joints;
     let reach = Vector3::from(foot) - Vector3::from(base);
@@ -216,6 +220,11 @@ const INSIDE: f64 = 1e-12;
 
 /// Returns the angles (deg) that put a foot at `foot` (mm). On the first axis, where any roll is
 /// possible, the roll stays at `roll_now`.
+///
+/// A joint is followed by two parallel ones at right angles to it: a roll and two pitches, as at the hips of most
+/// quadrupeds (an anthropomorphic arm: Siciliano et al., *Robotics*, 2009, §2.12.4). Along the parallel axes no joint
+/// but the first moves the foot. So it turns the foot's distance to its axis into that offset and a height, which is on
+/// either side; what is left are two links in a plane.
 fn roll_pitch_pitch(base: Point, joints: [&Joint; 3], foot: Point, roll_now: f64) -> Solutions {
     let [roll, thigh, knee] = joints;
     let (along, across) = (Vector3::from(roll.axis), Vector3::from(thigh.axis));
@@ -282,7 +291,8 @@ impl Frame {
 /// Bend of a second joint below which it counts as straight and may bend to either side, deg.
 const STRAIGHT: f64 = 0.01;
 
-/// Two links at angle 0, mm.
+/// Two links at angle 0, mm: the triangle of the links and the line between their ends (Craig, *Introduction to
+/// Robotics*, ch. 4.4).
 #[derive(Clone, Copy)]
 struct TwoLinks {
     pub(super) first: Vector2<f64>,

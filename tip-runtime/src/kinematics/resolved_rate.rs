@@ -12,6 +12,11 @@
 //! is: `J# e + (1 − J# J) (p − q)` (Liégeois, *Automatic Supervisory Control of the Configuration and
 //! Behavior of Multibody Mechanisms*, 1977). In a singular posture, where a joint may bend to either
 //! side, `p` decides to which.
+//!
+//! Damped least squares go downhill: within the limits of the joints they may end in a local
+//! minimum from which the target cannot be reached. A search starts again, from postures
+//! that are spread evenly over the limits (multiples of the square roots of primes, modulo 1:
+//! Richtmyer, *The Evaluation of Definite Integrals, and a Quasi-Monte-Carlo Method*, 1951).
 
 use super::Chain;
 use super::chain::{is_singular, least_norm, rows_that_count};

@@ -1,4 +1,4 @@
-//! One control cycle, whatever the number of legs, the program and the hardware.
+//! One control cycle, whatever the number of legs, the program and the hardware: compiled once for all numbers of legs.
 
 use super::devices::Devices;
 use super::state::{State, Status};

@@ -1,4 +1,5 @@
-//! The state of a machine in its run.
+//! The state of a machine in its run, and what steps switch besides legs: keys, lamps, flags, logs, and bar graphs
+//! (SPECIAL 20 of the Hiroshima Hand, T.I.P. 3.1 §8-2-3).
 
 use super::threads::{Threads, Timers};
 use super::variables::SpecialVariables;

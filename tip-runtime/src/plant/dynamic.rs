@@ -33,7 +33,7 @@ pub use servo::Drives;
 use super::sensors::{LegInputs, Overrides, SensorNoise};
 use super::{
     ContactLaw, DIVERGED, Fall, Foot, GRAVITY, Limbs, Motion, Noise, Plant, Pose, TrackingErrors,
-    Travel, is_lit,
+    Travel, fill_joints, is_lit,
 };
 use crate::command::Port;
 use crate::fault::Fault;
@@ -237,25 +237,36 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
     /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
         let mut angles = [[0.0; J]; L];
-        leg::fill_joints(&self.robot.legs, &mut angles, |servo| {
-            servo.angle.to_degrees()
-        });
+        fill_joints(
+            &self.robot.legs,
+            |leg| &leg.servos,
+            &mut angles,
+            |servo| servo.angle.to_degrees(),
+        );
         angles
     }
 
     /// Returns the angular velocities of the joints, deg/s.
     pub fn rates(&self) -> [[f64; J]; L] {
         let mut rates = [[0.0; J]; L];
-        leg::fill_joints(&self.robot.legs, &mut rates, |servo| {
-            servo.rate.to_degrees()
-        });
+        fill_joints(
+            &self.robot.legs,
+            |leg| &leg.servos,
+            &mut rates,
+            |servo| servo.rate.to_degrees(),
+        );
         rates
     }
 
     /// Returns the motor torques, N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
         let mut torques = [[0.0; J]; L];
-        leg::fill_joints(&self.robot.legs, &mut torques, |servo| servo.torque);
+        fill_joints(
+            &self.robot.legs,
+            |leg| &leg.servos,
+            &mut torques,
+            |servo| servo.torque,
+        );
         torques
     }
 

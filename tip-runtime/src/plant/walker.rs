@@ -33,7 +33,7 @@ pub use pose::{Pose, Travel};
 pub use servo::ServoDynamics;
 
 use super::sensors::{LegInputs, Overrides};
-use super::{DIVERGED, Limbs, Motion, Plant, are_sane, is_lit};
+use super::{DIVERGED, Limbs, Motion, Plant, are_sane, fill_joints, is_lit};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
@@ -202,14 +202,24 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
         let mut angles = [[0.0; J]; L];
-        legs::fill_joints(&self.legs.each, &mut angles, |servo| servo.angle);
+        fill_joints(
+            &self.legs.each,
+            |leg| &leg.servos,
+            &mut angles,
+            |servo| servo.angle,
+        );
         angles
     }
 
     /// Returns the motor torques, N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
         let mut torques = [[0.0; J]; L];
-        legs::fill_joints(&self.legs.each, &mut torques, |servo| servo.torque);
+        fill_joints(
+            &self.legs.each,
+            |leg| &leg.servos,
+            &mut torques,
+            |servo| servo.torque,
+        );
         torques
     }
 

@@ -1,4 +1,4 @@
-//! The trace: one JSON object a line.
+//! The trace: one JSON object a line, with the motion of a simulated robot if it is asked for.
 
 use super::{Cycle, Ending, Sink, state_hash};
 use crate::command::{Command, FAST, Target, Value};
@@ -160,6 +160,13 @@ impl<W: Write> JsonLines<W> {
         Ok(())
     }
 
+    fn formatted(&mut self, text: &dyn Display) -> String {
+        let mut line = String::new();
+        let written = write!(line, "{text}");
+        self.result = self.result.and(written);
+        line
+    }
+
     /// Writes the key `set`: the assignments of the step, without those of the host before it.
     fn changes(&mut self, program: &dyn Program) -> fmt::Result {
         let mut opening = r#","set":{"#;
@@ -200,17 +207,11 @@ impl<W: Write> Sink for JsonLines<W> {
     }
 
     fn say(&mut self, text: &dyn Display) {
-        let mut line = String::new();
-        let written = write!(line, "{text}");
-        self.say = Some(line);
-        self.result = self.result.and(written);
+        self.say = Some(self.formatted(text));
     }
 
     fn out(&mut self, text: &dyn Display) {
-        let mut appended = String::new();
-        let written = write!(appended, "{text}");
-        self.appended = Some(appended);
-        self.result = self.result.and(written);
+        self.appended = Some(self.formatted(text));
     }
 
     fn lamp(&mut self, device: u8, on: bool) {

@@ -1,4 +1,4 @@
-//! Files that appear complete or not at all.
+//! Output to files: those that appear complete or not at all, and formatted text into any writer.
 #![allow(clippy::disallowed_methods, reason = "this is for writing files")]
 
 use core::fmt;

@@ -59,16 +59,10 @@ impl Default for TitanLog {
 
 impl TitanLog {
     /// Keeps at most `rows` rows. Memory is allocated once, with the first row.
-    pub const fn with_capacity(rows: usize) -> Self {
+    pub fn with_capacity(rows: usize) -> Self {
         TitanLog {
             capacity: rows,
-            shape: Shape {
-                joints_per_leg: 0,
-                joints: 0,
-                torques: 0,
-                paws: 0,
-                knobs: 0,
-            },
+            shape: Shape::default(),
             cycles: Vec::new(),
             values: Vec::new(),
         }

@@ -158,6 +158,8 @@ const HEIGHT_STIFFNESS: f64 = 0.2;
 
 const MILLIMETRES_PER_METRE: f64 = 1000.0;
 
+/// Lever motion: a soft spring draws the end of each finger's second link sideways to the middle of the hand, a stiff
+/// one keeps its height. The fingertip joint is left alone.
 #[derive(Clone, Debug, Default)]
 struct Lever {
     /// Heights to keep, mm.
@@ -230,6 +232,8 @@ struct Carrying {
     elapsed: Option<f64>,
 }
 
+/// Active force closure of the second kind: the fingertips move the object that they hold, each joint by its steady
+/// torque and a correction, `τ = τ₀ + k (θ_d − θ)`.
 #[derive(Clone, Debug, Default)]
 struct Closure(Option<Carrying>);
 
@@ -414,6 +418,7 @@ struct VibratingFinger {
     frequency: f64,
 }
 
+/// Active friction control: fingers vibrate, so that the object that they hold slips in the wanted direction.
 #[derive(Clone, Debug)]
 struct FrictionControl([VibratingFinger; FINGERS]);
 

@@ -1,4 +1,15 @@
 //! One sampling time of a leg: set points move on, and joint commands follow from them.
+//!
+//! A joint's spring: `τ = k (θ_d − θ)`. A point's spring: `F = K (x_d − x)`, axis by axis. Either is
+//! bounded by the compliance limit, if one is set. A force acts through the joints as `τ = Jᵀ F`, and
+//! no joint is commanded more than `TORQUE_MAX`, or than its motor gives. This is stiffness control
+//! without an inner force loop (Salisbury, *Active Stiffness Control of a Manipulator in Cartesian
+//! Coordinates*, 1980), without damping of its own: that of the joints brings the robot to rest. Units:
+//! deg, mm, N, and torques in the robot's torque unit.
+//!
+//! A point takes its velocity over from the joints that moved it. A stretched leg that turns moves its foot along the
+//! border of its reach: neither on its way to the target nor by braking straight ahead would the foot stay
+//! within it. So joints may brake first, each for itself.
 
 use super::reach::{follow, has_few_joints, leap, name, reach};
 use super::redundancy::{PointOfLeg, Redundancy, has_choice};

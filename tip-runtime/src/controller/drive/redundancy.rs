@@ -4,6 +4,14 @@
 //! and one in which its point is at the target. Resolved rate puts the point on its line and leaves the
 //! rest to that posture. The line is tried out before the leg sets off; where a posture leads into a
 //! limit, another one is tried. If that takes more than one cycle, the leg waits, or brakes first.
+//!
+//! The search begins at the target with the posture nearest to the present one, and goes on from postures that are
+//! spread over the limits; it tries a few pieces of the line in each cycle. The limits of joints are intervals: between
+//! two postures within them no joint is beyond its own.
+//!
+//! The postures of a straight leg's point are few, and those on its one side may end at a limit immediately. A nearly
+//! straight leg bends first, with its point in place: it turns through the postures of that place until it is bent
+//! towards the middle of its limits.
 
 use super::distance;
 use super::reach::has_few_joints;
@@ -248,7 +256,14 @@ impl<const J: usize> Search<J> {
             Stage::Trying(trial) => match trial.try_piece(point, self.line) {
                 TrialResult::SoFar(trial) => Stage::Trying(trial),
                 TrialResult::Leads(guide) if self.attempt == Attempt::Bent => {
-                    let bend = Bend::new(point, self.from, guide.with_left(0.0), self.line);
+                    let bend = Bend {
+                        aim: middle(point.leg),
+                        to: self.from,
+                        end: guide.with_left(0.0),
+                        line: self.line,
+                        step: 0.0,
+                        left: BEND_TIME,
+                    };
                     return Some(Outcome::Bends(bend));
                 }
                 TrialResult::Leads(guide) => return Some(Outcome::Found(guide)),
@@ -268,7 +283,11 @@ impl<const J: usize> Search<J> {
                 }
                 (None, Attempt::Direct) if !self.is_straight => self.again(Attempt::Bowed),
                 (None, Attempt::Bowed) if self.is_straight => self.again(Attempt::Direct),
-                (None, Attempt::Direct | Attempt::Bowed) => Stage::Bending(Bending::new(self.from)),
+                (None, Attempt::Direct | Attempt::Bowed) => Stage::Bending(Bending {
+                    from: self.from,
+                    angles: self.from,
+                    steps: 0,
+                }),
                 (None, Attempt::Bent) => return Some(Outcome::Nothing),
             },
         };
@@ -536,18 +555,6 @@ pub(in crate::controller) struct Bend<const J: usize> {
 }
 
 impl<const J: usize> Bend<J> {
-    /// Creates a bend to the posture `to`, and from there along `line` to the posture `end`.
-    pub(super) fn new(point: &PointOfLeg<'_, J>, to: [f64; J], end: [f64; J], line: Line) -> Self {
-        Bend {
-            aim: middle(point.leg),
-            to,
-            end,
-            line,
-            step: 0.0,
-            left: BEND_TIME,
-        }
-    }
-
     /// Moves on by `dt` seconds; what is held waits.
     pub(super) fn advance(&mut self, dt: f64, held: bool) {
         let dt = if held { 0.0 } else { dt };
@@ -586,14 +593,6 @@ enum BendResult<const J: usize> {
 }
 
 impl<const J: usize> Bending<J> {
-    pub(super) fn new(from: [f64; J]) -> Self {
-        Bending {
-            from,
-            angles: from,
-            steps: 0,
-        }
-    }
-
     /// Turns the joints by one step, with the point at `place`.
     pub(super) fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> BendResult<J> {
         let before = self.angles;

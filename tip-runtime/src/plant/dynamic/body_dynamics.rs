@@ -1,4 +1,5 @@
-//! The dynamics of the body: a floating box, or a frame that is bolted down.
+//! The dynamics of the body: a floating box, or a frame that is bolted down. Its corners touch the floor, its edges
+//! blocks where neither has a corner inside.
 
 use super::Vector;
 use super::contact::{Bristle, Touch};

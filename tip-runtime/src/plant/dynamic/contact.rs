@@ -1,5 +1,5 @@
-//! The contact law of a robot with mass: a spring and a damper along the normal, and across it a
-//! bristle that bends until it slides (Cundall and Strack, *Géotechnique* 29, 1979).
+//! Contacts of a robot with mass: the law of a point in an obstacle, and what becomes of a foot. Along the normal a
+//! spring and a damper, across it a bristle that bends until it slides (Cundall and Strack, *Géotechnique* 29, 1979).
 
 use super::Vector;
 use crate::plant::ContactLaw;

@@ -13,6 +13,7 @@ use super::spatial::{
 };
 use super::terrain::StepContext;
 use crate::hardware::JointCommand;
+use crate::kinematics::Chain;
 use crate::model::{Joint, Leg};
 use crate::plant::walker::events::Path;
 use crate::plant::{Effort, GRAVITY};
@@ -80,7 +81,8 @@ impl<const J: usize> LegBody<J> {
     /// Returns the distance of the foot from its commanded path, mm.
     pub(super) fn stray(&mut self, commands: &[JointCommand; J]) -> f64 {
         let angles = self.servos.map(|servo| servo.angle.to_degrees());
-        self.path.stray_at(&self.model, commands, angles)
+        let foot = Chain::new(&self.model, &angles).foot();
+        self.path.stray(&self.model, commands, foot.into())
     }
 
     pub(super) fn command(&mut self, commands: &[JointCommand; J], unit: f64) {
@@ -412,21 +414,6 @@ fn bit(j: usize) -> u16 {
         .ok()
         .and_then(|j| 1_u16.checked_shl(j))
         .unwrap_or(0)
-}
-
-/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
-/// numbers of legs.
-#[inline(never)]
-pub(super) fn fill_joints<const J: usize>(
-    legs: &[LegBody<J>],
-    into: &mut [[f64; J]],
-    value: fn(&super::servo::Servo) -> f64,
-) {
-    for (row, leg) in into.iter_mut().zip(legs) {
-        for (place, servo) in row.iter_mut().zip(&leg.servos) {
-            *place = value(servo);
-        }
-    }
 }
 
 /// Copies the load, N, and the contact force of each foot.

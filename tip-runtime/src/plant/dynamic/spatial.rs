@@ -1,6 +1,8 @@
 //! Spatial motions, forces and inertias, all about one point: the current origin of the body's
 //! frame, along the axes of the world (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch.
 //! 2). In m, kg, s, rad and N.
+//!
+//! The systems of equations that follow are symmetric and positive definite: Cholesky's method, without a panic path.
 
 use super::Vector;
 use crate::model::Spread;

@@ -1,9 +1,12 @@
-//! The contact law of the simulated hand.
+//! Contacts of the simulated hand: their law, and the history of a link and a body that are near each other.
 //!
 //! Normal to their surfaces: a spring and a damper that push and never pull. Along them: Coulomb
 //! friction by a spring that is stretched as they move past each other, and slides where it would
 //! pull more than friction holds (Cundall and Strack, *A discrete numerical model for granular
 //! assemblies*, Géotechnique 29, 1979). A stuck contact therefore does not creep.
+//!
+//! By its history neither leaves through the other: not when they are pressed deeper into each other than half of the
+//! thinner one, and not when they pass each other within one step.
 
 use super::Vector;
 use crate::plant::ContactLaw;

@@ -1,4 +1,5 @@
-//! A grasped object: a body with its contacts.
+//! A grasped object: a body with its contacts, and the overlaps of links, bodies and surfaces that make them. Depths are
+//! in m, normals point from the second body to the first.
 
 use super::Vector;
 use super::contact::{Bristle, ContactHistory, Overlap, Push};

@@ -1,4 +1,5 @@
-//! Counts of the effects that a robot without mass leaves out.
+//! Counts of control cycles: commands that joints and feet could not follow, for robots without mass and with it, and
+//! the effects that a robot without mass leaves out.
 
 use super::Vector;
 use super::fall::{Polygon, TIPPING};
@@ -209,7 +210,7 @@ impl Path {
 
     /// Returns the distance of `foot` (mm) from the line of its last path, mm. A foot that only
     /// lags is on it. Torques define no path.
-    pub(super) fn stray<const J: usize>(
+    pub(in crate::plant) fn stray<const J: usize>(
         &mut self,
         leg: &Leg<J>,
         commands: &[JointCommand; J],
@@ -230,16 +231,6 @@ impl Path {
         }
         let off = foot - place;
         (off - self.along * self.along.dot(&off)).norm()
-    }
-
-    /// Returns [`stray`](Self::stray) for a foot at joint angles (deg).
-    pub(in crate::plant) fn stray_at<const J: usize>(
-        &mut self,
-        leg: &Leg<J>,
-        commands: &[JointCommand; J],
-        angles: [f64; J],
-    ) -> f64 {
-        self.stray(leg, commands, Chain::new(leg, &angles).foot().into())
     }
 }
 

@@ -1,4 +1,4 @@
-//! Fall detection: one definition for robots without mass and with it.
+//! Fall detection: one definition for robots without mass and with it, and the margin of a point in a convex hull.
 
 use super::Vector;
 use super::support::Contacts;

@@ -172,7 +172,7 @@ impl<const L: usize> GroundInterface for Ground<L> {
             .descent
             .towards(rest, &points, mass.weight, &self.body, dt);
         self.at_rest = found;
-        self.body.rest(normal, height);
+        (self.body.normal, self.body.height) = (normal, height);
         self.loads = support::loads(&points, normal, height);
         let heading = self.body.heading;
         let pull = self.unmodelled.friction * GRAVITY * 1000.0;

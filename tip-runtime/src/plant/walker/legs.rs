@@ -1,5 +1,5 @@
-//! The legs of a walking robot without mass: joints that follow their commands under load, and
-//! their links.
+//! The legs of a walking robot without mass: joints that follow their commands under load, their
+//! links, and collisions of legs with other legs, blocks or the floor.
 
 use super::events::{CycleEvents, Path, hurries};
 use super::ground::GroundInterface;
@@ -224,21 +224,6 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         Mass {
             centre: if mass > 0.0 { moment / mass } else { moment },
             weight: mass * GRAVITY,
-        }
-    }
-}
-
-/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
-/// numbers of legs.
-#[inline(never)]
-pub(super) fn fill_joints<const J: usize>(
-    legs: &[LegPlant<J>],
-    into: &mut [[f64; J]],
-    value: fn(&super::servo::Servo) -> f64,
-) {
-    for (row, leg) in into.iter_mut().zip(legs) {
-        for (place, servo) in row.iter_mut().zip(&leg.servos) {
-            *place = value(servo);
         }
     }
 }

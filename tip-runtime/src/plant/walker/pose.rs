@@ -1,4 +1,4 @@
-//! The pose of the body, in the world and in the floor's frame.
+//! The pose of the body in the world and in the floor's frame, the transformations between them, and its travel.
 
 use super::Vector;
 use crate::model::{self, Point};
@@ -64,12 +64,6 @@ impl FloorPose {
             y: 0.0,
             heading: 0.0,
         }
-    }
-
-    /// Sets tilt and height of the body, keeping place and heading.
-    pub(super) fn rest(&mut self, normal: Vector, height: f64) {
-        self.normal = normal;
-        self.height = height;
     }
 
     /// Returns the shortest rotation that turns the floor's normal upright.

@@ -4,6 +4,8 @@
 //! floor as the plane `z = -(a x + b y + h)` seen from the body, that energy is convex in
 //! `(a, b, h)`, so Newton's method with a line search finds the one minimum (Nocedal and Wright,
 //! Numerical Optimization, 2006, ch. 3). For large tilts the frame is turned and it is done again.
+//!
+//! A body that loses its hold descends to that rest no faster than it falls.
 
 use super::Vector;
 use super::pose::FloorPose;
