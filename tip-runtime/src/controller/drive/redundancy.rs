@@ -191,7 +191,7 @@ impl<const J: usize> Stage<J> {
 
 /// Result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Outcome<const J: usize> {
+enum Outcome<const J: usize> {
     Found(PosturePath<J>),
     /// Once the leg has bent.
     Bends(Bend<J>),
@@ -202,12 +202,7 @@ pub(super) enum Outcome<const J: usize> {
 impl<const J: usize> Search<J> {
     /// Creates a search for a leg at the angles `from`, whose joints return to the angles `home`,
     /// if there are any.
-    pub(super) fn new(
-        point: &PointOfLeg<'_, J>,
-        from: [f64; J],
-        line: Line,
-        home: Option<[f64; J]>,
-    ) -> Self {
+    fn new(point: &PointOfLeg<'_, J>, from: [f64; J], line: Line, home: Option<[f64; J]>) -> Self {
         let is_straight = home.is_none() && is_straight(point.leg, &from, point.point, point.axes);
         let stage = match home {
             Some(home) => Stage::Trying(Trial::new(straight(from, home, line), from)),
@@ -229,7 +224,7 @@ impl<const J: usize> Search<J> {
     }
 
     /// Goes on for one cycle, anew if the point is not at `place` any more.
-    pub(super) fn advance(
+    fn advance(
         &mut self,
         point: &PointOfLeg<'_, J>,
         from: &[f64; J],
@@ -346,7 +341,7 @@ const PACE: Limits = Limits {
 const MOST_BOW: f64 = 0.75;
 
 /// A straight line of a point: from where to where, in mm.
-pub(super) type Line = ([f64; 3], [f64; 3]);
+type Line = ([f64; 3], [f64; 3]);
 
 /// Postures between two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -365,7 +360,7 @@ pub(in crate::controller) struct PosturePath<const J: usize> {
 
 impl<const J: usize> PosturePath<J> {
     /// Postures for a point on `line`, in step with it.
-    pub(super) fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
+    fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
         PosturePath {
             from,
             to,
@@ -389,7 +384,7 @@ impl<const J: usize> PosturePath<J> {
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
-    pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
+    fn advance(&mut self, line: Line, dt: f64, held: bool) {
         if let Some(ease) = &mut self.ease {
             ease.advance(PACE, dt, held);
         }
@@ -400,12 +395,12 @@ impl<const J: usize> PosturePath<J> {
         }
     }
 
-    pub(super) fn is_at_rest(&self) -> bool {
+    fn is_at_rest(&self) -> bool {
         self.ease.as_ref().is_none_or(Track::is_at_rest)
     }
 
     /// Returns the posture for a point that is at `place` and goes to `target`.
-    pub(super) fn posture(&self, place: [f64; 3], target: [f64; 3]) -> [f64; J] {
+    fn posture(&self, place: [f64; 3], target: [f64; 3]) -> [f64; J] {
         let line = if self.length > 0.0 {
             (distance(place, target) / self.length).min(1.0)
         } else {
@@ -470,7 +465,7 @@ enum TrialResult<const J: usize> {
 }
 
 impl<const J: usize> Trial<J> {
-    pub(super) fn new(guide: PosturePath<J>, from: [f64; J]) -> Self {
+    fn new(guide: PosturePath<J>, from: [f64; J]) -> Self {
         Trial {
             guide,
             angles: from,
@@ -556,20 +551,20 @@ pub(in crate::controller) struct Bend<const J: usize> {
 
 impl<const J: usize> Bend<J> {
     /// Moves on by `dt` seconds; what is held waits.
-    pub(super) fn advance(&mut self, dt: f64, held: bool) {
+    fn advance(&mut self, dt: f64, held: bool) {
         let dt = if held { 0.0 } else { dt };
         self.step = BEND_RATE * dt;
         self.left -= dt;
     }
 
     /// Returns the postures to follow once the leg at `angles` is bent.
-    pub(super) fn done(&self, angles: &[f64; J]) -> Option<PosturePath<J>> {
+    fn done(&self, angles: &[f64; J]) -> Option<PosturePath<J>> {
         let is_near = largest_turn(angles, &self.to) <= TAKEN;
         (is_near || self.left <= 0.0).then(|| PosturePath::between(*angles, self.end, self.line))
     }
 
     /// Returns the posture that the joints at `angles` turn towards.
-    pub(super) fn posture(&self, angles: &[f64; J]) -> [f64; J] {
+    fn posture(&self, angles: &[f64; J]) -> [f64; J] {
         towards(angles, &self.aim, self.step)
     }
 }
@@ -594,7 +589,7 @@ enum BendResult<const J: usize> {
 
 impl<const J: usize> Bending<J> {
     /// Turns the joints by one step, with the point at `place`.
-    pub(super) fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> BendResult<J> {
+    fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> BendResult<J> {
         let before = self.angles;
         let posture = towards(&before, &middle(point.leg), BEND_STEP);
         let turned = resolve_piece(point.leg, &before, point.point, place, point.axes, &posture);
@@ -616,7 +611,7 @@ impl<const J: usize> Bending<J> {
 }
 
 /// Returns the middle of the limits.
-pub(super) fn middle<const J: usize>(leg: &Leg<J>) -> [f64; J] {
+fn middle<const J: usize>(leg: &Leg<J>) -> [f64; J] {
     kinematics::starts(leg).nth(1).unwrap_or([0.0; J])
 }
 
