@@ -55,6 +55,7 @@ impl<const J: usize> Redundancy<J> {
 
     /// Goes on with a search for postures, for a leg at the angles `from`. If its point moves, and would
     /// swing too far to the side of its line, the leg brakes first.
+    #[inline]
     pub(super) fn look(
         &mut self,
         point: &PointOfLeg<'_, J>,
@@ -93,6 +94,7 @@ impl<const J: usize> Redundancy<J> {
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
+    #[inline]
     pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
         match self {
             Redundancy::None | Redundancy::Brakes(_) | Redundancy::Sought(_) => {}
@@ -110,6 +112,7 @@ impl<const J: usize> Redundancy<J> {
     }
 
     /// Returns the posture that the joints at `angles` turn towards, for a point on `line`.
+    #[inline]
     pub(super) fn posture(&self, angles: &[f64; J], line: Line) -> Option<[f64; J]> {
         match self {
             Redundancy::None | Redundancy::Brakes(_) => None,
@@ -224,6 +227,8 @@ impl<const J: usize> Search<J> {
     }
 
     /// Goes on for one cycle, anew if the point is not at `place` any more.
+    // Out of line: most cycles search for nothing.
+    #[inline(never)]
     fn advance(
         &mut self,
         point: &PointOfLeg<'_, J>,
