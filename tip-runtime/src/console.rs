@@ -103,47 +103,6 @@ pub trait Console {
 
 impl Console for () {}
 
-macro_rules! forward {
-    () => {
-        fn key(&mut self, cycle: u64) -> Option<u8> {
-            (**self).key(cycle)
-        }
-        fn message(&mut self, text: &dyn Display) {
-            (**self).message(text);
-        }
-        fn append(&mut self, text: &dyn Display) {
-            (**self).append(text);
-        }
-        fn silent(&mut self, on: bool) {
-            (**self).silent(on);
-        }
-        fn bars(&mut self, graph: u8, bars: Bars<'_>) {
-            (**self).bars(graph, bars);
-        }
-        fn sample(&mut self, sample: &Sample<'_>) {
-            (**self).sample(sample);
-        }
-        fn variables(&mut self, dump: &Dump<'_>) {
-            (**self).variables(dump);
-        }
-        fn emergency(&mut self, report: &Report<'_>) {
-            (**self).emergency(report);
-        }
-        fn ended(&mut self) {
-            (**self).ended();
-        }
-    };
-}
-
-impl<C: Console + ?Sized> Console for &mut C {
-    forward!();
-}
-
-#[cfg(feature = "std")]
-impl<C: Console + ?Sized> Console for std::boxed::Box<C> {
-    forward!();
-}
-
 /// The bars of a graph, each as a share of the full height: −1…1. `Display` writes one character
 /// for each bar, as high as the bar is long, whatever its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -52,27 +52,20 @@
 //! ```
 
 mod arrival;
+mod detection;
 mod drive;
-mod floor_detection;
 mod force;
 mod leg;
 mod motion;
 mod native;
-mod operands;
 mod params;
-mod posture;
-mod sensor_checks;
+mod sensing;
 mod setpoints;
-mod sleep;
-mod stand;
 mod stop;
 mod switches;
 mod targets;
 mod task;
-mod teach;
-mod touch_detection;
 mod trajectory;
-mod vibrate;
 
 pub use setpoints::{Mode, Setpoint};
 
@@ -83,9 +76,9 @@ use crate::model::{Family, Joint, Leg, Model, ModelFacts, Point};
 use core::ops::{Deref, DerefMut};
 use drive::CycleParams;
 use leg::LegState;
-use operands::Base;
 use params::Params;
 use stop::Hold;
+use targets::Base;
 use task::Tasks;
 use trajectory::Track;
 
@@ -111,7 +104,7 @@ pub struct Core<S: ?Sized> {
     /// True once joint angles have been measured.
     sensed: bool,
     hold: Hold,
-    tasks: Tasks,
+    pub(crate) tasks: Tasks,
     /// Fault of the last advance, for the next sense to report.
     pending: Option<Fault>,
     legs: S,
@@ -240,7 +233,7 @@ impl<const J: usize> ControllerView<J> {
     }
 
     fn leg(&self, n: u8) -> Result<&LegState<J>, Fault> {
-        targets::leg(&self.legs, n)
+        self.legs.get(targets::index(n)).ok_or(Fault::Domain)
     }
 
     /// Starts or continues a command. A command that answers `Pending` is asked again, unchanged,

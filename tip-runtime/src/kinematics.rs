@@ -25,25 +25,14 @@
 
 mod chain;
 mod closed_form;
-mod frames;
-mod inverse;
-mod planar;
 mod resolved_rate;
-mod roll_pitch_pitch;
-mod search;
-mod statics;
-mod yaw_pitch_pitch;
 
-pub use chain::Chain;
-pub use frames::{Frame, frames};
-pub(crate) use inverse::inverse_next;
-pub use inverse::{inverse, inverse_from};
-pub use resolved_rate::{LegPoint, nearest, resolve, resolve_towards};
-pub(crate) use resolved_rate::{is_straight, resolve_piece};
-pub use search::search;
-pub(crate) use search::starts;
+pub use chain::{Chain, Frame, frames};
+pub use resolved_rate::{LegPoint, nearest, resolve, resolve_towards, search};
+pub(crate) use resolved_rate::{is_straight, resolve_piece, starts};
 
-use crate::model::Leg;
+use crate::model::{Inverse, Leg, Point};
+use closed_form::ClosedFormLeg;
 
 /// Returns true if every angle (deg) lies within its joint's working limits, rounding aside.
 #[must_use]
@@ -61,6 +50,12 @@ pub fn first_beyond_limits<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> O
         .position(|(joint, angle)| !joint.limits.widened(ROUNDING).contains(*angle))
 }
 
+/// Returns the most that a joint turns from one posture to another, deg.
+pub(crate) fn largest_turn<const J: usize>(from: &[f64; J], to: &[f64; J]) -> f64 {
+    let turns = from.iter().zip(to).map(|(from, to)| libm::fabs(to - from));
+    turns.fold(0.0, f64::max)
+}
+
 /// Greatest difference of angles that rounding explains, deg.
 pub(crate) const ROUNDING: f64 = 1e-6;
 
@@ -70,3 +65,71 @@ type Solutions = [Option<[f64; 3]>; 4];
 /// Greatest distance of a foot from its first axis at which it counts as on it, as a share of the
 /// leg's length.
 const NEAR_AXIS: f64 = 1e-10;
+
+/// Returns the joint angles (deg) that put the foot of `leg` at `foot` (mm); `None` if the links do
+/// not reach it. Of several solutions within the limits, a closed form takes the one nearest to the
+/// initial posture; if there is none, it returns its first solution, so that the caller can name
+/// the joint that would have to turn too far. Least squares keep within the limits. See
+/// [`within_limits`].
+#[must_use]
+pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: Point) -> Option<[f64; J]> {
+    if !kind.is_closed() {
+        return search(leg, LegPoint::Tip, foot, kind.axes());
+    }
+    let (closed, initial) = closed(kind, leg, &leg.initial)?;
+    let [first, ..] = closed.solutions(&initial, foot);
+    sized(closed.nearest(&initial, foot).or(first)?)
+}
+
+/// Returns the joint angles (deg) within the limits that put the foot of `leg` at `foot` (mm), the
+/// ones nearest to the angles `from`; `None` if there are none.
+///
+/// ```
+/// use tip_runtime::kinematics::{Chain, inverse_from};
+/// use tip_runtime::model::titan8;
+///
+/// // Folded as far as it goes, a leg of TITAN VIII has its foot 3 mm beyond the yaw axis.
+/// let leg = &titan8::MODEL.legs[1];
+/// let folded = [10.0, -60.0, 150.0];
+/// let foot = Chain::new(leg, &folded).foot();
+/// let near = inverse_from(titan8::MODEL.inverse, leg, &[0.0, -50.0, 145.0], foot).expect("it is there");
+/// assert!(near.iter().zip(folded).all(|(a, b)| (a - b).abs() < 1e-9));
+/// ```
+#[must_use]
+pub fn inverse_from<const J: usize>(
+    kind: Inverse,
+    leg: &Leg<J>,
+    from: &[f64; J],
+    foot: Point,
+) -> Option<[f64; J]> {
+    if !kind.is_closed() {
+        return resolve(leg, from, LegPoint::Tip, foot, kind.axes());
+    }
+    let (closed, from) = closed(kind, leg, from)?;
+    sized(closed.nearest(&from, foot)?)
+}
+
+/// Like [`inverse_from`] of a closed form, for the next position of a foot on its path: it skips no postures.
+pub(crate) fn inverse_next<const J: usize>(
+    kind: Inverse,
+    leg: &Leg<J>,
+    from: &[f64; J],
+    foot: Point,
+) -> Option<[f64; J]> {
+    let (closed, from) = closed(kind, leg, from)?;
+    sized(closed.next(&from, foot)?)
+}
+
+fn closed<'a, const J: usize>(
+    kind: Inverse,
+    leg: &'a Leg<J>,
+    from: &[f64; J],
+) -> Option<(ClosedFormLeg<'a>, [f64; 3])> {
+    let closed = ClosedFormLeg::new(kind, leg.base, &leg.joints)?;
+    Some((closed, from.as_slice().try_into().ok()?))
+}
+
+/// Converts the three angles of a closed form.
+fn sized<const J: usize>(angles: [f64; 3]) -> Option<[f64; J]> {
+    angles.as_slice().try_into().ok()
+}

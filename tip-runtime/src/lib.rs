@@ -45,6 +45,7 @@ pub mod robot;
 pub mod scene;
 #[cfg(feature = "control")]
 pub mod special;
-#[doc(hidden)]
-pub mod version;
 pub mod vibration;
+
+#[doc(hidden)]
+pub use generated::version;

@@ -43,34 +43,30 @@
 //! # Ok::<(), tip_runtime::machine::Mismatch>(())
 //! ```
 
-mod context;
 mod cycle;
 mod devices;
-mod dyn_hardware;
-mod graphs;
-mod io_state;
-mod keyboard;
-mod mismatch;
-mod simulated;
 mod state;
+#[cfg(all(test, feature = "std"))]
+mod tests;
 mod threads;
 mod variables;
 
 pub use crate::emergency::{Emergency, Report, ThreadName};
-pub use mismatch::Mismatch;
-pub use simulated::Simulated;
 pub use state::Status;
 
 use crate::command::Flag;
 use crate::console::Console;
 use crate::controller::Controller;
 use crate::hardware::{Hardware, JointCommand, Outputs, Sensors};
-use crate::model::Model;
-use crate::program::Program;
+use crate::model::{self, Model};
+use crate::plant::{SimulatedHand, SimulatedPlant};
+use crate::program::{Program, Signature};
 use crate::record::Sink;
+use crate::robot::{For, Generic, Hand, Titan8};
 use crate::special::Special;
-use cycle::ControlCycle;
-use dyn_hardware::OfSize;
+use crate::special::hand::HandSpecials;
+use core::fmt;
+use cycle::{ControlCycle, OfSize};
 use state::State;
 
 /// A program on a robot.
@@ -173,7 +169,7 @@ impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
     }
 
     /// Takes a typed byte: RETURN stops the robot in the next cycle, ESC requests a halt, any other
-    /// goes to the keyboard buffer, which keeps 64.
+    /// goes to the keyboard buffer.
     pub fn key(&mut self, byte: u8) {
         self.state.key(byte);
     }
@@ -191,12 +187,18 @@ impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
     /// Runs no step and holds the robot until [`resume`](Self::resume), as `ALL_STOP` does. Paused
     /// cycles do not count.
     pub fn pause(&mut self) {
-        self.state.pause(&mut self.controller);
+        if !self.state.paused {
+            self.state.paused = true;
+            self.state.io.held_for_pause = self.controller.take_hold();
+        }
     }
 
     /// Goes on after [`pause`](Self::pause).
     pub fn resume(&mut self) {
-        self.state.resume(&mut self.controller);
+        self.state.paused = false;
+        if core::mem::take(&mut self.state.io.held_for_pause) {
+            self.controller.release();
+        }
     }
 
     /// Returns the status of the program.
@@ -286,5 +288,129 @@ impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
     }
 }
 
-#[cfg(all(test, feature = "std"))]
-mod tests;
+/// The program was checked for another robot than the one it was put on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mismatch {
+    /// The robot the program was checked for.
+    pub program: Signature,
+    /// The robot at hand.
+    pub robot: Signature,
+}
+
+impl Mismatch {
+    /// Checks a program against a robot. Compiled once, whatever the sizes of robots.
+    #[inline(never)]
+    fn check(program: &dyn Program, robot: Signature) -> Result<(), Self> {
+        let program = program.signature();
+        if program == robot {
+            Ok(())
+        } else {
+            Err(Mismatch { program, robot })
+        }
+    }
+}
+
+impl fmt::Display for Mismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the program was compiled for ")?;
+        describe(f, self.program)?;
+        f.write_str(", the robot is ")?;
+        describe(f, self.robot)
+    }
+}
+
+fn describe(f: &mut fmt::Formatter<'_>, robot: Signature) -> fmt::Result {
+    let Signature {
+        robot,
+        family,
+        legs,
+        joints,
+    } = robot;
+    write!(
+        f,
+        "{robot} (commands of {family}, {legs} legs of {joints} joints)"
+    )
+}
+
+impl core::error::Error for Mismatch {}
+
+/// A robot that can be simulated by its name alone.
+pub trait Simulated<const L: usize, const J: usize> {
+    /// The simulated robot.
+    type Hardware: Hardware<L, J>;
+    /// Its native commands.
+    type Special: Special;
+    /// The robot as data.
+    const MODEL: &'static Model<L, J>;
+
+    /// Returns the robot as every run begins with it: a walker above a level floor, a hand without
+    /// objects.
+    fn hardware() -> Self::Hardware;
+
+    /// Its native commands.
+    fn special() -> Self::Special;
+}
+
+impl Simulated<4, 3> for Titan8 {
+    type Hardware = SimulatedPlant<4, 3>;
+    type Special = ();
+    const MODEL: &'static Model<4, 3> = &model::titan8::MODEL;
+
+    fn hardware() -> Self::Hardware {
+        SimulatedPlant::new(Self::MODEL)
+    }
+
+    fn special() {}
+}
+
+impl Simulated<4, 3> for Generic {
+    type Hardware = SimulatedPlant<4, 3>;
+    type Special = ();
+    const MODEL: &'static Model<4, 3> = &model::generic::MODEL;
+
+    fn hardware() -> Self::Hardware {
+        SimulatedPlant::new(Self::MODEL)
+    }
+
+    fn special() {}
+}
+
+impl Simulated<3, 3> for Hand {
+    type Hardware = SimulatedHand<3, 3>;
+    type Special = HandSpecials;
+    const MODEL: &'static Model<3, 3> = &model::hand::MODEL;
+
+    fn hardware() -> Self::Hardware {
+        SimulatedHand::new(Self::MODEL)
+    }
+
+    fn special() -> Self::Special {
+        HandSpecials::new()
+    }
+}
+
+impl<P, H, S, const L: usize, const J: usize> Machine<P, H, (), S, L, J>
+where
+    P: Program,
+    H: Hardware<L, J>,
+    S: Special,
+{
+    /// Puts a compiled program on the simulated robot that it was compiled for, without a console.
+    pub fn simulated<R>(program: P) -> Self
+    where
+        P: For<R>,
+        R: Simulated<L, J, Hardware = H, Special = S>,
+    {
+        Self::resting(program, R::MODEL, R::hardware(), (), R::special())
+    }
+}
+
+impl<P: Program, const L: usize, const J: usize> Machine<P, SimulatedPlant<L, J>, (), (), L, J> {
+    /// Puts a program on a described robot, which is simulated on a level floor, without a console.
+    ///
+    /// # Errors
+    /// The program was checked for another robot.
+    pub fn simulated_on(program: P, model: &Model<L, J>) -> Result<Self, Mismatch> {
+        Machine::new(program, model, SimulatedPlant::new(model), (), ())
+    }
+}

@@ -40,19 +40,15 @@
 //! assert!(error.to_string().starts_with("J23: limits must be"));
 //! ```
 
-mod builder;
 mod check;
-pub mod generic;
-pub mod hand;
 #[cfg(feature = "control")]
 mod model_facts;
-mod spread;
-pub mod titan8;
+mod robots;
 
 pub use check::{ModelError, Place};
 #[cfg(feature = "control")]
 pub(crate) use model_facts::ModelFacts;
-pub use spread::Spread;
+pub use robots::{generic, hand, titan8};
 
 use core::fmt;
 
@@ -336,4 +332,191 @@ pub struct Model<const L: usize, const J: usize> {
     pub slider: Option<Slider>,
     /// Vibration of its joints, if they vibrate.
     pub vibration: Option<VibrationGain>,
+}
+
+/// Margin by which the potentiometers measure beyond the working limits, deg.
+const OUTER: f64 = 5.0;
+
+impl Joint {
+    /// Returns a joint that turns about `axis`, a unit vector in the frame of the link before, and
+    /// carries a link that goes from it to the next joint, or to the foot, by `link` (mm) at angle
+    /// 0. It turns from −180 to 180 deg; its link has 0.1 kg, its motor 10 N·m.
+    #[must_use]
+    pub const fn revolute(axis: [f64; 3], link: [f64; 3]) -> Self {
+        Joint {
+            axis,
+            link,
+            limits: Range::new(-180.0, 180.0),
+            outer: Range::new(-180.0 - OUTER, 180.0 + OUTER),
+            mass: 0.1,
+            spread: None,
+            torque: 10.0,
+        }
+    }
+
+    /// Sets the working limits, deg; the potentiometers measure 5 deg beyond.
+    #[must_use]
+    pub const fn limits(self, min: f64, max: f64) -> Self {
+        let limits = Range::new(min, max);
+        Joint {
+            limits,
+            outer: limits.widened(OUTER),
+            ..self
+        }
+    }
+
+    /// Sets the mass of the link, kg.
+    #[must_use]
+    pub const fn mass(self, mass: f64) -> Self {
+        Joint { mass, ..self }
+    }
+
+    /// Sets the distribution of the mass.
+    #[must_use]
+    pub const fn spread(self, spread: Spread) -> Self {
+        Joint {
+            spread: Some(spread),
+            ..self
+        }
+    }
+
+    /// Sets the torque of the motor, N·m.
+    #[must_use]
+    pub const fn torque(self, torque: f64) -> Self {
+        Joint { torque, ..self }
+    }
+}
+
+impl<const J: usize> Leg<J> {
+    /// Returns a leg whose first joint is at `base` (mm, in the robot frame); all its angles are 0
+    /// at first.
+    #[must_use]
+    pub const fn at(base: Point, joints: [Joint; J]) -> Self {
+        Leg {
+            base,
+            joints,
+            initial: [0.0; J],
+        }
+    }
+
+    /// Sets the initial posture, deg.
+    #[must_use]
+    pub const fn initial(self, initial: [f64; J]) -> Self {
+        Leg { initial, ..self }
+    }
+}
+
+impl<const L: usize, const J: usize> Model<L, J> {
+    /// Returns a robot with the commands marked G: bolted down, without torques and slider, its
+    /// joint angles found by least squares; everything else is as [`generic::MODEL`] has it.
+    #[must_use]
+    pub const fn generic(name: &'static str, legs: [Leg<J>; L]) -> Self {
+        Model {
+            name,
+            family: generic::MODEL.family,
+            legs,
+            inverse: Inverse::LeastSquares,
+            body: None,
+            standards: generic::MODEL.standards,
+            periods: generic::MODEL.periods,
+            contact: generic::MODEL.contact,
+            lamps: generic::MODEL.lamps,
+            forces: None,
+            slider: None,
+            vibration: None,
+        }
+    }
+
+    /// Returns the robot with these legs.
+    #[must_use]
+    pub const fn with_legs<const N: usize>(self, legs: [Leg<J>; N]) -> Model<N, J> {
+        Model {
+            legs,
+            name: self.name,
+            family: self.family,
+            inverse: self.inverse,
+            body: self.body,
+            standards: self.standards,
+            periods: self.periods,
+            contact: self.contact,
+            lamps: self.lamps,
+            forces: self.forces,
+            slider: self.slider,
+            vibration: self.vibration,
+        }
+    }
+}
+
+/// Centre of mass and inertia.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Centre of mass, mm: of a link from its joint on, of a body in the robot frame.
+    pub centre: Point,
+    /// The elements xx, yy, zz, xy, xz and yz of the tensor of inertia about that centre: kg·m². Its axes are those of the link's
+    /// frame, which is parallel to the robot frame while all joints are at 0.
+    pub inertia: [f64; 6],
+}
+
+/// Relative rounding error of a tensor.
+const SLIGHT: f64 = 1e-9;
+
+impl Spread {
+    /// Spreads a mass evenly along a rod from the joint to the end of `link` (mm).
+    #[must_use]
+    pub const fn rod(link: [f64; 3], mass: f64) -> Self {
+        let [x, y, z] = link;
+        let share = mass / 12.0 * 1e-6;
+        Spread {
+            centre: [x / 2.0, y / 2.0, z / 2.0],
+            inertia: [
+                share * (y * y + z * z),
+                share * (x * x + z * z),
+                share * (x * x + y * y),
+                -share * x * y,
+                -share * x * z,
+                -share * y * z,
+            ],
+        }
+    }
+
+    /// Spreads a mass evenly in a box with these extents (mm), its centre taken to be in the
+    /// origin.
+    #[must_use]
+    pub const fn block([x, y, z]: [Range; 3], mass: f64) -> Self {
+        let (x, y, z) = (x.max - x.min, y.max - y.min, z.max - z.min);
+        let share = mass / 12.0 * 1e-6;
+        Spread {
+            centre: [0.0; 3],
+            inertia: [
+                share * (y * y + z * z),
+                share * (x * x + z * z),
+                share * (x * x + y * y),
+                0.0,
+                0.0,
+                0.0,
+            ],
+        }
+    }
+
+    /// Returns true if all its numbers are finite, and some rigid body has such an inertia.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        let numbers = self.centre.iter().chain(&self.inertia);
+        numbers.into_iter().all(|number| number.is_finite()) && is_of_a_body(self.inertia)
+    }
+}
+
+/// Returns true if the second moments of mass that such a tensor comes from are not negative in any
+/// direction. Its principal moments are not negative then, and none is greater than the other two
+/// together.
+fn is_of_a_body([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
+    let half = (xx + yy + zz) / 2.0;
+    let (x, y, z) = (half - xx, half - yy, half - zz);
+    let (a, b, c) = (-xy, -xz, -yz);
+    let pairs = [x * y - a * a, x * z - b * b, y * z - c * c];
+    let all = x * y * z + 2.0 * a * b * c - x * c * c - y * b * b - z * a * a;
+    let slight = SLIGHT * half;
+    [x, y, z].into_iter().all(|moment| moment >= -slight)
+        && pairs.into_iter().all(|pair| pair >= -slight * half)
+        && all >= -slight * half * half
 }

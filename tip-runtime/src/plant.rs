@@ -106,6 +106,9 @@ pub struct Noise {
 const DIVERGED: HardwareFault =
     HardwareFault("the simulation diverged: a force or a mass is too great for its time steps");
 
+/// Standard gravity: m/s² (3rd CGPM, 1901).
+const GRAVITY: f64 = 9.80665;
+
 /// Angle beyond its outer limit at which a joint meets its mechanical stop, deg.
 const STOP: f64 = 2.0;
 
@@ -116,6 +119,62 @@ struct Effort {
     torque: f64,
     /// Inertia that represents the change of the torque in the step, kg·m².
     inertia: f64,
+}
+
+impl Effort {
+    /// Returns the torque of a joint that accelerates (rad/s²), N·m.
+    #[inline]
+    fn at(self, acceleration: f64) -> f64 {
+        self.torque - self.inertia * acceleration
+    }
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        Effort {
+            torque: self.torque + other.torque,
+            inertia: self.inertia + other.inertia,
+        }
+    }
+}
+
+/// Stiffness and damping of a contact, along its normal and across it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct ContactLaw {
+    /// N/m.
+    stiffness: f64,
+    /// N·s/m.
+    damping: f64,
+}
+
+impl ContactLaw {
+    /// Returns the force along the normal (N) on bodies that overlap by `depth` (m) and move apart at
+    /// `away` (m/s): that of a spring and a damper, which push and never pull.
+    #[inline]
+    fn push(&self, depth: f64, away: f64) -> f64 {
+        (self.stiffness * depth - self.damping * away).max(0.0)
+    }
+}
+
+/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
+/// numbers of legs.
+#[inline(never)]
+fn fill_joints<G, S, const J: usize>(
+    legs: &[G],
+    servos: fn(&G) -> &[S; J],
+    into: &mut [[f64; J]],
+    value: fn(&S) -> f64,
+) {
+    for (row, leg) in into.iter_mut().zip(legs) {
+        for (place, servo) in row.iter_mut().zip(servos(leg)) {
+            *place = value(servo);
+        }
+    }
+}
+
+/// Returns true if a lamp or relay of these words is on.
+fn is_lit(lamps: &[u32; 8], device: u8) -> bool {
+    let word = lamps.get(usize::from(device / 32));
+    word.is_some_and(|word| word >> (device % 32) & 1 == 1)
 }
 
 /// The bound of positions, speeds and torques of a valid state, in any unit of this module.

@@ -64,15 +64,12 @@
 //! # }
 //! ```
 
-use crate::command::{Command, Flag, MAX, Poll, Port, Reading, Target, Teach};
+use crate::command::{CONSTANT, Command, Flag, MAX, Poll, Port, Reading, Target, Teach};
 use crate::fault::Fault;
 use crate::model::{Family, Model, Point};
 use crate::vibration::Vibration;
+use core::fmt;
 use core::fmt::Display;
-
-mod variables;
-
-pub use variables::VariableError;
 
 /// The most THREADs of a program (T.I.P. 3.2).
 pub const THREADS: usize = 7;
@@ -178,7 +175,7 @@ pub trait Program {
     /// # Errors
     /// `Unknown` for a name that the program does not declare, `Constant` for constants such as `CHAR_A`.
     fn get(&self, name: &str) -> Result<Option<f64>, VariableError> {
-        variables::get(self, name)
+        find(self, name).map(|(_, value)| value)
     }
 
     /// Assigns a variable, or a struct's member such as `P.X`, between two control cycles. The steps that follow
@@ -190,7 +187,9 @@ pub trait Program {
     /// The errors of [`get`](Self::get); `NotFinite` for an infinite value, or one that is not a
     /// number.
     fn set(&mut self, name: &str, value: f64) -> Result<(), VariableError> {
-        variables::set(self, name, value)
+        let index = settable(self, name, value)?;
+        self.set_scalar(index, value);
+        Ok(())
     }
 
     /// Checks that [`set`](Self::set) would assign the variable, and changes nothing.
@@ -198,7 +197,7 @@ pub trait Program {
     /// # Errors
     /// The errors of [`set`](Self::set).
     fn accepts(&self, name: &str, value: f64) -> Result<(), VariableError> {
-        variables::settable(self, name, value).map(drop)
+        settable(self, name, value).map(drop)
     }
 }
 
@@ -459,5 +458,160 @@ impl CallStack {
 impl Default for CallStack {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+/// The reason why a variable cannot be read or set by that name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum VariableError {
+    /// The program has no variable of that name; a struct has only members, such as `P.X`.
+    Unknown,
+    /// The name is a constant of the language.
+    Constant,
+    /// The value is infinite or is not a number.
+    NotFinite,
+}
+
+impl fmt::Display for VariableError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            VariableError::Unknown => "the program has no variable of that name",
+            VariableError::Constant => "that name is a constant",
+            VariableError::NotFinite => "a variable holds finite numbers only",
+        })
+    }
+}
+
+impl core::error::Error for VariableError {}
+
+/// Returns the index of a variable that can have a value.
+fn settable<P: Program + ?Sized>(
+    program: &P,
+    name: &str,
+    value: f64,
+) -> Result<usize, VariableError> {
+    let (index, _) = find(program, name)?;
+    match value.is_finite() {
+        true => Ok(index),
+        false => Err(VariableError::NotFinite),
+    }
+}
+
+/// Returns index and value of the scalar of that name.
+fn find<P: Program + ?Sized>(
+    program: &P,
+    name: &str,
+) -> Result<(usize, Option<f64>), VariableError> {
+    let mut index = 0;
+    while let Some((scalar, value)) = program.scalar(index) {
+        if scalar.eq_ignore_ascii_case(name) {
+            return Ok((index, value));
+        }
+        index += 1;
+    }
+    let start = name.get(..CONSTANT.len());
+    match start.is_some_and(|start| start.eq_ignore_ascii_case(CONSTANT)) {
+        true => Err(VariableError::Constant),
+        false => Err(VariableError::Unknown),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::VariableError;
+    use crate::fault::Fault;
+    use crate::model::Family;
+    use crate::program::{Context, Flow, Program, Signature};
+
+    /// `DEF_VAR STRIDE` and `DEF_POS P`, after the variable that every program has.
+    struct Walk([Option<f64>; 5]);
+
+    const NAMES: [&str; 5] = ["VAR_KEY", "STRIDE", "P.X", "P.Y", "P.Z"];
+
+    impl Program for Walk {
+        fn signature(&self) -> Signature {
+            Signature {
+                robot: "none",
+                family: Family::Generic,
+                legs: 1,
+                joints: 1,
+            }
+        }
+        fn name(&self) -> &str {
+            "walk"
+        }
+        fn title(&self) -> &str {
+            "walk"
+        }
+        fn at(&self) -> u32 {
+            0
+        }
+        fn step(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+            Ok(Flow::Wait)
+        }
+        fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
+            Some((*NAMES.get(i)?, *self.0.get(i)?))
+        }
+        fn set_scalar(&mut self, i: usize, value: f64) {
+            self.0[i] = Some(value);
+        }
+        fn line(&self, _: u32) -> u32 {
+            0
+        }
+        fn reset(&mut self) {}
+    }
+
+    #[test]
+    fn a_variable_is_read_and_set_by_its_name() {
+        let mut walk = Walk([None; 5]);
+        assert_eq!(walk.get("STRIDE"), Ok(None));
+        assert_eq!(walk.set("STRIDE", 80.0), Ok(()));
+        assert_eq!(walk.set("P.Y", -0.5), Ok(()));
+        assert_eq!(walk.get("STRIDE"), Ok(Some(80.0)));
+        assert_eq!(walk.0, [None, Some(80.0), None, Some(-0.5), None]);
+    }
+
+    // clauses: 1.7
+    #[test]
+    fn the_case_of_a_name_does_not_matter() {
+        let mut walk = Walk([None; 5]);
+        assert_eq!(walk.set("Stride", 1.0), Ok(()));
+        assert_eq!(walk.get("stride"), Ok(Some(1.0)));
+    }
+
+    #[test]
+    fn what_is_no_variable_is_refused() {
+        let mut walk = Walk([Some(1.0); 5]);
+        for (name, error) in [
+            ("STRIDES", VariableError::Unknown),
+            ("STRID", VariableError::Unknown),
+            ("P", VariableError::Unknown),
+            ("", VariableError::Unknown),
+            ("歩幅", VariableError::Unknown),
+            ("CHAR_A", VariableError::Constant),
+            ("char_space", VariableError::Constant),
+        ] {
+            assert_eq!(walk.get(name), Err(error), "{name}");
+            assert_eq!(walk.set(name, 1.0), Err(error), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_value_that_is_not_finite_is_refused_and_changes_nothing() {
+        let mut walk = Walk([Some(1.0); 5]);
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(walk.set("STRIDE", value), Err(VariableError::NotFinite));
+        }
+        assert_eq!(walk.get("STRIDE"), Ok(Some(1.0)));
+    }
+
+    #[test]
+    fn a_program_that_is_borrowed_has_the_same_variables() {
+        let mut walk = Walk([None; 5]);
+        let mut borrowed = &mut walk;
+        assert_eq!(Program::set(&mut borrowed, "STRIDE", 3.0), Ok(()));
+        let dynamic: &dyn Program = &walk;
+        assert_eq!(dynamic.get("STRIDE"), Ok(Some(3.0)));
     }
 }

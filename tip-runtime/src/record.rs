@@ -20,24 +20,20 @@
 //! ```
 
 #[cfg(feature = "std")]
-mod atomic_file;
-#[cfg(feature = "std")]
 mod json_lines;
 #[cfg(feature = "std")]
-mod motion;
-#[cfg(feature = "std")]
-mod stream;
+mod output;
 #[cfg(feature = "std")]
 mod titan_log;
 
 #[cfg(feature = "std")]
-pub use atomic_file::AtomicFile;
-#[cfg(feature = "std")]
 pub use json_lines::JsonLines;
 #[cfg(feature = "std")]
-pub use motion::MotionRecord;
+pub use json_lines::MotionRecord;
 #[cfg(feature = "std")]
-pub use stream::Stream;
+pub use output::AtomicFile;
+#[cfg(feature = "std")]
+pub use output::Stream;
 #[cfg(feature = "std")]
 pub use titan_log::TitanLog;
 

@@ -175,12 +175,8 @@ impl Scene {
     /// The block is invalid, or the scene is full.
     pub fn with_block(mut self, block: Block) -> Result<Self, SceneError> {
         let Block { x, y, height } = block;
-        if !x
-            .iter()
-            .chain(&y)
-            .chain([&height])
-            .all(|number| number.is_finite())
-        {
+        let numbers = [x[0], x[1], y[0], y[1], height];
+        if !numbers.iter().all(|number| number.is_finite()) {
             return Err(SceneError::Place);
         }
         if !(x[1] - x[0] >= SMALLEST && y[1] - y[0] >= SMALLEST) {

@@ -1,19 +1,22 @@
 //! The log files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG, FOUT.LOG and WARNING.LOG, each written
 //! completely or not at all.
-
-mod log_folder;
-
-pub use log_folder::LogError;
+#![allow(
+    clippy::disallowed_methods,
+    reason = "this console is for writing files"
+)]
 
 use super::{Bars, Console};
 use crate::emergency::Report;
-use crate::record::{Dump, Sample, TitanLog};
+use crate::printable::Printable;
+use crate::record::{AtomicFile, Dump, Sample, TitanLog};
+use core::fmt;
 use core::fmt::Display;
-use log_folder::LogFolder;
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
+use std::{format, fs};
 
 /// The rows of LOG_START and LOG_ONE_SHOT.
 const TITAN_LOG: &str = "TITAN.LOG";
@@ -88,21 +91,9 @@ impl<C> LogFiles<C> {
         })
     }
 
-    /// Keeps at most `rows` rows of TITAN.LOG.
-    #[must_use]
-    pub fn with_capacity(mut self, rows: usize) -> Self {
-        self.log = TitanLog::with_capacity(rows);
-        self
-    }
-
     /// Returns the inner console.
     pub fn inner(&self) -> &C {
         &self.inner
-    }
-
-    /// Returns the inner console.
-    pub fn inner_mut(&mut self) -> &mut C {
-        &mut self.inner
     }
 
     /// Writes WARNING.LOG: the compiler's warnings, one a line.
@@ -216,4 +207,126 @@ impl<C: Console> Console for LogFiles<C> {
         self.flush();
         self.inner.ended();
     }
+}
+
+/// Maximum length of a heading that this module writes, bytes.
+const LONGEST_HEADING: u64 = 4096;
+
+/// The error for a file that cannot be written.
+#[derive(Debug)]
+pub struct LogError {
+    /// The file.
+    pub path: PathBuf,
+    /// The reason.
+    pub reason: io::Error,
+}
+
+impl LogError {
+    fn new(path: &Path, reason: io::Error) -> Self {
+        LogError {
+            path: path.to_path_buf(),
+            reason,
+        }
+    }
+}
+
+impl fmt::Display for LogError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let path = self.path.display();
+        write!(f, "{}: {}", Printable::line(path), self.reason)
+    }
+}
+
+impl core::error::Error for LogError {}
+
+/// A folder and the program whose files it holds.
+#[derive(Debug)]
+struct LogFolder {
+    folder: PathBuf,
+    program: String,
+}
+
+impl LogFolder {
+    fn new(folder: PathBuf, program: &str) -> Self {
+        LogFolder {
+            folder,
+            program: Printable::line(program).to_string(),
+        }
+    }
+
+    /// Creates the folder and checks that every existing file of these names belongs to the
+    /// program.
+    fn take(&self, names: &[&str]) -> Result<(), LogError> {
+        fs::create_dir_all(&self.folder).map_err(|error| LogError::new(&self.folder, error))?;
+        names.iter().try_for_each(|name| self.check_owner(name))
+    }
+
+    /// Replaces the content of a file, completely or not at all.
+    fn write(&self, name: &str, text: &str) -> Result<(), LogError> {
+        let path = self.folder.join(name);
+        let replace = || {
+            let mut file = AtomicFile::create(&path)?;
+            writeln!(file, "{}", self.heading(name))?;
+            file.write_all(text.as_bytes())?;
+            file.commit()
+        };
+        replace().map_err(|error| LogError::new(&path, error))
+    }
+
+    /// Returns the length of the first line of a file, with its end.
+    fn heading_len(&self, name: &str) -> usize {
+        self.heading(name).len() + 1
+    }
+
+    fn heading(&self, name: &str) -> String {
+        format!("# {name} of {}", self.program)
+    }
+
+    fn check_owner(&self, name: &str) -> Result<(), LogError> {
+        let path = self.folder.join(name);
+        let refuse = |error| Err(LogError::new(&path, error));
+        match first_line(&path) {
+            Ok(line) if line == self.heading(name).as_bytes() => writable(&path).or_else(refuse),
+            Ok(_) => refuse(io::Error::new(
+                io::ErrorKind::AlreadyExists,
+                format!("it is not a log of {} and would be lost", self.program),
+            )),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+            Err(error) => refuse(error),
+        }
+    }
+
+    /// Removes the file of an earlier run.
+    fn remove(&self, name: &str) -> Result<(), LogError> {
+        let path = self.folder.join(name);
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                Err(LogError::new(&path, error))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Refuses a file that its owner marked read-only.
+fn writable(path: &Path) -> io::Result<()> {
+    if fs::metadata(path)?.permissions().readonly() {
+        return Err(io::ErrorKind::PermissionDenied.into());
+    }
+    Ok(())
+}
+
+/// Returns the first line of a file; empty for a device or a pipe, which may never have one.
+fn first_line(path: &Path) -> io::Result<Vec<u8>> {
+    let mut line = Vec::new();
+    let found = fs::metadata(path)?;
+    if !found.is_file() && !found.is_dir() {
+        return Ok(line);
+    }
+    let file = BufReader::new(fs::File::open(path)?);
+    file.take(LONGEST_HEADING).read_until(b'\n', &mut line)?;
+    if line.last() == Some(&b'\n') {
+        line.pop();
+    }
+    Ok(line)
 }

@@ -1,6 +1,6 @@
 //! A console whose keys come from a script, and one that records what it is shown.
 
-use super::{Bars, Console};
+use super::Console;
 use crate::emergency::Report;
 use crate::record::{Dump, Sample, TitanLog};
 use core::fmt::Display;
@@ -10,30 +10,21 @@ use std::vec::Vec;
 /// The byte of the ESC key: a halt request.
 const ESCAPE: u8 = 0x1B;
 
-/// A console that types keys at given cycles and forwards everything else to the inner console.
+/// A console that types keys at given cycles and records what it is shown.
 #[derive(Clone, Debug, Default)]
-pub struct Scripted<C = Transcript> {
+pub struct Scripted {
     keys: Vec<(u64, u8)>,
     typed: usize,
-    inner: C,
+    inner: Transcript,
 }
 
 impl Scripted {
-    /// Types each byte of `keys` before the step of its cycle and records what is shown. Several
-    /// bytes for one cycle keep their order.
-    pub fn new(keys: Vec<(u64, u8)>) -> Self {
-        Self::around(keys, Transcript::default())
-    }
-}
-
-impl<C> Scripted<C> {
-    /// Types each byte of `keys` before the step of its cycle, ahead of the keys of `inner`.
-    pub fn around(mut keys: Vec<(u64, u8)>, inner: C) -> Self {
+    /// Types each byte of `keys` before the step of its cycle. Several bytes for one cycle keep their order.
+    pub fn new(mut keys: Vec<(u64, u8)>) -> Self {
         keys.sort_by_key(|(cycle, _)| *cycle);
         Scripted {
             keys,
-            typed: 0,
-            inner,
+            ..Scripted::default()
         }
     }
 
@@ -45,25 +36,20 @@ impl<C> Scripted<C> {
         self
     }
 
-    /// Returns the inner console.
-    pub fn inner(&self) -> &C {
+    /// Returns what was shown.
+    pub fn inner(&self) -> &Transcript {
         &self.inner
-    }
-
-    /// Returns the inner console.
-    pub fn inner_mut(&mut self) -> &mut C {
-        &mut self.inner
     }
 }
 
-impl<C: Console> Console for Scripted<C> {
+impl Console for Scripted {
     fn key(&mut self, cycle: u64) -> Option<u8> {
         match self.keys.get(self.typed) {
             Some((at, byte)) if *at <= cycle => {
                 self.typed += 1;
                 Some(*byte)
             }
-            _ => self.inner.key(cycle),
+            _ => None,
         }
     }
 
@@ -77,10 +63,6 @@ impl<C: Console> Console for Scripted<C> {
 
     fn silent(&mut self, on: bool) {
         self.inner.silent(on);
-    }
-
-    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
-        self.inner.bars(graph, bars);
     }
 
     fn sample(&mut self, sample: &Sample<'_>) {
@@ -153,14 +135,6 @@ impl Console for Transcript {
 mod tests {
     use super::*;
 
-    struct Typist;
-
-    impl Console for Typist {
-        fn key(&mut self, cycle: u64) -> Option<u8> {
-            (cycle == 1).then_some(b'z')
-        }
-    }
-
     // clauses: 2.23
     #[test]
     fn keys_come_at_their_cycle_in_the_order_given() {
@@ -169,12 +143,5 @@ mod tests {
         let at_two: Vec<_> = (0..4).map(|_| console.key(2)).collect();
         assert_eq!(at_two, [Some(b'b'), Some(b'a'), Some(0x1B), None]);
         assert_eq!(console.key(9), Some(b'c'));
-    }
-
-    #[test]
-    fn the_console_inside_types_behind_the_script() {
-        let mut console = Scripted::around(std::vec![(1, b'a')], Typist);
-        assert_eq!(console.key(0), None);
-        assert_eq!((console.key(1), console.key(1)), (Some(b'a'), Some(b'z')));
     }
 }

@@ -1,9 +1,5 @@
 //! A terminal console: keys as they are pressed, bar graphs and the message on one line.
 
-#[cfg_attr(unix, path = "terminal/unix.rs")]
-#[cfg_attr(not(unix), path = "terminal/none.rs")]
-mod raw;
-
 pub use raw::TerminalState;
 
 use super::{Bars, Console};
@@ -29,7 +25,13 @@ const RETURN: u8 = 0x0D;
 /// [`report_interrupts`](Self::report_interrupts) says otherwise.
 #[derive(Debug)]
 pub struct Terminal<W: Write = Stdout> {
-    line: MessageLine<W>,
+    output: W,
+    /// The output is a terminal, whose line can be overwritten.
+    rewrites: bool,
+    silent: bool,
+    /// Bar graphs, shown only where the line can be overwritten.
+    graphs: [String; 2],
+    text: String,
     stops_on_interrupt: bool,
     interrupted: bool,
     raw: Option<raw::Raw>,
@@ -55,16 +57,21 @@ impl<W: Write> Terminal<W> {
     /// is possible.
     pub fn on(output: W, rewrites: bool) -> Self {
         Terminal {
-            line: MessageLine {
-                output,
-                rewrites,
-                silent: false,
-                graphs: Default::default(),
-                text: String::new(),
-            },
+            raw: raw::Raw::enter(),
+            ..Self::without_keys(output, rewrites)
+        }
+    }
+
+    fn without_keys(output: W, rewrites: bool) -> Self {
+        Terminal {
+            output,
+            rewrites,
+            silent: false,
+            graphs: Default::default(),
+            text: String::new(),
             stops_on_interrupt: true,
             interrupted: false,
-            raw: raw::Raw::enter(),
+            raw: None,
         }
     }
 
@@ -99,42 +106,6 @@ impl<W: Write> Console for Terminal<W> {
     }
 
     fn message(&mut self, text: &dyn Display) {
-        self.line.message(text);
-    }
-
-    fn silent(&mut self, on: bool) {
-        self.line.silence(on);
-    }
-
-    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
-        self.line.bars(graph, bars);
-    }
-
-    fn emergency(&mut self, report: &Report<'_>) {
-        self.line.report(report);
-    }
-
-    fn ended(&mut self) {
-        self.line.close();
-    }
-}
-
-/// The output: one line, after the bar graphs, that each message takes over from the previous one.
-///
-/// A console cannot refuse a text, so a closed output loses it.
-#[derive(Debug)]
-struct MessageLine<W> {
-    output: W,
-    /// The output is a terminal, whose line can be overwritten.
-    rewrites: bool,
-    silent: bool,
-    /// Bar graphs, shown only where the line can be overwritten.
-    graphs: [String; 2],
-    text: String,
-}
-
-impl<W: Write> MessageLine<W> {
-    fn message(&mut self, text: &dyn Display) {
         if self.silent {
             return;
         }
@@ -146,6 +117,15 @@ impl<W: Write> MessageLine<W> {
             let _ = writeln!(self.output, "{text}");
             let _ = self.output.flush();
         }
+    }
+
+    fn silent(&mut self, on: bool) {
+        if on && self.rewrites && !self.silent {
+            self.text.clear();
+            let _ = write!(self.output, "{CLEAR}");
+            let _ = self.output.flush();
+        }
+        self.silent = on;
     }
 
     fn bars(&mut self, graph: u8, bars: Bars<'_>) {
@@ -161,8 +141,22 @@ impl<W: Write> MessageLine<W> {
         }
     }
 
+    fn emergency(&mut self, report: &Report<'_>) {
+        self.report(report);
+    }
+
+    /// Moves to the next line, so that the last message stays.
+    fn ended(&mut self) {
+        if self.rewrites && !self.silent {
+            let _ = writeln!(self.output);
+        }
+    }
+}
+
+/// Writes to the output: a console cannot refuse a text, so a closed output loses it.
+impl<W: Write> Terminal<W> {
     fn rewrite(&mut self) {
-        let MessageLine {
+        let Terminal {
             output,
             graphs: [first, second],
             text,
@@ -172,26 +166,95 @@ impl<W: Write> MessageLine<W> {
         let _ = output.flush();
     }
 
-    fn silence(&mut self, on: bool) {
-        if on && self.rewrites && !self.silent {
-            self.text.clear();
-            let _ = write!(self.output, "{CLEAR}");
-            let _ = self.output.flush();
-        }
-        self.silent = on;
-    }
-
     /// Prints several lines, even under SILENT_ON.
     fn report(&mut self, text: &dyn Display) {
         let start = if self.rewrites { CLEAR } else { "" };
         let _ = write!(self.output, "{start}{text}");
         let _ = self.output.flush();
     }
+}
 
-    /// Moves to the next line, so that the last message stays.
-    fn close(&mut self) {
-        if self.rewrites && !self.silent {
-            let _ = writeln!(self.output);
+/// Standard input without line editing.
+#[cfg(unix)]
+mod raw {
+    use rustix::termios::{
+        InputModes, LocalModes, OptionalActions, SpecialCodeIndex, Termios, tcgetattr, tcsetattr,
+    };
+    use std::io::{IsTerminal, stdin};
+
+    /// The saved mode of the standard input's terminal, for a host that has to end a process without
+    /// dropping its [`Terminal`](super::Terminal).
+    #[derive(Debug)]
+    pub struct TerminalState(Option<Termios>);
+
+    impl TerminalState {
+        /// Returns the current mode. If standard input is not a terminal, or refuses, there is nothing
+        /// to restore.
+        pub fn now() -> Self {
+            let input = stdin();
+            let state = input.is_terminal().then(|| tcgetattr(&input).ok());
+            TerminalState(state.flatten())
+        }
+
+        /// Restores the saved mode.
+        pub fn restore(&self) {
+            if let Some(state) = &self.0 {
+                // Nothing is left to be done for a terminal that is gone.
+                let _ = tcsetattr(stdin(), OptionalActions::Now, state);
+            }
+        }
+    }
+
+    /// Standard input without line editing; dropping it restores the former mode.
+    #[derive(Debug)]
+    pub(super) struct Raw(TerminalState);
+
+    impl Raw {
+        /// Switches line editing off; `None` if standard input is not a terminal, or refuses.
+        pub(super) fn enter() -> Option<Self> {
+            let former = TerminalState::now();
+            let mut raw = former.0.clone()?;
+            raw.local_modes
+                .remove(LocalModes::ICANON | LocalModes::ECHO | LocalModes::ISIG);
+            raw.input_modes.remove(InputModes::ICRNL | InputModes::IXON);
+            // Reading gives what there is, immediately.
+            raw.special_codes[SpecialCodeIndex::VMIN] = 0;
+            raw.special_codes[SpecialCodeIndex::VTIME] = 0;
+            tcsetattr(stdin(), OptionalActions::Now, &raw).ok()?;
+            Some(Raw(former))
+        }
+    }
+
+    impl Drop for Raw {
+        fn drop(&mut self) {
+            self.0.restore();
+        }
+    }
+}
+
+/// Standard input without line editing: not available on this system.
+#[cfg(not(unix))]
+mod raw {
+    /// The saved mode of the standard input's terminal: on this system it is never changed.
+    #[derive(Debug)]
+    pub struct TerminalState;
+
+    impl TerminalState {
+        /// Returns the current mode.
+        pub fn now() -> Self {
+            TerminalState
+        }
+
+        /// Does nothing: there is nothing to restore.
+        pub fn restore(&self) {}
+    }
+
+    #[derive(Debug)]
+    pub(super) struct Raw;
+
+    impl Raw {
+        pub(super) fn enter() -> Option<Self> {
+            None
         }
     }
 }
@@ -201,14 +264,8 @@ mod tests {
     use super::*;
     use std::vec::Vec;
 
-    fn shown(rewrites: bool, act: impl FnOnce(&mut MessageLine<Vec<u8>>)) -> std::string::String {
-        let mut line = MessageLine {
-            output: Vec::new(),
-            rewrites,
-            silent: false,
-            graphs: Default::default(),
-            text: String::new(),
-        };
+    fn shown(rewrites: bool, act: impl FnOnce(&mut Terminal<Vec<u8>>)) -> std::string::String {
+        let mut line = Terminal::without_keys(Vec::new(), rewrites);
         act(&mut line);
         std::string::String::from_utf8(line.output).expect("text")
     }
@@ -219,7 +276,7 @@ mod tests {
         let text = shown(true, |line| {
             line.message(&"one");
             line.message(&"");
-            line.close();
+            line.ended();
         });
         assert_eq!(text, "\r\x1b[2Kone\r\x1b[2K\n");
     }
@@ -230,7 +287,7 @@ mod tests {
         let text = shown(false, |line| {
             line.message(&"one");
             line.message(&"two");
-            line.close();
+            line.ended();
         });
         assert_eq!(text, "one\ntwo\n");
     }
@@ -239,7 +296,7 @@ mod tests {
     #[test]
     fn a_message_cannot_steer_the_terminal() {
         let say =
-            |line: &mut MessageLine<Vec<u8>>| line.message(&"\x07a\tb\x1b[31m\n\u{9b}2J\u{202e}");
+            |line: &mut Terminal<Vec<u8>>| line.message(&"\x07a\tb\x1b[31m\n\u{9b}2J\u{202e}");
         let shown_as = "\x07a\tb\\u{1b}[31m\\u{a}\\u{9b}2J\\u{202e}";
         assert_eq!(shown(true, say), std::format!("{CLEAR}{shown_as}"));
         assert_eq!(shown(false, say), std::format!("{shown_as}\n"));
@@ -248,7 +305,7 @@ mod tests {
     // clauses: 7.35 7.48
     #[test]
     fn bar_graphs_stand_before_the_message_and_are_drawn_when_they_change() {
-        let act = |line: &mut MessageLine<Vec<u8>>| {
+        let act = |line: &mut Terminal<Vec<u8>>| {
             line.message(&"one");
             line.bars(1, Bars(&[0.0, 1.0]));
             line.bars(0, Bars(&[1.0]));
@@ -256,9 +313,9 @@ mod tests {
             line.message(&"two");
             line.bars(1, Bars(&[]));
             line.bars(2, Bars(&[1.0]));
-            line.silence(true);
+            line.silent(true);
             line.bars(0, Bars(&[0.0]));
-            line.silence(false);
+            line.silent(false);
             line.bars(0, Bars(&[]));
         };
         let lines = ["one", "▁█ one", "█ ▁█ one", "█ ▁█ two", "█ two", "", ""];
@@ -271,10 +328,10 @@ mod tests {
     #[test]
     fn silence_clears_the_line_and_lets_only_emergencies_through() {
         let text = shown(true, |line| {
-            line.silence(true);
+            line.silent(true);
             line.message(&"one");
             line.report(&"TIP_ERR\n");
-            line.silence(false);
+            line.silent(false);
             line.message(&"two");
         });
         assert_eq!(text, "\r\x1b[2K\r\x1b[2KTIP_ERR\n\r\x1b[2Ktwo");

@@ -1,13 +1,14 @@
-//! INPOS and NEAR: whether what a target names has arrived (T.I.P. 3.1 §6-2, §7-4).
+//! INPOS and NEAR: whether what a target names has arrived (T.I.P. 3.1 §6-2, §7-4); SLEEP.
 
+use super::drive::distance;
 use super::leg::LegState;
 use super::params::{FootParams, JointParams};
 use super::trajectory::Track;
 use super::{ControllerView, targets};
-use crate::command::{Poll, Target};
+use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
 use crate::kinematics::LegPoint;
-use crate::model::{Inverse, Point};
+use crate::model::Inverse;
 
 /// The distance at which a target counts as reached.
 #[derive(Clone, Copy)]
@@ -17,17 +18,10 @@ enum Tolerance {
 }
 
 impl Tolerance {
-    fn of_foot(self, params: &FootParams) -> f64 {
+    fn of(self, just: f64, near: f64) -> f64 {
         match self {
-            Tolerance::Just => params.just,
-            Tolerance::Near => params.near,
-        }
-    }
-
-    fn of_joint(self, params: &JointParams) -> f64 {
-        match self {
-            Tolerance::Just => params.just,
-            Tolerance::Near => params.near,
+            Tolerance::Just => just,
+            Tolerance::Near => near,
         }
     }
 }
@@ -80,7 +74,8 @@ impl<const J: usize> ControllerView<J> {
     fn slider_arrived(&self, tolerance: Tolerance) -> Option<bool> {
         let target = self.slider.goal().target()?;
         let gap = distance(target, self.slider_at);
-        Some(gap <= tolerance.of_foot(&self.params.slider))
+        let FootParams { just, near, .. } = self.params.slider;
+        Some(gap <= tolerance.of(just, near))
     }
 }
 
@@ -118,9 +113,9 @@ impl<const J: usize> LegState<J> {
     /// Returns true if joint `m`, counted from 0, has arrived.
     fn angle_arrived(&self, m: usize, track: &Track<1>, tolerance: Tolerance) -> Option<bool> {
         let [target] = track.goal().target()?;
-        let params = self.params.joints.get(m)?;
+        let JointParams { just, near, .. } = *self.params.joints.get(m)?;
         let measured = self.angles.get(m)?;
-        Some(libm::fabs(target - measured) <= tolerance.of_joint(params))
+        Some(libm::fabs(target - measured) <= tolerance.of(just, near))
     }
 
     fn point_arrived(
@@ -131,13 +126,9 @@ impl<const J: usize> LegState<J> {
     ) -> Option<bool> {
         let target = track.goal().target()?;
         let measured = self.place(point, inverse).ok()?;
-        Some(distance(target, measured) <= tolerance.of_foot(&self.params.foot))
+        let FootParams { just, near, .. } = self.params.foot;
+        Some(distance(target, measured) <= tolerance.of(just, near))
     }
-}
-
-fn distance(a: Point, b: Point) -> f64 {
-    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
-    libm::sqrt(squares.sum())
 }
 
 /// Returns true if all parts are true, looking no farther than the first that is not; `None`
@@ -153,6 +144,24 @@ fn all(parts: impl Iterator<Item = bool>) -> Option<bool> {
     all
 }
 
-pub(super) fn done_if(done: bool) -> Poll {
+fn done_if(done: bool) -> Poll {
     if done { Poll::Done } else { Poll::Pending }
+}
+
+impl<const J: usize> ControllerView<J> {
+    /// Runs SLEEP: at least one cycle, and no time of a cycle too little.
+    pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        let sleep = self.tasks.sleep().ok_or(Fault::Domain)?;
+        let left = match (*sleep, command.values) {
+            (left, _) if left > 0.0 => left,
+            (_, [time]) if time.number() >= 0.0 => {
+                // The subtrahend forgives the rounding of a division that should be exact.
+                libm::ceil(time.number() / self.params.period - 1e-9).max(1.0)
+            }
+            _ => return Err(Fault::Domain),
+        };
+        let done = left <= 1.0;
+        *sleep = if done { 0.0 } else { left - 1.0 };
+        Ok(done_if(done))
+    }
 }

@@ -1,17 +1,11 @@
 //! Motion of the joints of one leg, by their own set points or by that of a point of the leg.
 
 mod advance;
-mod bend;
-mod brake;
-mod law;
-mod posture_path;
 mod reach;
 mod redundancy;
-mod search;
-mod trial;
 
+pub(super) use advance::bounded;
 pub(super) use advance::{CycleParams, MovingLeg};
-pub(super) use law::bounded;
 pub(super) use reach::{name, nearest_place, reach};
 pub(super) use redundancy::Redundancy;
 
@@ -319,4 +313,10 @@ impl<const J: usize> LegDrive<J> {
             .point_rates(point, track.velocity(), inverse.axes())
             .unwrap_or([0.0; J])
     }
+}
+
+/// Returns the distance of two points, mm.
+pub(super) fn distance(a: Point, b: Point) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    libm::sqrt(squares.sum())
 }

@@ -1,9 +1,8 @@
 //! TORQUE, FORCE, COMPLIANCE_ and NO_COMPLIANCE (T.I.P. 3.1 §7-3); they take one cycle. The laws
-//! that they set to work are in [`law`](super::drive).
+//! that they set to work are in [`drive`](super::drive).
 
 use super::drive::Drive;
-use super::operands::{Base, resolve, resolve_from};
-use super::targets::{joint_of, unlocked};
+use super::targets::{Base, joint_of, resolve, resolve_from, unlocked};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};

@@ -1,10 +1,10 @@
 //! Everything that the controller keeps of one leg.
 
 use super::drive::{CycleParams, Drive, LegDrive, MovingLeg, THIRD};
+use super::native::JointVibration;
 use super::params::LegParams;
 use super::targets::joint_of;
 use super::trajectory::Track;
-use super::vibrate::{JointVibration, VibrationContext};
 use crate::command::Target;
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
@@ -60,7 +60,7 @@ impl<const J: usize> LegState<J> {
     /// The errors of its drive.
     pub(super) fn advance(&mut self, number: u8, cycle: &CycleParams) -> Result<(), Fault> {
         let room;
-        let model = if self.switches.has_outside() {
+        let model = if self.switches.any_outside {
             room = self.room();
             &room
         } else {
@@ -99,7 +99,7 @@ impl<const J: usize> LegState<J> {
     /// working limits. A joint that new limits left outside may stay there.
     pub(super) fn stays(&self) -> [f64; J] {
         let mut stays = self.model.within_limits(&self.angles);
-        if self.switches.has_outside() {
+        if self.switches.any_outside {
             let joints = self.switches.outside.iter().zip(&self.angles);
             for (stay, (outside, angle)) in stays.iter_mut().zip(joints) {
                 if *outside {
@@ -127,12 +127,8 @@ impl<const J: usize> LegState<J> {
         for (command, ((joint, params), (vibration, measured))) in
             commands.iter_mut().zip(joints.zip(states))
         {
-            let state = VibrationContext {
-                per_volt,
-                most_torque: params.most_torque(joint, robot.torque_unit()),
-                measured: *measured,
-            };
-            *command = vibration.vibrated(*command, joint, &state);
+            let most_torque = params.most_torque(joint, robot.torque_unit());
+            *command = vibration.vibrated(*command, joint, *measured, (per_volt, most_torque));
         }
         commands
     }
@@ -155,18 +151,13 @@ pub(super) struct LegSwitches<const J: usize> {
 
 impl<const J: usize> LegSwitches<J> {
     /// The switches at a program's start.
-    pub(super) const STANDARD: Self = LegSwitches {
+    const STANDARD: Self = LegSwitches {
         direct_foot: false,
         direct: [false; J],
         locked: [false; J],
         outside: [false; J],
         any_outside: false,
     };
-
-    /// Returns true if new limits left a joint outside.
-    pub(super) fn has_outside(&self) -> bool {
-        self.any_outside
-    }
 
     /// Returns true if a joint is locked.
     pub(super) fn has_locked(&self) -> bool {
@@ -176,14 +167,6 @@ impl<const J: usize> LegSwitches<J> {
     /// Returns true if a joint, counted from 0, is locked.
     pub(super) fn is_locked(&self, m: usize) -> bool {
         self.locked.get(m).is_some_and(|locked| *locked)
-    }
-
-    /// Returns true if DIRECT holds for commands that name a joint, counted from 0, or the foot.
-    pub(super) fn is_direct(&self, joint: Option<usize>) -> bool {
-        match joint {
-            None => self.direct_foot,
-            Some(m) => self.direct.get(m).is_some_and(|direct| *direct),
-        }
     }
 }
 
@@ -198,7 +181,10 @@ impl<const J: usize> LegState<J> {
 
     /// Returns true if DIRECT holds for commands that name this target of the leg.
     pub(super) fn is_direct(&self, target: Target) -> bool {
-        self.switches.is_direct(joint_of(target))
+        match joint_of(target) {
+            None => self.switches.direct_foot,
+            Some(m) => self.switches.direct.get(m).is_some_and(|direct| *direct),
+        }
     }
 
     /// Returns the leg with room for joints that new limits left outside: they may hold or move
@@ -208,8 +194,7 @@ impl<const J: usize> LegState<J> {
         let joints = self.switches.outside.iter().zip(&self.drive.angles);
         for (joint, (outside, angle)) in room.joints.iter_mut().zip(joints) {
             if *outside {
-                let Range { min, max } = joint.limits;
-                joint.limits = Range::new(min.min(*angle), max.max(*angle));
+                joint.limits = joint.limits.including(*angle);
             }
         }
         room

@@ -1,8 +1,7 @@
 //! Commands that start a motion (T.I.P. 3.1 §7-1, §7-2); they take one cycle.
 
 use super::drive::{Drive, Redundancy, THIRD, name, nearest_place, reach};
-use super::operands::{Base, is_zero, resolve, resolve_from, sum};
-use super::targets::{joint_of, unlocked};
+use super::targets::{Base, is_zero, joint_of, resolve, resolve_from, sum, unlocked};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
@@ -59,7 +58,7 @@ impl<const J: usize> ControllerView<J> {
             None if stop || direct => Redundancy::None,
             None => {
                 let line = (track.position(), target);
-                Redundancy::to_place(inverse, &leg.model, point, &leg.drive.angles, line)
+                Redundancy::seek(inverse, &leg.model, point, &leg.drive.angles, line, None)
             }
         };
         if !stop {
@@ -107,7 +106,7 @@ impl<const J: usize> ControllerView<J> {
                 return Err(Fault::OutOfReach(Target::Floor));
             }
             for (at, travel) in target.iter_mut().zip(slider.travel) {
-                *at = at.max(travel.min).min(travel.max);
+                *at = travel.nearest(*at);
             }
         }
         let hs = command.hs || (stop && self.slider.goal().is_hs());
@@ -172,7 +171,10 @@ impl<const J: usize> ControllerView<J> {
         let foot = leg.drive.point(LegPoint::Tip, &leg.model, inverse);
         let current = match foot.goal() {
             Goal::Speed(velocity) => velocity,
-            _ => leg.chain().foot_velocity(&leg.rates),
+            _ => leg
+                .chain()
+                .point_velocity(LegPoint::Tip, &leg.rates)
+                .ok_or(Fault::Domain)?,
         };
         let velocity = inverse.flat(resolve(values, current)?);
         unlocked(leg.locks_point(LegPoint::Tip))?;

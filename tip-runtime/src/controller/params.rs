@@ -1,10 +1,8 @@
 //! The parameters of the SET_ commands (T.I.P. 3.1 §7-8), and the rules by which they are set.
 
-mod springs;
-
 use super::trajectory::Limits;
 use super::{ControllerView, targets};
-use crate::command::{Command, Op, Target};
+use crate::command::{Command, Op, Target, Value};
 use crate::fault::Fault;
 use crate::kinematics::LegPoint;
 use crate::model::{Forces, Joint, ModelFacts, Standards, TorqueUnit};
@@ -19,18 +17,9 @@ pub(super) struct FootParams {
     /// N/mm along each axis, for the foot and the third joint alike.
     pub(super) stiffness: [f64; 3],
     /// Largest pull of a spring at the foot, N.
-    pub(super) foot_limit: Option<[f64; 3]>,
+    foot_limit: Option<[f64; 3]>,
     /// Largest pull of a spring at the third joint, N.
-    pub(super) third_limit: Option<[f64; 3]>,
-}
-
-/// Parameters of a spring at a point of a leg.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PointParams {
-    /// N/mm along each axis.
-    pub(super) stiffness: [f64; 3],
-    /// N.
-    pub(super) limit: Option<[f64; 3]>,
+    third_limit: Option<[f64; 3]>,
 }
 
 /// Parameters of one joint.
@@ -76,13 +65,11 @@ impl FootParams {
         }
     }
 
-    pub(super) const fn of_point(&self, point: LegPoint) -> PointParams {
-        PointParams {
-            stiffness: self.stiffness,
-            limit: match point {
-                LegPoint::Tip => self.foot_limit,
-                LegPoint::Joint(_) => self.third_limit,
-            },
+    /// Returns the largest pull of a spring at a point, N.
+    pub(super) const fn limit(&self, point: LegPoint) -> Option<[f64; 3]> {
+        match point {
+            LegPoint::Tip => self.foot_limit,
+            LegPoint::Joint(_) => self.third_limit,
         }
     }
 
@@ -276,7 +263,11 @@ impl<const J: usize> ControllerView<J> {
             return Some(set);
         }
         if let Some((field, source)) = setting(command.op) {
-            return Some(self.set_field(command, field, source));
+            let operands = Checked::new(command, source);
+            return Some(operands.and_then(|operands| match field {
+                Field::Foot(field) => self.set_foot_field(&operands, field),
+                Field::Joint(field) => self.set_joint_field(&operands, field),
+            }));
         }
         match command.op {
             Op::SetSamplingTime => Some(self.set_period(command, |time| time)),
@@ -286,19 +277,6 @@ impl<const J: usize> ControllerView<J> {
                 Some(Ok(()))
             }
             _ => None,
-        }
-    }
-
-    fn set_field(
-        &mut self,
-        command: &Command<'_>,
-        field: Field,
-        source: Source,
-    ) -> Result<(), Fault> {
-        let operands = Checked::new(command, source)?;
-        match field {
-            Field::Foot(field) => self.set_foot_field(&operands, field),
-            Field::Joint(field) => self.set_joint_field(&operands, field),
         }
     }
 
@@ -358,6 +336,108 @@ impl<const J: usize> ControllerView<J> {
     pub(super) fn set_all_v_max(&mut self, share: f64) {
         for leg in &mut self.legs {
             leg.params.foot.v_max = self.robot.standards.v_max * share;
+        }
+    }
+}
+
+/// Three operands along x, y and z.
+type Axes = [f64; 3];
+
+impl<const J: usize> ControllerView<J> {
+    /// Carries out a command of springs and their limits; `None` if the command is none.
+    fn set_spring(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
+        Some(match command.op {
+            Op::SetPositionStiffness => self.set_position_stiffness(command),
+            Op::SetComplianceTorqueLimit => self.limit_torques(command),
+            Op::ResetComplianceTorqueLimit => self.unlimit_torques(command.target),
+            Op::SetComplianceForceLimit => self.limit_forces(command),
+            Op::ResetComplianceForceLimit => self.put_force_limit(command.target, None),
+            _ => return None,
+        })
+    }
+
+    fn set_position_stiffness(&mut self, command: &Command<'_>) -> Result<(), Fault> {
+        let stiffness = self.axes(command.values, |v| v >= 0.0)?;
+        for leg in targets::feet(&mut self.legs, command.target)? {
+            leg.params.foot.stiffness = stiffness;
+        }
+        Ok(())
+    }
+
+    fn limit_torques(&mut self, command: &Command<'_>) -> Result<(), Fault> {
+        let positive = |value: &Value| value.number() > 0.0 && value.number().is_finite();
+        if !command.values.iter().all(positive) {
+            return Err(Fault::Domain);
+        }
+        match (command.target, command.values) {
+            (Target::Joint(n, m), [limit]) => {
+                self.joint_params(n, m)?.limit = Some(limit.number());
+            }
+            (Target::All, [limit]) => {
+                for joint in self.legs.iter_mut().flat_map(|leg| &mut leg.params.joints) {
+                    joint.limit = Some(limit.number());
+                }
+            }
+            (target @ (Target::Foot(_) | Target::All), limits) if limits.len() == J => {
+                for leg in targets::feet(&mut self.legs, target)? {
+                    for (joint, limit) in leg.params.joints.iter_mut().zip(limits) {
+                        joint.limit = Some(limit.number());
+                    }
+                }
+            }
+            _ => return Err(Fault::Domain),
+        }
+        Ok(())
+    }
+
+    fn unlimit_torques(&mut self, target: Target) -> Result<(), Fault> {
+        if let Target::Joint(n, m) = target {
+            self.joint_params(n, m)?.limit = None;
+            return Ok(());
+        }
+        let legs = targets::feet(&mut self.legs, target)?;
+        for joint in legs.iter_mut().flat_map(|leg| &mut leg.params.joints) {
+            joint.limit = None;
+        }
+        Ok(())
+    }
+
+    fn limit_forces(&mut self, command: &Command<'_>) -> Result<(), Fault> {
+        let limit = self.axes(command.values, |v| v > 0.0)?;
+        self.put_force_limit(command.target, Some(limit))
+    }
+
+    fn put_force_limit(&mut self, target: Target, limit: Option<Axes>) -> Result<(), Fault> {
+        if target == Target::All {
+            for leg in &mut self.legs {
+                leg.params.foot.foot_limit = limit;
+                leg.params.foot.third_limit = limit;
+            }
+            return Ok(());
+        }
+        let (n, point) = self.point_of(target)?;
+        let foot = &mut targets::leg_mut(&mut self.legs, n)?.params.foot;
+        match point {
+            LegPoint::Tip => foot.foot_limit = limit,
+            LegPoint::Joint(_) => foot.third_limit = limit,
+        }
+        Ok(())
+    }
+
+    fn joint_params(&mut self, n: u8, m: u8) -> Result<&mut JointParams, Fault> {
+        let leg = targets::leg_mut(&mut self.legs, n)?;
+        targets::leg_mut(&mut leg.params.joints, m)
+    }
+
+    /// Reads three operands in their domain; z goes unchecked where it does not count.
+    fn axes(&self, values: &[Value], in_domain: fn(f64) -> bool) -> Result<Axes, Fault> {
+        let [x, y, z]: [Value; 3] = values.try_into().map_err(|_| Fault::Domain)?;
+        let good = |value: Value| value.number().is_finite() && in_domain(value.number());
+        let [_, _, space] = self.robot.inverse.axes();
+        if good(x) && good(y) && (!space || good(z)) {
+            Ok([x.number(), y.number(), z.number()])
+        } else {
+            Err(Fault::Domain)
         }
     }
 }

@@ -1,10 +1,10 @@
 //! A readable view of the set points of every leg.
 
+use super::drive::{Drive, THIRD};
 use super::leg::LegState;
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::Target;
-use crate::controller::drive::{Drive, THIRD};
 use crate::model::Range;
 
 /// Control mode of a foot or joint.

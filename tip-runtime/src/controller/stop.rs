@@ -4,7 +4,6 @@ use super::ControllerView;
 use super::drive::LegDrive;
 use super::task::{Stand, Task, Tasks};
 use super::trajectory::Track;
-use crate::fault::Fault;
 
 /// The hold of all motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,24 +85,6 @@ impl<const J: usize> ControllerView<J> {
         self.tasks.give_up();
     }
 
-    /// Lets the main program (0) or a thread run the steps that follow.
-    pub(crate) fn select(&mut self, thread: u8) {
-        self.tasks.select(thread);
-    }
-
-    /// Checks that SPECIAL may begin or go on.
-    ///
-    /// # Errors
-    /// `InvalidMode` while another thread stands in SPECIAL or a command that SPECIAL excludes.
-    pub(crate) fn begin_special(&self) -> Result<(), Fault> {
-        self.tasks.begin()
-    }
-
-    /// Notes that the thread that runs a step stands in SPECIAL, or has done it.
-    pub(crate) fn set_special(&mut self, waits: bool) {
-        self.tasks.set_special(waits);
-    }
-
     /// Stops in an emergency: every joint, and the slider, is to stay where it is measured; nothing
     /// is controlled. Joints measured outside of the outer limits, or a slider outside of its
     /// travel, are to stay at the border; a slider that reads nonsense stays where it was commanded
@@ -112,7 +93,7 @@ impl<const J: usize> ControllerView<J> {
         for leg in &mut self.legs {
             let mut angles = leg.angles;
             for (angle, joint) in angles.iter_mut().zip(&leg.model.joints) {
-                *angle = angle.max(joint.outer.min).min(joint.outer.max);
+                *angle = joint.outer.nearest(*angle);
             }
             leg.drive = LegDrive::free(angles);
         }
@@ -121,7 +102,7 @@ impl<const J: usize> ControllerView<J> {
         let axes = self.slider_at.iter().zip(travel.iter().flatten());
         for (at, (measured, travel)) in slider.iter_mut().zip(axes) {
             if measured.is_finite() {
-                *at = measured.max(travel.min).min(travel.max);
+                *at = travel.nearest(*measured);
             }
         }
         self.slider = Track::resting(slider);

@@ -1,6 +1,14 @@
-//! The state that a command of several cycles keeps between them.
+//! Commands of several cycles and what they keep between them: INITIAL_POSTURE (T.I.P. 3.1 §7-1-7), and STAND_UP and
+//! SIT_DOWN (§7-11-1, §7-11-2), where the feet push the body up or let it down.
 
+use super::ControllerView;
+use super::drive::{Drive, Redundancy};
+use super::targets::unlocked;
+use super::trajectory::Goal;
+use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
+use crate::kinematics::{Chain, LegPoint};
+use crate::model::Point;
 use crate::program::THREADS;
 
 /// The command in progress, of those of which there is one at a time.
@@ -40,7 +48,7 @@ pub(super) enum FloorSearch {
 
 /// The commands of several cycles in which the main program (0) and threads stand.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tasks {
+pub(crate) struct Tasks {
     /// The one that runs a step.
     thread: u8,
     task: Task,
@@ -62,7 +70,7 @@ impl Tasks {
     };
 
     /// Lets the main program (0) or a thread run a step.
-    pub(super) fn select(&mut self, thread: u8) {
+    pub(crate) fn select(&mut self, thread: u8) {
         self.thread = thread;
     }
 
@@ -75,11 +83,11 @@ impl Tasks {
         }
     }
 
-    /// Checks that a task may begin.
+    /// Checks that a task, or SPECIAL, may begin or go on.
     ///
     /// # Errors
     /// `InvalidMode` while another stands in a task or in SPECIAL.
-    pub(super) fn begin(&self) -> Result<(), Fault> {
+    pub(crate) fn begin(&self) -> Result<(), Fault> {
         let another = self.task != Task::Idle && self.owner != self.thread;
         if another || self.special.is_some_and(|special| special != self.thread) {
             return Err(Fault::InvalidMode);
@@ -101,7 +109,7 @@ impl Tasks {
     }
 
     /// Notes that who runs a step stands in SPECIAL, or has done it.
-    pub(super) fn set_special(&mut self, waits: bool) {
+    pub(crate) fn set_special(&mut self, waits: bool) {
         self.special = waits.then_some(self.thread);
     }
 
@@ -109,4 +117,126 @@ impl Tasks {
     pub(super) fn sleep(&mut self) -> Option<&mut f64> {
         self.sleeps.get_mut(usize::from(self.thread))
     }
+}
+
+impl<const J: usize> ControllerView<J> {
+    /// Brakes, then sets off for the initial posture with standard parameters.
+    ///
+    /// # Errors
+    /// `InvalidMode` while another thread stands in a command of this kind.
+    pub(super) fn initial_posture(&mut self) -> Result<Poll, Fault> {
+        let holds = match self.tasks.current() {
+            Task::Posture(holds) => {
+                self.hold();
+                holds
+            }
+            _ => {
+                self.tasks.begin()?;
+                self.take_hold()
+            }
+        };
+        if !self.is_at_rest() {
+            self.tasks.set(Task::Posture(holds));
+            return Ok(Poll::Pending);
+        }
+        self.tasks.set(Task::Idle);
+        self.standardise();
+        let inverse = self.robot.inverse;
+        for leg in &mut self.legs {
+            let initial = Chain::new(&leg.model, &leg.model.initial);
+            let target = inverse.flat(initial.foot());
+            let foot = leg.drive.point(LegPoint::Tip, &leg.model, inverse);
+            let line = (foot.position(), target);
+            let home = Some(leg.model.initial);
+            leg.drive.redundancy = Redundancy::seek(
+                inverse,
+                &leg.model,
+                LegPoint::Tip,
+                &leg.drive.angles,
+                line,
+                home,
+            );
+            leg.drive.drive = Drive::Foot(foot.towards(Goal::Point { target, hs: false }));
+        }
+        if let Some(slider) = self.robot.slider {
+            self.slider = self.slider.towards(Goal::Point {
+                target: slider.initial,
+                hs: false,
+            });
+        }
+        self.release();
+        Ok(Poll::Done)
+    }
+}
+
+/// V_MAX during the move, as a share of its standard value (SLOW).
+const SLOW: f64 = 0.5;
+
+impl<const J: usize> ControllerView<J> {
+    /// Moves every foot by the operand times `direction` along z.
+    pub(super) fn stand(&mut self, command: &Command<'_>, direction: f64) -> Result<Poll, Fault> {
+        let [height] = command.values else {
+            return Err(Fault::Domain);
+        };
+        let rise = direction * height.number();
+        let stage = match self.tasks.current() {
+            Task::Stand(stage) => stage,
+            _ => {
+                self.tasks.begin()?;
+                self.settle(rise)?;
+                Stand::Settling
+            }
+        };
+        match stage {
+            _ if !self.inpos(Target::All) => self.tasks.set(Task::Stand(stage)),
+            Stand::Settling => {
+                self.shift_feet(rise)?;
+                self.set_all_v_max(SLOW);
+                self.tasks.set(Task::Stand(Stand::Moving));
+            }
+            Stand::Moving => {
+                self.set_all_v_max(1.0);
+                self.tasks.set(Task::Idle);
+                return Ok(Poll::Done);
+            }
+        }
+        Ok(Poll::Pending)
+    }
+
+    /// Puts every foot under position control where it comes to rest, if it can rise from there.
+    ///
+    /// # Errors
+    /// `InvalidMode` while a torque, force or spring decides about any joint, or one is locked;
+    /// `OutOfReach`.
+    fn settle(&mut self, rise: f64) -> Result<(), Fault> {
+        if self.legs.iter().any(|leg| leg.drive.is_soft()) {
+            return Err(Fault::InvalidMode);
+        }
+        self.require_unlocked_feet()?;
+        for n in 1..=self.count() {
+            let raised = raised(self.foot_rest_point(n)?, rise)?;
+            self.require_reach(n, LegPoint::Tip, raised)?;
+        }
+        for n in 1..=self.count() {
+            self.send_foot(n, self.foot_rest_point(n)?, false)?;
+        }
+        Ok(())
+    }
+
+    fn shift_feet(&mut self, rise: f64) -> Result<(), Fault> {
+        self.require_unlocked_feet()?;
+        for n in 1..=self.count() {
+            let target = raised(self.point_target(n, LegPoint::Tip)?, rise)?;
+            self.send_foot(n, target, false)?;
+        }
+        Ok(())
+    }
+
+    fn require_unlocked_feet(&self) -> Result<(), Fault> {
+        unlocked(self.legs.iter().any(|leg| leg.switches.has_locked()))
+    }
+}
+
+fn raised([x, y, z]: Point, rise: f64) -> Result<Point, Fault> {
+    Ok([x, y, crate::ops::add(z, rise)?])
 }

@@ -1,10 +1,11 @@
-//! Forward kinematics: positions and axes of a leg's joints, and the Jacobians of its points.
+//! Forward kinematics: positions, axes and frames of a leg's joints, and the Jacobians of its points; forces at a point
+//! and the joint torques that balance them (Craig, *Introduction to Robotics*, ch. 5.9: `τ = Jᵀ F`). Forces are in N,
+//! torques in N·m.
 
 use super::LegPoint;
 use crate::model::{Axes, Joint, Leg, Point};
-use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Unit, Vector3};
-
-pub(super) const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
+use crate::ops::RADIANS_PER_DEGREE;
+use nalgebra::{Matrix2, Matrix3, Rotation3, SMatrix, SVector, Unit, Vector2, Vector3};
 
 /// The minimum damping, as a share of the trace of `J Jᵀ`.
 const LEAST_DAMPING: f64 = 1e-12;
@@ -123,13 +124,6 @@ impl<const J: usize> Chain<J> {
         }
     }
 
-    /// Returns the foot's velocity (mm/s) at joint rates (deg/s).
-    #[must_use]
-    pub fn foot_velocity(&self, rates: &[f64; J]) -> [f64; 3] {
-        let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
-        (self.jacobian(self.foot, J) * rates).into()
-    }
-
     fn jacobian(&self, point: Vector3<f64>, moved_by: usize) -> SMatrix<f64, 3, J> {
         let mut jacobian = SMatrix::<f64, 3, J>::zeros();
         let joints = self.axes.iter().zip(&self.places).take(moved_by);
@@ -148,13 +142,6 @@ impl<const J: usize> Chain<J> {
     pub fn point_velocity(&self, point: LegPoint, rates: &[f64; J]) -> Option<[f64; 3]> {
         let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
         Some((self.jacobian_of(point)? * rates).into())
-    }
-
-    /// Returns the least joint rates (deg/s) that give the foot a velocity (mm/s), `J# v`; `None`
-    /// where the foot cannot move that way.
-    #[must_use]
-    pub fn joint_rates(&self, velocity: [f64; 3]) -> Option<[f64; J]> {
-        self.point_rates(LegPoint::Tip, velocity, [true; 3])
     }
 
     /// Returns the least joint rates (deg/s) that give a point a velocity (mm/s) along the axes
@@ -204,4 +191,158 @@ pub(super) fn least_norm<const J: usize>(
     let regular = damping + LEAST_DAMPING * gram.trace();
     let gram = gram + Matrix3::identity() * regular;
     Some(jacobian.transpose() * gram.cholesky()?.solve(motion))
+}
+
+/// The frame of a link: its origin is the joint that carries the link, and it turns with that
+/// joint. While all joints are at 0 it is parallel to the robot frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Origin in the robot frame, mm.
+    pub at: Point,
+    /// The x, y and z axes in the robot frame, unit vectors.
+    pub axes: [[f64; 3]; 3],
+}
+
+impl Frame {
+    /// Transforms a point of this frame (mm) into the robot frame, mm.
+    #[must_use]
+    pub fn point(&self, inner: Point) -> Point {
+        let [x, y, z] = self.at;
+        let [along_x, along_y, along_z] = self.direction(inner);
+        [x + along_x, y + along_y, z + along_z]
+    }
+
+    /// Transforms a direction of this frame into the robot frame.
+    #[must_use]
+    pub fn direction(&self, [a, b, c]: [f64; 3]) -> [f64; 3] {
+        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = self.axes;
+        [
+            xx * a + yx * b + zx * c,
+            xy * a + yy * b + zy * c,
+            xz * a + yz * b + zz * c,
+        ]
+    }
+}
+
+/// Iterates over the frames of a leg's links, from base to foot; the first joint is at `base` (mm),
+/// the angles are in deg. In the last frame, the `link` of the last joint leads to the foot.
+///
+/// ```
+/// use tip_runtime::kinematics::frames;
+/// use tip_runtime::model::titan8;
+///
+/// let leg = &titan8::MODEL.legs[1];
+/// let [_, _, shank] = &leg.joints;
+/// let last = frames(leg.base, &leg.joints, &[0.0, 0.0, 90.0]).last().expect("it has joints");
+/// assert!((last.at[0] - 391.0).abs() < 1e-9, "the knee is out on the right");
+/// assert!((last.point(shank.link)[2] + 200.0).abs() < 1e-9, "the shank hangs down from it");
+/// ```
+pub fn frames<'a>(
+    base: Point,
+    joints: &'a [Joint],
+    angles: &'a [f64],
+) -> impl Iterator<Item = Frame> + 'a {
+    let mut chain = ChainBuilder::at(base);
+    joints.iter().zip(angles).map(move |(joint, angle)| {
+        let (place, _) = chain.append(joint, *angle);
+        Frame {
+            at: place.into(),
+            axes: chain.axes(),
+        }
+    })
+}
+
+const MILLIMETRES_PER_METRE: f64 = 1000.0;
+
+/// The ratio of Gram determinants, against that of a sphere of the same trace, below which a
+/// Jacobian has lost a direction.
+const SINGULAR: f64 = 1e-8;
+
+impl<const J: usize> Chain<J> {
+    /// Returns the joint torques with which `point` pushes by `force`: `Jᵀ F`. `None` if there is
+    /// no such point.
+    #[must_use]
+    pub fn torques_of_force(&self, point: LegPoint, force: [f64; 3]) -> Option<[f64; J]> {
+        let torques = self.jacobian_of(point)?.transpose() * Vector3::from(force);
+        Some((torques / MILLIMETRES_PER_METRE).into())
+    }
+
+    /// Returns the force with which `point` pushes at these joint torques, along the axes that
+    /// count: `(Jᵀ)# τ`. `None` where the posture is singular.
+    #[must_use]
+    pub fn force_of_torques(
+        &self,
+        point: LegPoint,
+        torques: &[f64; J],
+        axes: Axes,
+    ) -> Option<[f64; 3]> {
+        let jacobian = rows_that_count(self.jacobian_of(point)?, axes);
+        let torques = SVector::<f64, J>::from(*torques) * MILLIMETRES_PER_METRE;
+        let moved_by = point.moved_by(J);
+        if moved_by < axes.iter().filter(|counts| **counts).count() {
+            of_few_joints(&jacobian, &torques, moved_by)
+        } else {
+            of_enough_joints(&jacobian, &torques, axes)
+        }
+    }
+}
+
+/// Returns `(J Jᵀ)⁻¹ J τ` of the axes that count.
+fn of_enough_joints<const J: usize>(
+    jacobian: &SMatrix<f64, 3, J>,
+    torques: &SVector<f64, J>,
+    axes: Axes,
+) -> Option<[f64; 3]> {
+    if is_singular(jacobian, axes, SINGULAR) {
+        return None;
+    }
+    let gram = filled_gram(jacobian, axes).0;
+    Some((gram.try_inverse()? * (jacobian * torques)).into())
+}
+
+/// Returns true if the Gram determinant of the axes that count is smaller than `share` of that of a
+/// sphere of the same trace.
+pub(super) fn is_singular<const J: usize>(
+    jacobian: &SMatrix<f64, 3, J>,
+    axes: Axes,
+    share: f64,
+) -> bool {
+    let (gram, size) = filled_gram(jacobian, axes);
+    gram.determinant() <= share * size * size * size
+}
+
+/// Returns `J Jᵀ`, with the mean of the axes that count in place of the others, and that mean.
+fn filled_gram<const J: usize>(jacobian: &SMatrix<f64, 3, J>, axes: Axes) -> (Matrix3<f64>, f64) {
+    let mut gram: Matrix3<f64> = jacobian * jacobian.transpose();
+    let counting = axes.iter().filter(|counts| **counts).count();
+    let size = gram.trace() / counting as f64;
+    for (axis, counts) in axes.iter().enumerate() {
+        if let (false, Some(entry)) = (counts, gram.get_mut((axis, axis))) {
+            *entry = size;
+        }
+    }
+    (gram, size)
+}
+
+/// Returns `J (Jᵀ J)⁻¹ τ` for one or two joints that move the point: the least force that balances
+/// them.
+fn of_few_joints<const J: usize>(
+    jacobian: &SMatrix<f64, 3, J>,
+    torques: &SVector<f64, J>,
+    moved_by: usize,
+) -> Option<[f64; 3]> {
+    let mut columns = jacobian.column_iter().zip(torques.iter());
+    let (first, of_first) = columns.next()?;
+    let Some((second, of_second)) = columns.next().filter(|_| moved_by == 2) else {
+        let square = first.norm_squared();
+        return (square > 0.0).then(|| (first * (of_first / square)).into());
+    };
+    let across = first.dot(&second);
+    let gram = Matrix2::new(first.norm_squared(), across, across, second.norm_squared());
+    let size = gram.trace() / 2.0;
+    if gram.determinant() <= SINGULAR * size * size {
+        return None;
+    }
+    let shares = gram.try_inverse()? * Vector2::new(*of_first, *of_second);
+    Some((first * shares.x + second * shares.y).into())
 }

@@ -1,8 +1,6 @@
-//! One control cycle, whatever the number of legs, the program and the hardware.
+//! One control cycle, whatever the number of legs, the program and the hardware: compiled once for all numbers of legs.
 
-use super::context::StepContext;
 use super::devices::Devices;
-use super::dyn_hardware::DynHardware;
 use super::state::{State, Status};
 use super::threads::bit;
 use crate::command::Port;
@@ -10,7 +8,9 @@ use crate::console::Console;
 use crate::controller::ControllerView;
 use crate::emergency::{Emergency, Report, ThreadName};
 use crate::fault::Fault;
-use crate::hardware::HardwareFault;
+use crate::hardware::{
+    Hardware, HardwareFault, JointCommand, Outputs, OutputsView, Sensors, SensorsView,
+};
 use crate::model::Family;
 use crate::program::{End, Flow, Program};
 use crate::record::{self, Dump, Sample, Sink};
@@ -143,7 +143,7 @@ impl<const J: usize> ControlCycle<'_, J> {
     fn select(&mut self, thread: u8) {
         self.state.turn = thread;
         self.program.select(thread);
-        self.controller.select(thread);
+        self.controller.tasks.select(thread);
     }
 
     /// Runs the steps of one turn.
@@ -197,13 +197,11 @@ impl<const J: usize> ControlCycle<'_, J> {
             self.state.io.variables.read(self.program, specials);
         }
         let thread = self.state.turn;
-        let mut context = StepContext {
-            devices: Devices {
-                controller: self.controller,
-                sensors: self.robot.sensors(),
-                io: &mut self.state.io,
-            },
-            special: self.special,
+        let mut context = Devices {
+            controller: self.controller,
+            sensors: self.robot.sensors(),
+            io: &mut self.state.io,
+            special: Some(self.special),
             console: self.console,
             sink: sink.map(|sink| sink as &mut dyn Sink),
             first: self.state.waiting & bit(thread) == 0,
@@ -236,6 +234,13 @@ impl<const J: usize> ControlCycle<'_, J> {
             controller: self.controller,
             sensors: self.robot.sensors(),
             io: &mut self.state.io,
+            special: None,
+            console: self.console,
+            sink: None,
+            first: false,
+            thread: 0,
+            threads: &mut self.state.threads,
+            ends_turn: Cell::new(false),
         };
         self.state.pending = self.special.cycle(&mut devices).err();
         if specials > 0 {
@@ -247,11 +252,11 @@ impl<const J: usize> ControlCycle<'_, J> {
     fn change_threads(&mut self) {
         let (stopped, started) = self.state.threads.turn_over();
         for thread in stopped {
-            self.controller.select(thread);
+            self.controller.tasks.select(thread);
             self.controller.give_up();
             self.state.waiting &= !bit(thread);
         }
-        self.controller.select(0);
+        self.controller.tasks.select(0);
         for thread in started {
             self.program.begin(thread);
         }
@@ -300,7 +305,8 @@ impl<const J: usize> ControlCycle<'_, J> {
 
     /// Hands a row of TITAN.LOG to the console if this cycle is to be sampled.
     fn log(&mut self) {
-        if self.state.io.sampling.take() {
+        let io = &mut self.state.io;
+        if core::mem::take(&mut io.samples_once) || io.samples {
             let sample = sample(&*self.robot, self.controller, self.state);
             self.console.sample(&sample);
         }
@@ -380,5 +386,48 @@ fn sample<'a, const J: usize>(
         paws: soles.get(..sensors.angles.len()).unwrap_or(soles),
         knobs: sensors.inputs.of(Port::Knob(1)),
         antenna: sensors.inputs.get(Port::Antenna).unwrap_or(0.0),
+    }
+}
+
+/// A robot with any number of legs of `J` joints: what it measured last, and what it is sent.
+pub(super) trait DynHardware<const J: usize> {
+    fn read(&mut self) -> Result<(), HardwareFault>;
+    fn sensors(&self) -> SensorsView<'_, J>;
+    fn outputs(&mut self) -> OutputsView<'_, J>;
+    fn commands(&self) -> &[[JointCommand; J]];
+    fn write(&mut self) -> Result<(), HardwareFault>;
+    fn stop(&mut self, why: &Fault);
+}
+
+/// Hardware of a known size, and what goes in and out.
+pub(super) struct OfSize<'a, H, const L: usize, const J: usize> {
+    pub(super) hardware: &'a mut H,
+    pub(super) sensors: &'a mut Sensors<L, J>,
+    pub(super) outputs: &'a mut Outputs<L, J>,
+}
+
+impl<H: Hardware<L, J>, const L: usize, const J: usize> DynHardware<J> for OfSize<'_, H, L, J> {
+    fn read(&mut self) -> Result<(), HardwareFault> {
+        self.hardware.read(self.sensors)
+    }
+
+    fn sensors(&self) -> SensorsView<'_, J> {
+        self.sensors.view()
+    }
+
+    fn outputs(&mut self) -> OutputsView<'_, J> {
+        self.outputs.view()
+    }
+
+    fn commands(&self) -> &[[JointCommand; J]] {
+        &self.outputs.joints
+    }
+
+    fn write(&mut self) -> Result<(), HardwareFault> {
+        self.hardware.write(self.outputs)
+    }
+
+    fn stop(&mut self, why: &Fault) {
+        self.hardware.stop(why);
     }
 }

@@ -1,23 +1,100 @@
 //! The robot as steps and native code see it: motion goes to the controller, the rest is here.
 
-use super::io_state::IoState;
+use super::state::IoState;
+use super::threads::Threads;
 use crate::analog::{self, Connection};
 use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
+use crate::console::Console;
 use crate::controller::ControllerView;
 use crate::fault::Fault;
 use crate::hardware::SensorsView;
 use crate::model::Point;
-use crate::program::{Robot, SpecialVariable};
+use crate::program::{Context, Robot, SpecialVariable};
+use crate::record::Sink;
+use crate::special::{Call, Special};
 use crate::vibration::Vibration;
+use core::cell::Cell;
+use core::fmt::Display;
 
-/// A robot with any number of legs of `J` joints, in one cycle.
+/// A robot with any number of legs of `J` joints, in one cycle, and what else a step can reach.
 pub(super) struct Devices<'a, const J: usize> {
     pub(super) controller: &'a mut ControllerView<J>,
     pub(super) sensors: SensorsView<'a, J>,
     pub(super) io: &'a mut IoState,
+    /// Native code of SPECIAL; `None` while it runs itself: it calls no SPECIAL, and nothing that it commands is
+    /// recorded.
+    pub(super) special: Option<&'a mut dyn Special>,
+    pub(super) console: &'a mut dyn Console,
+    pub(super) sink: Option<&'a mut dyn Sink>,
+    /// The step does not continue one that waited.
+    pub(super) first: bool,
+    /// The thread that runs the step; 0 for the main program.
+    pub(super) thread: u8,
+    pub(super) threads: &'a mut Threads,
+    /// The step ends its turn. Reading an input does, too.
+    pub(super) ends_turn: Cell<bool>,
 }
 
 impl<const J: usize> Devices<'_, J> {
+    /// Runs a command.
+    fn run(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        match command.op {
+            Op::FlushBuf => self.io.key = None,
+            Op::LampOn => self.switch_lamp(command, true)?,
+            Op::LampOff => self.switch_lamp(command, false)?,
+            Op::SilentOn => self.io.silence = Some(true),
+            Op::SilentOff => self.io.silence = Some(false),
+            Op::LogStart => self.io.samples = true,
+            Op::LogStop => self.io.samples = false,
+            Op::LogOneShot => self.io.samples_once = true,
+            Op::OutputVariables => self.dump_variables(),
+            Op::AllStop | Op::AllStopRelease | Op::InitialPosture => {
+                return self.hold_or_release(command);
+            }
+            Op::StartTimer | Op::StopTimer | Op::RestartTimer | Op::ResetTimer => {
+                self.set_timer(command)?;
+            }
+            Op::SpeedUp => self.set_speed(command)?,
+            Op::Special => return self.call_special(command),
+            _ => return self.controller.command(command),
+        }
+        Ok(Poll::Done)
+    }
+
+    fn call_special(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        let special = self.special.take().ok_or(Fault::Domain)?;
+        self.controller.tasks.begin()?;
+        self.io.variables.share();
+        let value = |place: usize| command.values.get(place).map(|value| value.number());
+        let call = Call {
+            number: whole_byte(value(0))?,
+            arguments: [value(1), value(2)],
+            first: self.first,
+        };
+        let poll = special.poll(call, self)?;
+        self.controller.tasks.set_special(poll == Poll::Pending);
+        self.special = Some(special);
+        Ok(poll)
+    }
+
+    /// Records a command of the step.
+    fn note(&mut self, command: &Command<'_>) {
+        let (Some(sink), Some(_)) = (&mut self.sink, &self.special) else {
+            return;
+        };
+        if self.first && command.op.is_traced() {
+            sink.command(command);
+        }
+        let switched = match command.op {
+            Op::LampOn => true,
+            Op::LampOff => false,
+            _ => return,
+        };
+        if let Ok(device) = first_operand(command) {
+            sink.lamp(device, switched);
+        }
+    }
+
     fn dump_variables(&mut self) {
         self.io.dump_requested = true;
         self.io.held_for_dump |= self.controller.take_hold();
@@ -38,7 +115,7 @@ impl<const J: usize> Devices<'_, J> {
     }
 
     fn set_timer(&mut self, command: &Command<'_>) -> Result<(), Fault> {
-        let timer = whole_byte(command.values.first().map(|value| value.number()))?;
+        let timer = first_operand(command)?;
         let (resets, runs) = match command.op {
             Op::StartTimer => (true, Some(true)),
             Op::StopTimer => (false, Some(false)),
@@ -49,7 +126,7 @@ impl<const J: usize> Devices<'_, J> {
     }
 
     fn set_speed(&mut self, command: &Command<'_>) -> Result<(), Fault> {
-        match whole_byte(command.values.first().map(|value| value.number()))? {
+        match first_operand(command)? {
             0 => return Err(Fault::Domain),
             speed => self.io.speed = speed,
         }
@@ -57,7 +134,7 @@ impl<const J: usize> Devices<'_, J> {
     }
 
     fn switch_lamp(&mut self, command: &Command<'_>, on: bool) -> Result<(), Fault> {
-        let device = whole_byte(command.values.first().map(|value| value.number()))?;
+        let device = first_operand(command)?;
         if device >= self.controller.robot().lamps {
             return Err(Fault::Domain);
         }
@@ -92,8 +169,13 @@ impl<const J: usize> Devices<'_, J> {
     }
 }
 
+/// Returns the first operand as a number of 0…255.
+fn first_operand(command: &Command<'_>) -> Result<u8, Fault> {
+    whole_byte(command.values.first().map(|value| value.number()))
+}
+
 /// Returns a number given as a float, truncated, if it is 0…255.
-pub(super) fn whole_byte(value: Option<f64>) -> Result<u8, Fault> {
+fn whole_byte(value: Option<f64>) -> Result<u8, Fault> {
     let whole = libm::trunc(value.ok_or(Fault::Domain)?);
     if (0.0..=255.0).contains(&whole) {
         Ok(whole as u8)
@@ -109,27 +191,12 @@ fn index(number: u8) -> usize {
 
 impl<const J: usize> Robot for Devices<'_, J> {
     fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
-        match command.op {
-            Op::FlushBuf => self.io.keyboard.clear(),
-            Op::LampOn => self.switch_lamp(command, true)?,
-            Op::LampOff => self.switch_lamp(command, false)?,
-            Op::SilentOn => self.io.silence = Some(true),
-            Op::SilentOff => self.io.silence = Some(false),
-            Op::LogStart => self.io.sampling.start(),
-            Op::LogStop => self.io.sampling.stop(),
-            Op::LogOneShot => self.io.sampling.one_shot(),
-            Op::OutputVariables => self.dump_variables(),
-            Op::AllStop | Op::AllStopRelease | Op::InitialPosture => {
-                return self.hold_or_release(command);
-            }
-            Op::StartTimer | Op::StopTimer | Op::RestartTimer | Op::ResetTimer => {
-                self.set_timer(command)?;
-            }
-            Op::SpeedUp => self.set_speed(command)?,
-            Op::Special => return Err(Fault::Domain),
-            _ => return self.controller.command(command),
+        let poll = self.run(command)?;
+        self.note(command);
+        if command.op.ends_turn() {
+            self.ends_turn.set(true);
         }
-        Ok(Poll::Done)
+        Ok(poll)
     }
 
     fn teach(&self, what: Teach, target: Target) -> Result<[f64; MAX], Fault> {
@@ -137,6 +204,7 @@ impl<const J: usize> Robot for Devices<'_, J> {
     }
 
     fn analog(&self, port: Port) -> Result<f64, Fault> {
+        self.ends_turn.set(true);
         let volts = match port {
             Port::Channel(channel) => self.channel(channel)?,
             Port::Joint(leg, joint) => self.joint(index(leg), index(joint))?,
@@ -192,5 +260,45 @@ impl<const J: usize> Robot for Devices<'_, J> {
 
     fn set_special_variable(&mut self, variable: SpecialVariable, value: f64) -> Result<(), Fault> {
         self.io.variables.set(variable, J, value)
+    }
+}
+
+impl<const J: usize> Context for Devices<'_, J> {
+    fn key(&mut self) -> Option<u8> {
+        self.ends_turn.set(true);
+        self.io.key.take().map(|key| key.to_ascii_uppercase())
+    }
+
+    fn message(&mut self, text: &dyn Display) {
+        self.ends_turn.set(true);
+        self.console.message(text);
+        if let Some(sink) = &mut self.sink {
+            sink.say(text);
+        }
+    }
+
+    fn append(&mut self, text: &dyn Display) {
+        self.ends_turn.set(true);
+        self.console.append(text);
+        if let Some(sink) = &mut self.sink {
+            sink.out(text);
+        }
+    }
+
+    fn timer(&self, n: u8) -> f64 {
+        self.io.timers.time(n)
+    }
+
+    fn start_thread(&mut self, thread: u8) -> Result<(), Fault> {
+        self.threads.start(thread)
+    }
+
+    fn stop_thread(&mut self, thread: u8) {
+        self.threads.stop(thread);
+    }
+
+    fn wait_thread(&mut self, thread: u8) -> Result<Poll, Fault> {
+        self.ends_turn.set(true);
+        self.threads.wait(thread, self.thread)
     }
 }

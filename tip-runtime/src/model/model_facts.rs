@@ -59,4 +59,9 @@ impl Range {
     pub(crate) const fn nearest(&self, value: f64) -> f64 {
         value.max(self.min).min(self.max)
     }
+
+    /// Returns the range of a joint at `value`: one that is beyond its limits already may come back, not go on.
+    pub(crate) const fn including(&self, value: f64) -> Self {
+        Range::new(self.min.min(value), self.max.max(value))
+    }
 }

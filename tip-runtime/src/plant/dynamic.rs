@@ -19,13 +19,9 @@
 //! ```
 
 mod body_dynamics;
-mod cholesky;
 mod contact;
-mod edge_contact;
 mod fall_detector;
-mod foot_contact;
 mod leg;
-mod links;
 mod multibody;
 mod self_collision;
 mod servo;
@@ -35,20 +31,22 @@ mod terrain;
 pub use servo::Drives;
 
 use super::sensors::{LegInputs, Overrides, SensorNoise};
-use super::{DIVERGED, Fall, Foot, Limbs, Motion, Noise, Plant, Pose, TrackingErrors, Travel};
+use super::{
+    ContactLaw, DIVERGED, Fall, Foot, GRAVITY, Limbs, Motion, Noise, Plant, Pose, TrackingErrors,
+    Travel, fill_joints, is_lit,
+};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
 use crate::scene::Scene;
 use body_dynamics::{BodyDynamics, ExternalForce};
-use contact::ContactLaw;
 use fall_detector::FallDetector;
 use leg::LegBody;
 use multibody::Multibody;
 use nalgebra::Vector3;
 use spatial::{Inertia, Spatial};
-use terrain::{GRAVITY, Terrain};
+use terrain::Terrain;
 
 /// The velocity of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,7 +98,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
                 detector: FallDetector::new(&base.frame, &terrain),
                 base,
                 terrain,
-                law: ContactLaw::of(1.0, 1.0, 1.0),
+                law: ContactLaw::of_robot(1.0, 1.0, 1.0),
                 drives: Drives::default(),
                 unit: forces.map_or(1.0, |forces| forces.unit.per_newton_metre()),
                 period: model.standards.period,
@@ -239,32 +237,42 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
     /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
         let mut angles = [[0.0; J]; L];
-        leg::fill_joints(&self.robot.legs, &mut angles, |servo| {
-            servo.angle.to_degrees()
-        });
+        fill_joints(
+            &self.robot.legs,
+            |leg| &leg.servos,
+            &mut angles,
+            |servo| servo.angle.to_degrees(),
+        );
         angles
     }
 
     /// Returns the angular velocities of the joints, deg/s.
     pub fn rates(&self) -> [[f64; J]; L] {
         let mut rates = [[0.0; J]; L];
-        leg::fill_joints(&self.robot.legs, &mut rates, |servo| {
-            servo.rate.to_degrees()
-        });
+        fill_joints(
+            &self.robot.legs,
+            |leg| &leg.servos,
+            &mut rates,
+            |servo| servo.rate.to_degrees(),
+        );
         rates
     }
 
     /// Returns the motor torques, N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
         let mut torques = [[0.0; J]; L];
-        leg::fill_joints(&self.robot.legs, &mut torques, |servo| servo.torque);
+        fill_joints(
+            &self.robot.legs,
+            |leg| &leg.servos,
+            &mut torques,
+            |servo| servo.torque,
+        );
         torques
     }
 
     /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
-        let word = self.lamps.get(usize::from(device / 32));
-        word.is_some_and(|word| word >> (device % 32) & 1 == 1)
+        is_lit(&self.lamps, device)
     }
 
     fn robot_mut(&mut self) -> &mut Multibody<[LegBody<J>]> {
@@ -376,28 +384,14 @@ type Vector = Vector3<f64>;
 
 #[cfg(test)]
 mod tests {
-    extern crate std;
-
     use super::*;
-    use std::println;
-
-    /// Returns the bytes that the largest robot moves by, without its model and its inputs.
-    fn working_memory() -> usize {
-        let model = size_of::<[Leg<9>; 9]>();
-        let inputs = size_of::<Overrides<[LegInputs<9>; 9]>>();
-        size_of::<DynamicPlant<9, 9>>() - model - inputs
-    }
 
     #[test]
     fn the_largest_robot_moves_in_sixteen_kilobytes() {
-        let sizes = [
-            size_of::<DynamicPlant<4, 3>>(),
-            size_of::<DynamicPlant<6, 3>>(),
-            size_of::<DynamicPlant<9, 9>>(),
-        ];
-        println!("4 x 3, 6 x 3, 9 x 9: {sizes:?} bytes");
-        let working = working_memory();
-        println!("without model and inputs, 9 x 9: {working} bytes");
+        // Its model and its inputs do not change.
+        let model = size_of::<[Leg<9>; 9]>();
+        let inputs = size_of::<Overrides<[LegInputs<9>; 9]>>();
+        let working = size_of::<DynamicPlant<9, 9>>() - model - inputs;
         assert!(working <= 16 * 1024, "{working}");
     }
 }

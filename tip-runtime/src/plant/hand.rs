@@ -6,13 +6,11 @@
 //! Verlet (Hairer, Lubich and Wanner, *Geometric Numerical Integration*, 2006, ch. I.1), whose
 //! error is of second order. Steps are shorter over light objects, whose contacts swing faster.
 //!
-//! This is code of ours and not a physics engine on purpose. An engine such as rapier resolves
 //! A physics engine is not used on purpose. An engine such as rapier resolves contacts as
 //! constraints, whose forces depend on its solver's iterations; here the reading of a torque sensor
 //! follows from documented stiffnesses. An engine needs `alloc`, half a minute and fifty crates to
 //! build; this module needs none of them, and gives the same bits on every machine.
 //!
-//! Links are lines and fingertips points, so that forces act exactly where kinematics has the
 //! Links are lines and fingertips points, so that forces act exactly where kinematics has the
 //! fingertip. Fingers have no weight, since they are counterbalanced, and do not collide with each
 //! other: the fingers of one side are at different z.
@@ -33,17 +31,14 @@
 //! ```
 
 mod contact;
-mod contact_history;
 mod contact_model;
 mod finger;
 mod grasped_object;
 mod motor;
-mod overlap;
 mod rigid_body;
-mod slider;
 
 use super::sensors::{LegInputs, Overrides};
-use super::{DIVERGED, Grasp, Limbs, Plant};
+use super::{DIVERGED, Grasp, Limbs, Plant, is_lit};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
@@ -168,8 +163,7 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
 
     /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
-        let word = self.lamps.get(usize::from(device / 32));
-        word.is_some_and(|word| word >> (device % 32) & 1 == 1)
+        is_lit(&self.lamps, device)
     }
 }
 

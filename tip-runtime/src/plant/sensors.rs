@@ -34,16 +34,6 @@ impl<const J: usize> LegInputs<J> {
             angles: [None; J],
         }
     }
-
-    fn has(&self, joint: usize) -> bool {
-        joint < self.ranges.len()
-    }
-
-    fn set(&mut self, joint: usize, volts: f64) -> bool {
-        let joint = self.ranges.get(joint).zip(self.angles.get_mut(joint));
-        let set = joint.map(|(range, angle)| *angle = Some(analog::angle_of_volts(*range, volts)));
-        set.is_some()
-    }
 }
 
 impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
@@ -73,7 +63,7 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
     /// Returns true if the robot has this input.
     pub(super) fn has(&self, port: Port) -> bool {
         match self.connection(port) {
-            Connection::Joint(leg, joint) => self.legs.get(leg).is_some_and(|it| it.has(joint)),
+            Connection::Joint(leg, joint) => leg < self.legs.len() && joint < J,
             Connection::Input(port) => self.has_named(port),
             Connection::Open => false,
         }
@@ -83,8 +73,13 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
     pub(super) fn set(&mut self, port: Port, volts: f64) -> bool {
         match self.connection(port) {
             Connection::Joint(leg, joint) => {
-                let leg = self.legs.get_mut(leg);
-                leg.is_some_and(|leg| leg.set(joint, volts))
+                let Some(leg) = self.legs.get_mut(leg) else {
+                    return false;
+                };
+                let joint = leg.ranges.get(joint).zip(leg.angles.get_mut(joint));
+                joint
+                    .map(|(range, angle)| *angle = Some(analog::angle_of_volts(*range, volts)))
+                    .is_some()
             }
             Connection::Input(port) => self.has_named(port) && self.inputs.set(port, Some(volts)),
             Connection::Open => false,

@@ -17,40 +17,32 @@
 //! assert!(plant.margin() > 0.0, "its centre of mass is above what carries it");
 //! ```
 
-mod crossing;
-mod descent;
+pub(super) mod events;
 pub(super) mod fall;
-mod floor;
 mod ground;
 mod legs;
 mod links;
-mod odometry;
-pub(super) mod polygon;
 mod pose;
 mod servo;
 mod stance;
 mod support;
-pub(super) mod tracking;
-mod unmodelled;
 
+pub use events::{TrackingErrors, Unmodelled};
 pub use fall::Fall;
-pub use odometry::Travel;
-pub use pose::Pose;
+pub use pose::{Pose, Travel};
 pub use servo::ServoDynamics;
-pub use tracking::TrackingErrors;
-pub use unmodelled::Unmodelled;
 
 use super::sensors::{LegInputs, Overrides};
-use super::{DIVERGED, Limbs, Motion, Plant, are_sane};
+use super::{DIVERGED, Limbs, Motion, Plant, are_sane, fill_joints, is_lit};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
 use crate::scene::{BLOCKS, Block, Floor};
-use floor::Obstacles;
 use ground::Ground;
 use legs::{LegPlant, Legs};
 use nalgebra::Vector3;
+use pose::Obstacles;
 
 /// One foot of a simulated robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,15 +126,6 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self
     }
 
-    /// Sets the height above the lowest foot, along the body's z axis, up to which feet count as
-    /// standing in the detection of falls: `lift` mm, 20 mm by default. A program that leans the
-    /// body on purpose needs more.
-    #[must_use]
-    pub fn with_lift(mut self, lift: f64) -> Self {
-        self.ground.falls.lift = lift;
-        self
-    }
-
     /// Returns the pose of the body in the world.
     pub fn body(&self) -> Pose {
         self.ground.floor.pose(&self.ground.body)
@@ -194,11 +177,6 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.ground.falls.falls.count
     }
 
-    /// Returns the least margin so far, mm.
-    pub fn least_margin(&self) -> f64 {
-        self.ground.falls.least
-    }
-
     /// Returns the counts of effects that mass would have had.
     pub fn unmodelled(&self) -> Unmodelled {
         self.ground.unmodelled.counted
@@ -224,21 +202,30 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
         let mut angles = [[0.0; J]; L];
-        legs::fill_joints(&self.legs.each, &mut angles, |servo| servo.angle);
+        fill_joints(
+            &self.legs.each,
+            |leg| &leg.servos,
+            &mut angles,
+            |servo| servo.angle,
+        );
         angles
     }
 
     /// Returns the motor torques, N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
         let mut torques = [[0.0; J]; L];
-        legs::fill_joints(&self.legs.each, &mut torques, |servo| servo.torque);
+        fill_joints(
+            &self.legs.each,
+            |leg| &leg.servos,
+            &mut torques,
+            |servo| servo.torque,
+        );
         torques
     }
 
     /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
-        let word = self.lamps.get(usize::from(device / 32));
-        word.is_some_and(|word| word >> (device % 32) & 1 == 1)
+        is_lit(&self.lamps, device)
     }
 
     fn settle(&mut self) {
@@ -295,7 +282,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
             falls: self.falls(),
             upright_falls: self.ground.falls.falls.upright(),
             margin: self.margin(),
-            least_margin: self.least_margin(),
+            least_margin: self.ground.falls.least,
             slip: self.worst_slip(),
             tracking_errors: self.tracking_errors(),
             unmodelled: Some(self.unmodelled()),

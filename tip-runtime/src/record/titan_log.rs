@@ -16,7 +16,6 @@ const ROWS: usize = 10_000;
 /// (V).
 #[derive(Clone, Debug)]
 pub struct TitanLog {
-    rows: usize,
     capacity: usize,
     shape: Shape,
     cycles: Vec<u64>,
@@ -60,17 +59,10 @@ impl Default for TitanLog {
 
 impl TitanLog {
     /// Keeps at most `rows` rows. Memory is allocated once, with the first row.
-    pub const fn with_capacity(rows: usize) -> Self {
+    pub fn with_capacity(rows: usize) -> Self {
         TitanLog {
-            rows: 0,
             capacity: rows,
-            shape: Shape {
-                joints_per_leg: 0,
-                joints: 0,
-                torques: 0,
-                paws: 0,
-                knobs: 0,
-            },
+            shape: Shape::default(),
             cycles: Vec::new(),
             values: Vec::new(),
         }
@@ -78,26 +70,25 @@ impl TitanLog {
 
     /// Returns the number of rows.
     pub const fn len(&self) -> usize {
-        self.rows
+        self.cycles.len()
     }
 
     /// Returns true if nothing was sampled.
     pub const fn is_empty(&self) -> bool {
-        self.rows == 0
+        self.cycles.is_empty()
     }
 
     /// Adds a row, unless the buffer is full or the row has another shape than those before.
     pub fn push(&mut self, sample: &Sample<'_>) {
-        if self.rows == 0 {
+        if self.is_empty() {
             self.shape = Shape::of(sample);
             self.cycles.reserve_exact(self.capacity);
             self.values
                 .reserve_exact(self.capacity.saturating_mul(self.shape.width()));
         }
-        if self.rows >= self.capacity || self.shape != Shape::of(sample) {
+        if self.len() >= self.capacity || self.shape != Shape::of(sample) {
             return;
         }
-        self.rows += 1;
         self.cycles.push(sample.cycle);
         self.values.push(sample.time);
         self.values.extend_from_slice(sample.angles);
@@ -111,12 +102,9 @@ impl TitanLog {
 
     /// Truncates to `rows` rows; does nothing if there are fewer.
     pub fn truncate(&mut self, rows: usize) {
-        if rows < self.rows {
-            self.rows = rows;
-            self.cycles.truncate(rows);
-            self.values
-                .truncate(rows.saturating_mul(self.shape.width()));
-        }
+        self.cycles.truncate(rows);
+        self.values
+            .truncate(rows.saturating_mul(self.shape.width()));
     }
 
     fn joint_headings(

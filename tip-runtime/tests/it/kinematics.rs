@@ -284,8 +284,17 @@ fn joint_rates_give_the_foot_its_velocity() {
     let leg = &LEGS[2];
     let chain = Chain::new(leg, &[10.0, -5.0, 80.0]);
     let wanted = [30.0, -20.0, 50.0];
-    let rates = chain.joint_rates(wanted).expect("not singular");
-    assert!(close(chain.foot_velocity(&rates), wanted, 1e-9));
+    let rates = chain
+        .point_rates(LegPoint::Tip, wanted, [true; 3])
+        .expect("not singular");
+    assert!(close(
+        chain.point_velocity(LegPoint::Tip, &rates).expect("a foot"),
+        wanted,
+        1e-9
+    ));
     let stretched = Chain::new(leg, &[0.0, 0.0, 0.0]);
-    assert_eq!(stretched.joint_rates([1.0, 0.0, 0.0]), None);
+    assert_eq!(
+        stretched.point_rates(LegPoint::Tip, [1.0, 0.0, 0.0], [true; 3]),
+        None
+    );
 }

@@ -1,15 +1,25 @@
 //! One sampling time of a leg: set points move on, and joint commands follow from them.
+//!
+//! A joint's spring: `τ = k (θ_d − θ)`. A point's spring: `F = K (x_d − x)`, axis by axis. Either is
+//! bounded by the compliance limit, if one is set. A force acts through the joints as `τ = Jᵀ F`, and
+//! no joint is commanded more than `TORQUE_MAX`, or than its motor gives. This is stiffness control
+//! without an inner force loop (Salisbury, *Active Stiffness Control of a Manipulator in Cartesian
+//! Coordinates*, 1980), without damping of its own: that of the joints brings the robot to rest. Units:
+//! deg, mm, N, and torques in the robot's torque unit.
+//!
+//! A point takes its velocity over from the joints that moved it. A stretched leg that turns moves its foot along the
+//! border of its reach: neither on its way to the target nor by braking straight ahead would the foot stay
+//! within it. So joints may brake first, each for itself.
 
-use super::law::{bounded, spring};
-use super::reach::{follow, leap, name};
-use super::trial::PointOfLeg;
-use super::{Drive, LegDrive, Redundancy, Solved, THIRD};
-use crate::controller::params::{JointParams, LegParams, PointParams};
+use super::reach::{follow, has_few_joints, leap, name, reach};
+use super::redundancy::{PointOfLeg, Redundancy, has_choice};
+use super::{Drive, LegDrive, Solved, THIRD};
+use crate::controller::params::{JointParams, LegParams};
 use crate::controller::targets::number;
-use crate::controller::trajectory::{Goal, Track};
+use crate::controller::trajectory::{Goal, Limits, Track};
 use crate::fault::Fault;
 use crate::kinematics::{Chain, LegPoint, ROUNDING};
-use crate::model::{Inverse, Joint, Leg, Range};
+use crate::model::{Inverse, Joint, Leg};
 
 /// Values that all legs share while they move on.
 #[derive(Clone, Copy)]
@@ -101,7 +111,7 @@ impl<const J: usize> LegDrive<J> {
         result
     }
 
-    pub(super) fn advance_stiff_joint(
+    fn advance_stiff_joint(
         &mut self,
         (n, m): (u8, usize),
         track: &mut Track<1>,
@@ -114,8 +124,7 @@ impl<const J: usize> LegDrive<J> {
         let from = *angle;
         track.advance(params.limits(), cycle.dt, cycle.held);
         *angle = track.position().iter().sum();
-        // A joint that is beyond its limits already may come back, not go on.
-        let free = Range::new(joint.limits.min.min(from), joint.limits.max.max(from));
+        let free = joint.limits.including(from);
         let wanted = *angle;
         *angle = free.nearest(wanted);
         if !free.widened(ROUNDING).contains(wanted) {
@@ -241,15 +250,15 @@ impl<const J: usize> LegDrive<J> {
         track.advance(leg.params.foot.limits(), cycle.dt, cycle.held);
         let chain = Chain::new(leg.model, leg.measured);
         let at = cycle.inverse.flat(chain.point(point).unwrap_or([0.0; 3]));
-        let PointParams { stiffness, limit } = leg.params.foot.of_point(point);
         let force = match track.goal() {
             Goal::Effort(force) => {
                 *track = track.stopped_at(at);
                 force
             }
             _ => {
-                let stiffness = self.own_stiffness.unwrap_or(stiffness);
-                spring(stiffness, track.position(), at, limit)
+                let params = &leg.params.foot;
+                let stiffness = self.own_stiffness.unwrap_or(params.stiffness);
+                spring(stiffness, track.position(), at, params.limit(point))
             }
         };
         let Some(torques) = chain.torques_of_force(point, force) else {
@@ -294,4 +303,124 @@ impl<const J: usize> LegDrive<J> {
 /// Returns true if the numbers are equal to the bit.
 fn is_same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
     a.map(f64::to_bits) == b.map(f64::to_bits)
+}
+
+/// At how many places of its way to the line a foot is tried out.
+const PLACES: u8 = 8;
+
+/// Distance from its target at which a point has nowhere to go, mm.
+const THERE: f64 = 1e-6;
+
+impl<const J: usize> LegDrive<J> {
+    /// Returns the rates (deg/s) at which the joints turn, if they have to come to rest before
+    /// `point` can set off as `track` does.
+    pub(in crate::controller) fn brakes_first(
+        &self,
+        point: LegPoint,
+        track: &Track<3>,
+        leg: &Leg<J>,
+        (inverse, limits): (Inverse, Limits),
+    ) -> Option<[f64; J]> {
+        if let Some(own) = self.own_point(point)
+            && !own.goal().is_soft()
+        {
+            return match self.redundancy {
+                Redundancy::Brakes(rates) => Some(rates),
+                _ => None,
+            };
+        }
+        if track.is_at_rest() || has_few_joints::<J>(inverse, point) {
+            return None;
+        }
+        let reaches = |at| reach(inverse, leg, (point, 0), &self.angles, at).is_ok();
+        let goes = if has_choice::<J>(inverse, point) {
+            // It may have to wait for its postures.
+            reaches(track.rest_point(limits))
+        } else {
+            let shares = (1..=PLACES).map(|place| f64::from(place) / f64::from(PLACES));
+            shares
+                .into_iter()
+                .all(|share| reaches(track.ahead(limits, share)))
+        };
+        (!goes).then(|| self.rates(leg, inverse))
+    }
+
+    /// Returns the angles at which joints come to rest that brake from these rates.
+    pub(in crate::controller) fn rest_angles(
+        &self,
+        rates: &[f64; J],
+        leg: &Leg<J>,
+        params: &LegParams<J>,
+    ) -> [f64; J] {
+        let mut angles = self.angles;
+        let joints = leg.joints.iter().zip(&params.joints);
+        for ((angle, rate), (joint, params)) in angles.iter_mut().zip(rates).zip(joints) {
+            let [rest] = Track::moving([*angle], [*rate]).rest_point(params.limits());
+            *angle = joint.limits.nearest(rest);
+        }
+        angles
+    }
+
+    /// Lets the joints that move `point` brake for one sampling time; the point goes where they lead it, and sets
+    /// off once they are at rest.
+    pub(super) fn brake(
+        &mut self,
+        point: LegPoint,
+        track: &mut Track<3>,
+        mut rates: [f64; J],
+        (leg, cycle): (&MovingLeg<'_, J>, &CycleParams),
+    ) -> Result<(), Fault> {
+        let mut result = Ok(());
+        let joints = leg.model.joints.iter().zip(&leg.params.joints);
+        let joints = joints.enumerate().take(point.moved_by(J));
+        for ((m, joint), (rate, angle)) in joints.zip(rates.iter_mut().zip(self.angles)) {
+            let mut braking = Track::moving([angle], [*rate]);
+            let moved = self.advance_stiff_joint((leg.number, m), &mut braking, joint, cycle);
+            *rate = braking.velocity().iter().sum();
+            result = result.and(moved);
+        }
+        let place = Chain::new(leg.model, &self.angles).point(point);
+        *track = track.stopped_at(place.map_or(track.position(), |at| cycle.inverse.flat(at)));
+        let is_at_rest = rates
+            .iter()
+            .take(point.moved_by(J))
+            .all(|rate| *rate == 0.0);
+        self.redundancy = match track.goal().target() {
+            _ if !is_at_rest => Redundancy::Brakes(rates),
+            Some(target) if !is_near(track.position(), target) => {
+                let line = (track.position(), target);
+                Redundancy::seek(cycle.inverse, leg.model, point, &self.angles, line, None)
+            }
+            _ => Redundancy::None,
+        };
+        result
+    }
+}
+
+fn is_near(at: [f64; 3], target: [f64; 3]) -> bool {
+    at.iter()
+        .zip(target)
+        .all(|(at, target)| libm::fabs(at - target) <= THERE)
+}
+
+/// Returns the pull of a spring, bounded by `limit` where there is one.
+pub(super) fn spring<const N: usize>(
+    stiffness: [f64; N],
+    target: [f64; N],
+    at: [f64; N],
+    limit: Option<[f64; N]>,
+) -> [f64; N] {
+    let mut pull = stiffness;
+    for (pull, (target, at)) in pull.iter_mut().zip(target.iter().zip(at)) {
+        *pull *= target - at;
+    }
+    for (pull, limit) in pull.iter_mut().zip(limit.into_iter().flatten()) {
+        *pull = bounded(*pull, limit);
+    }
+    pull
+}
+
+/// Returns `value` within ±`most`.
+pub(in crate::controller) fn bounded(value: f64, most: f64) -> f64 {
+    value.min(most).max(-most)
 }

@@ -4,15 +4,20 @@
 //! and one in which its point is at the target. Resolved rate puts the point on its line and leaves the
 //! rest to that posture. The line is tried out before the leg sets off; where a posture leads into a
 //! limit, another one is tried. If that takes more than one cycle, the leg waits, or brakes first.
+//!
+//! The search begins at the target with the posture nearest to the present one, and goes on from postures that are
+//! spread over the limits; it tries a few pieces of the line in each cycle. The limits of joints are intervals: between
+//! two postures within them no joint is beyond its own.
+//!
+//! The postures of a straight leg's point are few, and those on its one side may end at a limit immediately. A nearly
+//! straight leg bends first, with its point in place: it turns through the postures of that place until it is bent
+//! towards the middle of its limits.
 
-use super::bend::Bend;
-use super::posture_path::{Line, PosturePath};
+use super::distance;
 use super::reach::has_few_joints;
-use super::search::{Outcome, Search};
-use super::trial::PointOfLeg;
-use crate::controller::trajectory::{Limits, Track};
-use crate::kinematics::{self, LegPoint};
-use crate::model::{Inverse, Leg};
+use crate::controller::trajectory::{Goal, Limits, Track};
+use crate::kinematics::{self, LegPoint, is_straight, largest_turn, resolve_piece};
+use crate::model::{Axes, Inverse, Leg};
 
 /// The rule that redundant joints follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,42 +35,27 @@ pub(in crate::controller) enum Redundancy<const J: usize> {
 }
 
 impl<const J: usize> Redundancy<J> {
-    /// Starts a motion on the path of a point along `line`, for a leg at the angles `from`.
-    pub(in crate::controller) fn to_place(
+    /// Starts a motion on the path of a point along `line`, for a leg at the angles `from`, whose joints return to the
+    /// angles `home`, if there are any.
+    pub(in crate::controller) fn seek(
         inverse: Inverse,
         leg: &Leg<J>,
         point: LegPoint,
         from: &[f64; J],
         line: Line,
+        home: Option<[f64; J]>,
     ) -> Self {
-        if has_choice::<J>(inverse, point) {
-            let axes = inverse.axes();
-            let point = PointOfLeg { leg, point, axes };
-            Redundancy::Sought(Search::new(&point, *from, line, None))
-        } else {
-            Redundancy::None
+        if !has_choice::<J>(inverse, point) {
+            return Redundancy::None;
         }
-    }
-
-    /// Starts a motion on the path of the foot along `line` to its initial posture, for a leg at
-    /// the angles `from`.
-    pub(in crate::controller) fn to_initial(
-        inverse: Inverse,
-        leg: &Leg<J>,
-        from: &[f64; J],
-        line: Line,
-    ) -> Self {
-        if has_choice::<J>(inverse, LegPoint::Tip) {
-            let (point, axes) = (LegPoint::Tip, inverse.axes());
-            let point = PointOfLeg { leg, point, axes };
-            Redundancy::Sought(Search::new(&point, *from, line, Some(leg.initial)))
-        } else {
-            Redundancy::None
-        }
+        let axes = inverse.axes();
+        let point = PointOfLeg { leg, point, axes };
+        Redundancy::Sought(Search::new(&point, *from, line, home))
     }
 
     /// Goes on with a search for postures, for a leg at the angles `from`. If its point moves, and would
     /// swing too far to the side of its line, the leg brakes first.
+    #[inline]
     pub(super) fn look(
         &mut self,
         point: &PointOfLeg<'_, J>,
@@ -104,6 +94,7 @@ impl<const J: usize> Redundancy<J> {
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
+    #[inline]
     pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
         match self {
             Redundancy::None | Redundancy::Brakes(_) | Redundancy::Sought(_) => {}
@@ -121,6 +112,7 @@ impl<const J: usize> Redundancy<J> {
     }
 
     /// Returns the posture that the joints at `angles` turn towards, for a point on `line`.
+    #[inline]
     pub(super) fn posture(&self, angles: &[f64; J], line: Line) -> Option<[f64; J]> {
         match self {
             Redundancy::None | Redundancy::Brakes(_) => None,
@@ -134,4 +126,591 @@ impl<const J: usize> Redundancy<J> {
 /// Returns true if enough joints move a point for every direction, and no closed form decides.
 pub(super) fn has_choice<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
     !inverse.is_closed() && !has_few_joints::<J>(inverse, point)
+}
+
+/// The pieces of a line that are tried in one cycle, at most: enough for the nearest posture and for as
+/// many pieces as lines mostly have, so that most legs set off immediately.
+const A_CYCLE: usize = 48;
+
+/// Number of pieces that take as many turns as a posture that is started from anywhere.
+const START: usize = 6;
+
+/// Number of postures to start from for a leg that goes past the middle of its limits, or has bent.
+const STARTS_AGAIN: usize = 4;
+
+/// Number of times that a posture at the target is drawn nearer to the present one.
+const DRAWS: u8 = 8;
+
+/// State of a search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::controller) struct Search<const J: usize> {
+    from: [f64; J],
+    line: Line,
+    /// Angles to return to, if the joints do.
+    home: Option<[f64; J]>,
+    attempt: Attempt,
+    /// True if the leg was straight when the search began.
+    is_straight: bool,
+    /// The number of the next posture to start from: 0 of the present one.
+    next: usize,
+    stage: Stage<J>,
+}
+
+/// One attempt of several in order; a straight leg, whose posture does not show to which side it
+/// bends, tries the second first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Attempt {
+    /// Directly from posture to posture.
+    Direct,
+    /// Past the middle of the limits.
+    Bowed,
+    /// From the posture to which a nearly straight leg may bend first.
+    Bent,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Stage<const J: usize> {
+    /// Another posture is to be started from.
+    Starting,
+    /// A posture at the target is drawn nearer, and was so often before.
+    Drawing([f64; J], u8),
+    /// Postures are tried out.
+    Trying(Trial<J>),
+    /// The leg is bent to the other side.
+    Bending(Bending<J>),
+    /// None is left.
+    Exhausted,
+}
+
+impl<const J: usize> Stage<J> {
+    /// Returns the number of pieces that its next step is worth.
+    const fn pieces(&self) -> usize {
+        match self {
+            Stage::Starting => START,
+            Stage::Drawing(..) | Stage::Trying(_) | Stage::Bending(_) | Stage::Exhausted => 1,
+        }
+    }
+}
+
+/// Result of a search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Outcome<const J: usize> {
+    Found(PosturePath<J>),
+    /// Once the leg has bent.
+    Bends(Bend<J>),
+    /// No postures are known that lead there.
+    Nothing,
+}
+
+impl<const J: usize> Search<J> {
+    /// Creates a search for a leg at the angles `from`, whose joints return to the angles `home`,
+    /// if there are any.
+    fn new(point: &PointOfLeg<'_, J>, from: [f64; J], line: Line, home: Option<[f64; J]>) -> Self {
+        let is_straight = home.is_none() && is_straight(point.leg, &from, point.point, point.axes);
+        let stage = match home {
+            Some(home) => Stage::Trying(Trial::new(straight(from, home, line), from)),
+            None => Stage::Starting,
+        };
+        Search {
+            from,
+            line,
+            home,
+            attempt: if is_straight {
+                Attempt::Bowed
+            } else {
+                Attempt::Direct
+            },
+            is_straight,
+            next: 0,
+            stage,
+        }
+    }
+
+    /// Goes on for one cycle, anew if the point is not at `place` any more.
+    // Out of line: most cycles search for nothing.
+    #[inline(never)]
+    fn advance(
+        &mut self,
+        point: &PointOfLeg<'_, J>,
+        from: &[f64; J],
+        place: [f64; 3],
+    ) -> Option<Outcome<J>> {
+        if self.line.0 != place {
+            *self = Search::new(point, *from, (place, self.line.1), self.home);
+        }
+        let mut pieces = 0;
+        while pieces < A_CYCLE {
+            pieces += self.stage.pieces();
+            if let Some(outcome) = self.step(point) {
+                return Some(outcome);
+            }
+        }
+        None
+    }
+
+    /// Solves the leg once, in as many turns as its stage is worth.
+    fn step(&mut self, point: &PointOfLeg<'_, J>) -> Option<Outcome<J>> {
+        self.stage = match self.stage {
+            Stage::Starting => self.start(point),
+            Stage::Drawing(end, draws) => self.draw(point, end, draws),
+            Stage::Trying(trial) => match trial.try_piece(point, self.line) {
+                TrialResult::SoFar(trial) => Stage::Trying(trial),
+                TrialResult::Leads(guide) if self.attempt == Attempt::Bent => {
+                    let bend = Bend {
+                        aim: middle(point.leg),
+                        to: self.from,
+                        end: guide.with_left(0.0),
+                        line: self.line,
+                        step: 0.0,
+                        left: BEND_TIME,
+                    };
+                    return Some(Outcome::Bends(bend));
+                }
+                TrialResult::Leads(guide) => return Some(Outcome::Found(guide)),
+                TrialResult::Fails => Stage::Starting,
+            },
+            Stage::Bending(bending) => match bending.bend(point, self.line.0) {
+                BendResult::SoFar(bending) => Stage::Bending(bending),
+                BendResult::To(angles) => {
+                    self.from = angles;
+                    self.again(Attempt::Bent)
+                }
+                BendResult::Fails => return Some(Outcome::Nothing),
+            },
+            Stage::Exhausted => match (self.home, self.attempt) {
+                (Some(home), _) => {
+                    return Some(Outcome::Found(straight(self.from, home, self.line)));
+                }
+                (None, Attempt::Direct) if !self.is_straight => self.again(Attempt::Bowed),
+                (None, Attempt::Bowed) if self.is_straight => self.again(Attempt::Direct),
+                (None, Attempt::Direct | Attempt::Bowed) => Stage::Bending(Bending {
+                    from: self.from,
+                    angles: self.from,
+                    steps: 0,
+                }),
+                (None, Attempt::Bent) => return Some(Outcome::Nothing),
+            },
+        };
+        None
+    }
+
+    fn again(&mut self, attempt: Attempt) -> Stage<J> {
+        (self.next, self.attempt) = (0, attempt);
+        Stage::Starting
+    }
+
+    fn start(&mut self, point: &PointOfLeg<'_, J>) -> Stage<J> {
+        let mut starts = core::iter::once(self.from).chain(kinematics::starts(point.leg));
+        let is_last = self.attempt != Attempt::Direct && self.next >= STARTS_AGAIN;
+        let Some(start) = starts.nth(self.next).filter(|_| !is_last) else {
+            return Stage::Exhausted;
+        };
+        self.next += 1;
+        kinematics::resolve(point.leg, &start, point.point, self.line.1, point.axes)
+            .map_or(Stage::Starting, |end| Stage::Drawing(end, 0))
+    }
+
+    fn draw(&self, point: &PointOfLeg<'_, J>, end: [f64; J], draws: u8) -> Stage<J> {
+        let (target, axes) = (self.line.1, point.axes);
+        match resolve_piece(point.leg, &end, point.point, target, axes, &self.from) {
+            Some(end) if draws + 1 < DRAWS => Stage::Drawing(end, draws + 1),
+            nearest => {
+                let end = nearest.unwrap_or(end);
+                let bow = (self.attempt == Attempt::Bowed).then(|| middle(point.leg));
+                let guide = PosturePath {
+                    home: self.home,
+                    bow,
+                    ..PosturePath::between(self.from, end, self.line)
+                };
+                Stage::Trying(Trial::new(guide, self.from))
+            }
+        }
+    }
+}
+
+/// Postures straight to the initial one.
+fn straight<const J: usize>(from: [f64; J], home: [f64; J], line: Line) -> PosturePath<J> {
+    PosturePath::between(from, home, line).eased()
+}
+
+/// Shortest time of the return to the initial angles, s.
+const RETURN: f64 = 0.8;
+
+/// Limits of the pace, which speeds up in the first half of that time and slows down in the second.
+const PACE: Limits = Limits {
+    speed: 2.0 / RETURN,
+    acceleration: 4.0 / (RETURN * RETURN),
+};
+
+/// The share of the way to the posture past which it goes that a bowed leg takes halfway.
+const MOST_BOW: f64 = 0.75;
+
+/// A straight line of a point: from where to where, in mm.
+type Line = ([f64; 3], [f64; 3]);
+
+/// Postures between two ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::controller) struct PosturePath<const J: usize> {
+    from: [f64; J],
+    to: [f64; J],
+    /// Distance of the point from its target at the start, mm.
+    length: f64,
+    /// Rest of the path to the posture, where time decides as well.
+    ease: Option<Track<1>>,
+    /// The posture to be taken once the point is at its target, if it is not `to`.
+    home: Option<[f64; J]>,
+    /// The posture past which the leg goes halfway, if it does not go straight.
+    bow: Option<[f64; J]>,
+}
+
+impl<const J: usize> PosturePath<J> {
+    /// Postures for a point on `line`, in step with it.
+    fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
+        PosturePath {
+            from,
+            to,
+            length: distance(line.0, line.1),
+            ease: None,
+            home: None,
+            bow: None,
+        }
+    }
+
+    /// Limits the motion to the speed that [`RETURN`] allows.
+    fn eased(self) -> Self {
+        let ease = Track::resting([1.0]).towards(Goal::Point {
+            target: [0.0],
+            hs: false,
+        });
+        PosturePath {
+            ease: Some(ease),
+            ..self
+        }
+    }
+
+    /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
+    fn advance(&mut self, line: Line, dt: f64, held: bool) {
+        if let Some(ease) = &mut self.ease {
+            ease.advance(PACE, dt, held);
+        }
+        if line.0 == line.1
+            && let Some(home) = self.home
+        {
+            *self = PosturePath::between(self.to, home, line).eased();
+        }
+    }
+
+    fn is_at_rest(&self) -> bool {
+        self.ease.as_ref().is_none_or(Track::is_at_rest)
+    }
+
+    /// Returns the posture for a point that is at `place` and goes to `target`.
+    fn posture(&self, place: [f64; 3], target: [f64; 3]) -> [f64; J] {
+        let line = if self.length > 0.0 {
+            (distance(place, target) / self.length).min(1.0)
+        } else {
+            0.0
+        };
+        let time = self.ease.map_or(0.0, |ease| ease.position().iter().sum());
+        self.with_left(line.max(time))
+    }
+
+    /// Returns the posture with a share `left` of the way to go.
+    fn with_left(&self, left: f64) -> [f64; J] {
+        let mut posture = self.to;
+        for (angle, from) in posture.iter_mut().zip(self.from) {
+            *angle += left * (from - *angle);
+        }
+        for (angle, bow) in posture.iter_mut().zip(self.bow.into_iter().flatten()) {
+            *angle += MOST_BOW * 4.0 * left * (1.0 - left) * (bow - *angle);
+        }
+        posture
+    }
+}
+
+/// Pieces of a line are no longer than this share of it.
+const LONGEST: f64 = 1.0 / 32.0;
+
+/// Nor shorter than this.
+const SHORTEST: f64 = 1.0 / 16384.0;
+
+/// The most pieces that are tried.
+const PIECES: u16 = 400;
+
+/// Turn of a joint beyond which a piece has left out what is between, deg.
+const LEAP: f64 = 6.0;
+
+/// A point of a leg that is to be put somewhere, and the axes that count.
+#[derive(Clone, Copy)]
+pub(super) struct PointOfLeg<'a, const J: usize> {
+    pub(super) leg: &'a Leg<J>,
+    pub(super) point: LegPoint,
+    pub(super) axes: Axes,
+}
+
+/// A trial of the postures that lead a point along a line, as far as it has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Trial<const J: usize> {
+    guide: PosturePath<J>,
+    angles: [f64; J],
+    gone: f64,
+    piece: f64,
+    pieces: u16,
+}
+
+/// Result of one piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum TrialResult<const J: usize> {
+    /// The line has to be tried farther.
+    SoFar(Trial<J>),
+    /// The postures lead to the target.
+    Leads(PosturePath<J>),
+    /// The postures do not lead to the target.
+    Fails,
+}
+
+impl<const J: usize> Trial<J> {
+    fn new(guide: PosturePath<J>, from: [f64; J]) -> Self {
+        Trial {
+            guide,
+            angles: from,
+            gone: 0.0,
+            piece: LONGEST,
+            pieces: 0,
+        }
+    }
+
+    /// Tries one piece, and half of it next if the point does not get over it without a leap.
+    fn try_piece(mut self, point: &PointOfLeg<'_, J>, line: Line) -> TrialResult<J> {
+        let next = (self.gone + self.piece).min(1.0);
+        let posture = self.guide.with_left(1.0 - next);
+        let at = on_line(line, next);
+        let turned = resolve_piece(
+            point.leg,
+            &self.angles,
+            point.point,
+            at,
+            point.axes,
+            &posture,
+        )
+        .filter(|turned| largest_turn(&self.angles, turned) <= LEAP);
+        self.pieces += 1;
+        match turned {
+            Some(_) if next >= 1.0 => return TrialResult::Leads(self.guide),
+            Some(turned) => {
+                (self.angles, self.gone) = (turned, next);
+                self.piece = (self.piece * 2.0).min(LONGEST);
+            }
+            None => self.piece /= 2.0,
+        }
+        if self.piece < SHORTEST || self.pieces >= PIECES {
+            return TrialResult::Fails;
+        }
+        TrialResult::SoFar(self)
+    }
+}
+
+/// Returns the place with a share `gone` of a line left behind.
+fn on_line((place, target): Line, gone: f64) -> [f64; 3] {
+    let mut at = target;
+    for (at, place) in at.iter_mut().zip(place) {
+        *at += (1.0 - gone) * (place - *at);
+    }
+    at
+}
+
+/// Joint speed of a leg that bends, deg/s.
+const BEND_RATE: f64 = 30.0;
+
+/// Turn of the joints in one step of the search for a bend, deg.
+const BEND_STEP: f64 = 0.5;
+
+/// The most steps of that search.
+const BEND_STEPS: u8 = 60;
+
+/// Largest turn for which a leg is nearly straight, deg.
+const BEND_FARTHEST: f64 = 25.0;
+
+/// Joints that turn less than this share of a step have arrived.
+const AT_REST: f64 = 0.05;
+
+/// Longest time that a leg bends, s.
+const BEND_TIME: f64 = 3.0;
+
+/// Distance from the posture at which joints have taken it, deg.
+const TAKEN: f64 = 0.2;
+
+/// A leg that bends, and what it does then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::controller) struct Bend<const J: usize> {
+    aim: [f64; J],
+    to: [f64; J],
+    /// The posture at the end of the line that follows.
+    end: [f64; J],
+    line: Line,
+    /// Turn of the joints in this cycle, deg.
+    step: f64,
+    /// Time that the leg may still take, s.
+    left: f64,
+}
+
+impl<const J: usize> Bend<J> {
+    /// Moves on by `dt` seconds; what is held waits.
+    fn advance(&mut self, dt: f64, held: bool) {
+        let dt = if held { 0.0 } else { dt };
+        self.step = BEND_RATE * dt;
+        self.left -= dt;
+    }
+
+    /// Returns the postures to follow once the leg at `angles` is bent.
+    fn done(&self, angles: &[f64; J]) -> Option<PosturePath<J>> {
+        let is_near = largest_turn(angles, &self.to) <= TAKEN;
+        (is_near || self.left <= 0.0).then(|| PosturePath::between(*angles, self.end, self.line))
+    }
+
+    /// Returns the posture that the joints at `angles` turn towards.
+    fn posture(&self, angles: &[f64; J]) -> [f64; J] {
+        towards(angles, &self.aim, self.step)
+    }
+}
+
+/// The search for a posture with the leg bent to the other side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Bending<const J: usize> {
+    from: [f64; J],
+    angles: [f64; J],
+    steps: u8,
+}
+
+/// Result of one step of the search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum BendResult<const J: usize> {
+    SoFar(Bending<J>),
+    /// The leg is bent.
+    To([f64; J]),
+    /// The leg does not bend.
+    Fails,
+}
+
+impl<const J: usize> Bending<J> {
+    /// Turns the joints by one step, with the point at `place`.
+    fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> BendResult<J> {
+        let before = self.angles;
+        let posture = towards(&before, &middle(point.leg), BEND_STEP);
+        let turned = resolve_piece(point.leg, &before, point.point, place, point.axes, &posture);
+        let Some(angles) = turned else {
+            return BendResult::Fails;
+        };
+        if largest_turn(&angles, &before) <= AT_REST * BEND_STEP {
+            return match largest_turn(&angles, &self.from) > TAKEN {
+                true => BendResult::To(angles),
+                false => BendResult::Fails,
+            };
+        }
+        (self.angles, self.steps) = (angles, self.steps + 1);
+        if self.steps >= BEND_STEPS || largest_turn(&angles, &self.from) > BEND_FARTHEST {
+            return BendResult::Fails;
+        }
+        BendResult::SoFar(self)
+    }
+}
+
+/// Returns the middle of the limits.
+fn middle<const J: usize>(leg: &Leg<J>) -> [f64; J] {
+    kinematics::starts(leg).nth(1).unwrap_or([0.0; J])
+}
+
+/// Returns the posture that joints lean to in order to turn by about `step` towards `aim`; the
+/// first joint only turns the leg.
+fn towards<const J: usize>(angles: &[f64; J], aim: &[f64; J], step: f64) -> [f64; J] {
+    let mut posture = *angles;
+    let share = 2.0 * step / largest_turn(angles, aim).max(step);
+    for (posture, aim) in posture.iter_mut().zip(aim).skip(1) {
+        *posture += share * (aim - *posture);
+    }
+    posture
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::controller::drive::redundancy::{A_CYCLE, Outcome, PointOfLeg, Search, Stage};
+    use crate::kinematics::{Chain, LegPoint};
+    use crate::model::{Inverse, hand};
+
+    /// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
+    struct Dice(u64);
+
+    impl Dice {
+        fn within(&mut self, min: f64, max: f64) -> f64 {
+            self.0 ^= self.0 << 13;
+            self.0 ^= self.0 >> 7;
+            self.0 ^= self.0 << 17;
+            min + (max - min) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        }
+    }
+
+    /// Cycles that a search takes at most: 18 postures, 60 steps of bending, twice 4 postures more; a line of
+    /// 400 pieces each, 9 solutions before.
+    const LONGEST: usize = (18 * 414 + 60 + 2 * 4 * 414) / A_CYCLE + 1;
+
+    /// Returns the result of a search and its number of cycles; each is compared with as many steps.
+    fn searched(
+        point: LegPoint,
+        start: [f64; 3],
+        to: [f64; 3],
+        home: Option<[f64; 3]>,
+    ) -> (bool, usize) {
+        let leg = &hand::MODEL.legs[0];
+        let place = Chain::new(leg, &start).point(point).expect("a point");
+        let point = PointOfLeg {
+            leg,
+            point,
+            axes: Inverse::Planar.axes(),
+        };
+        let mut search = Search::new(&point, start, (place, to), home);
+        for cycle in 1..=LONGEST {
+            let mut stepped = search;
+            let (mut pieces, mut steps) = (0, None);
+            while pieces < A_CYCLE && steps.is_none() {
+                pieces += if stepped.stage == Stage::Starting {
+                    6
+                } else {
+                    1
+                };
+                steps = stepped.step(&point);
+            }
+            assert!(pieces < 48 + 6, "{pieces}");
+            let found = search.advance(&point, &start, place);
+            assert_eq!((search, found), (stepped, steps), "{cycle}");
+            if let Some(outcome) = found {
+                return (outcome != Outcome::Nothing, cycle);
+            }
+        }
+        panic!("{start:?} {to:?}: no end");
+    }
+
+    #[test]
+    fn no_cycle_solves_a_leg_more_often_than_the_bound() {
+        let mut dice = Dice(0x2545_F491_4F6C_DD1D);
+        let (mut at_once, mut later, mut in_vain) = (0, 0, 0);
+        for number in 0..600 {
+            let start = [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)];
+            let start = start.map(|(min, max)| dice.within(min, max));
+            let [x, y] = [(-200.0, 80.0), (-150.0, 100.0)].map(|(min, max)| dice.within(min, max));
+            let point = if number % 2 == 0 {
+                LegPoint::Tip
+            } else {
+                LegPoint::Joint(2)
+            };
+            match searched(point, start, [x, y, 0.0], None) {
+                (true, 1) => at_once += 1,
+                (true, _) => later += 1,
+                (false, _) => in_vain += 1,
+            }
+        }
+        assert!(
+            at_once > 50 && later > 5 && in_vain > 50,
+            "{at_once} {later} {in_vain}"
+        );
+    }
 }

@@ -1,8 +1,6 @@
 //! Times in closed form, limits, continuity and arrival of moving set points.
 
-mod braking;
-
-use super::{Goal, INSTANT, Limits, Track, vector};
+use super::{Goal, INSTANT, Limits, Track, add_scaled, dot, norm};
 
 const ORIGIN: [f64; 3] = [0.0; 3];
 
@@ -18,7 +16,7 @@ const fn to<const N: usize>(target: [f64; N]) -> Goal<N> {
 }
 
 fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
-    vector::norm(vector::add_scaled(a, b, -1.0))
+    norm(add_scaled(a, b, -1.0))
 }
 
 /// Returns the number of cycles until the set point is at its target.
@@ -91,8 +89,8 @@ fn the_way_is_straight_and_never_passes_its_end() {
     let mut before = 0.0;
     for _ in 0..200 {
         track.advance(limits(300.0, 600.0), 0.02, false);
-        let way = vector::norm(track.position());
-        let along = vector::dot(track.position(), target) / 130.0;
+        let way = norm(track.position());
+        let along = dot(track.position(), target) / 130.0;
         assert!((way - along).abs() < 1e-9, "off the line");
         assert!(way >= before && way <= 130.0 + 1e-9);
         before = way;
@@ -175,7 +173,7 @@ fn random_retargets_exceed_no_limit_and_never_jump() {
             let held = dice.next().is_multiple_of(10);
             let before = track;
             track.advance(limits, dt, held);
-            let speed = vector::norm(track.velocity());
+            let speed = norm(track.velocity());
             assert!(speed <= limits.speed * (1.0 + 1e-9));
             let change = distance(track.velocity(), before.velocity());
             assert!(change <= limits.acceleration * dt * (1.0 + 1e-6) + 1e-9);
@@ -197,7 +195,7 @@ fn a_target_that_moves_ahead_is_followed_at_full_speed() {
         track = track.towards(to(ahead));
         track.advance(limits(200.0, 400.0), 0.02, false);
     }
-    assert!((vector::norm(track.velocity()) - 200.0).abs() < 1e-9);
+    assert!((norm(track.velocity()) - 200.0).abs() < 1e-9);
 }
 
 #[test]
@@ -213,8 +211,8 @@ fn limits_may_change_on_the_way() {
             track.advance(limits, dt, false);
             let change = distance(track.velocity(), before.velocity());
             assert!(change <= limits.acceleration * dt * (1.0 + 1e-6) + 1e-9);
-            let allowed = limits.speed.max(vector::norm(before.velocity()));
-            assert!(vector::norm(track.velocity()) <= allowed * (1.0 + 1e-9));
+            let allowed = limits.speed.max(norm(before.velocity()));
+            assert!(norm(track.velocity()) <= allowed * (1.0 + 1e-9));
         }
         cycles(&mut track, limits(100.0, 100.0), 0.02);
     }
@@ -322,7 +320,7 @@ fn a_velocity_is_reached_under_the_acceleration_limit() {
     }
     assert_eq!(track.velocity(), [30.0, 40.0, 0.0]);
     // 0.1 s to reach it (2.5 mm), 0.1 s at it (5 mm).
-    assert!((vector::norm(track.position()) - 7.5).abs() < 1e-9);
+    assert!((norm(track.position()) - 7.5).abs() < 1e-9);
 }
 
 #[test]
@@ -335,4 +333,75 @@ fn far_targets_make_no_nonsense() {
             assert!(track.velocity().iter().all(|x| x.is_finite()));
         }
     }
+}
+
+#[test]
+fn the_rest_point_is_where_braking_ends() {
+    let limits = limits(300.0, 600.0);
+    let mut track = Track::moving(ORIGIN, [0.0, 120.0, 50.0]);
+    let rest = track.rest_point(limits);
+    // v² / 2 a = 130² / 1200.
+    assert!((norm(rest) - 14.083_333_333).abs() < 1e-6);
+    track = track.towards(to(rest));
+    for _ in 0..12 {
+        track.advance(limits, 0.02, false);
+    }
+    assert_eq!(track.position(), rest);
+    assert!(track.is_at_rest());
+}
+
+#[test]
+fn the_swing_is_the_farthest_place_to_the_side_of_the_line() {
+    let limits = limits(300.0, 600.0);
+    // At a right angle the part across brakes with the √½ of the acceleration: v² / √2 a = 12.02.
+    let right = Track::moving(ORIGIN, [0.0, 101.0, 0.0]).towards(to([200.0, 0.0, 0.0]));
+    let [_, y, _] = right.swing(limits);
+    assert!((y - 101.0 * 101.0 / (600.0 * core::f64::consts::SQRT_2)).abs() < 1e-9);
+    // Aslant it is as far as the track comes, seen in short steps.
+    let mut slant = Track::moving(ORIGIN, [40.0, 101.0, 0.0]).towards(to([200.0, 0.0, 0.0]));
+    let [x, y, _] = slant.swing(limits);
+    let mut farthest = ORIGIN;
+    for _ in 0..10_000 {
+        slant.advance(limits, 1e-4, false);
+        if slant.position()[1] > farthest[1] {
+            farthest = slant.position();
+        }
+    }
+    assert!(
+        (farthest[1] - y).abs() < 1e-4 && (farthest[0] - x).abs() < 0.05,
+        "{farthest:?}"
+    );
+}
+
+#[test]
+fn a_swing_is_finite_or_reaches_nowhere() {
+    let target = [200.0, 0.0, 0.0];
+    for acceleration in [0.0, 1e-308, 1e308, f64::INFINITY] {
+        let track = Track::moving(ORIGIN, [0.0, 101.0, 0.0]).towards(to(target));
+        let [_, y, _] = track.swing(limits(300.0, acceleration));
+        assert!(
+            y == 0.0 || y.abs() > 1e9 || (acceleration > 1e99 && y.abs() < 1e-9),
+            "{y}"
+        );
+    }
+    assert_eq!(
+        Track::resting(ORIGIN)
+            .towards(to(target))
+            .swing(limits(300.0, 600.0)),
+        ORIGIN
+    );
+}
+
+#[test]
+fn who_may_not_accelerate_rests_on_the_spot() {
+    let track = Track::moving([7.0], [120.0]);
+    assert_eq!(track.rest_point(limits(300.0, 0.0)), [7.0]);
+}
+
+#[test]
+fn who_may_hardly_brake_rests_far_away_at_a_finite_place() {
+    let track = Track::moving(ORIGIN, [0.0, 120.0, 50.0]);
+    let [x, y, z] = track.rest_point(limits(300.0, 1e-308));
+    assert_eq!(x, 0.0);
+    assert!(y > 1e9 && z > 1e9 && y.is_finite() && z.is_finite());
 }

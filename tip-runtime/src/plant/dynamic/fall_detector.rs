@@ -2,12 +2,11 @@
 
 use super::Vector;
 use super::body_dynamics::BodyDynamics;
-use super::foot_contact::FootContact;
+use super::contact::FootContact;
 use super::spatial::MovingFrame;
 use super::terrain::Terrain;
 use crate::plant::Travel;
-use crate::plant::walker::fall::{FallCounter, Posture, TILTED};
-use crate::plant::walker::polygon;
+use crate::plant::walker::fall::{FallCounter, Posture, TILTED, hull_margin};
 use core::f64::consts::{PI, TAU};
 
 /// Time on its feet alone after which a robot has got up, ms.
@@ -93,18 +92,18 @@ impl FallDetector {
         let corners = corners.filter(|(_, load)| *load > 0.0);
         let corners = corners.map(|(corner, _)| flat(base.frame.point(corner)));
         let lies = base.edge_load > 0.0 || corners.clone().next().is_some();
-        let on_feet = polygon::margin(standing.clone(), over);
+        let on_feet = hull_margin(standing.clone(), over);
         let stands = standing.clone().next().is_some() && !lies;
         let carriers = standing.chain(corners);
         let is_carried = carriers.clone().next().is_some();
         if is_carried {
-            self.margin = polygon::margin(carriers, over);
+            self.margin = hull_margin(carriers, over);
             self.least = self.least.min(self.margin);
         }
         let height = (base.frame.position.z + centre.z - lowest) * 1000.0;
         let uprightness = (base.frame.rotation * Vector::z()).dot(&terrain.normal);
         let support = if uprightness < TILTED {
-            polygon::margin(standing_below(base, terrain, carrying), over)
+            hull_margin(standing_below(base, terrain, carrying), over)
         } else {
             self.margin
         };

@@ -6,17 +6,18 @@
 //! ever solved for the robot as a whole.
 
 use super::Vector;
-use super::cholesky::{CholeskyFactor, dot};
-use super::contact::Bristle;
-use super::foot_contact::FootContact;
-use super::links::{LinkWalk, length};
+use super::contact::{Bristle, FootContact};
 use super::servo::{Control, Drives, Servo};
-use super::spatial::{Contribution, MovingFrame, Spatial, tensor};
+use super::spatial::{
+    CholeskyFactor, Contribution, Inertia, MovingFrame, Spatial, dot, placed, spread, tensor,
+};
 use super::terrain::StepContext;
 use crate::hardware::JointCommand;
+use crate::kinematics::Chain;
 use crate::model::{Joint, Leg};
-use crate::plant::Effort;
-use crate::plant::walker::tracking::Path;
+use crate::plant::walker::events::Path;
+use crate::plant::{Effort, GRAVITY};
+use nalgebra::{Rotation3, Unit};
 
 /// The motion of a joint and the momentum of all that it carries: a column of the mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +81,8 @@ impl<const J: usize> LegBody<J> {
     /// Returns the distance of the foot from its commanded path, mm.
     pub(super) fn stray(&mut self, commands: &[JointCommand; J]) -> f64 {
         let angles = self.servos.map(|servo| servo.angle.to_degrees());
-        self.path.stray_at(&self.model, commands, angles)
+        let foot = Chain::new(&self.model, &angles).foot();
+        self.path.stray(&self.model, commands, foot.into())
     }
 
     pub(super) fn command(&mut self, commands: &[JointCommand; J], unit: f64) {
@@ -209,14 +211,14 @@ impl<const J: usize> LegBody<J> {
         for (j, ((row, torque), ((column, bias), (servo, joint)))) in
             rows.zip(joints.zip(drives)).enumerate()
         {
-            let own = self.motor(j, servo, joint, context);
             let passive = servo.passive(joint, context.drives, context.step.dt);
-            *torque = own.torque + passive.torque - bias;
+            let all = self.motor(j, servo, joint, context).plus(passive);
+            *torque = all.torque - bias;
             for (entry, motion) in row.iter_mut().zip(&motions).take(j + 1) {
                 *entry = motion.dot(&column.momentum);
             }
             if let Some(entry) = row.get_mut(j) {
-                *entry += own.inertia + passive.inertia;
+                *entry += all.inertia;
             }
         }
         (CholeskyFactor::of(matrix), torques)
@@ -414,21 +416,6 @@ fn bit(j: usize) -> u16 {
         .unwrap_or(0)
 }
 
-/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
-/// numbers of legs.
-#[inline(never)]
-pub(super) fn fill_joints<const J: usize>(
-    legs: &[LegBody<J>],
-    into: &mut [[f64; J]],
-    value: fn(&super::servo::Servo) -> f64,
-) {
-    for (row, leg) in into.iter_mut().zip(legs) {
-        for (place, servo) in row.iter_mut().zip(&leg.servos) {
-            *place = value(servo);
-        }
-    }
-}
-
 /// Copies the load, N, and the contact force of each foot.
 #[inline(never)]
 pub(super) fn fill_feet<const J: usize>(
@@ -439,5 +426,111 @@ pub(super) fn fill_feet<const J: usize>(
     for ((leg, load), force) in legs.iter().zip(loads).zip(forces) {
         *load = leg.foot.load;
         *force = leg.foot.force.into();
+    }
+}
+
+/// Returns a link from its joint to the next one, at angle 0, m.
+#[inline]
+pub(super) fn length(joint: &Joint) -> Vector {
+    Vector::from(joint.link) / 1000.0
+}
+
+/// A walk along a leg from its base to its foot. Positions are from the body's origin.
+struct LinkWalk {
+    /// Position of the joint or of the link's end, m.
+    at: Vector,
+    /// m/s.
+    velocity: Vector,
+    /// Acceleration at constant rates, m/s².
+    acceleration: Vector,
+    rotation: Rotation3<f64>,
+    /// rad/s.
+    rate: Vector,
+    /// Angular acceleration at constant rates, rad/s².
+    turning: Vector,
+    /// Acceleration of gravity, m/s².
+    gravity: Vector,
+}
+
+impl LinkWalk {
+    pub(super) fn from<const J: usize>(frame: &MovingFrame, leg: &Leg<J>) -> Self {
+        let mut walk = LinkWalk {
+            at: Vector::zeros(),
+            velocity: frame.velocity,
+            acceleration: Vector::zeros(),
+            rotation: frame.rotation,
+            rate: frame.rate,
+            turning: Vector::zeros(),
+            gravity: Vector::new(0.0, 0.0, -GRAVITY),
+        };
+        walk.step(frame.rotation * (Vector::from(leg.base) / 1000.0));
+        walk
+    }
+
+    /// Moves to another point of the same rigid body.
+    #[inline]
+    fn step(&mut self, by: Vector) {
+        self.acceleration = self.acceleration_at(by);
+        self.velocity += self.rate.cross(&by);
+        self.at += by;
+    }
+
+    #[inline]
+    fn acceleration_at(&self, by: Vector) -> Vector {
+        self.acceleration + self.turning.cross(&by) + self.rate.cross(&self.rate.cross(&by))
+    }
+
+    /// Turns with the joint; returns its axis and position.
+    #[inline]
+    pub(super) fn turn(&mut self, joint: &Joint, servo: &Servo) -> (Vector, Vector) {
+        let own = Unit::new_unchecked(Vector::from(joint.axis));
+        let axis = self.rotation * own.into_inner();
+        self.turning += self.rate.cross(&axis) * servo.rate;
+        self.rate += axis * servo.rate;
+        self.rotation *= Rotation3::from_axis_angle(&own, servo.angle);
+        (axis, self.at)
+    }
+
+    /// Returns the contribution of the link after the joint: a uniform rod unless the model gives
+    /// its inertia.
+    #[inline]
+    pub(super) fn link(&self, joint: &Joint) -> Contribution {
+        let (arm, own) = match &joint.spread {
+            None => {
+                let link = self.rotation * length(joint);
+                (link / 2.0, spread(link) * (joint.mass / 12.0))
+            }
+            Some(spread) => placed(spread, self.rotation),
+        };
+        let centre = self.at + arm;
+        let force = (self.acceleration_at(arm) - self.gravity) * joint.mass;
+        let moment = own * self.turning + self.rate.cross(&(own * self.rate));
+        Contribution {
+            inertia: Inertia::new(joint.mass, centre, own),
+            force: Spatial {
+                angular: moment + centre.cross(&force),
+                linear: force,
+            },
+        }
+    }
+
+    /// Returns the link whose end has been reached, in the world, m.
+    #[inline]
+    pub(super) fn rod(&self, joint: &Joint, frame: &MovingFrame) -> [Vector; 2] {
+        let end = frame.position + self.at;
+        [end - self.rotation * length(joint), end]
+    }
+
+    /// Returns the velocity of a point of that link, m/s.
+    #[inline]
+    pub(super) fn velocity(&self, at: Vector) -> Vector {
+        self.velocity + self.rate.cross(&(at - self.at))
+    }
+
+    /// Moves to the link's end; returns its position and velocity.
+    #[inline]
+    pub(super) fn end(&mut self, joint: &Joint) -> (Vector, Vector) {
+        self.step(self.rotation * length(joint));
+        (self.at, self.velocity)
     }
 }

@@ -1,22 +1,19 @@
 //! The robot as a multibody system: its equations of motion and their integration.
 
-use super::body_dynamics::BodyDynamics;
-use super::cholesky::CholeskyFactor;
-use super::contact::ContactLaw;
-use super::edge_contact::rise_over_blocks;
+use super::body_dynamics::{BodyDynamics, rise_over_blocks};
 use super::fall_detector::FallDetector;
 use super::leg::LegBody;
 use super::self_collision::{clearance, push_legs_apart};
 use super::servo::{Drives, TimeStep};
-use super::spatial::{Contribution, Inertia, MovingFrame, Spatial};
-use super::terrain::{GRAVITY, StepContext, Terrain};
+use super::spatial::{CholeskyFactor, Contribution, Inertia, MovingFrame, Spatial};
+use super::terrain::{StepContext, Terrain};
 use crate::analog;
 use crate::command::{MAX, Port};
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::kinematics::frames;
 use crate::model::Leg;
-use crate::plant::walker::tracking::hurries;
-use crate::plant::{TrackingErrors, are_sane};
+use crate::plant::walker::events::hurries;
+use crate::plant::{ContactLaw, GRAVITY, TrackingErrors, are_sane};
 
 /// The longest step: s.
 const LONGEST: f64 = 5e-4;
@@ -64,7 +61,7 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
     pub(super) fn stand(&mut self) {
         let mass = self.base.mass() + self.legs.iter().map(LegBody::mass).sum::<f64>();
         let feet = self.legs.iter().map(|leg| leg.foot_mass(&self.drives));
-        self.law = ContactLaw::of(mass, feet.fold(f64::INFINITY, f64::min), LONGEST);
+        self.law = ContactLaw::of_robot(mass, feet.fold(f64::INFINITY, f64::min), LONGEST);
         let normal = self.terrain.normal;
         self.base = BodyDynamics::new(self.base.model);
         self.base.frame.rotation = self.terrain.tilt();

@@ -2,10 +2,10 @@
 //! proportion to their length.
 
 use super::Vector;
-use super::contact::ContactLaw;
 use super::leg::LegBody;
 use super::spatial::MovingFrame;
 use crate::command::MAX;
+use crate::plant::ContactLaw;
 
 /// Radius of a link, as a share of its length.
 const RADIUS: f64 = 0.05;
@@ -83,7 +83,7 @@ fn collide<const J: usize>(
         let normal = (at - from) / gap;
         let velocity = leg.velocity(j, at, frame) - other.velocity(i, from, frame);
         let away = velocity.dot(&normal);
-        let push = (law.stiffness * depth - law.damping * away).max(0.0);
+        let push = law.push(depth, away);
         let rub = (velocity - normal * away) * law.damping;
         let most = FRICTION * push / rub.norm().max(FRICTION * push);
         let force = if push > 0.0 {

@@ -2,7 +2,7 @@
 //! of the step (Tan, Liu and Turk, *Stable Proportional-Derivative Controllers*, 2011).
 
 use crate::hardware::JointCommand;
-use crate::model::Joint;
+use crate::model::{Joint, Range};
 use crate::plant::{Effort, STOP, ServoDynamics};
 
 /// Stiffness of a mechanical stop, relative to a position loop.
@@ -62,7 +62,7 @@ impl TimeStep {
     pub(super) fn of(dt: f64, servos: &ServoDynamics) -> Self {
         TimeStep {
             dt,
-            share: 1.0 - libm::exp(-1000.0 * dt / servos.lag),
+            share: servos.share(dt),
             speed: servos.speed.to_radians(),
         }
     }
@@ -205,9 +205,9 @@ impl Servo {
             torque: -friction * self.rate,
             inertia: drives.rotor * joint.torque + dt * friction,
         };
-        let least = (joint.outer.min - STOP).to_radians();
-        let most = (joint.outer.max + STOP).to_radians();
-        let beyond = self.angle - self.angle.max(least).min(most);
+        let stops = joint.outer.widened(STOP);
+        let stops = Range::new(stops.min.to_radians(), stops.max.to_radians());
+        let beyond = self.angle - stops.nearest(self.angle);
         if beyond != 0.0 {
             let stiffness = HARDER * drives.stiffness * joint.torque;
             let damping = drives.damping * joint.torque;
@@ -221,7 +221,7 @@ impl Servo {
     /// gives its greatest torque.
     #[inline]
     pub(super) fn overload(&mut self, joint: &Joint, own: Effort, acceleration: f64) -> bool {
-        let torque = own.torque - own.inertia * acceleration;
+        let torque = own.at(acceleration);
         let is_too_much = libm::fabs(torque) > joint.torque;
         if is_too_much {
             self.torque = torque;
@@ -232,7 +232,7 @@ impl Servo {
     /// Integrates an acceleration (rad/s²) over `dt` s.
     #[inline]
     pub(super) fn advance(&mut self, joint: &Joint, own: Effort, acceleration: f64, dt: f64) {
-        self.torque = within(own.torque - own.inertia * acceleration, joint.torque);
+        self.torque = within(own.at(acceleration), joint.torque);
         self.rate += acceleration * dt;
         self.angle += self.rate * dt;
     }

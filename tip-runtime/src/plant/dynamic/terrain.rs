@@ -1,15 +1,13 @@
 //! The surroundings of a robot with mass: the floor and the blocks on it.
 
 use super::Vector;
-use super::contact::{ContactLaw, Touch};
+use super::contact::Touch;
 use super::servo::{Drives, TimeStep};
 use super::spatial::MovingFrame;
+use crate::plant::ContactLaw;
 use crate::plant::cuboid::{Cuboid, middle};
 use crate::scene::{BLOCKS, Block, Scene};
 use nalgebra::Rotation3;
-
-/// Standard gravity: m/s² (3rd CGPM, 1901).
-pub(super) const GRAVITY: f64 = 9.80665;
 
 /// A height above all blocks, m.
 const SKY: f64 = 1e4;
@@ -112,11 +110,7 @@ impl Terrain {
     #[inline]
     fn floor(&self, point: Vector) -> Option<Touch> {
         let above = self.normal.dot(&point) - self.height * self.normal.z;
-        (above < 0.0).then_some(Touch {
-            depth: -above,
-            normal: self.normal,
-            friction: self.friction,
-        })
+        (above < 0.0).then(|| self.touching(-above, self.normal))
     }
 }
 

@@ -1,20 +1,15 @@
-//! The contact law of the simulated hand.
+//! Contacts of the simulated hand: their law, and the history of a link and a body that are near each other.
 //!
 //! Normal to their surfaces: a spring and a damper that push and never pull. Along them: Coulomb
 //! friction by a spring that is stretched as they move past each other, and slides where it would
 //! pull more than friction holds (Cundall and Strack, *A discrete numerical model for granular
 //! assemblies*, Géotechnique 29, 1979). A stuck contact therefore does not creep.
+//!
+//! By its history neither leaves through the other: not when they are pressed deeper into each other than half of the
+//! thinner one, and not when they pass each other within one step.
 
 use super::Vector;
-
-/// Stiffness and damping of a contact, along its normal and across it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct ContactLaw {
-    /// N/m.
-    stiffness: f64,
-    /// N·s/m.
-    damping: f64,
-}
+use crate::plant::ContactLaw;
 
 /// Mass from which a body counts as heavy; fingers count as no heavier, kg.
 pub(super) const HEAVY: f64 = 0.2;
@@ -38,7 +33,7 @@ impl ContactLaw {
 
     /// Returns the law for the lighter body's mass (kg). Every mass oscillates alike, since its
     /// damping ratio on one contact is the same: 0.24.
-    pub(super) fn of(mass: f64) -> Self {
+    pub(super) fn of_body(mass: f64) -> Self {
         let share = (mass / HEAVY).min(HEAVIEST);
         ContactLaw {
             stiffness: STIFFNESS * share.max(1.0),
@@ -79,7 +74,7 @@ impl Bristle {
         &mut self,
         overlap: Option<Overlap>,
         velocity: impl FnOnce(Vector) -> Vector,
-        ContactLaw { stiffness, damping }: ContactLaw,
+        law: ContactLaw,
         friction: f64,
         dt: f64,
     ) -> Option<Push> {
@@ -88,10 +83,11 @@ impl Bristle {
             return None;
         };
         let velocity = velocity(at);
-        let push = (stiffness * depth - damping * velocity.dot(&normal)).max(0.0);
+        let push = law.push(depth, velocity.dot(&normal));
         let tangent = Vector::new(-normal.y, normal.x);
         let slip = velocity.dot(&tangent);
         let most = friction * push;
+        let ContactLaw { stiffness, damping } = law;
         let middle = self.0 + slip * dt / 2.0;
         self.0 = within(self.0 + slip * dt, most / stiffness);
         let drag = within(-stiffness * middle - damping * slip, most);
@@ -111,7 +107,75 @@ pub(super) struct Push {
     pub(super) force: Vector,
 }
 
+/// Limits a value to ±`most`.
 #[inline]
-fn within(value: f64, most: f64) -> f64 {
+pub(super) fn within(value: f64, most: f64) -> f64 {
     value.max(-most).min(most)
+}
+
+/// One of the four faces of a box, by the sign of the direction out of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Face {
+    /// Along the width.
+    Side(f64),
+    /// Along the height.
+    End(f64),
+}
+
+impl Face {
+    pub(super) const fn opposite(self) -> Self {
+        match self {
+            Face::Side(sign) => Face::Side(-sign),
+            Face::End(sign) => Face::End(-sign),
+        }
+    }
+}
+
+/// The contact history of a link and a body that are near each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ContactHistory {
+    /// The side of the link on which the body is, or was before it came through: +1 where a quarter
+    /// turn from the link points, −1 on the other side, 0 if unknown.
+    pub(super) side: f64,
+    /// The face of a box through which the link's end came, or would come, if known.
+    pub(super) face: Option<Face>,
+}
+
+impl ContactHistory {
+    /// The history of a pair that has not been near each other.
+    pub(super) const UNKNOWN: Self = ContactHistory {
+        side: 0.0,
+        face: None,
+    };
+
+    /// Returns true if the body is known from the other side.
+    #[inline]
+    pub(super) fn is_other(&self, side: f64) -> bool {
+        self.side == -side
+    }
+
+    /// Returns true if a body, whose centre is on `side` now, has come through the link. It can
+    /// only do so while it is `is_beside` the link; elsewhere it goes round the link's ends.
+    #[inline]
+    pub(super) fn is_through(&mut self, side: f64, is_beside: bool) -> bool {
+        if !is_beside || self.side == 0.0 {
+            self.side = side;
+        }
+        self.is_other(side)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_comes_through_a_link_but_not_round_its_end() {
+        let mut history = ContactHistory::UNKNOWN;
+        assert!(!history.is_through(1.0, true));
+        assert!(history.is_through(-1.0, true) && history.is_through(-1.0, true));
+        assert!(!history.is_through(1.0, true), "it is back");
+        assert!(!history.is_through(-1.0, false), "it went round");
+        assert!(!history.is_through(-1.0, true));
+    }
 }

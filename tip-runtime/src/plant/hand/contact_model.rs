@@ -1,17 +1,14 @@
 //! The contact model of the hand: fingers, the floor on its slider, the palm and the objects
 //! between them.
 
-use super::Vector;
-use super::contact::{Bristle, ContactLaw, Push};
+use super::contact::{Bristle, Push};
 use super::finger::Finger;
-use super::grasped_object::{GraspedObject, LinkContact, Palm};
-use super::overlap::Surface;
-use super::slider::SliderServo;
-use super::{Fingertip, ObjectState};
+use super::grasped_object::{GraspedObject, LinkContact, Palm, Surface};
+use super::{Fingertip, ObjectState, Vector};
 use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
-use crate::model::{Leg, Model, ModelFacts, Point};
-use crate::plant::are_sane;
+use crate::model::{Leg, Model, ModelFacts, Point, Range, Slider};
+use crate::plant::{ContactLaw, Floor, are_sane};
 use crate::scene::{OBJECTS, Scene};
 
 /// The longest step: s.
@@ -353,4 +350,67 @@ impl<const J: usize> ContactModel<[FingerContacts<J>]> {
 
 fn in_space(vector: Vector) -> [f64; 3] {
     [vector.x, vector.y, 0.0]
+}
+
+/// Greatest speed, mm/s.
+const FASTEST: f64 = 1000.0;
+
+/// A slider and the floor on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct SliderServo {
+    travel: [Range; 3],
+    /// Position, mm.
+    pub(super) position: Point,
+    /// Velocity, mm/s.
+    velocity: [f64; 3],
+}
+
+impl SliderServo {
+    /// Returns a slider at rest in the model's initial position.
+    pub(super) fn new(slider: Option<&Slider>) -> Self {
+        SliderServo {
+            travel: slider.map_or([Range::new(0.0, 0.0); 3], |slider| slider.travel),
+            position: slider.map_or([0.0; 3], |slider| slider.initial),
+            velocity: [0.0; 3],
+        }
+    }
+
+    /// Starts a motion that arrives in `time` s; a position that is not a number stops the slider.
+    fn send(&mut self, target: Point, time: f64) {
+        let axes = self.velocity.iter_mut().zip(self.position);
+        for ((velocity, at), (target, travel)) in axes.zip(target.iter().zip(self.travel)) {
+            let way = travel.nearest(*target) - at;
+            *velocity = if target.is_finite() {
+                (way / time).clamp(-FASTEST, FASTEST)
+            } else {
+                0.0
+            };
+        }
+    }
+
+    /// Stops the slider.
+    pub(super) const fn halt(&mut self) {
+        self.velocity = [0.0; 3];
+    }
+
+    /// Moves the slider for `dt` s.
+    pub(super) fn advance(&mut self, dt: f64) {
+        let axes = self.velocity.iter().zip(self.travel);
+        for (at, (velocity, travel)) in self.position.iter_mut().zip(axes) {
+            *at = travel.nearest(*at + velocity * dt);
+        }
+    }
+
+    /// Returns the floor on the slider.
+    pub(super) fn floor(&self, floor: &Floor, friction: f64) -> Surface {
+        let [x, y, _] = self.position;
+        let [vx, vy, _] = self.velocity;
+        let [rise, _] = floor.slope;
+        Surface {
+            point: Vector::new(x, y + floor.height) / 1000.0,
+            normal: Vector::new(-rise, 1.0).normalize(),
+            velocity: Vector::new(vx, vy) / 1000.0,
+            friction,
+        }
+    }
 }

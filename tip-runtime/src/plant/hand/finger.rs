@@ -170,7 +170,7 @@ impl<const J: usize> Finger<J> {
         }
         let motors = self.motors.iter().zip(&self.rates);
         for (middle, (motor, rate)) in self.middle.iter_mut().zip(motors) {
-            *middle = rate + motor.carried() * dt / 2.0;
+            *middle = rate + motor.carried * dt / 2.0;
         }
         self.place();
     }

@@ -4,6 +4,7 @@
 //! that no gain is too stiff for the step (Tan, Liu and Turk, *Stable Proportional-Derivative
 //! Controllers*, 2011): terms in the acceleration count as inertia.
 
+use super::contact::within;
 use crate::hardware::JointCommand;
 use crate::model::{Joint, Range};
 use crate::plant::{Effort, STOP};
@@ -35,14 +36,6 @@ impl Effort {
             inertia: dt * (damping + dt / 2.0 * stiffness),
         }
     }
-
-    #[inline]
-    pub(super) fn plus(self, other: Self) -> Self {
-        Effort {
-            torque: self.torque + other.torque,
-            inertia: self.inertia + other.inertia,
-        }
-    }
 }
 
 /// The mode of a motor.
@@ -70,8 +63,8 @@ pub(super) struct Motor {
     set_rate: f64,
     /// The current torque, N·m.
     pub(super) torque: f64,
-    /// Acceleration of the joint in the last step, unless the servo led it, rad/s².
-    carried: f64,
+    /// Acceleration of the joint in the last step, rad/s²; 0 of one that the servo led, which keeps its rate.
+    pub(super) carried: f64,
 }
 
 impl Motor {
@@ -108,11 +101,11 @@ impl Motor {
         match command {
             JointCommand::Torque(torque) if torque.is_finite() => {
                 let torque = torque / unit;
-                self.mode = Mode::Torque(torque.max(-self.strongest).min(self.strongest));
+                self.mode = Mode::Torque(within(torque, self.strongest));
             }
             JointCommand::Angle { angle: target, .. } if target.is_finite() => {
                 self.mode = Mode::Servo;
-                let target = target.max(self.stops.min).min(self.stops.max);
+                let target = self.stops.nearest(target);
                 self.set_rate = (target - self.set_point).to_radians() / time;
             }
             JointCommand::Torque(_) | JointCommand::Angle { .. } => self.mode = Mode::Servo,
@@ -133,12 +126,6 @@ impl Motor {
         if let Mode::Yielding(_) = self.mode {
             self.mode = Mode::Servo;
         }
-    }
-
-    /// Returns the expected acceleration of the joint, rad/s². A joint that is led keeps its rate.
-    #[inline]
-    pub(super) const fn carried(&self) -> f64 {
-        self.carried
     }
 
     /// Returns the effort of the motor on a joint at `angle` deg in the middle of a step of `dt` s,
@@ -172,8 +159,8 @@ impl Motor {
     /// the motor exceeded its greatest torque, and saturates it.
     #[inline]
     pub(super) fn settle(&mut self, own: Effort, acceleration: f64) -> bool {
-        self.torque = own.torque - own.inertia * acceleration;
-        let bounded = self.torque.max(-self.strongest).min(self.strongest);
+        self.torque = own.at(acceleration);
+        let bounded = within(self.torque, self.strongest);
         let yields = matches!(self.mode, Mode::Servo) && bounded != self.torque;
         if yields {
             self.mode = Mode::Yielding(bounded);

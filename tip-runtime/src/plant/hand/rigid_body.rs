@@ -1,13 +1,10 @@
 //! A rigid body in the plane: the motion of an object.
 
 use super::Vector;
-use super::contact::{ContactLaw, HEAVY};
-use super::contact_history::Face;
+use super::contact::{Face, HEAVY};
 use super::finger::{across, rotated};
+use crate::plant::{ContactLaw, GRAVITY};
 use crate::scene::{Object, Shape};
-
-/// Acceleration of free fall, m/s².
-const GRAVITY: f64 = 9.80665;
 
 /// The outline, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,8 +76,8 @@ impl RigidBody {
             mass,
             inertia,
             friction: object.friction,
-            law: ContactLaw::of(mass),
-            law_with_fingers: ContactLaw::of(mass.min(HEAVY)),
+            law: ContactLaw::of_body(mass),
+            law_with_fingers: ContactLaw::of_body(mass.min(HEAVY)),
             centre: Vector::new(object.x, object.y.unwrap_or(0.0)) / 1000.0,
             angle: object.angle.to_radians(),
             velocity: Vector::zeros(),
@@ -312,13 +309,12 @@ impl RigidBody {
     /// Returns where the line from `start` to `end` enters and leaves a box, as shares of its
     /// length; `None` if it misses (Liang and Barsky, ACM Trans. Graph. 3, 1984).
     pub(super) fn crossing(&self, start: Vector, end: Vector) -> Option<(f64, f64)> {
-        let Outline::Box(half) = self.outline else {
+        if !self.is_box() {
             return None;
-        };
+        }
         let (from, along) = (start - self.centre, end - start);
-        let up = across(self.right);
         let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
-        for (axis, half) in [(self.right, half.x), (up, half.y)] {
+        for (axis, half) in self.axes() {
             let (at, speed) = (from.dot(&axis), along.dot(&axis));
             if speed == 0.0 {
                 if libm::fabs(at) >= half {

@@ -1,17 +1,14 @@
 //! The body on its contacts with the floor.
 
 use super::Vector;
-use super::descent::Descent;
+use super::events::{CycleEvents, UnmodelledCounter};
 use super::fall::{Polygon, SupportMonitor};
-use super::floor::Obstacles;
-use super::links::{GRAVITY, Mass};
-use super::odometry::Odometer;
-use super::pose::FloorPose;
+use super::links::Mass;
+use super::pose::{FloorPose, Obstacles, Odometer};
 use super::stance::Stance;
-use super::support::Contacts;
-use super::support::{self, Load, Support};
-use super::unmodelled::{CycleEvents, UnmodelledCounter};
+use super::support::{self, Contacts, Descent, Load, Support};
 use crate::model;
+use crate::plant::GRAVITY;
 use crate::plant::cuboid::Cuboid;
 use crate::scene::{Floor, Scene};
 
@@ -175,7 +172,7 @@ impl<const L: usize> GroundInterface for Ground<L> {
             .descent
             .towards(rest, &points, mass.weight, &self.body, dt);
         self.at_rest = found;
-        self.body.rest(normal, height);
+        (self.body.normal, self.body.height) = (normal, height);
         self.loads = support::loads(&points, normal, height);
         let heading = self.body.heading;
         let pull = self.unmodelled.friction * GRAVITY * 1000.0;

@@ -2,10 +2,8 @@
 
 use super::Vector;
 use crate::model::{Joint, Leg};
+use crate::plant::GRAVITY;
 use nalgebra::{Rotation3, Unit};
-
-/// Standard gravity: m/s² (3rd CGPM, 1901).
-pub(super) const GRAVITY: f64 = 9.80665;
 
 /// A leg in the robot frame: mm.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,10 @@
-//! The pose of the body, in the world and in the floor's frame.
+//! The pose of the body in the world and in the floor's frame, the transformations between them, and its travel.
 
 use super::Vector;
 use crate::model::{self, Point};
+use crate::plant::cuboid::Cuboid;
+use crate::scene::{BLOCKS, Block, Floor};
+use core::f64::consts::{PI, TAU};
 use nalgebra::{Matrix3, Rotation3, Unit};
 
 /// Position and attitude of the robot frame in the world: mm and deg.
@@ -63,12 +66,6 @@ impl FloorPose {
         }
     }
 
-    /// Sets tilt and height of the body, keeping place and heading.
-    pub(super) fn rest(&mut self, normal: Vector, height: f64) {
-        self.normal = normal;
-        self.height = height;
-    }
-
     /// Returns the shortest rotation that turns the floor's normal upright.
     pub(super) fn levelling(normal: Vector) -> Rotation3<f64> {
         turn(normal, Vector::z())
@@ -99,6 +96,154 @@ pub(super) fn turn(from: Vector, to: Vector) -> Rotation3<f64> {
     Rotation3::from_matrix_unchecked(matrix)
 }
 
+impl Floor {
+    /// Returns the rotation from the floor's frame (z along its normal) to the world's.
+    fn tilt(&self) -> Rotation3<f64> {
+        let [x, y] = self.slope;
+        let normal = Vector::new(-x, -y, 1.0);
+        turn(Vector::z(), normal / normal.norm())
+    }
+
+    /// Returns the direction of gravity in the floor's frame.
+    pub(super) fn gravity(&self) -> Vector {
+        self.tilt().inverse() * -Vector::z()
+    }
+
+    /// Transforms a point of the floor's frame into the world.
+    pub(super) fn point(&self, point: Vector) -> Point {
+        let point = self.tilt() * point;
+        [point.x, point.y, point.z + self.height]
+    }
+
+    /// Returns the pose of a body in the world.
+    pub(super) fn pose(&self, body: &FloorPose) -> Pose {
+        Pose::new(self.position(body), &(self.tilt() * body.rotation()))
+    }
+
+    /// Transforms a point of a body into the world.
+    pub(super) fn outer(&self, body: &FloorPose, point: Vector) -> Vector {
+        self.point(body.point(point)).into()
+    }
+
+    /// Transforms a point of the world into the frame of a body.
+    pub(super) fn inner(&self, body: &FloorPose, point: Vector) -> Vector {
+        let turned = self.tilt() * body.rotation();
+        turned.inverse() * (point - Vector::from(self.position(body)))
+    }
+
+    /// Returns the position of a body's origin in the world.
+    pub(super) fn position(&self, body: &FloorPose) -> Point {
+        self.point(body.point(Vector::zeros()))
+    }
+}
+
+/// Tolerated depth of a joint below the floor, which gives way a little, and of anything inside a
+/// block, mm.
+pub(super) const SINK_TOLERANCE: f64 = 1.0;
+
+/// The blocks of a scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Obstacles(pub(super) [Option<Block>; BLOCKS]);
+
+impl Obstacles {
+    /// Iterates over the parts of the blocks that are deeper inside than the tolerance, mm.
+    fn cores(&self) -> impl Iterator<Item = Cuboid> + '_ {
+        let skin = Vector::repeat(SINK_TOLERANCE);
+        self.0.iter().flatten().map(move |block| {
+            let Cuboid { low, high } = Cuboid::of_block(block, 1.0);
+            Cuboid {
+                low: low + skin,
+                high: high - skin,
+            }
+        })
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.iter().all(Option::is_none)
+    }
+
+    /// Returns true if a segment is in a block.
+    pub(super) fn hits_segment(&self, segment: [Vector; 2]) -> bool {
+        self.cores().any(|core| core.inside(segment).is_some())
+    }
+
+    /// Returns true if a body is in a block; `to_body` and `to_world` transform to and from its
+    /// frame.
+    pub(super) fn hits_body(
+        &self,
+        body: &Cuboid,
+        to_body: impl Fn(Vector) -> Vector,
+        to_world: impl Fn(Vector) -> Vector,
+    ) -> bool {
+        self.cores().any(|core| {
+            let meets = |edge: &[Vector; 2]| body.inside(edge.map(&to_body)).is_some();
+            core.edges().iter().any(meets)
+        }) || (body.edges().iter()).any(|edge| self.hits_segment(edge.map(&to_world)))
+    }
+}
+
+/// The travel of a body from its start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Travel {
+    /// To the right of its initial attitude, mm.
+    pub x: f64,
+    /// Forward: mm.
+    pub y: f64,
+    /// Up: mm.
+    pub z: f64,
+    /// Turn to the left, about the floor's normal, deg. Whole turns count.
+    pub turn: f64,
+}
+
+impl Travel {
+    /// Returns a travel along x, y and z (mm) with a turn to the left (deg).
+    pub const fn new([x, y, z]: Point, turn: f64) -> Self {
+        Travel { x, y, z, turn }
+    }
+}
+
+/// The start of the body, and the number of its revolutions since.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Odometer {
+    position: Point,
+    /// rad.
+    heading: f64,
+    revolutions: f64,
+}
+
+impl Odometer {
+    /// Starts at the current pose.
+    pub(super) fn at(floor: &Floor, body: &FloorPose) -> Self {
+        Odometer {
+            position: floor.position(body),
+            heading: body.heading,
+            revolutions: 0.0,
+        }
+    }
+
+    /// Records a change of the heading, which is kept within half a turn.
+    pub(super) fn turned(&mut self, from: f64, to: f64) {
+        if to - from > PI {
+            self.revolutions -= 1.0;
+        } else if to - from < -PI {
+            self.revolutions += 1.0;
+        }
+    }
+
+    /// Returns the travel from the start to the current pose.
+    pub(super) fn travel(&self, floor: &Floor, body: &FloorPose) -> Travel {
+        let ([x, y, z], [x0, y0, z0]) = (floor.position(body), self.position);
+        let turn = body.heading - self.heading + self.revolutions * TAU;
+        Travel {
+            x: x - x0,
+            y: y - y0,
+            z: z - z0,
+            turn: turn.to_degrees(),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -125,5 +270,22 @@ mod tests {
         assert_eq!(turned(Vector::y(), 20.0), [20.0, 0.0, 0.0]);
         assert_eq!(turned(Vector::x(), 20.0), [0.0, 20.0, 0.0]);
         assert_eq!(turned(Vector::z(), 20.0), [0.0, 0.0, 20.0]);
+    }
+
+    #[test]
+    fn whole_turns_count_in_both_senses() {
+        for sense in [1.0, -1.0] {
+            let mut body = FloorPose::standing(None);
+            let mut start = Odometer::at(&Floor::LEVEL, &body);
+            // Two turns and a quarter, in steps of 30 degrees.
+            for step in 1..=27 {
+                let angle = sense * f64::from(step) * PI / 6.0;
+                let heading = libm::atan2(libm::sin(angle), libm::cos(angle));
+                start.turned(body.heading, heading);
+                body.heading = heading;
+            }
+            let turn = start.travel(&Floor::LEVEL, &body).turn;
+            assert!((turn - sense * 810.0).abs() < 1e-9, "{turn}");
+        }
     }
 }

@@ -24,10 +24,15 @@ impl Default for ServoDynamics {
 }
 
 impl ServoDynamics {
+    /// Returns the share of the distance to its command that a joint turns in `dt` s.
+    pub(in crate::plant) fn share(&self, dt: f64) -> f64 {
+        1.0 - libm::exp(-1000.0 * dt / self.lag)
+    }
+
     /// Returns the limits of a step of `dt` s.
     pub(super) fn within(&self, dt: f64) -> StepLimits {
         StepLimits {
-            share: 1.0 - libm::exp(-1000.0 * dt / self.lag),
+            share: self.share(dt),
             farthest: self.speed * dt,
         }
     }
@@ -106,9 +111,9 @@ impl Servo {
             }
         };
         if turn.is_finite() {
-            let is_segment_in_block = (joint.outer.min - STOP, joint.outer.max + STOP);
+            let stops = joint.outer.widened(STOP);
             let angle = self.angle + within(turn, -farthest, farthest);
-            self.angle = within(angle, is_segment_in_block.0, is_segment_in_block.1);
+            self.angle = within(angle, stops.min, stops.max);
         }
     }
 }

@@ -194,15 +194,28 @@ fn rates_are_the_least_ones_that_give_a_velocity_and_none_where_there_are_none()
         for leg in &model.legs {
             let chain = Chain::new(leg, &leg.initial);
             let rates = [(); J].map(|()| dice.within(unit));
-            let velocity = chain.foot_velocity(&rates);
-            let least = chain.joint_rates(velocity).expect("it moves so");
-            assert!(distance(chain.foot_velocity(&least), velocity) < 1e-8);
+            let velocity = chain.point_velocity(LegPoint::Tip, &rates).expect("a foot");
+            let least = chain
+                .point_rates(LegPoint::Tip, velocity, [true; 3])
+                .expect("it moves so");
+            assert!(
+                distance(
+                    chain.point_velocity(LegPoint::Tip, &least).expect("a foot"),
+                    velocity
+                ) < 1e-8
+            );
             let norm = |rates: &[f64; J]| SVector::<f64, J>::from(*rates).norm();
             assert!(norm(&least) <= norm(&rates) * (1.0 + 1e-9));
         }
     }
     every_shape!(least);
     let pendulum = Chain::new(&PENDULUM.legs[0], &[0.0]);
-    assert_eq!(pendulum.joint_rates([0.0, 10.0, 1.0]), None);
-    assert_eq!(pendulum.joint_rates([1.0, 10.0, 0.0]), None);
+    assert_eq!(
+        pendulum.point_rates(LegPoint::Tip, [0.0, 10.0, 1.0], [true; 3]),
+        None
+    );
+    assert_eq!(
+        pendulum.point_rates(LegPoint::Tip, [1.0, 10.0, 0.0], [true; 3]),
+        None
+    );
 }

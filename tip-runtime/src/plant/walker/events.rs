@@ -1,9 +1,12 @@
-//! Counts of the effects that a robot without mass leaves out.
+//! Counts of control cycles: commands that joints and feet could not follow, for robots without mass and with it, and
+//! the effects that a robot without mass leaves out.
 
 use super::Vector;
 use super::fall::{Polygon, TIPPING};
-use super::links::GRAVITY;
-use super::tracking::TrackingErrors;
+use crate::hardware::JointCommand;
+use crate::kinematics::Chain;
+use crate::model::Leg;
+use crate::plant::GRAVITY;
 
 /// The shortest time over which accelerations are taken, s. Over a shorter one, feet that come to
 /// carry load would look like impacts.
@@ -48,17 +51,6 @@ pub(super) struct CycleEvents {
     pub(super) hurries: bool,
     /// The greatest distance of a foot from its path, mm.
     pub(super) stray: f64,
-}
-
-impl CycleEvents {
-    /// Merges the events of two legs.
-    pub(super) fn and(self, other: Self) -> Self {
-        CycleEvents {
-            crosses: self.crosses || other.crosses,
-            hurries: self.hurries || other.hurries,
-            stray: self.stray.max(other.stray),
-        }
-    }
 }
 
 /// A counter of unmodelled effects.
@@ -149,4 +141,107 @@ impl UnmodelledCounter {
         self.tracking_errors.count(events.hurries, events.stray);
         (self.tips, self.slides) = (false, false);
     }
+}
+
+/// Factor of a servo's speed from which a joint is commanded to turn too fast, rounding aside.
+const FASTER: f64 = 1.0 + 1e-9;
+
+/// Greatest distance of a foot from its path that is not counted, mm.
+const STRAY: f64 = 10.0;
+
+/// Greatest distance of equal places, mm.
+const SAME: f64 = 1e-6;
+
+/// Commands that joints and feet could not follow, counted in control cycles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct TrackingErrors {
+    /// Number of cycles in which a joint was commanded to turn faster than its servo can.
+    pub hurries: u32,
+    /// Number of cycles in which a foot was more than 10 mm off its commanded path.
+    pub strays: u32,
+    /// The greatest distance of a foot from its path so far, mm.
+    pub farthest_stray: f64,
+}
+
+impl TrackingErrors {
+    pub(in crate::plant) const NONE: Self = TrackingErrors {
+        hurries: 0,
+        strays: 0,
+        farthest_stray: 0.0,
+    };
+
+    /// Returns true if every command could be followed.
+    pub const fn is_empty(&self) -> bool {
+        self.hurries == 0 && self.strays == 0
+    }
+
+    /// Counts a cycle in which a foot was at most `stray` mm off its path.
+    pub(in crate::plant) fn count(&mut self, hurries: bool, stray: f64) {
+        self.hurries += u32::from(hurries);
+        self.strays += u32::from(stray > STRAY);
+        self.farthest_stray = self.farthest_stray.max(stray);
+    }
+}
+
+/// Returns true if a joint is commanded to turn faster than `speed` (deg/s).
+pub(in crate::plant) fn hurries(commands: &[JointCommand], speed: f64) -> bool {
+    commands.iter().any(|command| match command {
+        JointCommand::Angle { rate, .. } => libm::fabs(*rate) > speed * FASTER,
+        JointCommand::Torque(_) => false,
+    })
+}
+
+/// The commanded path of a foot.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::plant) struct Path {
+    /// The end of the path, mm; not a number before the first command.
+    place: Vector,
+    /// The direction of the path; zero if there is none.
+    along: Vector,
+}
+
+impl Path {
+    /// The path before the first command.
+    pub(in crate::plant) const NONE: Self = Path {
+        place: Vector::new(f64::NAN, f64::NAN, f64::NAN),
+        along: Vector::new(0.0, 0.0, 0.0),
+    };
+
+    /// Returns the distance of `foot` (mm) from the line of its last path, mm. A foot that only
+    /// lags is on it. Torques define no path.
+    pub(in crate::plant) fn stray<const J: usize>(
+        &mut self,
+        leg: &Leg<J>,
+        commands: &[JointCommand; J],
+        foot: Vector,
+    ) -> f64 {
+        let Some(angles) = angles(commands) else {
+            *self = Path::NONE;
+            return 0.0;
+        };
+        let place = Vector::from(Chain::new(leg, &angles).foot());
+        let step = (place - self.place).norm();
+        if step > SAME {
+            self.along = (place - self.place) / step;
+        }
+        self.place = place;
+        if self.along == Vector::zeros() {
+            return 0.0;
+        }
+        let off = foot - place;
+        (off - self.along * self.along.dot(&off)).norm()
+    }
+}
+
+/// Returns the angles of commands, if all are angles.
+fn angles<const J: usize>(commands: &[JointCommand; J]) -> Option<[f64; J]> {
+    let mut angles = [0.0; J];
+    for (angle, command) in angles.iter_mut().zip(commands) {
+        let JointCommand::Angle { angle: to, .. } = command else {
+            return None;
+        };
+        *angle = *to;
+    }
+    Some(angles)
 }
