@@ -12,7 +12,6 @@ mod labels;
 mod names;
 mod ranges;
 mod resolve;
-mod resolved;
 mod structure;
 mod targets;
 mod texts;
@@ -22,17 +21,15 @@ mod values;
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostics;
+use crate::program::{Action, Variable};
 use crate::robot::Robot;
 use crate::source::Source;
 use crate::symbols::Symbols;
 use crate::syntax::Module;
 pub(crate) use labels::DeclaredLabel;
 use labels::Labels;
-use names::Names;
+use names::{NamedConstant, Names};
 use resolve::Known;
-pub(crate) use resolved::{
-    Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
-};
 use title::Title;
 
 /// Results of the passes over a module.
@@ -44,6 +41,19 @@ pub(crate) struct Checked<'m> {
     pub(crate) resolved: Option<ResolvedModule<'m>>,
     /// All diagnostics, those of the parser among them.
     pub(crate) found: Diagnostics,
+}
+
+/// A module whose statements are all resolved.
+#[derive(Debug)]
+pub(crate) struct ResolvedModule<'m> {
+    /// The variables, `VAR_KEY` first.
+    pub(crate) variables: Vec<Variable>,
+    /// The constants that DEFINE names.
+    pub(crate) constants: Vec<NamedConstant>,
+    /// The labels, SUBROUTINEs and THREADs.
+    pub(crate) labels: Vec<DeclaredLabel<'m>>,
+    /// The action of each statement; none for a declaration, which is not a step.
+    pub(crate) actions: Vec<Option<Action>>,
 }
 
 /// Runs every pass over a module, in which the parser found these mistakes.
@@ -68,7 +78,7 @@ pub(crate) fn check<'m>(
         jumps: &jumps,
         title: &title,
     };
-    let (statements, named) = resolve::statements(&known, &mut found);
+    let (actions, named) = resolve::statements(&known, &mut found);
     // What a variable is used for shows only where the blocks are whole.
     if found
         .iter()
@@ -79,11 +89,11 @@ pub(crate) fn check<'m>(
             jumps::warn_of_entries(module, &labels, &mut found);
         }
     }
-    let resolved = statements.map(|statements| ResolvedModule {
+    let resolved = actions.map(|actions| ResolvedModule {
         variables: names.variables,
         constants: names.constants,
         labels: labels.all,
-        statements,
+        actions,
     });
     Checked {
         symbols: named.symbols,

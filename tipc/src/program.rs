@@ -1,4 +1,4 @@
-//! A program, fully resolved: what every back end starts from. Only the lowering makes one.
+//! A program, fully resolved: what every back end starts from. Only `load` makes one.
 
 pub use crate::language::functions::Axis;
 pub use crate::syntax::{Arithmetic, LabelKind, Relation, StepId, VariableKind};

@@ -2,13 +2,12 @@
 
 use super::names::ResolvedOperand;
 use super::resolve::Resolver;
-use super::resolved::Assignment;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
 use crate::message::phrase::{Operands, Type};
 use crate::message::{Calculating, Message, Naming, Parsing, Suggestion};
-use crate::program::{Axis, ScalarExpression, StructExpression, StructOperand};
+use crate::program::{Action, Axis, ScalarExpression, StructExpression, StructOperand};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Equation, Expression, Operand, OperandKind, VariableKind, Word};
@@ -21,7 +20,7 @@ enum Value {
 }
 
 impl Resolver<'_> {
-    pub(super) fn equation(&mut self, equation: &Equation) -> Option<Assignment> {
+    pub(super) fn equation(&mut self, equation: &Equation) -> Option<Action> {
         let guess = self.type_in(equation);
         let target = self.resolve_operand_as(&equation.target, Code::Equation, guess);
         if let Some(target) = target {
@@ -42,7 +41,7 @@ impl Resolver<'_> {
         equation: &Equation,
         target: ResolvedOperand,
         value: Value,
-    ) -> Option<Assignment> {
+    ) -> Option<Action> {
         let update = equation.update;
         let location = equation.target.span;
         match (target, value) {
@@ -64,7 +63,7 @@ impl Resolver<'_> {
                 _,
             ) => self.refuse(Code::Equation, location, Calculating::LeftSideSign),
             (ResolvedOperand::Scalar { scalar, .. }, Value::Scalar(value)) => {
-                Some(Assignment::Scalar {
+                Some(Action::SetScalar {
                     target: scalar,
                     update,
                     value,
@@ -73,7 +72,7 @@ impl Resolver<'_> {
             (ResolvedOperand::Struct { variable, kind, .. }, Value::Struct(of, value))
                 if kind == of =>
             {
-                Some(Assignment::Struct {
+                Some(Action::SetStruct {
                     target: variable,
                     update,
                     value,

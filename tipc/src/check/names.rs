@@ -584,12 +584,15 @@ impl Names {
         self.member_of(self.variables[variable].kind, member)
     }
 
-    /// Returns the number of scalars of a type.
-    pub(crate) fn size_of(&self, kind: VariableKind) -> usize {
-        match kind {
-            VariableKind::Var => 1,
-            VariableKind::Pos => POSITION.len(),
-            VariableKind::Joint => self.joints,
+    /// Returns the number of scalars of a whole variable or special variable.
+    pub(crate) fn size_of(&self, whole: StructOperand) -> usize {
+        match whole {
+            StructOperand::Variable(variable) => self.variables[variable].size(),
+            StructOperand::Reading(reading) => match kind_of(reading) {
+                VariableKind::Var => 1,
+                VariableKind::Pos => POSITION.len(),
+                VariableKind::Joint => self.joints,
+            },
         }
     }
 

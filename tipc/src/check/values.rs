@@ -3,7 +3,6 @@
 use super::equations::type_of;
 use super::names::kind_of;
 use super::resolve::Resolver;
-use super::resolved;
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -25,35 +24,34 @@ impl Resolver<'_> {
         form: Arguments,
         target: Target,
         operands: &[Operand],
-    ) -> Option<resolved::Arguments> {
+    ) -> Option<Vec<Argument>> {
         let joints = usize::from(self.robot.signature().joints);
         let single = matches!(target, Target::Joint(..));
         let one_for_all = target == Target::All
             && operands.len() < joints
             && !self.is_of(operands, VariableKind::Joint);
-        let each = match form.values {
+        match form.values {
             Values::None => {
                 self.no_more(name, operands)?;
                 Some(Vec::new())
             }
             Values::One => self.plain_values(name, operands, 1),
             Values::ThreeOrPos if self.is_of(operands, VariableKind::Pos) => {
-                return self.vector(name, form, operands, VariableKind::Pos, 3);
+                self.vector(name, form, operands, VariableKind::Pos, 3)
             }
             Values::Three | Values::ThreeOrPos => self.plain_values(name, operands, 3),
             Values::Limits if single => self.scalars(name, form, operands, 2),
-            Values::Limits => return self.two_joints(name, operands),
+            Values::Limits => self.two_joints(name, operands),
             Values::Angles if single => self.scalars(name, form, operands, 1),
             Values::PerLeg if target == Target::All => self.plain_values(name, operands, 1),
             Values::PerJoint | Values::PerLeg if single || one_for_all => {
                 self.plain_values(name, operands, 1)
             }
-            Values::Position => return self.vector(name, form, operands, VariableKind::Pos, 3),
+            Values::Position => self.vector(name, form, operands, VariableKind::Pos, 3),
             Values::Angles | Values::PerJoint | Values::PerLeg => {
-                return self.vector(name, form, operands, VariableKind::Joint, joints);
+                self.vector(name, form, operands, VariableKind::Joint, joints)
             }
-        };
-        each.map(resolved::Arguments::Each)
+        }
     }
 
     /// Returns true if the first operand is a whole struct of a type.
@@ -76,7 +74,7 @@ impl Resolver<'_> {
     }
 
     /// Reads two JOINTs: the lower and the upper limits of a leg.
-    fn two_joints(&mut self, name: &Word, operands: &[Operand]) -> Option<resolved::Arguments> {
+    fn two_joints(&mut self, name: &Word, operands: &[Operand]) -> Option<Vec<Argument>> {
         let mut read = Vec::new();
         for operand in operands.iter().take(2) {
             read.push(self.joint(name, operand)?);
@@ -88,7 +86,11 @@ impl Resolver<'_> {
             return self.refuse(Code::Argument, name.span, reason);
         };
         self.no_more(name, &operands[2..])?;
-        Some(resolved::Arguments::Two([low, high]))
+        let both = [low, high].into_iter();
+        Some(
+            both.flat_map(|whole| self.members(whole, Mark::None))
+                .collect(),
+        )
     }
 
     fn joint(&mut self, name: &Word, operand: &Operand) -> Option<StructOperand> {
@@ -114,7 +116,7 @@ impl Resolver<'_> {
         operands: &[Operand],
         kind: VariableKind,
         count: usize,
-    ) -> Option<resolved::Arguments> {
+    ) -> Option<Vec<Argument>> {
         let flagged = usize::from(self.flag_of(form, operands).is_some());
         let whole = operands
             .get(flagged)
@@ -130,8 +132,7 @@ impl Resolver<'_> {
         }
         let operand = match named {
             None | Some((_, VariableKind::Var)) => {
-                let each = self.scalars(name, form, operands, count);
-                return each.map(resolved::Arguments::Each);
+                return self.scalars(name, form, operands, count);
             }
             Some((whole, of)) if of == kind => whole,
             Some((_, of)) => {
@@ -147,7 +148,15 @@ impl Resolver<'_> {
         let mark = self.mark(form, operands)?;
         let meant = self.resolve_operand_as(&operands[flagged], Code::Argument, Some(kind))?;
         self.uses.operand(&operands[flagged], meant, Access::Read);
-        Some(resolved::Arguments::Whole { operand, mark })
+        Some(self.members(operand, mark).collect())
+    }
+
+    /// Returns the members of a struct as arguments.
+    fn members(&self, whole: StructOperand, mark: Mark) -> impl Iterator<Item = Argument> + use<> {
+        (0..self.names.size_of(whole)).map(move |member| Argument {
+            operand: whole.member(member),
+            mark,
+        })
     }
 
     /// Reads `count` scalars, each with its flag.
