@@ -38,13 +38,7 @@ pub const LINE_LIMIT: usize = 1023;
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
 pub fn parse(source: &Source, tip_version: Option<f64>) -> (Module, Diagnostics) {
-    let edition = match header::version(source, tip_version) {
-        Ok(edition) => edition,
-        Err(wrong) => return (Module::default(), vec![*wrong].into()),
-    };
-    let mut parser = Parser::new(source, edition);
-    parser.lines(&mut |_| ());
-    (parser.module, parser.diagnostics)
+    parse_taking(source, tip_version, &mut |_| ())
 }
 
 /// Parses a source, and lets `take` remove the statements of each line once it is read.

@@ -110,9 +110,7 @@ impl Flow {
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
-}
 
-impl Flow {
     /// Returns the first node of a step; the number of nodes for one past the last.
     pub fn first(&self, step: StepId) -> NodeId {
         self.nodes.partition_point(|node| node.step < step)
@@ -122,9 +120,7 @@ impl Flow {
     pub fn last(&self, step: StepId) -> NodeId {
         self.first(step + 1).saturating_sub(1)
     }
-}
 
-impl Flow {
     /// Returns every call.
     pub fn calls(&self) -> impl Iterator<Item = Call> {
         self.nodes.iter().filter_map(|node| node.call)
@@ -143,38 +139,29 @@ impl Flow {
     }
 }
 
-/// Targets of steps.
-struct Ways {
-    /// The first node of each step, and one past the last.
-    first: Vec<NodeId>,
-    /// The last node of each step.
-    last: Vec<NodeId>,
-}
+/// Targets of steps: the first and the last node of each.
+struct Ways(Vec<(NodeId, NodeId)>);
 
 impl Ways {
     fn new(program: &Program) -> Self {
         let mut nodes = 0;
-        let mut ways = Ways {
-            first: Vec::new(),
-            last: Vec::new(),
-        };
-        for step in program.steps() {
-            ways.first.push(nodes);
-            nodes += usize::from(step.action.passed_to().is_some());
-            ways.last.push(nodes);
-            nodes += 1;
-        }
-        ways
+        let ends = program.steps().iter().map(|step| {
+            let first = nodes;
+            let last = first + usize::from(step.action.passed_to().is_some());
+            nodes = last + 1;
+            (first, last)
+        });
+        Ways(ends.collect())
     }
 
     /// Returns the node of a step reached "taken"; none past the last.
     fn to(&self, step: StepId) -> Option<NodeId> {
-        self.first.get(step as usize).copied()
+        self.0.get(step as usize).map(|(first, _)| *first)
     }
 
     /// Returns the node of a step reached "not taken".
     fn otherwise(&self, step: StepId) -> Option<NodeId> {
-        self.last.get(step as usize).copied()
+        self.0.get(step as usize).map(|(_, last)| *last)
     }
 
     /// Returns the node of a step, ELSEIF and ELSE as reached "not taken".

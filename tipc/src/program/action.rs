@@ -193,27 +193,7 @@ impl Action {
             | Action::Until { condition, .. }
             | Action::IfGoto { condition, .. }
             | Action::IfGosub { condition, .. } => Some(condition),
-            Action::Nothing
-            | Action::SetScalar { .. }
-            | Action::SetStruct { .. }
-            | Action::Else { .. }
-            | Action::Goto { .. }
-            | Action::For { .. }
-            | Action::Next { .. }
-            | Action::Gosub { .. }
-            | Action::Return
-            | Action::Finish(_)
-            | Action::Command { .. }
-            | Action::TeachStruct { .. }
-            | Action::TeachScalar { .. }
-            | Action::AdIn { .. }
-            | Action::KeyIn { .. }
-            | Action::StartThread { .. }
-            | Action::StopThread { .. }
-            | Action::WaitThread { .. }
-            | Action::ThreadEnd
-            | Action::FileMessage { .. }
-            | Action::Message { .. } => None,
+            _ => None,
         }
     }
 
@@ -255,31 +235,7 @@ impl Action {
     pub fn passed_to(&self) -> Option<StepId> {
         match self {
             Action::ElseIf { otherwise: to, .. } | Action::Else { end: to } => Some(*to),
-            Action::Nothing
-            | Action::SetScalar { .. }
-            | Action::SetStruct { .. }
-            | Action::If { .. }
-            | Action::While { .. }
-            | Action::Goto { .. }
-            | Action::Until { .. }
-            | Action::For { .. }
-            | Action::Next { .. }
-            | Action::IfGoto { .. }
-            | Action::Gosub { .. }
-            | Action::IfGosub { .. }
-            | Action::Return
-            | Action::Finish(_)
-            | Action::Command { .. }
-            | Action::TeachStruct { .. }
-            | Action::TeachScalar { .. }
-            | Action::AdIn { .. }
-            | Action::KeyIn { .. }
-            | Action::StartThread { .. }
-            | Action::StopThread { .. }
-            | Action::WaitThread { .. }
-            | Action::ThreadEnd
-            | Action::FileMessage { .. }
-            | Action::Message { .. } => None,
+            _ => None,
         }
     }
 }

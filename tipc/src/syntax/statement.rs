@@ -2,6 +2,7 @@
 
 use super::{Condition, Counting, Equation, Expression, Operand, Spanned, VariableKind, Word};
 use crate::diagnostic::Diagnostic;
+use crate::language::Keyword;
 use crate::source::Span;
 
 /// Kind of a statement. Large parts are boxed: a long program holds many statements.
@@ -182,6 +183,29 @@ pub enum Shape {
     ThreadEnd,
 }
 
+impl Shape {
+    /// Returns the word of such a statement; `None` for one that neither opens nor closes a block, or should not be.
+    pub const fn keyword(self) -> Option<Keyword> {
+        Some(match self {
+            Shape::If => Keyword::If,
+            Shape::ElseIf => Keyword::ElseIf,
+            Shape::Else => Keyword::Else,
+            Shape::EndIf => Keyword::EndIf,
+            Shape::While => Keyword::While,
+            Shape::Wend => Keyword::Wend,
+            Shape::Repeat => Keyword::Repeat,
+            Shape::Until => Keyword::Until,
+            Shape::For => Keyword::For,
+            Shape::Next => Keyword::Next,
+            Shape::Subroutine => Keyword::Subroutine,
+            Shape::SubEnd => Keyword::SubEnd,
+            Shape::Thread => Keyword::Thread,
+            Shape::ThreadEnd => Keyword::ThreadEnd,
+            Shape::Plain | Shape::OneLineIf | Shape::Close => return None,
+        })
+    }
+}
+
 /// Continuation of an IF.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Then {
@@ -290,34 +314,7 @@ impl StatementKind {
             StatementKind::StartThread(jump)
             | StatementKind::StopThread(jump)
             | StatementKind::WaitThread(jump) => Some((JumpKind::Thread, jump)),
-            StatementKind::If {
-                then: Then::Block, ..
-            }
-            | StatementKind::Define { .. }
-            | StatementKind::Constant { .. }
-            | StatementKind::Thread { .. }
-            | StatementKind::ThreadEnd
-            | StatementKind::FileMessage { .. }
-            | StatementKind::Label(_)
-            | StatementKind::Equation(_)
-            | StatementKind::ElseIf { .. }
-            | StatementKind::Else
-            | StatementKind::EndIf
-            | StatementKind::While { .. }
-            | StatementKind::Wend
-            | StatementKind::Repeat
-            | StatementKind::Until { .. }
-            | StatementKind::For { .. }
-            | StatementKind::Next { .. }
-            | StatementKind::Subroutine { .. }
-            | StatementKind::SubEnd
-            | StatementKind::Return
-            | StatementKind::End
-            | StatementKind::Exit
-            | StatementKind::Rem
-            | StatementKind::Message { .. }
-            | StatementKind::Command { .. }
-            | StatementKind::Broken(_) => None,
+            _ => None,
         }
     }
 
@@ -388,35 +385,7 @@ impl StatementKind {
             StatementKind::Label(name) => Some((name, LabelKind::Plain)),
             StatementKind::Subroutine { name, .. } => Some((name, LabelKind::Subroutine)),
             StatementKind::Thread { name, .. } => Some((name, LabelKind::Thread)),
-            StatementKind::Define { .. }
-            | StatementKind::Constant { .. }
-            | StatementKind::ThreadEnd
-            | StatementKind::StartThread(_)
-            | StatementKind::StopThread(_)
-            | StatementKind::WaitThread(_)
-            | StatementKind::FileMessage { .. }
-            | StatementKind::Equation(_)
-            | StatementKind::If { .. }
-            | StatementKind::ElseIf { .. }
-            | StatementKind::Else
-            | StatementKind::EndIf
-            | StatementKind::While { .. }
-            | StatementKind::Wend
-            | StatementKind::Repeat
-            | StatementKind::Until { .. }
-            | StatementKind::For { .. }
-            | StatementKind::Next { .. }
-            | StatementKind::SubEnd
-            | StatementKind::Call(_)
-            | StatementKind::Goto(_)
-            | StatementKind::Gosub(_)
-            | StatementKind::Return
-            | StatementKind::End
-            | StatementKind::Exit
-            | StatementKind::Rem
-            | StatementKind::Message { .. }
-            | StatementKind::Command { .. }
-            | StatementKind::Broken(_) => None,
+            _ => None,
         }
     }
 
@@ -433,66 +402,21 @@ impl StatementKind {
             | StatementKind::Thread { keyword, .. }
             | StatementKind::Constant { keyword, .. }
             | StatementKind::Define { keyword, .. } => Some(*keyword),
-            StatementKind::Label(_)
-            | StatementKind::ThreadEnd
-            | StatementKind::StartThread(_)
-            | StatementKind::StopThread(_)
-            | StatementKind::WaitThread(_)
-            | StatementKind::FileMessage { .. }
-            | StatementKind::Equation(_)
-            | StatementKind::Else
-            | StatementKind::EndIf
-            | StatementKind::Wend
-            | StatementKind::Repeat
-            | StatementKind::SubEnd
-            | StatementKind::Call(_)
-            | StatementKind::Goto(_)
-            | StatementKind::Gosub(_)
-            | StatementKind::Return
-            | StatementKind::End
-            | StatementKind::Exit
-            | StatementKind::Rem
-            | StatementKind::Message { .. }
-            | StatementKind::Command { .. }
-            | StatementKind::Broken(_) => None,
+            _ => None,
         }
     }
 
     /// Returns true if the statement after it may run next; false for a broken one, of which this is unknown.
     pub const fn goes_on(&self) -> bool {
-        match self {
+        !matches!(
+            self,
             StatementKind::Goto(_)
-            | StatementKind::SubEnd
-            | StatementKind::ThreadEnd
-            | StatementKind::Return
-            | StatementKind::End
-            | StatementKind::Exit
-            | StatementKind::Broken(_) => false,
-            StatementKind::Define { .. }
-            | StatementKind::Constant { .. }
-            | StatementKind::Thread { .. }
-            | StatementKind::StartThread(_)
-            | StatementKind::StopThread(_)
-            | StatementKind::WaitThread(_)
-            | StatementKind::FileMessage { .. }
-            | StatementKind::Label(_)
-            | StatementKind::Equation(_)
-            | StatementKind::If { .. }
-            | StatementKind::ElseIf { .. }
-            | StatementKind::Else
-            | StatementKind::EndIf
-            | StatementKind::While { .. }
-            | StatementKind::Wend
-            | StatementKind::Repeat
-            | StatementKind::Until { .. }
-            | StatementKind::For { .. }
-            | StatementKind::Next { .. }
-            | StatementKind::Subroutine { .. }
-            | StatementKind::Call(_)
-            | StatementKind::Gosub(_)
-            | StatementKind::Rem
-            | StatementKind::Message { .. }
-            | StatementKind::Command { .. } => true,
-        }
+                | StatementKind::SubEnd
+                | StatementKind::ThreadEnd
+                | StatementKind::Return
+                | StatementKind::End
+                | StatementKind::Exit
+                | StatementKind::Broken(_)
+        )
     }
 }
