@@ -4,18 +4,15 @@
 
 mod arguments;
 mod blocks;
-mod conditions;
 mod equations;
 mod inputs;
 mod jumps;
 mod labels;
 mod names;
-mod ranges;
 mod resolve;
 mod structure;
 mod targets;
 mod texts;
-mod title;
 mod uses;
 mod values;
 
@@ -28,9 +25,9 @@ use crate::symbols::Symbols;
 use crate::syntax::Module;
 pub(crate) use labels::DeclaredLabel;
 use labels::Labels;
+use labels::Title;
 use names::{NamedConstant, Names};
 use resolve::Known;
-use title::Title;
 
 /// Results of the passes over a module.
 #[derive(Debug)]

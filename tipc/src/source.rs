@@ -18,13 +18,11 @@
 
 use decode::{Decoded, MARK, decode};
 use lines::LineIndex;
-use original::Original;
 use position::ColumnIndex;
+use position::Original;
 
 mod decode;
-mod encode;
 mod lines;
-mod original;
 mod position;
 
 pub use decode::looks_like;

@@ -206,9 +206,7 @@ impl Resolver<'_> {
     pub(super) fn missing<T>(&mut self, location: Span, what: Lacking) -> Option<T> {
         self.refuse(Code::Argument, location, Commanding::Missing { what })
     }
-}
 
-impl Resolver<'_> {
     /// Suggests what to write in the place of an unknown first word; false if that is a guess.
     fn suggest_for(&self, name: &Word) -> (Message, bool) {
         match self.known_mistake(name) {

@@ -3,9 +3,9 @@
 use super::blocks::{Block, Blocks};
 use super::jumps;
 use super::labels::Labels;
+use super::labels::Title;
 use super::names::{Names, ResolvedOperand};
 use super::structure::named_by;
-use super::title::Title;
 use super::uses::{Named, Uses};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};

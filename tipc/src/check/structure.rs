@@ -1,8 +1,8 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
 
 use super::blocks::{Block, BlockKind, Blocks, Link};
+use super::labels::Title;
 use super::names::Names;
-use super::title::Title;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::language::{Keyword, commands, keywords};
@@ -479,9 +479,7 @@ impl Matcher<'_> {
     fn location(&self, index: usize) -> Span {
         self.module.statements[index].keyword()
     }
-}
 
-impl Matcher<'_> {
     /// `FOR I`, `FOR J`, `NEXT I`: the outer FOR, whose variable NEXT names, if the inner one never gets its own NEXT.
     fn named_by_next(&self, index: usize) -> Option<usize> {
         let name = self.named(index)?;

@@ -40,11 +40,11 @@ pub(super) struct Named {
     /// Number of labels.
     pub(super) labels: usize,
     /// The variables that a broken statement names: nothing can be said of them.
-    pub(super) excused: Vec<bool>,
+    excused: Vec<bool>,
     /// The variables that a MESSAGE was to show, and does not: that nothing reads them follows from it.
-    pub(super) to_be_shown: Vec<bool>,
+    to_be_shown: Vec<bool>,
     /// OUTPUT_VARIABLES reads them all.
-    pub(super) dumped: bool,
+    dumped: bool,
     /// Types of which a wrong statement may assign any variable: that one is never assigned follows from it.
     may_assign: Vec<VariableKind>,
 }

@@ -2,7 +2,7 @@
 
 use super::ident::field;
 use super::ident::in_comment;
-use super::table::States;
+use super::step::States;
 use super::{Emitter, header_of, ident};
 use crate::program::{Variable, VariableKind};
 use proc_macro2::{Literal, TokenStream};

@@ -6,7 +6,6 @@
 mod form;
 mod outcome;
 mod rows;
-mod usage;
 
 pub use form::{Arguments, Form, Joints, Limit, Robots, Targets, Values};
 pub use outcome::{Cycles, Failure, Moves};

@@ -1,16 +1,16 @@
 //! Statements whose first word is none of the language: what can be told of each of them all the same, so that it is
 //! one mistake. A misspelt keyword of a block opens and closes as the keyword does.
 
+use super::control::{joined, label_of, marked, spread};
 use super::declaration::declared_kind;
-use super::jump::{joined, label_of, marked, spread};
 use super::statement::intended_shape;
-use super::{Parser, narrow};
+use super::{Flow, Parser, narrow};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::Meaning;
 use crate::language::reserved::{JOINT, POSITION};
-use crate::language::{Edition, Keyword, commands, keywords, names};
-use crate::lex::{Kind, Token, lex};
+use crate::language::{Edition, Keyword, commands, flags, keywords, names};
+use crate::lex::{Kind, Token, foreign_run, lex};
 use crate::message::{Commanding, Message, Naming, Parsing, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
@@ -269,9 +269,7 @@ impl Parser<'_> {
             span: first.span,
         })
     }
-}
 
-impl Parser<'_> {
     /// Reads an assignment with an operator of another language.
     pub(super) fn assignment(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let [name, operator, rest @ ..] = tokens else {
@@ -446,5 +444,269 @@ impl Parser<'_> {
             let is_end = |word: &str| word.eq_ignore_ascii_case(Keyword::End.word());
             matches!(last.kind, StatementKind::Broken(_)) && words.next_back().is_some_and(is_end)
         })
+    }
+}
+
+const OPEN: &str = "{";
+const CLOSE: &str = "}";
+
+impl Parser<'_> {
+    /// Takes the brace or colon that opens a block off the end of a statement: the words before it count.
+    pub(super) fn take_brace(
+        &self,
+        keyword: Option<Keyword>,
+        tokens: &mut Vec<Token>,
+    ) -> Option<Token> {
+        let last = *tokens.last().filter(|_| tokens.len() > 1)?;
+        let opens = match last.kind {
+            Kind::Word => self.source.slice(last.span) == OPEN,
+            Kind::Colon => self.opens_with_colon(keyword?, tokens),
+            _ => false,
+        };
+        opens.then(|| tokens.pop())?
+    }
+
+    /// Returns true for a colon after a condition or THEN; one after the label of a jump is none of these.
+    fn opens_with_colon(&self, keyword: Keyword, tokens: &[Token]) -> bool {
+        let ends_condition = || match tokens {
+            [.., before, last, _] => {
+                let is_then = self
+                    .source
+                    .slice(last.span)
+                    .eq_ignore_ascii_case(Keyword::Then.word());
+                is_then || tokens.len() == 3 || before.kind != Kind::Word
+            }
+            _ => false,
+        };
+        match keyword {
+            Keyword::While | Keyword::Until | Keyword::For => true,
+            Keyword::If | Keyword::ElseIf => ends_condition(),
+            _ => false,
+        }
+    }
+
+    /// Reports what opened the block of a statement unless its words are reported, which `before` tells. Nothing else
+    /// is wrong with such a statement, or with the end of its block.
+    pub(super) fn opened_block(
+        &mut self,
+        location: Span,
+        opening: Token,
+        before: usize,
+        kind: StatementKind,
+    ) -> StatementKind {
+        let word = self.source.slice(location);
+        let (reason, help) = match opening.kind {
+            Kind::Colon => (Suggestion::NoColon, Suggestion::WriteThen),
+            // That closes and opens a block, which is reported: `} ELSE {`.
+            _ if word == CLOSE => return kind,
+            // All of the statement is unknown: `SWITCH (A) {`.
+            _ if !self.is_command(word) => {
+                self.braces.push(self.diagnostics.len() > before);
+                return kind;
+            }
+            _ => {
+                self.braces.push(true);
+                (Suggestion::NoBraces, Suggestion::Braces)
+            }
+        };
+        let lacks_then = |fault: &Diagnostic| {
+            [Parsing::ThenOrJumpBelongsHere, Parsing::ThenBelongsHere]
+                .into_iter()
+                .any(|reason| fault.reason == reason.into())
+        };
+        // It stands for the THEN.
+        if self.diagnostics[before..].iter().all(lacks_then) {
+            self.diagnostics.truncate(before);
+            let fault = Diagnostic::new(Code::Argument, opening.span, reason);
+            self.report(fault.help(help));
+        }
+        match kind.shape() {
+            Shape::Plain => kind,
+            shape => StatementKind::Broken(shape),
+        }
+    }
+
+    /// Reads a statement that begins with a brace.
+    fn brace(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+        let shape = match self.source.slice(word) {
+            OPEN if tokens.len() == 1 => self.lone_brace(word),
+            CLOSE => {
+                let next = tokens.get(1).map(|token| self.source.slice(token.span));
+                let next = next.and_then(|next| keywords::find(next, self.module.edition));
+                let begins_block = match (self.braces.pop(), next) {
+                    (Some(begins_block), _) => begins_block,
+                    // The block that ends here began without a brace.
+                    (None, Some(Keyword::Else)) => {
+                        let reason = Commanding::NoCommand { word: CLOSE.into() };
+                        self.report_unknown(word, CLOSE, reason, Suggestion::Braces);
+                        true
+                    }
+                    (None, _) => return None,
+                };
+                match next {
+                    Some(Keyword::Else) => {
+                        self.braces.push(true);
+                        let is_else_if = self.is_else_if(&tokens[1..]);
+                        if is_else_if {
+                            Shape::ElseIf
+                        } else {
+                            Shape::Else
+                        }
+                    }
+                    _ if begins_block => Shape::Close,
+                    _ => Shape::Plain,
+                }
+            }
+            _ => return None,
+        };
+        Some(StatementKind::Broken(shape))
+    }
+
+    /// `{` on a line of its own, after the line of its IF or without any.
+    fn lone_brace(&mut self, word: Span) -> Shape {
+        let before = self.module.statements.last().map(|it| &it.kind);
+        let opens = |kind: &StatementKind| {
+            matches!(
+                kind.shape(),
+                Shape::If | Shape::ElseIf | Shape::Else | Shape::While | Shape::For
+            )
+        };
+        self.braces.push(before.is_some_and(opens));
+        // Its IF lacks THEN, which is reported.
+        if !matches!(before, Some(StatementKind::Broken(_))) {
+            let reason = Commanding::NoCommand { word: OPEN.into() };
+            self.report_unknown(word, OPEN, reason, Suggestion::Braces);
+        }
+        Shape::Plain
+    }
+
+    /// `FOR (I = 0; I < 3; I++)`: all of the line.
+    pub(super) fn for_of_c(&mut self, span: Span) -> Flow {
+        let statement = self.source.slice(span);
+        let open = statement.find('(').unwrap_or_default();
+        let location = Span::new(span.start + open, span.end);
+        let line = Span::new(span.start, self.line.span.end);
+        if self.source.slice(line).trim_end().ends_with(OPEN) {
+            self.braces.push(true);
+        }
+        let fault = Diagnostic::new(Code::Argument, location, Suggestion::ForCounts);
+        self.report(fault.help(Parsing::WriteFor));
+        self.push(StatementKind::Broken(Shape::For), span);
+        Flow::NextLine
+    }
+
+    /// Returns true if the line of a FOR is that of C.
+    pub(super) fn is_for_of_c(&self, word: Span, span: Span) -> bool {
+        let rest = self.source.slice(Span::new(word.end, span.end));
+        let line = self.source.slice(Span::new(span.end, self.line.span.end));
+        rest.trim_start().starts_with('(') && line.trim_start().starts_with(';')
+    }
+}
+
+/// The marks of comments in other languages.
+const MARKS: &[&str] = &[
+    "#", "'", "/*", "*/", "--", "%", "(*", "\"\"\"", "\\\\", "・・", "／／", "※", "＃", "’",
+];
+
+/// Marks that begin a comment after a statement, too.
+const AFTER: &[&str] = &["#", "'", "／／", "※", "＃", "’"];
+
+/// Openers and closers of comments of several lines.
+const OF_LINES: &[[&str; 2]] = &[["/*", "*/"], ["\"\"\"", "\"\"\""], ["'''", "'''"]];
+
+/// The mark of comments in Fortran and Modula; the language negates flags with it.
+const BANG: &str = "!";
+
+/// Returns true if a statement is a comment in another language.
+pub fn is_comment(statement: &str) -> bool {
+    // Nearly all statements begin with a word.
+    if statement.starts_with(|first: char| first.is_ascii_alphanumeric()) {
+        return false;
+    }
+    MARKS.iter().any(|mark| statement.starts_with(mark)) || is_banged(statement)
+}
+
+/// `! text`, but not `!KB_HIT`.
+fn is_banged(statement: &str) -> bool {
+    let mut words = statement.strip_prefix(BANG).unwrap_or_default().split(' ');
+    let first = upper_case(words.next().unwrap_or_default());
+    words.next().is_some() && flags::find(&first, Edition::default()).is_none()
+}
+
+/// Returns true if a comment of another language, or what is taken for one, begins where this part of a line ends.
+pub(super) fn ends_in_mark(part: &str) -> bool {
+    let part = part.trim_end();
+    part.ends_with(';') || MARKS.iter().any(|mark| part.ends_with(mark))
+}
+
+/// Returns the mark that a comment of another language begins with.
+pub fn comment_mark(comment: &str) -> Option<&'static str> {
+    let mut marks = MARKS.iter().copied().chain([BANG]);
+    marks.find(|mark| comment.starts_with(mark))
+}
+
+/// Returns the start of a comment of another language after a statement, if there is one.
+pub fn comment_after(line: &str) -> Option<usize> {
+    let starts = |at: &usize| AFTER.iter().any(|mark| line[*at..].starts_with(mark));
+    let after_blank = line.match_indices([' ', '\t']).map(|(at, _)| at + 1);
+    after_blank.into_iter().find(starts)
+}
+
+impl Parser<'_> {
+    /// Returns true if the line belongs to a comment of another language, `/* … */`, whose start is reported.
+    pub(super) fn is_in_comment(&mut self) -> bool {
+        let Some(closes) = self.in_comment else {
+            return false;
+        };
+        if self.source.slice(self.line.span).contains(closes) {
+            self.in_comment = None;
+        }
+        true
+    }
+
+    /// `# …`, `' …`, `/* … */`: the rest of the line is part of it.
+    pub(super) fn foreign_comment(&mut self, span: Span) {
+        let text = self.source.slice(span);
+        // A `;` and a `//` are part of it, too.
+        let line = self.source.slice(Span::new(span.start, self.line.span.end));
+        let mut marks = OF_LINES.iter();
+        self.in_comment = marks
+            .find(|[opens, _]| text.starts_with(opens))
+            .filter(|[opens, closes]| !line[opens.len()..].contains(closes))
+            .map(|[_, closes]| *closes);
+        self.push(StatementKind::Broken(Shape::Plain), span);
+        if let Some(foreign) = foreign_run(self.text, span) {
+            return self.report_foreign(foreign);
+        }
+        let first = text.split_whitespace().next().unwrap_or_default();
+        let location = Span::new(span.start, span.start + first.len());
+        let help = match self.in_comment {
+            Some(_) => Suggestion::EachLine,
+            None => Suggestion::Comment,
+        };
+        let reason = Commanding::NoCommand { word: first.into() };
+        self.report_unknown(location, first, reason, help);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_comment;
+
+    #[test]
+    fn comments_of_other_languages_are_known() {
+        for text in ["# x", "#x", "'x", "/* x */", "-- x", "% x", "! x", "!x y"] {
+            assert!(is_comment(text), "{text}");
+        }
+        for text in [
+            "A = 1",
+            "PTP F1",
+            "-A = 1",
+            "!KB_HIT",
+            "!KB_HIT GOTO L1:",
+            "!x",
+        ] {
+            assert!(!is_comment(text), "{text}");
+        }
     }
 }
