@@ -47,8 +47,6 @@ pub const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
 /// Such characters become part of words, so that the tokens around them stay usable.
 pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     let bytes = &text.as_bytes()[..span.end];
-    // Nearly no statement holds one.
-    let is_plain = bytes[span.start..].iter().all(|byte| !is_foreign(*byte));
     let mut foreign = None;
     let mut at = span.start;
     loop {
@@ -58,9 +56,7 @@ pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
         }
         let (kind, end) = operator(bytes, start).unwrap_or_else(|| {
             let end = word_end(bytes, start);
-            if !is_plain && foreign.is_none() {
-                foreign = foreign_run(text, Span::new(start, end));
-            }
+            foreign = foreign.or_else(|| foreign_run(text, Span::new(start, end)));
             (Kind::Word, end)
         });
         tokens.push(Token {

@@ -2,6 +2,10 @@
 
 use crate::language::Keyword;
 use std::collections::HashMap;
+use std::iter;
+
+/// The most blocks around a label that are looked at. Of a jump that enters more, one of these is named.
+const DEEP: usize = 1_000;
 
 /// Kind of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,74 +94,21 @@ pub(crate) struct Blocks {
     pub(super) closed_by: HashMap<usize, usize>,
 }
 
-/// The blocks as a tree, in which the way up is searched in steps that grow: a jump may lead out of any number of them.
-pub(super) struct Tree<'a> {
-    blocks: &'a [Block],
-    nodes: Vec<Node>,
-}
-
-/// A block in the tree, or, as the first node, the program around all of them.
-#[derive(Clone, Copy, Default)]
-struct Node {
-    parent: usize,
-    /// An outer one further up.
-    far: usize,
-    depth: usize,
-    /// Numbers of sound FORs and of other sound blocks from here up.
-    sound: [usize; 2],
-}
-
-impl<'a> Tree<'a> {
-    pub(super) fn of(blocks: &'a [Block]) -> Self {
-        let mut nodes = vec![Node::default()];
-        for block in blocks {
-            let parent = block.parent.map_or(0, |parent| parent + 1);
-            let Node {
-                far,
-                depth,
-                mut sound,
-                ..
-            } = nodes[parent];
-            let is_as_far =
-                depth - nodes[far].depth == nodes[far].depth - nodes[nodes[far].far].depth;
-            sound[usize::from(block.kind != BlockKind::For)] += usize::from(!block.broken);
-            nodes.push(Node {
-                parent,
-                far: if is_as_far { nodes[far].far } else { parent },
-                depth: depth + 1,
-                sound,
-            });
-        }
-        Tree { blocks, nodes }
-    }
-
+impl Blocks {
     /// Returns the outermost sound FOR, and the outermost other sound block, that are around a statement or the block
     /// `inner` itself, but not around the statement `from`.
     pub(super) fn entered(&self, inner: Option<usize>, from: usize) -> [Option<usize>; 2] {
-        let inner = inner.map_or(0, |block| block + 1);
-        let holds_from = |at: usize| at == 0 || self.blocks[at - 1].contains(from);
-        let common = match holds_from(inner) {
-            true => inner,
-            false => self.nodes[self.climb(inner, |at| !holds_from(at))].parent,
-        };
-        [0, 1].map(|of| {
-            let outside = self.nodes[common].sound[of];
-            let is_inside = |at: usize| self.nodes[at].sound[of] > outside;
-            is_inside(inner).then(|| self.climb(inner, is_inside) - 1)
-        })
-    }
-
-    /// Returns the outermost node from one up of which something holds: of that node it does, and of the program it
-    /// does not.
-    fn climb(&self, from: usize, holds: impl Fn(usize) -> bool) -> usize {
-        let mut at = from;
-        loop {
-            let Node { parent, far, .. } = self.nodes[at];
-            at = match (holds(far), holds(parent)) {
-                (true, _) => far,
-                (false, true) => parent,
-                (false, false) => return at,
-            };
+        let mut entered = [None; 2];
+        let around = iter::successors(inner, |id| self.blocks[*id].parent);
+        for id in around.take(DEEP) {
+            let block = &self.blocks[id];
+            if block.contains(from) {
+                break;
+            }
+            if !block.broken {
+                entered[usize::from(block.kind != BlockKind::For)] = Some(id);
+            }
         }
+        entered
     }
 }

@@ -45,17 +45,16 @@ impl Resolver<'_> {
         let update = equation.update;
         let location = equation.target.span;
         match (target, value) {
-            (ResolvedOperand::Constant(_), _) => {
-                let fault = Diagnostic::new(Code::Equation, location, Parsing::ConstantAssigned);
-                self.report(fault.help(Calculating::LeftSideIs));
-                None
-            }
+            (ResolvedOperand::Constant(_), _) => self.refuse_with(
+                Code::Equation,
+                location,
+                Parsing::ConstantAssigned,
+                Calculating::LeftSideIs,
+            ),
             (ResolvedOperand::Reading { reading, .. }, _) => {
                 let word = reading.to_string().into();
                 let reason = Naming::ReadingAssigned { word };
-                let fault = Diagnostic::new(Code::Equation, location, reason);
-                self.report(fault.help(Calculating::LeftSideIs));
-                None
+                self.refuse_with(Code::Equation, location, reason, Calculating::LeftSideIs)
             }
             (
                 ResolvedOperand::Scalar { negative: true, .. }
@@ -266,9 +265,12 @@ impl Resolver<'_> {
             _ => {
                 let wanted = kind.map_or(Type::PosOrJoint, |kind| type_of(Some(kind)));
                 let reason = Calculating::BelongsHere { wanted };
-                let fault = Diagnostic::new(Code::Equation, operand.span, reason);
-                self.report(fault.help(Calculating::WholeVariable));
-                None
+                self.refuse_with(
+                    Code::Equation,
+                    operand.span,
+                    reason,
+                    Calculating::WholeVariable,
+                )
             }
         }
     }
@@ -278,9 +280,12 @@ impl Resolver<'_> {
         let meant = self.resolve_operand_as(operand, Code::Equation, guess)?;
         self.uses.operand(operand, meant, Access::Read);
         if let Some((_, _, true)) = meant.structure() {
-            let fault = Diagnostic::new(Code::Equation, operand.span, Calculating::StructSign);
-            self.report(fault.help(Calculating::ChangeMembers));
-            return None;
+            return self.refuse_with(
+                Code::Equation,
+                operand.span,
+                Calculating::StructSign,
+                Calculating::ChangeMembers,
+            );
         }
         Some(meant)
     }

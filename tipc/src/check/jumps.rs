@@ -1,6 +1,6 @@
 //! Targets of jumps, and targets that are not allowed (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
-use super::blocks::{BlockKind, Blocks, Tree};
+use super::blocks::{BlockKind, Blocks};
 use super::labels::Title;
 use super::labels::{Labels, SUBROUTINE_LOOP};
 use super::names::Names;
@@ -43,7 +43,6 @@ pub(crate) fn resolve(
         labels,
         blocks,
         title,
-        tree: Tree::of(&blocks.blocks),
         after_end: OnceCell::new(),
         bare: HashMap::new(),
         found,
@@ -75,7 +74,6 @@ struct Jumps<'a> {
     labels: &'a Labels<'a>,
     blocks: &'a Blocks,
     title: &'a Title,
-    tree: Tree<'a>,
     /// Labels and SUBROUTINEs that stand after END.
     after_end: OnceCell<HashMap<String, Span>>,
     bare: HashMap<usize, Vec<Span>>,
@@ -247,7 +245,7 @@ impl Jumps<'_> {
             // What is called may be entered.
             inner = self.blocks.blocks[routine].parent;
         }
-        let [entered_for, refused] = self.tree.entered(inner, from);
+        let [entered_for, refused] = self.blocks.entered(inner, from);
         let is_strict = self.module.edition.is_strict();
         if let Some(block) = refused.or(entered_for.filter(|_| is_strict)) {
             return self.refuse_entry(block, to, location);

@@ -403,9 +403,7 @@ impl<'a> Resolver<'a> {
             }
             _ => {
                 let reason = Commanding::CountsVar;
-                let fault = Diagnostic::new(Code::Argument, operand.span, reason);
-                self.report(fault.help(Commanding::CountVar));
-                None
+                self.refuse_with(Code::Argument, operand.span, reason, Commanding::CountVar)
             }
         }
     }
@@ -550,6 +548,18 @@ impl<'a> Resolver<'a> {
         reason: impl Into<Message>,
     ) -> Option<T> {
         self.report(Diagnostic::new(code, location, reason));
+        None
+    }
+
+    /// Reports with a help, and answers that there is nothing.
+    pub(super) fn refuse_with<T>(
+        &mut self,
+        code: Code,
+        location: Span,
+        reason: impl Into<Message>,
+        help: impl Into<Message>,
+    ) -> Option<T> {
+        self.report(Diagnostic::new(code, location, reason).help(help));
         None
     }
 }

@@ -54,38 +54,16 @@ impl Resolver<'_> {
             return self.refuse_target(command.span, reason);
         };
         let Some(target) = word(first).and_then(|word| word.parse().ok()) else {
-            let suggestion = self.suggest_target(command, targets, arguments);
+            let help = self.suggest_target(command, targets, arguments);
             let targets = self.wanted(targets);
             let reason = Commanding::TargetBelongsHere { targets };
-            if let Some(help) = suggestion {
-                let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                self.report(fault.help(help));
-                return None;
-            }
-            return match word(first) {
+            return match (help, word(first)) {
+                (Some(help), _) => self.refuse_with(Code::Argument, first.span, reason, help),
+                (None, Some(word)) if self.names.find(word).is_none() => {
+                    self.refuse_target(first.span, reason)
+                }
                 // The form of the command will be its help.
-                Some(word) if self.names.find(word).is_some() => {
-                    self.refuse(Code::Argument, first.span, reason)
-                }
-                None => self.refuse(Code::Argument, first.span, reason),
-                Some(word) if is_joint_of_no_leg(word) => {
-                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Suggestion::JointName));
-                    None
-                }
-                Some(_) if self.in_one_word(command).is_some() => {
-                    let word = self.in_one_word(command).unwrap_or_default().into();
-                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Suggestion::InOneWord { word }));
-                    None
-                }
-                Some(word) if self.looks_like_target(word).is_some() => {
-                    let near = self.looks_like_target(word).unwrap_or_default().into();
-                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Suggestion::DidYouMean { near }));
-                    None
-                }
-                Some(_) => self.refuse_target(first.span, reason),
+                (None, _) => self.refuse(Code::Argument, first.span, reason),
             };
         };
         if !self.robot.has(target) {
@@ -93,37 +71,58 @@ impl Resolver<'_> {
             let reason = Commanding::RobotHasNo { robot, target };
             return self.refuse_target(first.span, reason);
         }
+        if takes(targets, target, self.robot) {
+            return Some(target);
+        }
         if let (Target::Joint(..), Some(other)) = (target, commands::of_joints(&command.node)) {
+            let help = self.for_joint(command, other, arguments);
             let reason = Commanding::MovesFeet {
                 command: command.node.clone(),
                 other,
             };
-            if !takes(targets, target, self.robot) {
-                let help = self.for_joint(command, other, arguments);
-                let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                self.report(fault.help(help));
-                return None;
-            }
+            return self.refuse_with(Code::Argument, first.span, reason, help);
         }
-        if !takes(targets, target, self.robot) {
-            let reason = Commanding::OtherTargets {
+        let reason = Commanding::OtherTargets {
+            command: command.node.clone(),
+            target,
+            targets: self.wanted(targets),
+        };
+        if target == Target::All {
+            let help = Suggestion::OneTarget {
                 command: command.node.clone(),
-                target,
-                targets: self.wanted(targets),
             };
-            if target == Target::All {
-                let command = command.node.clone();
-                let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                self.report(fault.help(Suggestion::OneTarget { command }));
-                return None;
-            }
-            return self.refuse_target(first.span, reason);
+            return self.refuse_with(Code::Argument, first.span, reason, help);
         }
-        Some(target)
+        self.refuse_target(first.span, reason)
     }
 
-    /// `PTP_ANGLE 11 30`, `TEACH_POSITION P F1`: what was meant by a first argument that is no target.
+    /// Returns what was meant by a first argument that is no target.
     fn suggest_target(
+        &self,
+        command: &Word,
+        targets: Targets,
+        arguments: &[Operand],
+    ) -> Option<Message> {
+        let elsewhere = self.target_elsewhere(command, targets, arguments);
+        elsewhere.or_else(|| {
+            let word = word(arguments.first()?)?;
+            if self.names.find(word).is_some() {
+                return None;
+            }
+            if is_joint_of_no_leg(word) {
+                return Some(Suggestion::JointName.into());
+            }
+            if let Some(command) = self.in_one_word(command) {
+                let word = command.into();
+                return Some(Suggestion::InOneWord { word }.into());
+            }
+            let near = self.looks_like_target(word)?.into();
+            Some(Suggestion::DidYouMean { near }.into())
+        })
+    }
+
+    /// `PTP_ANGLE 11 30`, `TEACH_POSITION P F1`: the target without its letter, or after another argument.
+    fn target_elsewhere(
         &self,
         command: &Word,
         targets: Targets,

@@ -325,9 +325,7 @@ impl Resolver<'_> {
             Some(number) => Some(number),
             None => {
                 let reason = Commanding::ConstantOrVar;
-                let fault = Diagnostic::new(shape, operand.span, reason);
-                self.report(fault.help(Commanding::CopyIntoVar));
-                None
+                self.refuse_with(shape, operand.span, reason, Commanding::CopyIntoVar)
             }
         }
     }
@@ -343,9 +341,7 @@ impl Resolver<'_> {
                     let reason = Commanding::TooMany {
                         command: name.node.clone(),
                     };
-                    let fault = Diagnostic::new(Code::Argument, location, reason);
-                    self.report(fault.help(advice));
-                    return None;
+                    return self.refuse_with(Code::Argument, location, reason, advice);
                 }
                 let reason = match name.node.as_str() {
                     // Version 2 had one.

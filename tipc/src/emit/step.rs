@@ -473,10 +473,7 @@ fn collect_words(tokens: &TokenStream, words: &mut BTreeSet<String>) {
     for token in tokens.clone() {
         match token {
             TokenTree::Ident(ident) => {
-                let word = ident.to_string();
-                if !words.contains(&word) {
-                    words.insert(word);
-                }
+                words.insert(ident.to_string());
             }
             TokenTree::Group(group) => collect_words(&group.stream(), words),
             TokenTree::Punct(_) | TokenTree::Literal(_) => {}

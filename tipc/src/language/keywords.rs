@@ -292,11 +292,6 @@ impl Keyword {
         &KEYWORDS[self as usize]
     }
 
-    /// Returns true if it is allowed only after another one.
-    pub const fn is_particle(self) -> bool {
-        matches!(self, Keyword::Then | Keyword::To | Keyword::Step)
-    }
-
     /// Returns true if a text follows it instead of operands.
     pub const fn takes_text(self) -> bool {
         matches!(self, Keyword::Message | Keyword::Rem | Keyword::FileMessage)

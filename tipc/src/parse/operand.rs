@@ -31,9 +31,6 @@ const STOPS: &[Keyword] = &[
     Keyword::Step,
 ];
 
-/// All integers of so many digits are floats.
-const EXACT: usize = 15;
-
 impl Reader<'_> {
     /// Reads an operand with its sign.
     pub(super) fn operand(&mut self) -> Parsed<Operand> {
@@ -178,11 +175,6 @@ impl Reader<'_> {
     }
 
     fn number(&self, word: &str, span: Span) -> Parsed<f64> {
-        // Most constants are short integers, which a float holds exactly.
-        if word.len() <= EXACT && word.bytes().all(|it| it.is_ascii_digit()) {
-            let digits = word.bytes().map(|it| u64::from(it - b'0'));
-            return Ok(digits.fold(0, |value, digit| 10 * value + digit) as f64);
-        }
         match word.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
             Ok(_) => {
@@ -198,11 +190,7 @@ impl Reader<'_> {
     }
 
     fn name(&self, word: &str, span: Span) -> Parsed<OperandKind> {
-        // Nearly all are names without a member.
         let sign = usize::from(self.is_reading(word));
-        if word.bytes().skip(sign).all(|it| is_name_char(it.into())) {
-            return Ok(OperandKind::Name(upper_case(word)));
-        }
         let (name, member) = match word.split_once('.') {
             Some((name, member)) => (name, Some(member)),
             None => (word, None),

@@ -66,17 +66,6 @@ impl Robots {
         let robots = robots.filter(|robot| self.contains(*robot));
         robots.map(Robot::name).collect()
     }
-
-    /// Returns the letters T, H, G of the language reference.
-    pub fn letters(self) -> String {
-        let letters = [(self.titan, "T"), (self.hand, "H"), (self.generic, "G")];
-        let names: Vec<&str> = letters
-            .iter()
-            .filter(|(member, _)| *member)
-            .map(|(_, letter)| *letter)
-            .collect();
-        names.join(" ")
-    }
 }
 
 /// Allowed targets of a command.
@@ -318,71 +307,6 @@ pub enum Form {
     KeyIn,
     /// Described by this text; the parser reads it.
     Words(&'static str),
-}
-
-impl Form {
-    /// Returns the arguments as the language reference writes them.
-    pub fn syntax(self) -> String {
-        match self {
-            Form::Robot(arguments) => arguments.syntax(),
-            Form::Special => "number [V] [V]".to_owned(),
-            Form::Teach(targets) => format!("{} variable", targets.syntax()),
-            Form::AdIn => "board channel VAR, or id VAR".to_owned(),
-            Form::KeyIn => "[VAR]".to_owned(),
-            Form::Words(text) => text.to_owned(),
-        }
-    }
-}
-
-impl Arguments {
-    fn syntax(self) -> String {
-        let mark = match (self.relative, self.from_target) {
-            (false, _) => "",
-            (true, false) => "†",
-            (true, true) => "‡",
-        };
-        let values = match self.values {
-            Values::None => String::new(),
-            Values::One => "V".to_owned(),
-            Values::Three => "V V V".to_owned(),
-            Values::Position => format!("S³{mark}"),
-            Values::Angles if self.targets.joints == Joints::None => format!("Sⁿ{mark}"),
-            Values::Angles => format!("Sⁿ{mark}, one S{mark} for J"),
-            Values::PerJoint => "Sⁿ, one V for J, V or Sⁿ for ALL".to_owned(),
-            Values::PerLeg => "Sⁿ, one V for J and ALL".to_owned(),
-            Values::ThreeOrPos => "V V V, or P".to_owned(),
-            Values::Limits => "Q Q, S S for J".to_owned(),
-        };
-        let hs = if self.hs { "[HS]" } else { "" };
-        let parts = [hs.to_owned(), self.targets.syntax(), values];
-        let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-        parts.join(" ")
-    }
-}
-
-impl Targets {
-    /// Returns the targets as help texts write them.
-    pub fn syntax(self) -> String {
-        let joints = match self.joints {
-            Joints::None => "",
-            Joints::Every => "J",
-            Joints::Second => "Jn2",
-            Joints::Third => "Jn3",
-            Joints::ThirdOfHand => "Jn3 (H)",
-        };
-        let parts = [
-            (self.foot, "F"),
-            (!joints.is_empty(), joints),
-            (self.floor, "FLOOR (H)"),
-            (self.all, "ALL"),
-        ];
-        let names: Vec<&str> = parts
-            .iter()
-            .filter(|(member, _)| *member)
-            .map(|(_, name)| *name)
-            .collect();
-        names.join(" | ")
-    }
 }
 
 impl Command {
