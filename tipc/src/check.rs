@@ -3,7 +3,6 @@
 //! Every pass reports all that it finds; none stops another.
 
 mod arguments;
-mod blocks;
 mod equations;
 mod inputs;
 mod jumps;

@@ -5,36 +5,9 @@
 
 use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
 use std::collections::BTreeSet;
-use std::ops::Deref;
 
 /// The index of a node in its flow. Nodes come in the order of their steps.
 pub type NodeId = usize;
-
-/// Nodes that a cycle may run next without a call or return: two at most.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Next {
-    nodes: [NodeId; 2],
-    count: usize,
-}
-
-impl Deref for Next {
-    type Target = [NodeId];
-
-    fn deref(&self) -> &[NodeId] {
-        &self.nodes[..self.count]
-    }
-}
-
-impl FromIterator<NodeId> for Next {
-    fn from_iter<I: IntoIterator<Item = NodeId>>(nodes: I) -> Self {
-        let mut next = Next::default();
-        for (place, node) in next.nodes.iter_mut().zip(nodes) {
-            *place = node;
-            next.count += 1;
-        }
-        next
-    }
-}
 
 /// A step, as it is reached.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -43,8 +16,8 @@ pub struct Node {
     pub step: StepId,
     /// An ELSEIF or ELSE that is reached from the branch above it: passed, its condition is not read.
     pub is_passed: bool,
-    /// Nodes that the next cycle may run without a call or return.
-    pub next: Next,
+    /// Nodes that the next cycle may run without a call or return: two at most.
+    pub next: Vec<NodeId>,
     /// The call that it may make.
     pub call: Option<Call>,
     /// RETURN or SUBEND.
@@ -94,7 +67,7 @@ impl Flow {
     pub fn cut(&self, at: &BTreeSet<NodeId>) -> Flow {
         let mut flow = self.clone();
         for node in at {
-            flow.nodes[*node].next = Next::default();
+            flow.nodes[*node].next.clear();
             flow.nodes[*node].call = None;
             flow.nodes[*node].returns = false;
         }
@@ -240,7 +213,7 @@ impl Ways {
     }
 }
 
-fn distinct([a, b]: [Option<NodeId>; 2]) -> Next {
+fn distinct([a, b]: [Option<NodeId>; 2]) -> Vec<NodeId> {
     let b = b.filter(|_| a != b);
     a.into_iter().chain(b).collect()
 }

@@ -1,9 +1,9 @@
 //! Targets of jumps, and targets that are not allowed (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
-use super::blocks::{BlockKind, Blocks};
 use super::labels::Title;
 use super::labels::{Labels, SUBROUTINE_LOOP};
 use super::names::Names;
+use super::structure::{BlockKind, Blocks};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::Keyword;

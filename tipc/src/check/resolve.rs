@@ -1,11 +1,11 @@
 //! The meaning of every statement: its operands resolved, and what it does.
 
-use super::blocks::{Block, Blocks};
 use super::jumps;
 use super::labels::Labels;
 use super::labels::Title;
 use super::names::{Names, ResolvedOperand};
 use super::structure::named_by;
+use super::structure::{Block, Blocks};
 use super::uses::{Named, Uses};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};

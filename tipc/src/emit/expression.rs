@@ -6,7 +6,7 @@ use super::ident::{field, identifier};
 use crate::analysis::assignment::Assignment;
 use crate::program::{
     Argument, Arithmetic, Axis, Condition, Mark, MessagePart, Operand, Program, Reading, Relation,
-    Scalar, ScalarExpression, StepId, StructExpression, StructOperand, Teach, VariableId,
+    Scalar, ScalarExpression, StepId, StructExpression, StructOperand, Teach, Variable, VariableId,
     VariableKind,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -24,15 +24,7 @@ pub(super) struct Values<'a> {
 impl Values<'_> {
     /// Returns the place expression of a scalar.
     pub(super) fn place(&self, scalar: Scalar) -> TokenStream {
-        let variable = &self.program.variables[scalar.variable];
-        let name = field(variable);
-        match variable.kind {
-            VariableKind::Var => quote!(self.#name),
-            VariableKind::Pos | VariableKind::Joint => {
-                let member = Literal::usize_unsuffixed(scalar.member);
-                quote!(self.#name[#member])
-            }
-        }
+        place(&self.program.variables[scalar.variable], scalar.member)
     }
 
     /// Returns the value of a scalar, or its fault where it may have none.
@@ -234,6 +226,18 @@ impl Values<'_> {
                 let not = negated.then(|| quote!(!));
                 quote!(#not cx.flag(#flag))
             }
+        }
+    }
+}
+
+/// Returns the place expression of a member of a variable; of a VAR that is the variable.
+pub(super) fn place(variable: &Variable, member: usize) -> TokenStream {
+    let name = field(variable);
+    match variable.kind {
+        VariableKind::Var => quote!(self.#name),
+        VariableKind::Pos | VariableKind::Joint => {
+            let member = Literal::usize_unsuffixed(member);
+            quote!(self.#name[#member])
         }
     }
 }

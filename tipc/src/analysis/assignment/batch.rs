@@ -2,9 +2,9 @@
 //! one machine word can hold.
 
 use crate::analysis::access;
-use crate::analysis::flow::{Flow, Next, NodeId};
+use crate::analysis::flow::{Flow, NodeId};
 use crate::program::Program;
-use std::collections::BinaryHeap;
+use std::collections::BTreeSet;
 
 /// Effect of the path through something on unassigned scalars.
 #[derive(Clone, Copy, PartialEq)]
@@ -150,20 +150,20 @@ impl<'a> Batch<'a> {
         let blocks = self.blocks.all();
         let passages = self.passages();
         let mut states = vec![State::default(); blocks.len()];
-        let mut work = Worklist::new(blocks.len(), Order::Forward);
+        let mut work = BTreeSet::new();
         for node in self.start.nodes.iter().filter(|_| !blocks.is_empty()) {
             let first = self.blocks.of_node(*node);
             states[first].unassigned = !self.start.given;
             states[first].assigned = self.start.given;
-            work.push(first);
+            work.insert(first);
         }
-        while let Some(id) = work.pop() {
+        while let Some(id) = work.pop_first() {
             let after = states[id].behind(self.effects[id]);
             let mut flow_to = |to: BlockId, state: State| {
                 let joined = states[to].or(state);
                 if joined != states[to] {
                     states[to] = joined;
-                    work.push(to);
+                    work.insert(to);
                 }
             };
             for next in blocks[id].next.iter() {
@@ -205,18 +205,14 @@ impl<'a> Batch<'a> {
     fn passages(&self) -> Vec<Passage> {
         let blocks = self.blocks.all();
         let mut passages = vec![None; blocks.len()];
-        let mut work = Worklist::new(blocks.len(), Order::Backward);
-        for (id, _) in blocks.iter().enumerate().filter(|(_, block)| block.returns) {
-            work.push(id);
-        }
-        while let Some(id) = work.pop() {
+        let returning = blocks.iter().enumerate().filter(|(_, block)| block.returns);
+        let mut work: BTreeSet<BlockId> = returning.map(|(id, _)| id).collect();
+        while let Some(id) = work.pop_last() {
             let behind = behind(&blocks[id], &passages);
             let passage = behind.map(|behind| self.effects[id].then(behind));
             if passage != passages[id] {
                 passages[id] = passage;
-                for before in self.blocks.before(id) {
-                    work.push(*before);
-                }
+                work.extend(self.blocks.before(id));
             }
         }
         passages
@@ -379,57 +375,6 @@ impl Sorted {
     }
 }
 
-/// Order of the nodes.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Order {
-    /// From early steps on.
-    Forward,
-    /// From late steps back.
-    Backward,
-}
-
-/// A queue that holds each node once.
-struct Worklist {
-    order: Order,
-    /// Nodes, counted so that the greatest comes first.
-    heap: BinaryHeap<usize>,
-    queued: Vec<bool>,
-}
-
-impl Worklist {
-    /// Creates an empty queue for nodes below `nodes`.
-    fn new(nodes: usize, order: Order) -> Self {
-        Worklist {
-            order,
-            heap: BinaryHeap::new(),
-            queued: vec![false; nodes],
-        }
-    }
-
-    fn rank(&self, node: NodeId) -> usize {
-        match self.order {
-            Order::Forward => self.queued.len() - 1 - node,
-            Order::Backward => node,
-        }
-    }
-
-    /// Adds a node, unless it is there.
-    fn push(&mut self, node: NodeId) {
-        if !std::mem::replace(&mut self.queued[node], true) {
-            self.heap.push(self.rank(node));
-        }
-    }
-
-    /// Takes the first node out.
-    fn pop(&mut self) -> Option<NodeId> {
-        let rank = self.heap.pop()?;
-        // Counting from the other end is its own inverse.
-        let node = self.rank(rank);
-        self.queued[node] = false;
-        Some(node)
-    }
-}
-
 /// The index of a block. Blocks come in the order of their nodes.
 pub(super) type BlockId = usize;
 
@@ -437,7 +382,7 @@ pub(super) type BlockId = usize;
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     /// Blocks that may follow without a call or return.
-    pub(super) next: Next,
+    pub(super) next: Vec<BlockId>,
     /// The block of a subroutine that it may call, and the one where that comes back.
     pub(super) call: Option<(BlockId, BlockId)>,
     /// It ends with RETURN or SUBEND.
@@ -520,7 +465,7 @@ fn beginnings(flow: &Flow) -> Vec<bool> {
     };
     flow.starts().iter().copied().for_each(&mut mark);
     for (id, node) in nodes.iter().enumerate() {
-        if *node.next == [id + 1] && node.call.is_none() {
+        if node.next == [id + 1] && node.call.is_none() {
             continue;
         }
         mark(id + 1);
