@@ -23,10 +23,20 @@ use crate::source::Source;
 use crate::symbols::Symbols;
 use crate::syntax::Module;
 pub(crate) use labels::DeclaredLabel;
-use labels::Labels;
-use labels::Title;
+use labels::{Labels, Title};
 use names::{NamedConstant, Names};
-use resolve::Known;
+use structure::Blocks;
+
+/// Results of the first passes.
+struct Known<'a> {
+    source: &'a Source,
+    module: &'a Module,
+    robot: Robot,
+    names: &'a Names,
+    labels: &'a Labels<'a>,
+    blocks: &'a Blocks,
+    title: &'a Title,
+}
 
 /// Results of the passes over a module.
 #[derive(Debug)]
@@ -63,7 +73,6 @@ pub(crate) fn check<'m>(
     let names = Names::collect(source, module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);
     let blocks = structure::blocks(source, module, &names, &title, &mut found);
-    let jumps = jumps::resolve(source, module, &names, &labels, &blocks, &title, &mut found);
     let known = Known {
         source,
         module,
@@ -71,10 +80,10 @@ pub(crate) fn check<'m>(
         names: &names,
         labels: &labels,
         blocks: &blocks,
-        jumps: &jumps,
         title: &title,
     };
-    let (actions, named) = resolve::statements(&known, &mut found);
+    let jumps = jumps::resolve(&known, &mut found);
+    let (actions, named) = resolve::statements(&known, &jumps, &mut found);
     // What a variable is used for shows only where the blocks are whole.
     if found
         .iter()

@@ -288,7 +288,7 @@ impl Diagnostics {
             }
             self.once.insert(mistake.clone(), self.kept.len());
         }
-        match self.is_full() {
+        match self.kept.len() >= KEPT {
             true => self.omitted.add(diagnostic.code),
             false => self.kept.push(diagnostic),
         }
@@ -299,11 +299,6 @@ impl Diagnostics {
         let at = *self.once.get(mistake)?;
         let first = self.kept.get_mut(at)?;
         (first.once.as_deref() == Some(mistake)).then_some(first)
-    }
-
-    /// Returns true if no more are kept.
-    fn is_full(&self) -> bool {
-        self.kept.len() >= KEPT
     }
 
     /// Returns true if more diagnostics are kept than are shown. No suggestion is searched for further ones.

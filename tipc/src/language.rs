@@ -14,36 +14,29 @@ pub use keywords::Keyword;
 
 use std::fmt;
 
-macro_rules! editions {
-    ($( $(#[$doc:meta])* $variant:ident $number:literal; )*) => {
-        /// An edition of the language, in the order in which they came. Line 1 of a program chooses it.
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[non_exhaustive]
-        pub enum Edition {
-            $( $(#[$doc])* $variant, )*
-        }
-
-        impl Edition {
-            /// Every edition, the oldest first.
-            pub const ALL: &'static [Edition] = &[$( Edition::$variant, )*];
-
-            /// Returns the number that line 1 names it by.
-            pub const fn number(self) -> f64 {
-                match self { $( Edition::$variant => $number, )* }
-            }
-        }
-    };
-}
-
-editions! {
+/// An edition of the language, in the order in which they came. Line 1 of a program chooses it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Edition {
     /// T.I.P. 3.1: what a program is read by if its number names no edition.
     #[default]
-    V3_1 3.1;
+    V3_1,
     /// T.I.P. 3.2: what the author of the language planned next (T.I.P. 3.1 §1-2).
-    V3_2 3.2;
+    V3_2,
 }
 
 impl Edition {
+    /// Every edition, the oldest first.
+    pub const ALL: &'static [Edition] = &[Edition::V3_1, Edition::V3_2];
+
+    /// Returns the number that line 1 names it by.
+    pub const fn number(self) -> f64 {
+        match self {
+            Edition::V3_1 => 3.1,
+            Edition::V3_2 => 3.2,
+        }
+    }
+
     /// Returns the edition of that number; 3.1 if it names none.
     pub fn of(number: f64) -> Edition {
         let mut all = Edition::ALL.iter().copied();

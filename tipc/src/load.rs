@@ -18,7 +18,7 @@ use crate::symbols::Symbols;
 use crate::syntax::{Module, StatementKind, VariableKind};
 
 /// Options for reading and checking a program.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
     /// The robot.
     pub robot: Robot,
@@ -26,16 +26,6 @@ pub struct Options {
     pub tip_version: Option<f64>,
     /// The encoding of the file.
     pub encoding: Encoding,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options {
-            robot: Robot::default(),
-            tip_version: None,
-            encoding: Encoding::Auto,
-        }
-    }
 }
 
 /// Result of loading a file.

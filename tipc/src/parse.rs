@@ -18,9 +18,8 @@ pub use unknown::{comment_after, comment_mark, is_comment};
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::language::Edition;
-use crate::language::Keyword;
 use crate::language::commands::{self, COMMANDS};
+use crate::language::{Edition, Keyword};
 use crate::lex::Token;
 use crate::message::{Commanding, Parsing, Suggestion};
 use crate::source::{Line, Source, Span, first_beyond};
@@ -184,11 +183,7 @@ impl Parser<'_> {
             return;
         }
         let missing = Diagnostic::new(Code::NoEnd, location, Parsing::ProgramEndsHere);
-        let is_title = self
-            .module
-            .title
-            .trim()
-            .eq_ignore_ascii_case(Keyword::End.word());
+        let is_title = Keyword::End.is(self.module.title.trim());
         self.report(match is_title {
             true => missing
                 .label(self.source.line(2).span, Suggestion::TitleHere)

@@ -54,14 +54,18 @@ pub(crate) fn is_near(word: &str, other: &str) -> bool {
     word.len().abs_diff(other.len()) <= 1 && distance(word.as_bytes(), other.as_bytes()) == 1
 }
 
+/// Returns the digit that a letter looks like; other characters stay.
+pub(crate) fn digit_like(letter: char) -> char {
+    match letter {
+        'O' => '0',
+        'I' | 'L' => '1',
+        other => other,
+    }
+}
+
 /// Returns true if two names differ only in letters that look like digits: `L1` and `LI`, `NO` and `N0`.
 fn looks_like(a: &str, b: &str) -> bool {
-    let shape = |byte: u8| match byte {
-        b'O' => b'0',
-        b'I' | b'L' => b'1',
-        other => other,
-    };
-    let same = || a.bytes().map(shape).eq(b.bytes().map(shape));
+    let same = || a.chars().map(digit_like).eq(b.chars().map(digit_like));
     a != b && a.len() == b.len() && a.len() <= LONGEST && same()
 }
 

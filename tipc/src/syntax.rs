@@ -52,6 +52,17 @@ pub struct Operand {
     pub span: Span,
 }
 
+impl Operand {
+    /// Returns its name, without the member; `None` for a constant.
+    pub const fn name(&self) -> Option<&SmolStr> {
+        match &self.kind {
+            OperandKind::Number(_) => None,
+            OperandKind::Name(name) => Some(name),
+            OperandKind::Member(words) => Some(&words.0),
+        }
+    }
+}
+
 /// Kind of an operand.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OperandKind {

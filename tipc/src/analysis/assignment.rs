@@ -17,8 +17,7 @@ pub use ways::{NoValue, Ways};
 
 use super::flow::{Flow, NodeId};
 use crate::program::{Program, StepId, VariableId};
-use batch::Blocks;
-use batch::{Batch, Found, Sorted, Start, Touches};
+use batch::{Batch, Blocks, Found, Sorted, Start, Touches};
 use std::collections::{BTreeMap, VecDeque};
 
 /// For how many batches of scalars every program is followed.

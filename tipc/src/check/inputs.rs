@@ -189,7 +189,7 @@ impl Resolver<'_> {
     }
 
     fn constant(&mut self, operand: &Operand) -> Option<f64> {
-        let meant = self.resolve_operand(operand, Code::Argument)?;
+        let meant = self.resolve_operand_as(operand, Code::Argument, None)?;
         match meant {
             ResolvedOperand::Constant(value) => {
                 self.uses.operand(operand, meant, Access::Read);

@@ -1,12 +1,9 @@
 //! The meaning of every statement: its operands resolved, and what it does.
 
-use super::jumps;
-use super::labels::Labels;
-use super::labels::Title;
 use super::names::{Names, ResolvedOperand};
-use super::structure::named_by;
-use super::structure::{Block, Blocks};
+use super::structure::{Block, named_by};
 use super::uses::{Named, Uses};
+use super::{Known, jumps};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::language::Keyword;
@@ -14,29 +11,16 @@ use crate::lex::split_comment;
 use crate::message::{Commanding, Message, Naming, Structuring, Suggestion};
 use crate::program::{self, Action, End, Scalar, StepId, VariableId};
 use crate::robot::Robot;
-use crate::source::{Source, Span};
+use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{
-    self, Condition, Jump, LabelKind, Module, Operand, OperandKind, Statement, StatementKind, Then,
+    self, Condition, Jump, LabelKind, Operand, OperandKind, Statement, StatementKind, Then,
     VariableKind, Word,
 };
 use std::collections::HashMap;
 
 /// A statement of a module, by its index.
 type StatementId = usize;
-
-/// Results of earlier passes.
-#[derive(Clone, Copy)]
-pub(super) struct Known<'a> {
-    pub(super) source: &'a Source,
-    pub(super) module: &'a Module,
-    pub(super) robot: Robot,
-    pub(super) names: &'a Names,
-    pub(super) labels: &'a Labels<'a>,
-    pub(super) blocks: &'a Blocks,
-    pub(super) jumps: &'a jumps::Resolved,
-    pub(super) title: &'a Title,
-}
 
 /// Reasons why a statement is not resolved.
 enum Unresolved {
@@ -60,6 +44,7 @@ struct Counting {
 /// be resolved.
 pub(super) fn statements(
     known: &Known<'_>,
+    jumps: &jumps::Resolved,
     found: &mut Diagnostics,
 ) -> (Option<Vec<Option<Action>>>, Named) {
     let statements = &known.module.statements;
@@ -69,6 +54,7 @@ pub(super) fn statements(
         robot: known.robot,
         names: known.names,
         known,
+        jumps,
         threads: threads.map(|label| label.statement).collect(),
         uses: Uses::new(known.names, known.labels),
         counted: HashMap::new(),
@@ -109,6 +95,7 @@ pub(super) struct Resolver<'a> {
     pub(super) robot: Robot,
     pub(super) names: &'a Names,
     known: &'a Known<'a>,
+    jumps: &'a jumps::Resolved,
     /// The statements of THREAD.
     threads: Vec<StatementId>,
     pub(super) uses: Uses<'a>,
@@ -361,7 +348,7 @@ impl<'a> Resolver<'a> {
         access: Access,
     ) -> Result<StatementId, Unresolved> {
         self.uses.jump(index, jump, access);
-        self.known.jumps.targets[index].ok_or(Unresolved::Untied)
+        self.jumps.targets[index].ok_or(Unresolved::Untied)
     }
 
     fn counting(&mut self, counting: &syntax::Counting) -> Option<Counting> {
@@ -406,15 +393,6 @@ impl<'a> Resolver<'a> {
                 self.refuse_with(Code::Argument, operand.span, reason, Commanding::CountVar)
             }
         }
-    }
-
-    /// Resolves an operand.
-    pub(super) fn resolve_operand(
-        &mut self,
-        operand: &Operand,
-        shape: Code,
-    ) -> Option<ResolvedOperand> {
-        self.resolve_operand_as(operand, shape, None)
     }
 
     /// Resolves an operand that is used as a variable of this type.
@@ -488,7 +466,7 @@ impl<'a> Resolver<'a> {
 
     /// Returns the jumps to the statement that is being resolved, if it is a label without its colon.
     pub(super) fn jumps_here(&self) -> Option<&[Span]> {
-        self.known.jumps.bare.get(&self.at).map(Vec::as_slice)
+        self.jumps.bare.get(&self.at).map(Vec::as_slice)
     }
 
     /// Resolves a number that the statement reads. `shape` is the code of a struct in its place.

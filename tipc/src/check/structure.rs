@@ -731,10 +731,7 @@ impl Matcher<'_> {
             text.split([' ', '\t', ';']).next().unwrap_or_default()
         });
         let words: Vec<&str> = words.take(FAR).collect();
-        let has = |word: Keyword| {
-            let is_it = |one: &&str| one.eq_ignore_ascii_case(word.word());
-            words.iter().any(is_it)
-        };
+        let has = |word: Keyword| words.iter().any(|one| word.is(one));
         let help: Message = match (has(closer), has(Keyword::End)) {
             (true, _) => Suggestion::Exit.into(),
             (false, true) => Suggestion::Closes { opener, closer }.into(),

@@ -12,9 +12,8 @@ use crate::message::{Commanding, Message, Suggestion};
 use crate::program::Condition;
 use crate::robot::Robot;
 use crate::source::Span;
-use crate::suggest::nearest;
-use crate::syntax;
-use crate::syntax::{Operand, OperandKind, Word, upper_case};
+use crate::suggest::{digit_like, nearest};
+use crate::syntax::{self, Operand, OperandKind, Word, upper_case};
 use tip_runtime::command::{CONSTANT, Flag, Target};
 
 /// Returns the word that an operand is, if it is one without sign and member.
@@ -217,14 +216,6 @@ impl Resolver<'_> {
             Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
             None => flags_of(self.robot).into(),
         }
-    }
-}
-
-fn digit_like(letter: char) -> char {
-    match letter {
-        'O' => '0',
-        'I' | 'L' => '1',
-        other => other,
     }
 }
 

@@ -161,14 +161,10 @@ impl<'a> Uses<'a> {
                 (definition, index.filter(|_| member))
             }
         };
-        let length = match &operand.kind {
-            OperandKind::Number(_) => return,
-            OperandKind::Name(name) => name.len(),
-            OperandKind::Member(words) => words.0.len(),
-        };
+        let Some(name) = operand.name() else { return };
         let start = operand.span.start + usize::from(operand.negative);
         self.all.push(Use {
-            span: Span::new(start, start + length),
+            span: Span::new(start, start + name.len()),
             definition,
             access,
             member,
@@ -241,10 +237,9 @@ impl<'a> Uses<'a> {
     /// Records what a wrong statement was to assign, if it names no variable that is declared: its name may be that of
     /// any variable.
     pub(super) fn may_assign(&mut self, kind: &StatementKind) {
-        let unknown = |operand: Option<&Operand>| match operand.map(|operand| &operand.kind) {
-            Some(OperandKind::Name(name)) => self.names.find(name).is_none(),
-            Some(OperandKind::Member(words)) => self.names.find(&words.0).is_none(),
-            Some(OperandKind::Number(_)) | None => true,
+        let unknown = |operand: Option<&Operand>| {
+            let name = operand.and_then(Operand::name);
+            name.is_none_or(|name| self.names.find(name).is_none())
         };
         let kinds: &[VariableKind] = match kind {
             StatementKind::Broken(Shape::For) => &[VariableKind::Var],

@@ -474,13 +474,7 @@ impl Resolver<'_> {
             if let program::Operand::Constant(value) = value.operand
                 && let Some(bounds) = broken(form.limit, value, self.robot)
             {
-                let help = Commanding::Takes {
-                    command: name.node.clone(),
-                    bounds,
-                    robot: self.robot.name(),
-                };
-                let reason = Commanding::OutOfRange;
-                self.report(Diagnostic::new(Code::OutOfRange, operand.span, reason).help(help));
+                self.warn_of_bounds(name, operand.span, bounds);
                 if self.names.edition.is_strict() {
                     // The step fails at its first one.
                     return;
@@ -518,14 +512,18 @@ impl Resolver<'_> {
             _ => None,
         };
         if let Some((location, bounds)) = outside.or_else(reversed) {
-            let help = Commanding::Takes {
-                command: name.node.clone(),
-                bounds,
-                robot: self.robot.name(),
-            };
-            let reason = Commanding::OutOfRange;
-            self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
+            self.warn_of_bounds(name, location, bounds);
         }
+    }
+
+    fn warn_of_bounds(&mut self, name: &Word, location: Span, bounds: Bounds) {
+        let help = Commanding::Takes {
+            command: name.node.clone(),
+            bounds,
+            robot: self.robot.name(),
+        };
+        let reason = Commanding::OutOfRange;
+        self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
     }
 
     /// Warns of a constant for which an equation has no result, whatever its variables are.
@@ -598,42 +596,25 @@ fn outside(
 
 /// Returns the range that a value leaves.
 fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
-    let from_to = |Range { min, max }: Range| Bounds::FromTo { min, max };
-    let outside = |range: Range| (!range.contains(value)).then(|| from_to(range));
+    let outside = |value: f64, min: f64, max: f64| {
+        (!Range::new(min, max).contains(value)).then_some(Bounds::FromTo { min, max })
+    };
+    let whole_outside = |min, max| outside(value.trunc(), min, max);
+    let Range { min, max } = robot.facts().periods;
     match limit {
-        Limit::Any => None,
+        Limit::Any | Limit::Angles => None,
         Limit::NotNegative => (value < 0.0).then_some(Bounds::NotNegative),
         Limit::Positive => (value <= 0.0).then_some(Bounds::Positive),
         Limit::Percent => (value <= 0.0 || value > 100.0).then_some(Bounds::Percent),
-        Limit::Period => outside(robot.facts().periods),
-        Limit::Frequency => {
-            let Range { min, max } = robot.facts().periods;
-            outside(Range::new(1000.0 / max, 1000.0 / min))
-        }
+        Limit::Period => outside(value, min, max),
+        Limit::Frequency => outside(value, 1000.0 / max, 1000.0 / min),
         Limit::Lamp => match robot.facts().lamps.checked_sub(1) {
             None => Some(Bounds::Nothing),
-            Some(last) => {
-                let range = Range::new(0.0, f64::from(last));
-                (!range.contains(value.trunc())).then(|| from_to(range))
-            }
+            Some(last) => whole_outside(0.0, f64::from(last)),
         },
-        Limit::FloorType => {
-            let types = if robot.is_hand() { 2.0 } else { 3.0 };
-            let range = Range::new(1.0, types);
-            (!range.contains(value.trunc())).then(|| from_to(range))
-        }
-        Limit::Timer => {
-            let range = Range::new(0.0, f64::from(TIMERS - 1));
-            (!range.contains(value.trunc())).then(|| from_to(range))
-        }
-        Limit::Steps => {
-            let range = Range::new(1.0, 255.0);
-            (!range.contains(value.trunc())).then(|| from_to(range))
-        }
-        Limit::Angles => None,
-        Limit::ObjectType => {
-            let range = Range::new(1.0, 3.0);
-            (!range.contains(value.trunc())).then(|| from_to(range))
-        }
+        Limit::FloorType if robot.is_hand() => whole_outside(1.0, 2.0),
+        Limit::FloorType | Limit::ObjectType => whole_outside(1.0, 3.0),
+        Limit::Timer => whole_outside(0.0, f64::from(TIMERS - 1)),
+        Limit::Steps => whole_outside(1.0, 255.0),
     }
 }

@@ -1,8 +1,7 @@
 //! Rust tokens of a program's state: the struct, its constructor and its implementations.
 
 use super::expression::place;
-use super::ident::field;
-use super::ident::in_comment;
+use super::ident::{field, in_comment};
 use super::step::States;
 use super::{Emitter, header_of, ident};
 use crate::program::{Variable, VariableKind};

@@ -297,6 +297,11 @@ impl Keyword {
         matches!(self, Keyword::Message | Keyword::Rem | Keyword::FileMessage)
     }
 
+    /// Returns true if a word is this one, whatever the case.
+    pub fn is(self, word: &str) -> bool {
+        self.word().eq_ignore_ascii_case(word)
+    }
+
     /// Returns its spelling.
     pub const fn word(self) -> &'static str {
         self.row().word

@@ -133,12 +133,7 @@ impl Reader<'_> {
             return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help);
         }
         // `IF A EQ 3 THEN`
-        let goes_on = |token: &Token| {
-            let word = self.slice(token.span);
-            AFTER_IF
-                .iter()
-                .any(|it| word.eq_ignore_ascii_case(it.word()))
-        };
+        let goes_on = |token: &Token| AFTER_IF.iter().any(|it| it.is(self.slice(token.span)));
         if self.left_tokens().iter().skip(2).any(goes_on) {
             let help = Parsing::Relations;
             return self.fault_with_help(self.here(), Parsing::RelationBelongsHere, help);
@@ -182,7 +177,7 @@ impl Reader<'_> {
         if flag.parse::<Flag>().is_ok() {
             return Some(Suggestion::FlagOfTarget { flag: flag.into() });
         }
-        let command = commands::find_in(&before, self.edition())?;
+        let command = commands::find_in(&before, self.edition)?;
         Some(Suggestion::CommandNoCondition {
             command: command.name,
         })
@@ -438,14 +433,14 @@ impl Reader<'_> {
     /// Suggests a replacement for words after one that is alone: `EXIT FOR`, `EXIT SUB`, `RETURN 0`.
     fn alone_help(&self, name: Keyword) -> Option<Message> {
         let next = upper_case(self.slice(self.here()));
-        let keyword = keywords::find(&next, self.edition());
+        let keyword = keywords::find(&next, self.edition);
         Some(match (name, keyword) {
             (Keyword::Exit, Some(Keyword::For | Keyword::While | Keyword::Repeat)) => {
                 Suggestion::Break.into()
             }
             (Keyword::Exit, Some(Keyword::Subroutine)) => Suggestion::LeaveSubroutine.into(),
             (Keyword::Exit, None) if next == "SUB" => Suggestion::LeaveSubroutine.into(),
-            _ if commands::find_in(&next, self.edition()).is_some() => return None,
+            _ if commands::find_in(&next, self.edition).is_some() => return None,
             (Keyword::Return, _) => Suggestion::NoResult.into(),
             _ => Suggestion::Alone { word: name.into() }.into(),
         })
@@ -542,7 +537,7 @@ impl Reader<'_> {
         self.left_tokens()
             .split_last()
             .filter(|(last, _)| last.kind == Kind::Colon)
-            .and_then(|_| spread(self.text(), first, self.left_tokens()))
+            .and_then(|_| spread(self.text, first, self.left_tokens()))
     }
 
     /// `GOTO [NAME:]`; the jump's word is already taken.
@@ -572,7 +567,7 @@ impl Reader<'_> {
     /// Reads a label, and what is wrong with its colon.
     fn jump_label(&mut self, jump: Keyword) -> Parsed<(Word, Parsed<()>)> {
         // `GOTO *L1`
-        if let Some((location, name)) = marked(self.text(), self.left_tokens()) {
+        if let Some((location, name)) = marked(self.text, self.left_tokens()) {
             let reason = Naming::NoLabelName {
                 word: upper_case(self.slice(location)),
             };

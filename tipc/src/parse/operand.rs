@@ -263,10 +263,7 @@ fn suggest_for_number(word: &str) -> Message {
         return Suggestion::CountTo.into();
     }
     // `1TO 3`
-    if let Some(stop) = STOPS
-        .iter()
-        .find(|stop| unit.eq_ignore_ascii_case(stop.word()))
-    {
+    if let Some(stop) = STOPS.iter().find(|stop| stop.is(unit)) {
         let text = format!("{number} {stop}").into();
         return Suggestion::BlankMissing { text }.into();
     }

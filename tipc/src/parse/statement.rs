@@ -228,10 +228,7 @@ impl Parser<'_> {
             Shape::For => Keyword::Next,
             _ => return false,
         };
-        let is_closer = |token: &Token| {
-            let word = self.source.slice(token.span);
-            word.eq_ignore_ascii_case(closer.word())
-        };
+        let is_closer = |token: &Token| closer.is(self.source.slice(token.span));
         tokens.iter().any(is_closer)
     }
 
@@ -302,8 +299,7 @@ fn has_statement_after_then(text: &str, tokens: &[Token]) -> bool {
 }
 
 fn is(text: &str, token: &Token, keyword: Keyword) -> bool {
-    let span = token.span;
-    text[span.start..span.end].eq_ignore_ascii_case(keyword.word())
+    keyword.is(&text[token.span.start..token.span.end])
 }
 
 /// Returns true if an IF opens a block: it contains THEN, or nothing in it looks like a jump.

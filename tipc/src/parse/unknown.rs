@@ -42,7 +42,7 @@ fn fits(keyword: Keyword, text: &str, tokens: &[Token]) -> bool {
     let has = |word: Keyword| {
         let is_it = |token: &Token| {
             let text = &text[token.span.start..token.span.end];
-            text.eq_ignore_ascii_case(word.word())
+            word.is(text)
         };
         tokens.iter().any(is_it)
     };
@@ -204,7 +204,7 @@ impl Parser<'_> {
     pub(super) fn is_end_with_dot(&self, word: Span) -> bool {
         let text = self.source.slice(word);
         let bare = text.trim_matches('.');
-        bare.len() < text.len() && bare.eq_ignore_ascii_case(Keyword::End.word())
+        bare.len() < text.len() && Keyword::End.is(bare)
     }
 
     pub(super) fn end_with_dot(&mut self, word: Span) {
@@ -242,7 +242,7 @@ impl Parser<'_> {
     /// `ELSE IF`, which is one word.
     pub(super) fn is_else_if(&self, tokens: &[Token]) -> bool {
         let second = tokens.get(1).map(|token| self.source.slice(token.span));
-        second.is_some_and(|word| word.eq_ignore_ascii_case(Keyword::If.word()))
+        second.is_some_and(|word| Keyword::If.is(word))
     }
 
     pub(super) fn report_else_if(&mut self, tokens: &[Token]) {
@@ -441,8 +441,8 @@ impl Parser<'_> {
         let last = self.module.statements.last();
         last.filter(|_| self.is_numbered).is_some_and(|last| {
             let mut words = self.source.slice(last.span).split_whitespace();
-            let is_end = |word: &str| word.eq_ignore_ascii_case(Keyword::End.word());
-            matches!(last.kind, StatementKind::Broken(_)) && words.next_back().is_some_and(is_end)
+            let last_word = words.next_back().unwrap_or_default();
+            matches!(last.kind, StatementKind::Broken(_)) && Keyword::End.is(last_word)
         })
     }
 }
@@ -470,10 +470,7 @@ impl Parser<'_> {
     fn opens_with_colon(&self, keyword: Keyword, tokens: &[Token]) -> bool {
         let ends_condition = || match tokens {
             [.., before, last, _] => {
-                let is_then = self
-                    .source
-                    .slice(last.span)
-                    .eq_ignore_ascii_case(Keyword::Then.word());
+                let is_then = Keyword::Then.is(self.source.slice(last.span));
                 is_then || tokens.len() == 3 || before.kind != Kind::Word
             }
             _ => false,
