@@ -291,12 +291,11 @@ fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) 
         later.span == first.span && is_mistake(later) && is_mistake(first)
     });
     if diagnostics.len() > MOST {
-        let is_error = |one: &Diagnostic| one.level() == Level::Error;
-        let (mut kept, warnings): (Vec<_>, Vec<_>) = diagnostics.into_iter().partition(is_error);
-        kept.extend(warnings);
-        kept.drain(MOST..).for_each(|one| omitted.add(one.code));
-        by_location(&mut kept);
-        return (kept, omitted);
+        diagnostics.sort_by_key(|one| one.level() != Level::Error);
+        diagnostics
+            .drain(MOST..)
+            .for_each(|one| omitted.add(one.code));
+        by_location(&mut diagnostics);
     }
     (diagnostics, omitted)
 }
