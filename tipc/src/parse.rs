@@ -1,5 +1,6 @@
 //! Lines to statements. It never fails and reports every bad line; it judges form, never meaning.
 
+mod comment;
 mod condition;
 mod control;
 mod declaration;
@@ -11,10 +12,10 @@ mod reader;
 mod statement;
 mod unknown;
 
+pub use comment::{comment_after, comment_mark, is_comment};
 pub use control::glued;
 pub use line::{LONG_VOWEL, narrow, plain};
 pub(crate) use operand::is_unit;
-pub use unknown::{comment_after, comment_mark, is_comment};
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};

@@ -1,7 +1,7 @@
 //! One line: its comment, its statements, their labels, and the words that need a line of their own.
 
+use super::comment::{comment_after, comment_mark, ends_in_mark, is_comment};
 use super::operand::{is_range, is_unit};
-use super::unknown::{comment_after, comment_mark, ends_in_mark, is_comment};
 use super::{Flow, LINE_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;

@@ -2,8 +2,8 @@
 //! a text.
 
 use super::Parser;
+use super::comment::is_comment;
 use super::reader::{Fault, Parsed, Reader};
-use super::unknown::is_comment;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::Meaning;

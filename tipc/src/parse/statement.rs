@@ -1,10 +1,10 @@
 //! One statement: which family it is of.
 
+use super::comment::is_comment;
 use super::control::Read;
 use super::declaration::declared_kind;
 use super::line::{is_sign, not_alone};
 use super::reader::Reader;
-use super::unknown::is_comment;
 use super::{Flow, Parser, condition, equation};
 use crate::code::Code;
 use crate::language::{Keyword, commands, keywords};
