@@ -63,30 +63,23 @@ pub(crate) fn tip(input: TokenStream) -> Result<Arguments, Misuse> {
     arguments.with(input.options()?)
 }
 
-/// An invocation that is about a robot, understood.
-#[cfg(feature = "robot-files")]
-#[derive(Debug)]
-pub(crate) struct RobotArguments {
-    /// The path of the description.
-    pub(crate) text: Text,
-    pub(crate) emit_options: emit::Options,
-}
-
+/// Returns the path of a description, and the options of its constant:
 /// `[attributes] [visibility] "path" [as NAME] [, runtime = path]`
 #[cfg(feature = "robot-files")]
-pub(crate) fn include_robot(input: TokenStream) -> Result<RobotArguments, Misuse> {
+pub(crate) fn include_robot(input: TokenStream) -> Result<(Text, emit::Options), Misuse> {
     let mut input = Input::new(input, INCLUDE_ROBOT);
     let Arguments {
-        text, emit_options, ..
+        text,
+        mut emit_options,
+        ..
     } = input.file()?;
-    let mut arguments = RobotArguments { text, emit_options };
     for (option, value) in input.options()? {
         if option != "runtime" {
             return Err(Misuse::new(option.span(), input.expected));
         }
-        arguments.emit_options.runtime = runtime(&option, value)?;
+        emit_options.runtime = runtime(&option, value)?;
     }
-    Ok(arguments)
+    Ok((text, emit_options))
 }
 
 impl Arguments {

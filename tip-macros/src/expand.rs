@@ -9,7 +9,7 @@ use std::env;
 use std::path::Path;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
-use tipc::embed::{self, embed};
+use tipc::embed;
 use tipc::emit;
 use tipc::message::Lang;
 use tipc::published;
@@ -57,7 +57,7 @@ pub(crate) fn tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
 pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
     use tipc::description::{self, skeleton};
     match arguments::include_robot(input) {
-        Ok(arguments::RobotArguments { text, emit_options }) => {
+        Ok((text, emit_options)) => {
             let compile = |bytes: &[u8]| {
                 let described = description::parse(&text.value, bytes);
                 described
@@ -166,8 +166,11 @@ fn compiled(
     invoking: Option<&Path>,
 ) -> Result<TokenStream, Failure> {
     let compile = |load: &tipc::Options| {
-        embed(name, bytes, load, &arguments.emit_options)
-            .map_err(|loaded| Failure::of(&arguments.text, &loaded))
+        let loaded = tipc::load(name, bytes, load);
+        match &loaded.program {
+            Some(program) => Ok(emit::emit(program, &arguments.emit_options)),
+            None => Err(Failure::of(&arguments.text, &loaded)),
+        }
     };
     match &arguments.robot_file {
         None => compile(&arguments.load),

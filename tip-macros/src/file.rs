@@ -1,4 +1,4 @@
-//! Diagnostic the file of `include_tip!`.
+//! Finding the file of `include_tip!`.
 
 use crate::literal::Text;
 use std::path::{Path, PathBuf};

@@ -3,37 +3,40 @@
 //! Every pass reports all that it finds; none stops another.
 
 mod arguments;
-mod blocks;
-mod conditions;
 mod equations;
 mod inputs;
 mod jumps;
 mod labels;
 mod names;
-mod ranges;
 mod resolve;
-mod resolved;
 mod structure;
 mod targets;
 mod texts;
-mod title;
 mod uses;
 mod values;
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostics;
+use crate::program::{Action, Variable};
 use crate::robot::Robot;
 use crate::source::Source;
 use crate::symbols::Symbols;
 use crate::syntax::Module;
 pub(crate) use labels::DeclaredLabel;
-use labels::Labels;
-use names::Names;
-use resolve::Known;
-pub(crate) use resolved::{
-    Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
-};
-use title::Title;
+use labels::{Labels, Title};
+use names::{NamedConstant, Names};
+use structure::Blocks;
+
+/// Results of the first passes.
+struct Known<'a> {
+    source: &'a Source,
+    module: &'a Module,
+    robot: Robot,
+    names: &'a Names,
+    labels: &'a Labels<'a>,
+    blocks: &'a Blocks,
+    title: &'a Title,
+}
 
 /// Results of the passes over a module.
 #[derive(Debug)]
@@ -44,6 +47,19 @@ pub(crate) struct Checked<'m> {
     pub(crate) resolved: Option<ResolvedModule<'m>>,
     /// All diagnostics, those of the parser among them.
     pub(crate) found: Diagnostics,
+}
+
+/// A module whose statements are all resolved.
+#[derive(Debug)]
+pub(crate) struct ResolvedModule<'m> {
+    /// The variables, `VAR_KEY` first.
+    pub(crate) variables: Vec<Variable>,
+    /// The constants that DEFINE names.
+    pub(crate) constants: Vec<NamedConstant>,
+    /// The labels, SUBROUTINEs and THREADs.
+    pub(crate) labels: Vec<DeclaredLabel<'m>>,
+    /// The action of each statement; none for a declaration, which is not a step.
+    pub(crate) actions: Vec<Option<Action>>,
 }
 
 /// Runs every pass over a module, in which the parser found these mistakes.
@@ -57,7 +73,6 @@ pub(crate) fn check<'m>(
     let names = Names::collect(source, module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);
     let blocks = structure::blocks(source, module, &names, &title, &mut found);
-    let jumps = jumps::resolve(source, module, &names, &labels, &blocks, &title, &mut found);
     let known = Known {
         source,
         module,
@@ -65,10 +80,10 @@ pub(crate) fn check<'m>(
         names: &names,
         labels: &labels,
         blocks: &blocks,
-        jumps: &jumps,
         title: &title,
     };
-    let (statements, named) = resolve::statements(&known, &mut found);
+    let jumps = jumps::resolve(&known, &mut found);
+    let (actions, named) = resolve::statements(&known, &jumps, &mut found);
     // What a variable is used for shows only where the blocks are whole.
     if found
         .iter()
@@ -79,11 +94,11 @@ pub(crate) fn check<'m>(
             jumps::warn_of_entries(module, &labels, &mut found);
         }
     }
-    let resolved = statements.map(|statements| ResolvedModule {
+    let resolved = actions.map(|actions| ResolvedModule {
         variables: names.variables,
         constants: names.constants,
         labels: labels.all,
-        statements,
+        actions,
     });
     Checked {
         symbols: named.symbols,

@@ -28,26 +28,22 @@ mod drives;
 mod keys;
 mod legs;
 mod model;
-mod name;
 mod project;
-mod rotation;
 mod rust;
 mod scene;
 mod section;
 mod settings;
-mod shape;
-mod spread;
 
 #[cfg(test)]
 mod tests;
 
 pub use drives::{Bus, Drive, Servo};
 pub use keys::{KEYS, Key, Part};
+pub use legs::{Form, Shape, Shapes};
 pub use model::WithModel;
 pub use project::{Project, Settings, parse_project};
 pub use rust::{const_name, skeleton};
 pub use scene::parse_scene;
-pub use shape::{Form, Shape, Shapes};
 
 use crate::diagnostic::Diagnostic;
 use crate::load::Loaded;
@@ -202,7 +198,7 @@ fn describe(
     servos: &[Servo],
     found: &mut Found,
 ) -> Option<Description> {
-    let name = name::read(robot, found);
+    let name = settings::name(robot, found);
     let legs = legs::read(robot, found);
     let periods = settings::periods(robot, found);
     let standards = settings::standards(robot, periods, found);

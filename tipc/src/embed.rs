@@ -1,9 +1,6 @@
-//! From a file to Rust items: the one path that macros and build scripts share, and the one module that opens input files.
+//! What macros, build scripts and commands share: the one module that opens input files, and the language of errors.
 
-use crate::emit::{self, emit};
-use crate::load::{self, Loaded, load};
 use crate::message::Reading;
-use proc_macro2::TokenStream;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
@@ -90,47 +87,5 @@ fn unreadable(error: io::Error) -> Reading {
         _ => Reading::System {
             error: error.to_string().into(),
         },
-    }
-}
-
-/// Compiles a source to the items that stand for it in a Rust crate.
-///
-/// # Errors
-/// Returns what was loaded, if there are errors in it.
-pub fn embed(
-    name: &str,
-    bytes: &[u8],
-    options: &load::Options,
-    emit_options: &emit::Options,
-) -> Result<TokenStream, Box<Loaded>> {
-    let loaded = load(name, bytes, options);
-    match &loaded.program {
-        Some(program) => Ok(emit(program, emit_options)),
-        None => Err(Box::new(loaded)),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::code::Code;
-
-    #[test]
-    fn a_program_becomes_its_type() {
-        let (options, emit_options) = (load::Options::default(), emit::Options::default());
-        let program = b"3.1\nnothing to do\nEND\n";
-        let items = embed("motions/end_only.prg", program, &options, &emit_options).unwrap();
-        assert!(items.to_string().contains("struct EndOnly"));
-    }
-
-    // clauses: 1.3
-    #[test]
-    fn errors_are_handed_over_as_they_were_found() {
-        let (options, emit_options) = (load::Options::default(), emit::Options::default());
-        let old = b"2.0\nold\nEND\n";
-        let loaded = embed("motions/old.prg", old, &options, &emit_options).unwrap_err();
-        let codes: Vec<Code> = loaded.errors().map(|one| one.code).collect();
-        assert_eq!(codes, [Code::Version]);
-        assert_eq!(loaded.source.name(), "motions/old.prg");
     }
 }

@@ -6,14 +6,12 @@
 //! Every path goes through `::core` or the runtime's root; nothing is expected from the prelude or from
 //! the scope that the code lands in.
 
-mod command;
 mod expression;
 mod ident;
 #[cfg(feature = "build")]
 mod pretty;
 mod state;
 mod step;
-mod table;
 
 #[cfg(test)]
 mod tests;
@@ -33,7 +31,7 @@ use crate::analysis::assignment::Assignment;
 use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
-use table::States;
+use step::States;
 use tip_runtime::program::Signature;
 
 /// Name of the generated type, and paths that it refers to.

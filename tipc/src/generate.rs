@@ -24,6 +24,11 @@
 //! A program with errors fails the build, each error shown with its line. The script runs again
 //! when a `.prg` file changes, and only then.
 
+#[cfg(feature = "robot-files")]
+use crate::description::{self, Description};
+#[cfg(feature = "robot-files")]
+use crate::published;
+
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::load::{self, Loaded, load};
@@ -37,14 +42,8 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
-use std::{env, fmt};
-
-mod files;
-
-#[cfg(feature = "robot-files")]
-use crate::description::{self, Description};
-#[cfg(feature = "robot-files")]
-use crate::published;
+use std::sync::{Mutex, PoisonError};
+use std::{env, fmt, fs};
 
 /// Compiles one motion program with the standard settings: TITAN VIII, TIP 3.1, a `pub` type named
 /// after the file, in `$OUT_DIR/<file's stem>.rs`.
@@ -181,17 +180,17 @@ impl Config {
 
     fn generate(&self, paths: &[&Path], report: &mut Report) -> Result<(), BuildError> {
         let emit_options = self.emit_options(paths.len())?;
-        let folder = files::out_dir(self.out_dir.as_deref())?;
+        let folder = out_dir(self.out_dir.as_deref())?;
         let outputs = outputs(paths, &folder)?;
         let load = self.load(report)?;
         for (output, input) in outputs {
             report.depends_on(input)?;
-            files::claim(&output, input)?;
+            claim(&output, input)?;
             let Some(program) = program(input, &load, report) else {
                 continue;
             };
             let text = emit::pretty(&program, &emit_options).map_err(|error| no_rust(&error))?;
-            files::write_if_changed(&output, &text)?;
+            write_if_changed(&output, &text)?;
         }
         report.outcome()
     }
@@ -199,15 +198,15 @@ impl Config {
     #[cfg(feature = "robot-files")]
     fn generate_robot(&self, path: &Path, report: &mut Report) -> Result<(), BuildError> {
         let emit_options = self.emit_options(1)?;
-        let folder = files::out_dir(self.out_dir.as_deref())?;
+        let folder = out_dir(self.out_dir.as_deref())?;
         if let Some(description) = describe(path, report)? {
             let outputs = outputs(&[path], &folder)?;
             for output in outputs.keys() {
-                files::claim(output, path)?;
+                claim(output, path)?;
                 let text = description
                     .pretty(&emit_options)
                     .map_err(|error| no_rust(&error))?;
-                files::write_if_changed(output, &text)?;
+                write_if_changed(output, &text)?;
             }
         }
         report.outcome()
@@ -421,6 +420,49 @@ impl fmt::Debug for BuildError {
 }
 
 impl Error for BuildError {}
+
+/// Files that this build script generated so far, each with its source.
+static GENERATED: Mutex<BTreeMap<PathBuf, PathBuf>> = Mutex::new(BTreeMap::new());
+
+/// Returns the folder of generated files.
+fn out_dir(chosen: Option<&Path>) -> Result<PathBuf, BuildError> {
+    match (chosen, env::var_os("OUT_DIR")) {
+        (Some(folder), _) => Ok(folder.to_owned()),
+        (None, Some(folder)) => Ok(folder.into()),
+        (None, None) => Err(BuildError::setting(Building::NoOutDir)),
+    }
+}
+
+/// Refuses a file that another input of this build script is generated to already: it would be overwritten.
+fn claim(output: &Path, input: &Path) -> Result<(), BuildError> {
+    let mut generated = GENERATED.lock().unwrap_or_else(PoisonError::into_inner);
+    let first = generated.entry(output.to_owned());
+    let first = first.or_insert_with(|| input.to_owned());
+    match first == input {
+        true => Ok(()),
+        false => Err(same_output(first, input)),
+    }
+}
+
+/// Leaves a file with this very text alone, so that nothing is rebuilt because of it.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "a build script is where files are read and written"
+)]
+fn write_if_changed(path: &Path, text: &str) -> Result<(), BuildError> {
+    if fs::read(path).is_ok_and(|old| old == text.as_bytes()) {
+        return Ok(());
+    }
+    let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+    folder
+        .and_then(|()| fs::write(path, text))
+        .map_err(|error| {
+            BuildError::setting(Building::CannotWrite {
+                path: path.display().to_string().into(),
+                error: error.to_string().into(),
+            })
+        })
+}
 
 #[cfg(test)]
 mod tests;

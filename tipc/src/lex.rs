@@ -2,10 +2,7 @@
 //!
 //! Whatever takes a text and a [`Span`] panics if that is not of the text.
 
-mod pieces;
-
-pub use pieces::{Piece, Pieces, split_comment};
-
+use crate::language::{Edition, Keyword, keywords};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Relation};
 
@@ -50,8 +47,6 @@ pub const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
 /// Such characters become part of words, so that the tokens around them stay usable.
 pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     let bytes = &text.as_bytes()[..span.end];
-    // Nearly no statement holds one.
-    let is_plain = bytes[span.start..].iter().all(|byte| !is_foreign(*byte));
     let mut foreign = None;
     let mut at = span.start;
     loop {
@@ -61,9 +56,7 @@ pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
         }
         let (kind, end) = operator(bytes, start).unwrap_or_else(|| {
             let end = word_end(bytes, start);
-            if !is_plain && foreign.is_none() {
-                foreign = foreign_run(text, Span::new(start, end));
-            }
+            foreign = foreign.or_else(|| foreign_run(text, Span::new(start, end)));
             (Kind::Word, end)
         });
         tokens.push(Token {
@@ -76,7 +69,7 @@ pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
 }
 
 /// Returns the first offset from `at` on without a delimiter.
-pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
+fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
     while let length @ 1.. = delimiter(bytes, at) {
         at += length;
     }
@@ -84,7 +77,7 @@ pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
 }
 
 /// Returns the start of the delimiters that end a stretch of text.
-pub(crate) fn trim_delimiters(bytes: &[u8]) -> usize {
+fn trim_delimiters(bytes: &[u8]) -> usize {
     let mut end = bytes.len();
     loop {
         match &bytes[..end] {
@@ -180,4 +173,182 @@ pub fn foreign_run(text: &str, span: Span) -> Option<Span> {
     let run = word.bytes().skip(start).take_while(|it| is_foreign(*it));
     let length = run.count();
     Some(Span::new(span.start + start, span.start + start + length))
+}
+
+/// A part of a line before its comment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Piece {
+    /// `NAME:`, a label.
+    Label {
+        /// The name; empty if only the colon is there.
+        name: Span,
+        /// The name and the colon.
+        span: Span,
+    },
+    /// A statement.
+    Statement {
+        /// Its first word; empty before an operator.
+        word: Span,
+        /// All of it, without the delimiters at its end.
+        span: Span,
+        /// End of a text: the next `;`, or the end of the code.
+        text_end: usize,
+    },
+}
+
+/// The labels and statements of a line, from left to right.
+#[derive(Debug)]
+pub struct Pieces<'a> {
+    text: &'a str,
+    /// End of the line's code.
+    code_end: usize,
+    /// `;` is an ordinary character of texts.
+    single: bool,
+    edition: Edition,
+    /// Position of the next byte to read.
+    at: usize,
+    /// Start of the delimiters before `part_end`.
+    trimmed_end: usize,
+    /// The next `;`, or the end of the code.
+    part_end: usize,
+}
+
+impl<'a> Pieces<'a> {
+    /// Splits `code` into pieces; `single`: a MESSAGE or REM goes on to its end, as before version 3.0.
+    pub fn new(text: &'a str, code: Span, single: bool) -> Self {
+        let mut pieces = Pieces {
+            text,
+            code_end: code.end,
+            single,
+            edition: Edition::default(),
+            at: code.start,
+            trimmed_end: code.start,
+            part_end: code.start,
+        };
+        pieces.open_part(code.start);
+        pieces
+    }
+
+    /// Reads the words of an edition.
+    pub fn in_edition(self, edition: Edition) -> Self {
+        Pieces { edition, ..self }
+    }
+
+    /// Goes on at `start`, up to the next `;`.
+    fn open_part(&mut self, start: usize) {
+        let rest = &self.text.as_bytes()[start..self.code_end];
+        let length = rest.iter().position(|byte| *byte == b';');
+        self.part_end = length.map_or(self.code_end, |length| start + length);
+        let part = &self.text.as_bytes()[start..self.part_end];
+        self.trimmed_end = start + trim_delimiters(part);
+        self.at = start;
+    }
+
+    fn statement(&mut self, word: Span) -> Piece {
+        if self.single && self.takes_text(word) {
+            (self.part_end, self.trimmed_end) = (self.code_end, self.code_end);
+        }
+        self.at = self.trimmed_end;
+        Piece::Statement {
+            word,
+            span: Span::new(word.start, self.trimmed_end),
+            text_end: self.part_end,
+        }
+    }
+
+    /// Returns the offset after the colon if `word` is a label. MESSAGE and REM may go on with a text that starts with
+    /// one.
+    fn label_end(&self, word: Span) -> Option<usize> {
+        let bytes = &self.text.as_bytes()[..self.trimmed_end];
+        let colon = skip_delimiters(bytes, word.end);
+        // `A := 1` is the assignment of another language.
+        let is_label = bytes.get(colon) == Some(&b':')
+            && bytes.get(colon + 1) != Some(&b'=')
+            && (colon == word.end || !self.takes_text(word));
+        is_label.then_some(colon + 1)
+    }
+
+    /// Returns true if the word is followed by a text instead of operands.
+    fn takes_text(&self, word: Span) -> bool {
+        let keyword = keywords::find(&self.text[word.start..word.end], self.edition);
+        keyword.is_some_and(Keyword::takes_text)
+    }
+}
+
+impl Iterator for Pieces<'_> {
+    type Item = Piece;
+
+    fn next(&mut self) -> Option<Piece> {
+        loop {
+            let bytes = &self.text.as_bytes()[..self.trimmed_end];
+            let start = skip_delimiters(bytes, self.at);
+            if start < self.trimmed_end {
+                let word = Span::new(start, word_end(bytes, start));
+                let Some(end) = self.label_end(word) else {
+                    return Some(self.statement(word));
+                };
+                self.at = end;
+                return Some(Piece::Label {
+                    name: word,
+                    span: Span::new(start, end),
+                });
+            }
+            if self.part_end == self.code_end {
+                return None;
+            }
+            self.open_part(self.part_end + 1);
+        }
+    }
+}
+
+/// Returns the code of a line, and its comment.
+pub fn split_comment(text: &str, line: Span) -> (Span, Option<Span>) {
+    let bytes = &text.as_bytes()[line.start..line.end];
+    match bytes.windows(2).position(|pair| pair == b"//") {
+        Some(at) => {
+            let at = line.start + at;
+            (Span::new(line.start, at), Some(Span::new(at, line.end)))
+        }
+        None => (line, None),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Piece, Pieces, split_comment};
+    use crate::source::Span;
+
+    /// Checks the labels and statements of a line, its texts each up to where they end.
+    #[track_caller]
+    fn check(line: &str, single: bool, expected: &[&str]) {
+        let (code, _) = split_comment(line, Span::new(0, line.len()));
+        let pieces = Pieces::new(line, code, single).map(|piece| match piece {
+            Piece::Label { span, .. } => &line[span.start..span.end],
+            Piece::Statement { span, .. } => &line[span.start..span.end],
+        });
+        assert_eq!(pieces.collect::<Vec<_>>(), expected, "{line:?}");
+    }
+
+    // clauses: 1.6
+    #[test]
+    fn a_line_is_labels_and_statements() {
+        check("", false, &[]);
+        check(" ; ;;\t", false, &[]);
+        check(
+            "L1: L2 :A = 1 ; END // x;y",
+            false,
+            &["L1:", "L2 :", "A = 1", "END"],
+        );
+        check(":", false, &[":"]);
+        check("REM: a", false, &["REM:", "a"]);
+        check("REM : a ;b", false, &["REM : a", "b"]);
+        check("- 1, ", false, &["- 1"]);
+    }
+
+    // clauses: 10.1
+    #[test]
+    fn an_old_text_goes_on_to_its_comment() {
+        check("A = 1; MESSAGE a;b // c", true, &["A = 1", "MESSAGE a;b "]);
+        check("A = 1; B", true, &["A = 1", "B"]);
+    }
 }

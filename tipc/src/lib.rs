@@ -19,7 +19,6 @@ pub mod generate;
 pub mod language;
 pub mod lex;
 pub mod load;
-mod lower;
 pub mod message;
 pub mod parse;
 pub mod program;

@@ -1,25 +1,24 @@
-//! Loading: from the bytes of a file to a program, or to all that is wrong with it.
+//! Loading: from the bytes of a file to a program, or to all that is wrong with it. The only maker of a [`Program`].
 //!
 //! Lints belong in the crate `tip-lint`.
 
 use crate::analysis::assignment::Ways;
-use crate::check::{Checked, ResolvedModule, check};
+use crate::check::{Checked, DeclaredLabel, ResolvedModule, check};
 use crate::code::{Code, Level};
 pub use crate::diagnostic::MOST;
 use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, by_location};
 use crate::language::Edition;
-use crate::lower::lower;
 use crate::message::phrase::Assign;
 use crate::message::{Message, Naming, Parsing, Structuring, Suggestion};
 use crate::parse::parse;
-use crate::program::Program;
+use crate::program::{Action, Label, LabelKind, Program, Step, StepId, Thread};
 use crate::robot::Robot;
 use crate::source::{Encoding, Source, looks_like};
 use crate::symbols::Symbols;
 use crate::syntax::{Module, StatementKind, VariableKind};
 
 /// Options for reading and checking a program.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
     /// The robot.
     pub robot: Robot,
@@ -27,16 +26,6 @@ pub struct Options {
     pub tip_version: Option<f64>,
     /// The encoding of the file.
     pub encoding: Encoding,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options {
-            robot: Robot::default(),
-            tip_version: None,
-            encoding: Encoding::Auto,
-        }
-    }
 }
 
 /// Result of loading a file.
@@ -227,6 +216,58 @@ pub fn check_module(source: &Source, module: &Module, robot: Robot) -> Vec<Diagn
         .0
 }
 
+/// Makes the program of a module in which nothing was found wrong; nothing else makes one.
+fn lower(source: &Source, module: &Module, resolved: ResolvedModule<'_>, robot: Robot) -> Program {
+    let ResolvedModule {
+        variables,
+        constants,
+        labels,
+        actions,
+    } = resolved;
+    let mut steps = Vec::with_capacity(actions.len());
+    for (statement, action) in module.statements.iter().zip(actions) {
+        steps.extend(action.map(|action| Step {
+            action,
+            line: statement.line,
+            column: source.column(statement.span.start),
+            text: source.slice(statement.span).into(),
+        }));
+    }
+    let step_of = |label: &DeclaredLabel<'_>| module.statements[label.statement].step;
+    let threads = labels.iter().filter(|it| it.kind == LabelKind::Thread);
+    let threads = threads.filter_map(|label| {
+        let first = step_of(label);
+        let ends = |step: &Step| step.action == Action::ThreadEnd;
+        let length = steps[first as usize..].iter().position(ends)?;
+        Some(Thread {
+            name: label.name.node.to_string(),
+            first,
+            last: first + length as StepId,
+        })
+    });
+    let threads = threads.collect();
+    let labels = labels.iter().map(|label| Label {
+        name: label.name.node.to_string(),
+        step: step_of(label),
+        kind: label.kind,
+    });
+    let constants = constants.into_iter();
+    let constants = constants.filter_map(|constant| Some((constant.name, constant.value?)));
+    let path = source.name();
+    Program {
+        source_name: path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned(),
+        source_hash: source.hash(),
+        edition: module.edition,
+        title: module.title.clone(),
+        signature: robot.signature(),
+        variables,
+        constants: constants.collect(),
+        labels: labels.collect(),
+        threads,
+        steps,
+    }
+}
+
 /// Takes what a module is resolved to, unless there is an error in it.
 fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
     judge(&mut checked.found, edition);
@@ -250,12 +291,11 @@ fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) 
         later.span == first.span && is_mistake(later) && is_mistake(first)
     });
     if diagnostics.len() > MOST {
-        let is_error = |one: &Diagnostic| one.level() == Level::Error;
-        let (mut kept, warnings): (Vec<_>, Vec<_>) = diagnostics.into_iter().partition(is_error);
-        kept.extend(warnings);
-        kept.drain(MOST..).for_each(|one| omitted.add(one.code));
-        by_location(&mut kept);
-        return (kept, omitted);
+        diagnostics.sort_by_key(|one| one.level() != Level::Error);
+        diagnostics
+            .drain(MOST..)
+            .for_each(|one| omitted.add(one.code));
+        by_location(&mut diagnostics);
     }
     (diagnostics, omitted)
 }

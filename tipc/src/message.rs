@@ -13,8 +13,6 @@ use std::sync::Arc;
 #[macro_use]
 mod table;
 
-#[cfg(feature = "build")]
-mod building;
 mod checking;
 #[cfg(feature = "robot-files")]
 mod describing;
@@ -25,11 +23,11 @@ pub mod phrase;
 pub mod say;
 mod suggesting;
 
-#[cfg(feature = "build")]
-pub use building::Building;
 pub use checking::{Calculating, Commanding, Naming, Structuring};
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
+#[cfg(feature = "build")]
+pub use parsing::Building;
 pub use parsing::{Parsing, Reading};
 pub use say::{Decimal, Lang, Letter};
 pub use suggesting::Suggestion;

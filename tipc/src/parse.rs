@@ -1,14 +1,11 @@
 //! Lines to statements. It never fails and reports every bad line; it judges form, never meaning.
 
-mod arguments;
-mod braces;
 mod comment;
 mod condition;
 mod control;
 mod declaration;
 mod equation;
 pub mod header;
-mod jump;
 mod line;
 mod operand;
 mod reader;
@@ -16,15 +13,14 @@ mod statement;
 mod unknown;
 
 pub use comment::{comment_after, comment_mark, is_comment};
-pub use jump::glued;
+pub use control::glued;
 pub use line::{LONG_VOWEL, narrow, plain};
 pub(crate) use operand::is_unit;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::language::Edition;
-use crate::language::Keyword;
 use crate::language::commands::{self, COMMANDS};
+use crate::language::{Edition, Keyword};
 use crate::lex::Token;
 use crate::message::{Commanding, Parsing, Suggestion};
 use crate::source::{Line, Source, Span, first_beyond};
@@ -38,13 +34,7 @@ pub const LINE_LIMIT: usize = 1023;
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
 pub fn parse(source: &Source, tip_version: Option<f64>) -> (Module, Diagnostics) {
-    let edition = match header::version(source, tip_version) {
-        Ok(edition) => edition,
-        Err(wrong) => return (Module::default(), vec![*wrong].into()),
-    };
-    let mut parser = Parser::new(source, edition);
-    parser.lines(&mut |_| ());
-    (parser.module, parser.diagnostics)
+    parse_taking(source, tip_version, &mut |_| ())
 }
 
 /// Parses a source, and lets `take` remove the statements of each line once it is read.
@@ -194,11 +184,7 @@ impl Parser<'_> {
             return;
         }
         let missing = Diagnostic::new(Code::NoEnd, location, Parsing::ProgramEndsHere);
-        let is_title = self
-            .module
-            .title
-            .trim()
-            .eq_ignore_ascii_case(Keyword::End.word());
+        let is_title = Keyword::End.is(self.module.title.trim());
         self.report(match is_title {
             true => missing
                 .label(self.source.line(2).span, Suggestion::TitleHere)

@@ -18,21 +18,16 @@
 
 use decode::{Decoded, MARK, decode};
 use lines::LineIndex;
-use original::Original;
-use position::ColumnIndex;
+use position::{ColumnIndex, Original};
 
 mod decode;
-mod encode;
 mod lines;
-mod original;
 mod position;
 
-pub use decode::looks_like;
-pub use decode::{Charset, Encoding, Undecodable};
+pub use decode::{Charset, Encoding, Undecodable, looks_like};
 pub use lines::{Line, Lines};
-pub use position::byte_length;
 pub(crate) use position::first_beyond;
-pub use position::{Position, Unit};
+pub use position::{Position, Unit, byte_length};
 
 /// Byte that DOS puts after the last line of a text file.
 const TAIL: &[u8] = b"\x1A";

@@ -5,36 +5,9 @@
 
 use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
 use std::collections::BTreeSet;
-use std::ops::Deref;
 
 /// The index of a node in its flow. Nodes come in the order of their steps.
 pub type NodeId = usize;
-
-/// Nodes that a cycle may run next without a call or return: two at most.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Next {
-    nodes: [NodeId; 2],
-    count: usize,
-}
-
-impl Deref for Next {
-    type Target = [NodeId];
-
-    fn deref(&self) -> &[NodeId] {
-        &self.nodes[..self.count]
-    }
-}
-
-impl FromIterator<NodeId> for Next {
-    fn from_iter<I: IntoIterator<Item = NodeId>>(nodes: I) -> Self {
-        let mut next = Next::default();
-        for (place, node) in next.nodes.iter_mut().zip(nodes) {
-            *place = node;
-            next.count += 1;
-        }
-        next
-    }
-}
 
 /// A step, as it is reached.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -43,8 +16,8 @@ pub struct Node {
     pub step: StepId,
     /// An ELSEIF or ELSE that is reached from the branch above it: passed, its condition is not read.
     pub is_passed: bool,
-    /// Nodes that the next cycle may run without a call or return.
-    pub next: Next,
+    /// Nodes that the next cycle may run without a call or return: two at most.
+    pub next: Vec<NodeId>,
     /// The call that it may make.
     pub call: Option<Call>,
     /// RETURN or SUBEND.
@@ -94,7 +67,7 @@ impl Flow {
     pub fn cut(&self, at: &BTreeSet<NodeId>) -> Flow {
         let mut flow = self.clone();
         for node in at {
-            flow.nodes[*node].next = Next::default();
+            flow.nodes[*node].next.clear();
             flow.nodes[*node].call = None;
             flow.nodes[*node].returns = false;
         }
@@ -110,9 +83,7 @@ impl Flow {
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
-}
 
-impl Flow {
     /// Returns the first node of a step; the number of nodes for one past the last.
     pub fn first(&self, step: StepId) -> NodeId {
         self.nodes.partition_point(|node| node.step < step)
@@ -122,9 +93,7 @@ impl Flow {
     pub fn last(&self, step: StepId) -> NodeId {
         self.first(step + 1).saturating_sub(1)
     }
-}
 
-impl Flow {
     /// Returns every call.
     pub fn calls(&self) -> impl Iterator<Item = Call> {
         self.nodes.iter().filter_map(|node| node.call)
@@ -143,38 +112,29 @@ impl Flow {
     }
 }
 
-/// Targets of steps.
-struct Ways {
-    /// The first node of each step, and one past the last.
-    first: Vec<NodeId>,
-    /// The last node of each step.
-    last: Vec<NodeId>,
-}
+/// Targets of steps: the first and the last node of each.
+struct Ways(Vec<(NodeId, NodeId)>);
 
 impl Ways {
     fn new(program: &Program) -> Self {
         let mut nodes = 0;
-        let mut ways = Ways {
-            first: Vec::new(),
-            last: Vec::new(),
-        };
-        for step in program.steps() {
-            ways.first.push(nodes);
-            nodes += usize::from(step.action.passed_to().is_some());
-            ways.last.push(nodes);
-            nodes += 1;
-        }
-        ways
+        let ends = program.steps().iter().map(|step| {
+            let first = nodes;
+            let last = first + usize::from(step.action.passed_to().is_some());
+            nodes = last + 1;
+            (first, last)
+        });
+        Ways(ends.collect())
     }
 
     /// Returns the node of a step reached "taken"; none past the last.
     fn to(&self, step: StepId) -> Option<NodeId> {
-        self.first.get(step as usize).copied()
+        self.0.get(step as usize).map(|(first, _)| *first)
     }
 
     /// Returns the node of a step reached "not taken".
     fn otherwise(&self, step: StepId) -> Option<NodeId> {
-        self.last.get(step as usize).copied()
+        self.0.get(step as usize).map(|(_, last)| *last)
     }
 
     /// Returns the node of a step, ELSEIF and ELSE as reached "not taken".
@@ -253,7 +213,7 @@ impl Ways {
     }
 }
 
-fn distinct([a, b]: [Option<NodeId>; 2]) -> Next {
+fn distinct([a, b]: [Option<NodeId>; 2]) -> Vec<NodeId> {
     let b = b.filter(|_| a != b);
     a.into_iter().chain(b).collect()
 }

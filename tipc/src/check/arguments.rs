@@ -1,8 +1,6 @@
 //! Arguments of commands against their forms in the command table, and first words that are no command.
 
 use super::resolve::Resolver;
-use super::resolved;
-use super::resolved::Resolved;
 use super::targets::word;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
@@ -12,6 +10,7 @@ use crate::lex::DELIMITERS;
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
 use crate::message::{Commanding, Message, Parsing, Structuring, Suggestion};
+use crate::program::Action;
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::suggest::nearest;
@@ -28,7 +27,7 @@ impl Resolver<'_> {
         name: &Word,
         arguments: &[Operand],
         malformed: Option<&Diagnostic>,
-    ) -> Option<Resolved> {
+    ) -> Option<Action> {
         let command = self.known(name, malformed)?;
         if let Some(fault) = malformed {
             self.report(fault.clone());
@@ -52,17 +51,12 @@ impl Resolver<'_> {
         }
     }
 
-    fn action(
-        &mut self,
-        command: &Command,
-        name: &Word,
-        arguments: &[Operand],
-    ) -> Option<Resolved> {
+    fn action(&mut self, command: &Command, name: &Word, arguments: &[Operand]) -> Option<Action> {
         match (command.form_in(self.names.edition), command.meaning) {
             (Form::Robot(form), Meaning::Robot(op)) => self.robot(name, op, form, arguments),
             (Form::Robot(_), _) => {
                 self.no_more(name, arguments)?;
-                Some(Resolved::MessageClear)
+                Some(Action::Message { parts: Vec::new() })
             }
             (Form::Special, _) => self.special(name, arguments),
             (Form::Teach(targets), Meaning::Teach(what)) => {
@@ -184,7 +178,7 @@ impl Resolver<'_> {
         op: Op,
         form: Arguments,
         arguments: &[Operand],
-    ) -> Option<Resolved> {
+    ) -> Option<Action> {
         let hs = form.hs && arguments.first().and_then(word) == Some(FAST);
         let arguments = &arguments[usize::from(hs)..];
         if op == Op::OutputVariables {
@@ -197,13 +191,11 @@ impl Resolver<'_> {
         };
         let operands = &arguments[usize::from(has_target)..];
         let arguments = self.values(name, form, target, operands)?;
-        if let resolved::Arguments::Each(values) = &arguments {
-            self.warn_of_range(name, form, operands, values);
-            if form.limit == Limit::Angles {
-                self.warn_of_limits(name, target, operands, values);
-            }
+        self.warn_of_range(name, form, operands, &arguments);
+        if form.limit == Limit::Angles {
+            self.warn_of_limits(name, target, operands, &arguments);
         }
-        Some(Resolved::Command {
+        Some(Action::Command {
             op,
             hs,
             target,
@@ -214,9 +206,7 @@ impl Resolver<'_> {
     pub(super) fn missing<T>(&mut self, location: Span, what: Lacking) -> Option<T> {
         self.refuse(Code::Argument, location, Commanding::Missing { what })
     }
-}
 
-impl Resolver<'_> {
     /// Suggests what to write in the place of an unknown first word; false if that is a guess.
     fn suggest_for(&self, name: &Word) -> (Message, bool) {
         match self.known_mistake(name) {

@@ -2,13 +2,12 @@
 
 use super::names::ResolvedOperand;
 use super::resolve::Resolver;
-use super::resolved::Assignment;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
 use crate::message::phrase::{Operands, Type};
 use crate::message::{Calculating, Message, Naming, Parsing, Suggestion};
-use crate::program::{Axis, ScalarExpression, StructExpression, StructOperand};
+use crate::program::{Action, Axis, ScalarExpression, StructExpression, StructOperand};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Equation, Expression, Operand, OperandKind, VariableKind, Word};
@@ -21,7 +20,7 @@ enum Value {
 }
 
 impl Resolver<'_> {
-    pub(super) fn equation(&mut self, equation: &Equation) -> Option<Assignment> {
+    pub(super) fn equation(&mut self, equation: &Equation) -> Option<Action> {
         let guess = self.type_in(equation);
         let target = self.resolve_operand_as(&equation.target, Code::Equation, guess);
         if let Some(target) = target {
@@ -42,21 +41,20 @@ impl Resolver<'_> {
         equation: &Equation,
         target: ResolvedOperand,
         value: Value,
-    ) -> Option<Assignment> {
+    ) -> Option<Action> {
         let update = equation.update;
         let location = equation.target.span;
         match (target, value) {
-            (ResolvedOperand::Constant(_), _) => {
-                let fault = Diagnostic::new(Code::Equation, location, Parsing::ConstantAssigned);
-                self.report(fault.help(Calculating::LeftSideIs));
-                None
-            }
+            (ResolvedOperand::Constant(_), _) => self.refuse_with(
+                Code::Equation,
+                location,
+                Parsing::ConstantAssigned,
+                Calculating::LeftSideIs,
+            ),
             (ResolvedOperand::Reading { reading, .. }, _) => {
                 let word = reading.to_string().into();
                 let reason = Naming::ReadingAssigned { word };
-                let fault = Diagnostic::new(Code::Equation, location, reason);
-                self.report(fault.help(Calculating::LeftSideIs));
-                None
+                self.refuse_with(Code::Equation, location, reason, Calculating::LeftSideIs)
             }
             (
                 ResolvedOperand::Scalar { negative: true, .. }
@@ -64,7 +62,7 @@ impl Resolver<'_> {
                 _,
             ) => self.refuse(Code::Equation, location, Calculating::LeftSideSign),
             (ResolvedOperand::Scalar { scalar, .. }, Value::Scalar(value)) => {
-                Some(Assignment::Scalar {
+                Some(Action::SetScalar {
                     target: scalar,
                     update,
                     value,
@@ -73,7 +71,7 @@ impl Resolver<'_> {
             (ResolvedOperand::Struct { variable, kind, .. }, Value::Struct(of, value))
                 if kind == of =>
             {
-                Some(Assignment::Struct {
+                Some(Action::SetStruct {
                     target: variable,
                     update,
                     value,
@@ -267,9 +265,12 @@ impl Resolver<'_> {
             _ => {
                 let wanted = kind.map_or(Type::PosOrJoint, |kind| type_of(Some(kind)));
                 let reason = Calculating::BelongsHere { wanted };
-                let fault = Diagnostic::new(Code::Equation, operand.span, reason);
-                self.report(fault.help(Calculating::WholeVariable));
-                None
+                self.refuse_with(
+                    Code::Equation,
+                    operand.span,
+                    reason,
+                    Calculating::WholeVariable,
+                )
             }
         }
     }
@@ -279,9 +280,12 @@ impl Resolver<'_> {
         let meant = self.resolve_operand_as(operand, Code::Equation, guess)?;
         self.uses.operand(operand, meant, Access::Read);
         if let Some((_, _, true)) = meant.structure() {
-            let fault = Diagnostic::new(Code::Equation, operand.span, Calculating::StructSign);
-            self.report(fault.help(Calculating::ChangeMembers));
-            return None;
+            return self.refuse_with(
+                Code::Equation,
+                operand.span,
+                Calculating::StructSign,
+                Calculating::ChangeMembers,
+            );
         }
         Some(meant)
     }

@@ -2,7 +2,6 @@
 
 use super::names::{ResolvedOperand, VAR_KEY_ID, inventory};
 use super::resolve::Resolver;
-use super::resolved::{Receiver, Resolved};
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -11,11 +10,11 @@ use crate::language::inputs;
 use crate::message::Commanding;
 use crate::message::list::List;
 use crate::message::phrase::Lacking;
-use crate::program::{self, Scalar};
+use crate::program::{Action, Argument, Mark, Operand as Number, Scalar};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Operand, VariableKind, Word};
-use tip_runtime::command::{Port, READING, Target, Teach};
+use tip_runtime::command::{Op, Port, READING, Target, Teach};
 
 impl Resolver<'_> {
     pub(super) fn teach(
@@ -24,7 +23,7 @@ impl Resolver<'_> {
         what: Teach,
         targets: Targets,
         arguments: &[Operand],
-    ) -> Option<Resolved> {
+    ) -> Option<Action> {
         let target = self.target(name, targets, arguments)?;
         let Some(into) = arguments.get(1) else {
             return self.missing(name.span, Lacking::Measured);
@@ -48,7 +47,8 @@ impl Resolver<'_> {
                 negative: false,
             } if kind == of => {
                 self.uses.variable(into.span, variable, Access::Assign);
-                Some(Resolved::Teach(what, target, Receiver::Struct(variable)))
+                let into = variable;
+                Some(Action::TeachStruct { what, target, into })
             }
             ResolvedOperand::Scalar {
                 scalar,
@@ -58,13 +58,14 @@ impl Resolver<'_> {
                 && self.names.variables[scalar.variable].kind != VariableKind::Pos =>
             {
                 self.uses.operand(into, meant, Access::Assign);
-                Some(Resolved::Teach(what, target, Receiver::Scalar(scalar)))
+                let into = scalar;
+                Some(Action::TeachScalar { what, target, into })
             }
             _ => self.refuse(Code::Argument, into.span, wanted),
         }
     }
 
-    pub(super) fn key_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Resolved> {
+    pub(super) fn key_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
         self.no_more(name, arguments.get(1..).unwrap_or_default())?;
         let into = match arguments.first() {
             Some(operand) => self.receiver(operand)?,
@@ -77,10 +78,10 @@ impl Resolver<'_> {
                 }
             }
         };
-        Some(Resolved::KeyIn(into))
+        Some(Action::KeyIn { into })
     }
 
-    pub(super) fn ad_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Resolved> {
+    pub(super) fn ad_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
         let Some(first) = arguments.first() else {
             return self.missing(name.span, Lacking::Input);
         };
@@ -95,7 +96,7 @@ impl Resolver<'_> {
         };
         self.no_more(name, &arguments[used + 1..])?;
         let into = self.receiver(into)?;
-        Some(Resolved::AdIn(port, into))
+        Some(Action::AdIn { port, into })
     }
 
     fn channel(&mut self, name: &Word, arguments: &[Operand]) -> Option<Port> {
@@ -142,7 +143,7 @@ impl Resolver<'_> {
         port
     }
 
-    pub(super) fn special(&mut self, name: &Word, arguments: &[Operand]) -> Option<Resolved> {
+    pub(super) fn special(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
         let Some((number, values)) = arguments.split_first() else {
             return self.missing(name.span, Lacking::NativeCommand);
         };
@@ -152,12 +153,23 @@ impl Resolver<'_> {
             return self.refuse(Code::Argument, number.span, reason);
         }
         self.no_more(name, values.get(2..).unwrap_or_default())?;
-        let values: Vec<Option<program::Operand>> = values
+        let values: Vec<Option<Number>> = values
             .iter()
             .map(|value| self.variable_or_constant(value, Code::Argument))
             .collect();
         let values = values.into_iter().collect::<Option<Vec<_>>>()?;
-        Some(Resolved::Special(code + 0.0, values))
+        // The number of the native command comes before its values; it is not -0.
+        let operands = [Number::Constant(code + 0.0)].into_iter().chain(values);
+        let argument = |operand| Argument {
+            operand,
+            mark: Mark::None,
+        };
+        Some(Action::Command {
+            op: Op::Special,
+            hs: false,
+            target: Target::None,
+            arguments: operands.map(argument).collect(),
+        })
     }
 
     /// Resolves a VAR without sign, which a command fills.
@@ -177,7 +189,7 @@ impl Resolver<'_> {
     }
 
     fn constant(&mut self, operand: &Operand) -> Option<f64> {
-        let meant = self.resolve_operand(operand, Code::Argument)?;
+        let meant = self.resolve_operand_as(operand, Code::Argument, None)?;
         match meant {
             ResolvedOperand::Constant(value) => {
                 self.uses.operand(operand, meant, Access::Read);

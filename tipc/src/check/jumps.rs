@@ -1,9 +1,8 @@
 //! Targets of jumps, and targets that are not allowed (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
-use super::blocks::{BlockKind, Blocks, Tree};
+use super::Known;
 use super::labels::{Labels, SUBROUTINE_LOOP};
-use super::names::Names;
-use super::title::Title;
+use super::structure::BlockKind;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::language::Keyword;
@@ -27,28 +26,15 @@ pub(crate) struct Resolved {
 }
 
 /// Finds the statement that each jump leads to.
-pub(crate) fn resolve(
-    source: &Source,
-    module: &Module,
-    names: &Names,
-    labels: &Labels<'_>,
-    blocks: &Blocks,
-    title: &Title,
-    found: &mut Diagnostics,
-) -> Resolved {
+pub(super) fn resolve(known: &Known<'_>, found: &mut Diagnostics) -> Resolved {
     let mut jumps = Jumps {
-        source,
-        module,
-        names,
-        labels,
-        blocks,
-        title,
-        tree: Tree::of(&blocks.blocks),
+        known,
         after_end: OnceCell::new(),
         bare: HashMap::new(),
         found,
     };
-    let targets = module
+    let targets = known
+        .module
         .statements
         .iter()
         .enumerate()
@@ -69,13 +55,7 @@ pub(crate) fn resolve(
 }
 
 struct Jumps<'a> {
-    source: &'a Source,
-    module: &'a Module,
-    names: &'a Names,
-    labels: &'a Labels<'a>,
-    blocks: &'a Blocks,
-    title: &'a Title,
-    tree: Tree<'a>,
+    known: &'a Known<'a>,
     /// Labels and SUBROUTINEs that stand after END.
     after_end: OnceCell<HashMap<String, Span>>,
     bare: HashMap<usize, Vec<Span>>,
@@ -97,13 +77,13 @@ impl Jumps<'_> {
         if name == LOOP {
             return self.loop_target(index, kind, jump, location);
         }
-        let Some(to) = self.statement_of(self.labels.find(name)) else {
+        let Some(to) = self.statement_of(self.known.labels.find(name)) else {
             if self.is_known_otherwise(name, jump, location) {
                 return None;
             }
             let near = match self.found.are_many() {
                 true => None,
-                false => nearest_label(name, self.labels.names()),
+                false => nearest_label(name, self.known.labels.names()),
             };
             let help = match near {
                 Some(near) => Structuring::DidYouMean { near: near.into() },
@@ -114,19 +94,19 @@ impl Jumps<'_> {
             let fault = Diagnostic::new(Code::UnknownLabel, location, reason);
             let fault = fault.once(format!("label {name}"));
             let fault = fault.about(name).help(help);
-            self.found.push(self.title.labels(name, fault));
+            self.found.push(self.known.title.labels(name, fault));
             return None;
         };
         if self.refuses_kind(kind, to, name, location) {
             return None;
         }
         if kind == JumpKind::Call && !self.is_subroutine(to) {
-            if self.labels.is_again(name) {
+            if self.known.labels.is_again(name) {
                 return None;
             }
             let reason = Structuring::PlainLabel { name: name.into() };
             let fault = Diagnostic::new(Code::Argument, location, reason)
-                .label(self.module.statements[to].span, Naming::DeclaredHere)
+                .label(self.known.module.statements[to].span, Naming::DeclaredHere)
                 .help(Structuring::GosubCalls);
             self.found.push(fault);
             return None;
@@ -150,13 +130,13 @@ impl Jumps<'_> {
             self.found.push(fault.help(Structuring::OwnLabel));
             return None;
         }
-        let to = self.statement_of(self.labels.loop_above(index));
+        let to = self.statement_of(self.known.labels.loop_above(index));
         if to.is_none() && !self.is_known_otherwise(LOOP, jump, location) {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(LOOP);
             let fault = fault.once(format!("label {LOOP}"));
             let near = match &jump.label {
-                Some(_) if !self.found.are_many() => nearest(LOOP, self.labels.names()),
+                Some(_) if !self.found.are_many() => nearest(LOOP, self.known.labels.names()),
                 _ => None,
             };
             let help: Message = match (&jump.label, near) {
@@ -164,7 +144,8 @@ impl Jumps<'_> {
                 (Some(_), Some(near)) => Structuring::DidYouMean { near: near.into() }.into(),
                 (Some(_), None) => Structuring::PutLoop.into(),
             };
-            self.found.push(self.title.labels(LOOP, fault.help(help)));
+            self.found
+                .push(self.known.title.labels(LOOP, fault.help(help)));
         }
         to
     }
@@ -172,13 +153,13 @@ impl Jumps<'_> {
     /// Returns true if a missing label is not the mistake of this jump: it stands there without its colon, or after
     /// END, or the jump itself is wrong.
     fn is_known_otherwise(&mut self, name: &str, jump: &Jump, location: Span) -> bool {
-        if let Some(label) = self.labels.bare(name) {
+        if let Some(label) = self.known.labels.bare(name) {
             let jumps = self.bare.entry(label).or_default();
             // A jump without its colon is another mistake.
             jumps.extend(Some(location).filter(|_| !jump.broken));
             return true;
         }
-        if jump.broken || self.names.may_declare(name) {
+        if jump.broken || self.known.names.may_declare(name) {
             return true;
         }
         let Some((end, label)) = self.label_after_end(name) else {
@@ -196,23 +177,25 @@ impl Jumps<'_> {
 
     /// Returns the locations of END and of the label of that name after it.
     fn label_after_end(&self, name: &str) -> Option<(Span, Span)> {
-        let end = self.module.statements.last()?;
+        let end = self.known.module.statements.last()?;
         if end.kind != StatementKind::End {
             return None;
         }
-        let after = Span::new(end.span.end, self.source.text().len());
-        let labels = self.after_end.get_or_init(|| labels_in(self.source, after));
+        let after = Span::new(end.span.end, self.known.source.text().len());
+        let labels = self
+            .after_end
+            .get_or_init(|| labels_in(self.known.source, after));
         labels.get(name).map(|label| (end.span, *label))
     }
 
     fn statement_of(&self, label: Option<usize>) -> Option<usize> {
-        label.map(|label| self.labels.all[label].statement)
+        label.map(|label| self.known.labels.all[label].statement)
     }
 
     /// Reports a THREAD that is called, and a label that is no THREAD in the place of one.
     fn refuses_kind(&mut self, kind: JumpKind, to: usize, name: &str, location: Span) -> bool {
         let is_thread = matches!(
-            self.module.statements[to].kind,
+            self.known.module.statements[to].kind,
             StatementKind::Thread { .. }
         );
         let name = name.into();
@@ -224,7 +207,7 @@ impl Jumps<'_> {
             _ => return false,
         };
         let fault = Diagnostic::new(Code::Argument, location, reason)
-            .label(self.module.statements[to].span, Naming::DeclaredHere)
+            .label(self.known.module.statements[to].span, Naming::DeclaredHere)
             .help(help);
         self.found.push(fault);
         true
@@ -232,23 +215,23 @@ impl Jumps<'_> {
 
     fn is_subroutine(&self, statement: usize) -> bool {
         matches!(
-            self.module.statements[statement].kind,
+            self.known.module.statements[statement].kind,
             StatementKind::Subroutine { .. }
         )
     }
 
     /// Checks that a jump enters no block and a GOTO leaves no SUBROUTINE or THREAD; a jump may leave blocks.
     fn check(&mut self, from: usize, to: usize, kind: JumpKind, location: Span) {
-        let mut inner = self.blocks.around[to];
+        let mut inner = self.known.blocks.around[to];
         if let Some(routine) = inner
             && kind != JumpKind::Goto
             && self.is_subroutine(to)
         {
             // What is called may be entered.
-            inner = self.blocks.blocks[routine].parent;
+            inner = self.known.blocks.blocks[routine].parent;
         }
-        let [entered_for, refused] = self.tree.entered(inner, from);
-        let is_strict = self.module.edition.is_strict();
+        let [entered_for, refused] = self.known.blocks.entered(inner, from);
+        let is_strict = self.known.module.edition.is_strict();
         if let Some(block) = refused.or(entered_for.filter(|_| is_strict)) {
             return self.refuse_entry(block, to, location);
         }
@@ -263,15 +246,15 @@ impl Jumps<'_> {
     }
 
     fn left_subroutine(&self, from: usize, to: usize) -> Option<usize> {
-        let blocks = &self.blocks.blocks;
-        let routine = blocks[self.blocks.around[from]?].routine?;
+        let blocks = &self.known.blocks.blocks;
+        let routine = blocks[self.known.blocks.around[from]?].routine?;
         let left = !blocks[routine].broken && !blocks[routine].contains(to);
         left.then_some(routine)
     }
 
     fn refuse_entry(&mut self, block: usize, to: usize, location: Span) {
-        let block = self.blocks.blocks[block];
-        let opener = &self.module.statements[block.opener];
+        let block = self.known.blocks.blocks[block];
+        let opener = &self.known.module.statements[block.opener];
         let before = Structuring::JumpBefore {
             opener: block.kind.opener(),
         };
@@ -287,13 +270,13 @@ impl Jumps<'_> {
         let mut fault = Diagnostic::new(Code::Structure, location, reason)
             .label(opener.keyword(), Structuring::BlockStarts);
         if block.opener != to {
-            fault = fault.label(self.module.statements[to].span, Structuring::Label);
+            fault = fault.label(self.known.module.statements[to].span, Structuring::Label);
         }
         self.found.push(fault.help(help));
     }
 
     fn refuse_leaving(&mut self, block: usize, to: usize, location: Span) {
-        let opener = &self.module.statements[self.blocks.blocks[block].opener];
+        let opener = &self.known.module.statements[self.known.blocks.blocks[block].opener];
         let is_thread = matches!(opener.kind, StatementKind::Thread { .. });
         let (reason, starts, help) = match is_thread {
             true => (
@@ -309,17 +292,17 @@ impl Jumps<'_> {
         };
         let fault = Diagnostic::new(Code::Structure, location, reason)
             .label(opener.keyword(), starts)
-            .label(self.module.statements[to].span, Structuring::Label)
+            .label(self.known.module.statements[to].span, Structuring::Label)
             .help(help);
         self.found.push(fault);
     }
 
     fn warn_of_for(&mut self, block: usize, to: usize, location: Span) {
-        let opener = &self.module.statements[self.blocks.blocks[block].opener];
+        let opener = &self.known.module.statements[self.known.blocks.blocks[block].opener];
         let reason = Structuring::NextCounts;
         let warning = Diagnostic::new(Code::EntersFor, location, reason)
             .label(opener.keyword(), Structuring::For)
-            .label(self.module.statements[to].span, Structuring::Label);
+            .label(self.known.module.statements[to].span, Structuring::Label);
         self.found.push(warning);
     }
 }

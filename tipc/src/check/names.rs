@@ -1,8 +1,7 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use crate::code::Code;
-use crate::diagnostic::MOST;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, MOST};
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, keywords, names};
@@ -12,7 +11,7 @@ use crate::message::{Commanding, Message, Naming, Suggestion};
 use crate::program::{self, Scalar, StructOperand, Variable, VariableId};
 use crate::robot::Robot;
 use crate::source::{Source, Span};
-use crate::suggest::nearest;
+use crate::suggest::{digit_like, nearest};
 use crate::syntax::{
     Module, Operand, OperandKind, Statement, StatementKind, VariableKind, Word, upper_case,
 };
@@ -211,12 +210,8 @@ impl Names {
         };
         for statement in &module.statements {
             statement.kind.each_operand(&mut |operand| {
-                let name = match &operand.kind {
-                    OperandKind::Number(_) => return,
-                    OperandKind::Name(name) => name,
-                    OperandKind::Member(words) => &words.0,
-                };
-                self.find(name).into_iter().for_each(&mut note);
+                let named = operand.name().and_then(|name| self.find(name));
+                named.into_iter().for_each(&mut note);
             });
             if let StatementKind::Message { text } | StatementKind::FileMessage { text } =
                 &statement.kind
@@ -584,12 +579,15 @@ impl Names {
         self.member_of(self.variables[variable].kind, member)
     }
 
-    /// Returns the number of scalars of a type.
-    pub(crate) fn size_of(&self, kind: VariableKind) -> usize {
-        match kind {
-            VariableKind::Var => 1,
-            VariableKind::Pos => POSITION.len(),
-            VariableKind::Joint => self.joints,
+    /// Returns the number of scalars of a whole variable or special variable.
+    pub(crate) fn size_of(&self, whole: StructOperand) -> usize {
+        match whole {
+            StructOperand::Variable(variable) => self.variables[variable].size(),
+            StructOperand::Reading(reading) => match kind_of(reading) {
+                VariableKind::Var => 1,
+                VariableKind::Pos => POSITION.len(),
+                VariableKind::Joint => self.joints,
+            },
         }
     }
 
@@ -767,15 +765,9 @@ fn declared_perhaps(source: &Source, module: &Module) -> HashSet<SmolStr> {
 
 /// `L00`: the number, if letters were typed that look like its digits.
 fn digits(name: &str) -> Option<SmolStr> {
-    let is_letter = |c: char| matches!(c, 'O' | 'I' | 'L');
-    let is_number = name.len() > 2 && name.chars().all(|c| is_letter(c) || c.is_ascii_digit());
-    let digit = |c: char| match c {
-        'O' => '0',
-        'I' | 'L' => '1',
-        other => other,
-    };
+    let is_number = name.len() > 2 && name.chars().all(|c| digit_like(c).is_ascii_digit());
     let ends = name.ends_with(|c: char| c.is_ascii_digit());
-    (is_number && ends).then(|| name.chars().map(digit).collect())
+    (is_number && ends).then(|| name.chars().map(digit_like).collect())
 }
 
 /// Returns the type that has a member of this name.

@@ -1,40 +1,26 @@
-//! Resolution of the operands of every statement.
+//! The meaning of every statement: its operands resolved, and what it does.
 
-use super::blocks::{Block, Blocks};
-use super::jumps;
-use super::labels::Labels;
 use super::names::{Names, ResolvedOperand};
-use super::resolved::{Counting, Resolved, StatementId};
-use super::structure::named_by;
-use super::title::Title;
+use super::structure::{Block, named_by};
 use super::uses::{Named, Uses};
+use super::{Known, jumps};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};
 use crate::language::Keyword;
 use crate::lex::split_comment;
 use crate::message::{Commanding, Message, Naming, Structuring, Suggestion};
-use crate::program::{self, Scalar, VariableId};
+use crate::program::{self, Action, End, Scalar, StepId, VariableId};
 use crate::robot::Robot;
-use crate::source::{Source, Span};
+use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{
-    self, Condition, Jump, LabelKind, Module, Operand, OperandKind, Statement, StatementKind, Then,
+    self, Condition, Jump, LabelKind, Operand, OperandKind, Statement, StatementKind, Then,
     VariableKind, Word,
 };
 use std::collections::HashMap;
 
-/// Results of earlier passes.
-#[derive(Clone, Copy)]
-pub(super) struct Known<'a> {
-    pub(super) source: &'a Source,
-    pub(super) module: &'a Module,
-    pub(super) robot: Robot,
-    pub(super) names: &'a Names,
-    pub(super) labels: &'a Labels<'a>,
-    pub(super) blocks: &'a Blocks,
-    pub(super) jumps: &'a jumps::Resolved,
-    pub(super) title: &'a Title,
-}
+/// A statement of a module, by its index.
+type StatementId = usize;
 
 /// Reasons why a statement is not resolved.
 enum Unresolved {
@@ -44,16 +30,32 @@ enum Unresolved {
     Untied,
 }
 
-/// Resolves every statement; all of them, or none if one cannot be.
+/// Counting of a FOR.
+#[derive(Clone, Copy)]
+struct Counting {
+    variable: Scalar,
+    from: program::Operand,
+    to: program::Operand,
+    /// 1 if the FOR names no other increment.
+    step: program::Operand,
+}
+
+/// Returns the action of every statement, which is none for a declaration; all of them, or none if a statement cannot
+/// be resolved.
 pub(super) fn statements(
     known: &Known<'_>,
+    jumps: &jumps::Resolved,
     found: &mut Diagnostics,
-) -> (Option<Vec<Resolved>>, Named) {
+) -> (Option<Vec<Option<Action>>>, Named) {
     let statements = &known.module.statements;
+    let labels = known.labels.all.iter();
+    let threads = labels.filter(|label| label.kind == LabelKind::Thread);
     let mut resolver = Resolver {
         robot: known.robot,
         names: known.names,
         known,
+        jumps,
+        threads: threads.map(|label| label.statement).collect(),
         uses: Uses::new(known.names, known.labels),
         counted: HashMap::new(),
         at: 0,
@@ -67,7 +69,7 @@ pub(super) fn statements(
         resolver.at = index;
         let told = resolver.found.len();
         match (resolver.statement(index, statement), &mut all) {
-            (Ok(resolved), Some(all)) => all.push(resolved),
+            (Ok(action), Some(all)) => all.push(action),
             (Ok(_), None) => {}
             (Err(why), _) => {
                 all = None;
@@ -93,6 +95,9 @@ pub(super) struct Resolver<'a> {
     pub(super) robot: Robot,
     pub(super) names: &'a Names,
     known: &'a Known<'a>,
+    jumps: &'a jumps::Resolved,
+    /// The statements of THREAD.
+    threads: Vec<StatementId>,
     pub(super) uses: Uses<'a>,
     /// Counter of each FOR.
     counted: HashMap<StatementId, Counting>,
@@ -105,13 +110,13 @@ pub(super) struct Resolver<'a> {
     pub(super) found: &'a mut Diagnostics,
 }
 
-impl Resolver<'_> {
+impl<'a> Resolver<'a> {
     fn statement(
         &mut self,
         index: StatementId,
         statement: &Statement,
-    ) -> Result<Resolved, Unresolved> {
-        Ok(match &statement.kind {
+    ) -> Result<Option<Action>, Unresolved> {
+        Ok(Some(match &statement.kind {
             StatementKind::Define { names, .. } => {
                 for name in names {
                     self.uses.declare(name);
@@ -120,7 +125,7 @@ impl Resolver<'_> {
                     // A value in a declaration is reported; it was to assign the name.
                     self.uses.excuse(self.known.source, statement.span);
                 }
-                Resolved::Define
+                return Ok(None);
             }
             StatementKind::Constant { name, value, .. } => {
                 self.uses.define(name);
@@ -129,87 +134,89 @@ impl Resolver<'_> {
                     let constant = ResolvedOperand::Constant(0.0);
                     self.uses.operand(value, constant, Access::Read);
                 }
-                Resolved::Define
+                return Ok(None);
             }
-            StatementKind::Label(name) => {
+            StatementKind::Label(name)
+            | StatementKind::Subroutine { name, .. }
+            | StatementKind::Thread { name, .. } => {
                 self.uses.define_label(name, index);
-                Resolved::Label
+                Action::Nothing
             }
-            StatementKind::Equation(equation) => {
-                Resolved::Equation(whole(self.equation(equation))?)
-            }
+            StatementKind::EndIf | StatementKind::Repeat | StatementKind::Rem => Action::Nothing,
+            StatementKind::Equation(equation) => whole(self.equation(equation))?,
             StatementKind::If {
                 condition, then, ..
             } => self.branch(index, condition, then)?,
-            StatementKind::ElseIf { condition, .. } => {
-                let condition = whole(self.condition(condition))?;
-                Resolved::ElseIf(condition, self.partner(index)?)
-            }
-            StatementKind::Else => Resolved::Else(self.partner(index)?),
-            StatementKind::EndIf => Resolved::EndIf,
-            StatementKind::While { condition, .. } => {
-                let condition = whole(self.condition(condition))?;
-                Resolved::While(condition, self.partner(index)?)
-            }
-            StatementKind::Wend => Resolved::Wend(self.partner(index)?),
-            StatementKind::Repeat => Resolved::Repeat,
-            StatementKind::Until { condition, .. } => {
-                let condition = whole(self.condition(condition))?;
-                Resolved::Until(condition, self.partner(index)?)
-            }
+            StatementKind::ElseIf { condition, .. } => Action::ElseIf {
+                condition: whole(self.condition(condition))?,
+                otherwise: self.partner_step(index)?,
+            },
+            StatementKind::Else => Action::Else {
+                end: self.partner_step(index)?,
+            },
+            StatementKind::While { condition, .. } => Action::While {
+                condition: whole(self.condition(condition))?,
+                exit: self.partner_step(index)? + 1,
+            },
+            StatementKind::Wend => Action::Goto {
+                to: self.partner_step(index)?,
+            },
+            StatementKind::Until { condition, .. } => Action::Until {
+                condition: whole(self.condition(condition))?,
+                back: self.partner_step(index)?,
+            },
             StatementKind::For { counting, .. } => {
                 let counting = whole(self.counting(counting))?;
                 self.counted.insert(index, counting);
-                Resolved::For(counting, self.partner(index)?)
+                let Counting {
+                    variable,
+                    from,
+                    to,
+                    step,
+                } = counting;
+                Action::For {
+                    variable,
+                    from,
+                    to,
+                    step,
+                    exit: self.partner_step(index)? + 1,
+                }
             }
             StatementKind::Next { keyword, variable } => {
                 self.next(index, *keyword, variable.as_ref())?
             }
-            StatementKind::Subroutine { name, .. } => {
-                self.uses.define_label(name, index);
-                Resolved::Subroutine
-            }
-            StatementKind::SubEnd => Resolved::SubEnd,
-            StatementKind::Thread { name, .. } => {
-                self.uses.define_label(name, index);
-                Resolved::Thread
-            }
-            StatementKind::ThreadEnd => Resolved::ThreadEnd,
-            StatementKind::StartThread(jump) => {
-                Resolved::StartThread(self.jump(index, jump, Access::Start)?)
-            }
-            StatementKind::StopThread(jump) => {
-                Resolved::StopThread(self.jump(index, jump, Access::Control)?)
-            }
-            StatementKind::WaitThread(jump) => {
-                Resolved::WaitThread(self.jump(index, jump, Access::Control)?)
-            }
-            StatementKind::Call(jump) => Resolved::Call(self.jump(index, jump, Access::Call)?),
-            StatementKind::Goto(jump) => Resolved::Goto(self.jump(index, jump, Access::Jump)?),
-            StatementKind::Gosub(jump) => Resolved::Gosub(self.jump(index, jump, Access::Call)?),
-            StatementKind::Return => Resolved::Return,
-            StatementKind::End => Resolved::End,
-            StatementKind::Exit => Resolved::Exit,
-            StatementKind::Rem => Resolved::Rem,
-            StatementKind::Message { text } => {
-                let shown = self.known.source.slice(text.span);
-                Resolved::Message(whole(self.message(Keyword::Message, shown, text.span))?)
-            }
-            StatementKind::FileMessage { text } => {
-                let written = self.known.source.slice(text.span);
-                Resolved::FileMessage(whole(self.message(
-                    Keyword::FileMessage,
-                    written,
-                    text.span,
-                ))?)
-            }
+            StatementKind::ThreadEnd => Action::ThreadEnd,
+            StatementKind::StartThread(jump) => Action::StartThread {
+                thread: self.thread(index, jump, Access::Start)?,
+            },
+            StatementKind::StopThread(jump) => Action::StopThread {
+                thread: self.thread(index, jump, Access::Control)?,
+            },
+            StatementKind::WaitThread(jump) => Action::WaitThread {
+                thread: self.thread(index, jump, Access::Control)?,
+            },
+            StatementKind::Goto(jump) => Action::Goto {
+                to: self.jump(index, jump, Access::Jump)?,
+            },
+            StatementKind::Call(jump) | StatementKind::Gosub(jump) => Action::Gosub {
+                to: self.jump(index, jump, Access::Call)?,
+            },
+            StatementKind::SubEnd | StatementKind::Return => Action::Return,
+            StatementKind::End => Action::Finish(End::End),
+            StatementKind::Exit => Action::Finish(End::Exit),
+            StatementKind::Message { text } => Action::Message {
+                parts: whole(self.message(Keyword::Message, text.span))?,
+            },
+            StatementKind::FileMessage { text } => Action::FileMessage {
+                parts: whole(self.message(Keyword::FileMessage, text.span))?,
+            },
             StatementKind::Command {
                 name,
                 arguments,
                 malformed,
             } => whole(self.command(name, arguments, malformed.as_deref()))?,
             StatementKind::Broken(_) => return Err(Unresolved::Wrong),
-        })
+        }))
     }
 
     fn branch(
@@ -217,17 +224,26 @@ impl Resolver<'_> {
         index: StatementId,
         condition: &Condition,
         then: &Then,
-    ) -> Result<Resolved, Unresolved> {
+    ) -> Result<Action, Unresolved> {
         let condition = self.condition(condition);
         Ok(match then {
-            Then::Block => Resolved::If(whole(condition)?, self.partner(index)?),
+            Then::Block => Action::If {
+                condition: whole(condition)?,
+                otherwise: self.partner_step(index)?,
+            },
             Then::Goto(jump) => {
                 let to = self.jump(index, jump, Access::Jump);
-                Resolved::IfGoto(whole(condition)?, to?)
+                Action::IfGoto {
+                    condition: whole(condition)?,
+                    to: to?,
+                }
             }
             Then::Gosub(jump) => {
                 let to = self.jump(index, jump, Access::Call);
-                Resolved::IfGosub(whole(condition)?, to?)
+                Action::IfGosub {
+                    condition: whole(condition)?,
+                    to: to?,
+                }
             }
         })
     }
@@ -238,7 +254,7 @@ impl Resolver<'_> {
         index: StatementId,
         keyword: Span,
         variable: Option<&Operand>,
-    ) -> Result<Resolved, Unresolved> {
+    ) -> Result<Action, Unresolved> {
         let opener = self.partner(index);
         let counting = opener.as_ref().ok().and_then(|it| self.counted.get(it));
         let counting = counting.copied();
@@ -258,7 +274,15 @@ impl Resolver<'_> {
             }
             (None, None) => {}
         }
-        Ok(Resolved::Next(counting.ok_or(Unresolved::Untied)?, opener?))
+        let Counting {
+            variable, to, step, ..
+        } = counting.ok_or(Unresolved::Untied)?;
+        Ok(Action::Next {
+            variable,
+            to,
+            step,
+            body: self.step(opener?) + 1,
+        })
     }
 
     /// Suggests the variable of a FOR to a NEXT that names none.
@@ -287,15 +311,44 @@ impl Resolver<'_> {
         link.partner.ok_or(Unresolved::Untied)
     }
 
-    /// Resolves the statement that a jump leads to.
+    fn partner_step(&self, index: StatementId) -> Result<StepId, Unresolved> {
+        Ok(self.step(self.partner(index)?))
+    }
+
+    fn step(&self, statement: StatementId) -> StepId {
+        self.known.module.statements[statement].step
+    }
+
+    /// Resolves the step that a jump leads to.
     fn jump(
+        &mut self,
+        index: StatementId,
+        jump: &Jump,
+        access: Access,
+    ) -> Result<StepId, Unresolved> {
+        let to = self.target_of(index, jump, access)?;
+        Ok(self.step(to))
+    }
+
+    /// Resolves the index of the thread that a statement names.
+    fn thread(
+        &mut self,
+        index: StatementId,
+        jump: &Jump,
+        access: Access,
+    ) -> Result<usize, Unresolved> {
+        let opener = self.target_of(index, jump, access)?;
+        Ok(self.threads.partition_point(|first| *first < opener))
+    }
+
+    fn target_of(
         &mut self,
         index: StatementId,
         jump: &Jump,
         access: Access,
     ) -> Result<StatementId, Unresolved> {
         self.uses.jump(index, jump, access);
-        self.known.jumps.targets[index].ok_or(Unresolved::Untied)
+        self.jumps.targets[index].ok_or(Unresolved::Untied)
     }
 
     fn counting(&mut self, counting: &syntax::Counting) -> Option<Counting> {
@@ -303,8 +356,8 @@ impl Resolver<'_> {
         let from = self.number(&counting.from, Code::Argument);
         let to = self.number(&counting.to, Code::Argument);
         let step = match &counting.step {
-            Some(step) => self.for_step(step).map(Some),
-            None => Some(None),
+            Some(step) => self.for_step(step),
+            None => Some(program::Operand::Constant(1.0)),
         };
         Some(Counting {
             variable: counter?,
@@ -337,20 +390,9 @@ impl Resolver<'_> {
             }
             _ => {
                 let reason = Commanding::CountsVar;
-                let fault = Diagnostic::new(Code::Argument, operand.span, reason);
-                self.report(fault.help(Commanding::CountVar));
-                None
+                self.refuse_with(Code::Argument, operand.span, reason, Commanding::CountVar)
             }
         }
-    }
-
-    /// Resolves an operand.
-    pub(super) fn resolve_operand(
-        &mut self,
-        operand: &Operand,
-        shape: Code,
-    ) -> Option<ResolvedOperand> {
-        self.resolve_operand_as(operand, shape, None)
     }
 
     /// Resolves an operand that is used as a variable of this type.
@@ -424,7 +466,7 @@ impl Resolver<'_> {
 
     /// Returns the jumps to the statement that is being resolved, if it is a label without its colon.
     pub(super) fn jumps_here(&self) -> Option<&[Span]> {
-        self.known.jumps.bare.get(&self.at).map(Vec::as_slice)
+        self.jumps.bare.get(&self.at).map(Vec::as_slice)
     }
 
     /// Resolves a number that the statement reads. `shape` is the code of a struct in its place.
@@ -448,7 +490,7 @@ impl Resolver<'_> {
     }
 
     /// Returns the text at a span.
-    pub(super) fn slice(&self, span: Span) -> &str {
+    pub(super) fn slice(&self, span: Span) -> &'a str {
         self.known.source.slice(span)
     }
 
@@ -484,6 +526,18 @@ impl Resolver<'_> {
         reason: impl Into<Message>,
     ) -> Option<T> {
         self.report(Diagnostic::new(code, location, reason));
+        None
+    }
+
+    /// Reports with a help, and answers that there is nothing.
+    pub(super) fn refuse_with<T>(
+        &mut self,
+        code: Code,
+        location: Span,
+        reason: impl Into<Message>,
+        help: impl Into<Message>,
+    ) -> Option<T> {
+        self.report(Diagnostic::new(code, location, reason).help(help));
         None
     }
 }

@@ -1,20 +1,127 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
 
-use super::blocks::{Block, BlockKind, Blocks, Link};
+use super::labels::Title;
 use super::names::Names;
-use super::title::Title;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Label};
-use crate::language::Keyword;
-use crate::language::commands;
-use crate::message::{Structuring, Suggestion};
+use crate::language::{Keyword, commands, keywords};
+use crate::lex::BLANKS;
+use crate::message::{Message, Structuring, Suggestion};
 use crate::source::{Source, Span};
 use crate::suggest::nearest;
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
 use std::collections::HashMap;
+use std::iter;
 use std::ops::Deref;
 
-mod other;
+/// The most blocks around a label that are looked at. Of a jump that enters more, one of these is named.
+const DEEP: usize = 1_000;
+
+/// Kind of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BlockKind {
+    /// One branch of an IF.
+    If,
+    While,
+    Repeat,
+    For,
+    Subroutine,
+    Thread,
+}
+
+impl BlockKind {
+    /// Number of kinds.
+    pub(super) const COUNT: usize = BlockKind::Thread as usize + 1;
+
+    /// Returns true for a SUBROUTINE or THREAD: it stands in no block, and holds none of its kind.
+    pub(super) const fn is_routine(self) -> bool {
+        matches!(self, BlockKind::Subroutine | BlockKind::Thread)
+    }
+
+    pub(super) const fn opener(self) -> Keyword {
+        match self {
+            BlockKind::If => Keyword::If,
+            BlockKind::While => Keyword::While,
+            BlockKind::Repeat => Keyword::Repeat,
+            BlockKind::For => Keyword::For,
+            BlockKind::Subroutine => Keyword::Subroutine,
+            BlockKind::Thread => Keyword::Thread,
+        }
+    }
+
+    pub(super) const fn closer(self) -> Keyword {
+        match self {
+            BlockKind::If => Keyword::EndIf,
+            BlockKind::While => Keyword::Wend,
+            BlockKind::Repeat => Keyword::Until,
+            BlockKind::For => Keyword::Next,
+            BlockKind::Subroutine => Keyword::SubEnd,
+            BlockKind::Thread => Keyword::ThreadEnd,
+        }
+    }
+}
+
+/// A block, by the index of the statement that opens it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Block {
+    pub(crate) kind: BlockKind,
+    pub(crate) opener: usize,
+    pub(crate) parent: Option<usize>,
+    /// The innermost SUBROUTINE or THREAD around it, or it itself.
+    pub(crate) routine: Option<usize>,
+    /// The statement that closes it.
+    pub(super) end: usize,
+    /// Its ends do not fit, which is reported: what crosses them is not reported again.
+    pub(crate) broken: bool,
+}
+
+impl Block {
+    /// Returns true if a statement lies inside. The own step of a SUBROUTINE or THREAD does: no GOTO reaches it from
+    /// outside.
+    pub(crate) fn contains(&self, statement: usize) -> bool {
+        let first = self.opener + usize::from(!self.kind.is_routine());
+        (first..self.end).contains(&statement)
+    }
+}
+
+/// Ties of a control word to others, by the indices of statements.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Link {
+    /// For IF, ELSEIF: the next ELSEIF, ELSE or ENDIF. For ELSE: ENDIF. For WHILE, FOR: the closer.
+    /// For WEND, UNTIL, NEXT: the opener.
+    pub(crate) partner: Option<usize>,
+}
+
+/// The block structure of a module.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Blocks {
+    pub(crate) blocks: Vec<Block>,
+    /// The innermost block around each statement.
+    pub(crate) around: Vec<Option<usize>>,
+    /// The ties of each statement.
+    pub(crate) links: Vec<Link>,
+    /// The blocks that unknown words were to close, by the statements of these.
+    pub(super) closed_by: HashMap<usize, usize>,
+}
+
+impl Blocks {
+    /// Returns the outermost sound FOR, and the outermost other sound block, that are around a statement or the block
+    /// `inner` itself, but not around the statement `from`.
+    pub(super) fn entered(&self, inner: Option<usize>, from: usize) -> [Option<usize>; 2] {
+        let mut entered = [None; 2];
+        let around = iter::successors(inner, |id| self.blocks[*id].parent);
+        for id in around.take(DEEP) {
+            let block = &self.blocks[id];
+            if block.contains(from) {
+                break;
+            }
+            if !block.broken {
+                entered[usize::from(block.kind != BlockKind::For)] = Some(id);
+            }
+        }
+        entered
+    }
+}
 
 /// Longest distance at which the end of a block, and the block that an end names, is searched.
 const FAR: usize = 1_000;
@@ -481,11 +588,9 @@ impl Matcher<'_> {
     fn location(&self, index: usize) -> Span {
         self.module.statements[index].keyword()
     }
-}
 
-impl Matcher<'_> {
     /// `FOR I`, `FOR J`, `NEXT I`: the outer FOR, whose variable NEXT names, if the inner one never gets its own NEXT.
-    pub(super) fn named_by_next(&self, index: usize) -> Option<usize> {
+    fn named_by_next(&self, index: usize) -> Option<usize> {
         let name = self.named(index)?;
         let fors = self.open.within(BlockKind::For);
         let near = &fors[fors.len().saturating_sub(FAR)..];
@@ -514,7 +619,7 @@ impl Matcher<'_> {
     }
 
     /// Checks that NEXT names the variable of its FOR, or none.
-    pub(super) fn check_counter(&mut self, opener: usize, closer: usize) {
+    fn check_counter(&mut self, opener: usize, closer: usize) {
         let (
             StatementKind::For { counting, .. },
             StatementKind::Next {
@@ -549,6 +654,136 @@ impl Matcher<'_> {
             .label(counting.variable.span, Structuring::VariableOfFor)
             .help(named_by(of));
         self.found.push(fault);
+    }
+}
+
+/// Ends of blocks that other languages write: END for each, NEXT for a WHILE.
+impl Matcher<'_> {
+    /// `WHILE … NEXT`: the end of another block, where the innermost one never gets its own. `other_open` says whether
+    /// a block that it could close is open around that one.
+    fn closes_other(
+        &mut self,
+        index: usize,
+        kind: BlockKind,
+        name: Keyword,
+        other_open: bool,
+    ) -> bool {
+        let Some(open) = self.open.last() else {
+            return false;
+        };
+        let (inner, first, block) = (open.kind, open.first, open.block);
+        let may_be = !inner.is_routine()
+            && !kind.is_routine()
+            && inner != kind
+            && name == kind.closer()
+            && !self.is_reported(first);
+        let is_needed = || other_open && self.later(index, kind) < self.open.within(kind).len();
+        if !may_be || self.later(index, inner) > 0 || is_needed() {
+            return false;
+        }
+        self.open.pop();
+        self.result.blocks[block].end = index;
+        self.result.blocks[block].broken = true;
+        let reason = Structuring::NothingOpen {
+            opener: kind.opener(),
+            word: name,
+        };
+        let (opener, closer) = (inner.opener(), inner.closer());
+        let fault = Diagnostic::new(Code::Structure, self.location(index), reason)
+            .label(self.location(first), Structuring::Open { opener })
+            .help(Suggestion::Closes { opener, closer });
+        if !self.is_reported(index) {
+            self.found.push(fault);
+        }
+        true
+    }
+
+    /// Returns the number of ends of blocks of this kind that are open now and come after a statement.
+    fn later(&self, index: usize, kind: BlockKind) -> usize {
+        let (mut inside, mut later) = (0, 0);
+        for statement in self.module.statements[index + 1..].iter().take(FAR) {
+            match statement.kind.shape().keyword() {
+                Some(
+                    Keyword::Subroutine | Keyword::SubEnd | Keyword::Thread | Keyword::ThreadEnd,
+                ) => break,
+                Some(word) if word == kind.opener() => inside += 1,
+                Some(word) if word == kind.closer() && inside == 0 => later += 1,
+                Some(word) if word == kind.closer() => inside -= 1,
+                _ => {}
+            }
+        }
+        later
+    }
+
+    /// Reports an END inside a block, with statements and another END after it, that was to end the block or to stop
+    /// the run.
+    fn ended_too_early(&mut self, source: &Source) -> Option<()> {
+        let innermost = self.open.last()?;
+        let last = self.module.statements.last()?;
+        if last.kind != StatementKind::End || self.is_reported(innermost.first) {
+            return None;
+        }
+        let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
+        let (line, _) = source.line_column(last.span.start);
+        let after = (line + 1..=source.line_count()).map(|line| source.line_text(line));
+        let words = after.map(|text| {
+            let text = text.trim_matches(BLANKS);
+            text.split([' ', '\t', ';']).next().unwrap_or_default()
+        });
+        let words: Vec<&str> = words.take(FAR).collect();
+        let has = |word: Keyword| words.iter().any(|one| word.is(one));
+        let help: Message = match (has(closer), has(Keyword::End)) {
+            (true, _) => Suggestion::Exit.into(),
+            (false, true) => Suggestion::Closes { opener, closer }.into(),
+            (false, false) => return None,
+        };
+        let reason = Suggestion::EndInTwo {
+            word: opener.into(),
+        };
+        let fault = Diagnostic::new(Code::Structure, last.span, reason)
+            .label(self.location(innermost.first), Structuring::Open { opener })
+            .help(help);
+        self.found.push(fault);
+        while let Some(open) = self.open.pop() {
+            self.result.blocks[open.block].broken = true;
+        }
+        Some(())
+    }
+
+    /// `END IF` ends the program, and whatever is open with it.
+    fn ended_in_two_words(&mut self) -> Option<()> {
+        let second = self.module.after_end.as_ref()?;
+        let innermost = self.open.last()?;
+        let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
+        // `END SUB`, `END FUNCTION`
+        let is_routine = || {
+            keywords::find(&second.node, self.module.edition).is_none() && closer == Keyword::SubEnd
+        };
+        if second.node != opener.word() && !is_routine() {
+            return None;
+        }
+        let end = self.module.statements.last()?.span;
+        let reason = Suggestion::EndInTwo {
+            word: opener.into(),
+        };
+        let help = match closer {
+            Keyword::Wend => Suggestion::Wend,
+            Keyword::Next => Suggestion::Next,
+            Keyword::SubEnd => Suggestion::SubEnd,
+            _ => Suggestion::InOneWord {
+                word: closer.into(),
+            },
+        };
+        let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
+            .label(self.location(innermost.first), Structuring::Open { opener })
+            .help(help);
+        // `REPEAT 5` … `END REPEAT` is one mistake.
+        let is_one = innermost.kind == BlockKind::Repeat && self.is_reported(innermost.first);
+        self.found.extend(Some(fault).filter(|_| !is_one));
+        while let Some(open) = self.open.pop() {
+            self.result.blocks[open.block].broken = true;
+        }
+        Some(())
     }
 }
 

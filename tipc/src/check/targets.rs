@@ -1,4 +1,4 @@
-//! Targets and event flags of the robot at hand (T.I.P. 3.1 §6-2, §10-3-5).
+//! Targets, event flags of the robot at hand, and conditions (T.I.P. 3.1 §6, §10-3-5).
 
 use super::names::inventory;
 use super::resolve::Resolver;
@@ -9,10 +9,11 @@ use crate::language::reserved::JOINT;
 use crate::language::{commands, flags};
 use crate::message::list::{Alternatives, List};
 use crate::message::{Commanding, Message, Suggestion};
+use crate::program::Condition;
 use crate::robot::Robot;
 use crate::source::Span;
-use crate::suggest::nearest;
-use crate::syntax::{Operand, OperandKind, Word, upper_case};
+use crate::suggest::{digit_like, nearest};
+use crate::syntax::{self, Operand, OperandKind, Word, upper_case};
 use tip_runtime::command::{CONSTANT, Flag, Target};
 
 /// Returns the word that an operand is, if it is one without sign and member.
@@ -52,38 +53,16 @@ impl Resolver<'_> {
             return self.refuse_target(command.span, reason);
         };
         let Some(target) = word(first).and_then(|word| word.parse().ok()) else {
-            let suggestion = self.suggest_target(command, targets, arguments);
+            let help = self.suggest_target(command, targets, arguments);
             let targets = self.wanted(targets);
             let reason = Commanding::TargetBelongsHere { targets };
-            if let Some(help) = suggestion {
-                let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                self.report(fault.help(help));
-                return None;
-            }
-            return match word(first) {
+            return match (help, word(first)) {
+                (Some(help), _) => self.refuse_with(Code::Argument, first.span, reason, help),
+                (None, Some(word)) if self.names.find(word).is_none() => {
+                    self.refuse_target(first.span, reason)
+                }
                 // The form of the command will be its help.
-                Some(word) if self.names.find(word).is_some() => {
-                    self.refuse(Code::Argument, first.span, reason)
-                }
-                None => self.refuse(Code::Argument, first.span, reason),
-                Some(word) if is_joint_of_no_leg(word) => {
-                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Suggestion::JointName));
-                    None
-                }
-                Some(_) if self.in_one_word(command).is_some() => {
-                    let word = self.in_one_word(command).unwrap_or_default().into();
-                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Suggestion::InOneWord { word }));
-                    None
-                }
-                Some(word) if self.looks_like_target(word).is_some() => {
-                    let near = self.looks_like_target(word).unwrap_or_default().into();
-                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                    self.report(fault.help(Suggestion::DidYouMean { near }));
-                    None
-                }
-                Some(_) => self.refuse_target(first.span, reason),
+                (None, _) => self.refuse(Code::Argument, first.span, reason),
             };
         };
         if !self.robot.has(target) {
@@ -91,37 +70,58 @@ impl Resolver<'_> {
             let reason = Commanding::RobotHasNo { robot, target };
             return self.refuse_target(first.span, reason);
         }
+        if takes(targets, target, self.robot) {
+            return Some(target);
+        }
         if let (Target::Joint(..), Some(other)) = (target, commands::of_joints(&command.node)) {
+            let help = self.for_joint(command, other, arguments);
             let reason = Commanding::MovesFeet {
                 command: command.node.clone(),
                 other,
             };
-            if !takes(targets, target, self.robot) {
-                let help = self.for_joint(command, other, arguments);
-                let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                self.report(fault.help(help));
-                return None;
-            }
+            return self.refuse_with(Code::Argument, first.span, reason, help);
         }
-        if !takes(targets, target, self.robot) {
-            let reason = Commanding::OtherTargets {
+        let reason = Commanding::OtherTargets {
+            command: command.node.clone(),
+            target,
+            targets: self.wanted(targets),
+        };
+        if target == Target::All {
+            let help = Suggestion::OneTarget {
                 command: command.node.clone(),
-                target,
-                targets: self.wanted(targets),
             };
-            if target == Target::All {
-                let command = command.node.clone();
-                let fault = Diagnostic::new(Code::Argument, first.span, reason);
-                self.report(fault.help(Suggestion::OneTarget { command }));
-                return None;
-            }
-            return self.refuse_target(first.span, reason);
+            return self.refuse_with(Code::Argument, first.span, reason, help);
         }
-        Some(target)
+        self.refuse_target(first.span, reason)
     }
 
-    /// `PTP_ANGLE 11 30`, `TEACH_POSITION P F1`: what was meant by a first argument that is no target.
+    /// Returns what was meant by a first argument that is no target.
     fn suggest_target(
+        &self,
+        command: &Word,
+        targets: Targets,
+        arguments: &[Operand],
+    ) -> Option<Message> {
+        let elsewhere = self.target_elsewhere(command, targets, arguments);
+        elsewhere.or_else(|| {
+            let word = word(arguments.first()?)?;
+            if self.names.find(word).is_some() {
+                return None;
+            }
+            if is_joint_of_no_leg(word) {
+                return Some(Suggestion::JointName.into());
+            }
+            if let Some(command) = self.in_one_word(command) {
+                let word = command.into();
+                return Some(Suggestion::InOneWord { word }.into());
+            }
+            let near = self.looks_like_target(word)?.into();
+            Some(Suggestion::DidYouMean { near }.into())
+        })
+    }
+
+    /// `PTP_ANGLE 11 30`, `TEACH_POSITION P F1`: the target without its letter, or after another argument.
+    fn target_elsewhere(
         &self,
         command: &Word,
         targets: Targets,
@@ -219,14 +219,6 @@ impl Resolver<'_> {
     }
 }
 
-fn digit_like(letter: char) -> char {
-    match letter {
-        'O' => '0',
-        'I' | 'L' => '1',
-        other => other,
-    }
-}
-
 /// `J1`, `J2`: a joint without its leg.
 fn is_joint_of_no_leg(word: &str) -> bool {
     let number = word.strip_prefix(JOINT).unwrap_or_default();
@@ -258,5 +250,62 @@ fn takes(targets: Targets, target: Target, robot: Robot) -> bool {
             Joints::Third => joint == 3,
             Joints::ThirdOfHand => joint == 3 && robot.is_hand(),
         },
+    }
+}
+
+impl Resolver<'_> {
+    pub(super) fn condition(&mut self, condition: &syntax::Condition) -> Option<Condition> {
+        match condition {
+            syntax::Condition::Compare {
+                left,
+                relation,
+                right,
+            } => {
+                let is_flag = word(left).is_some_and(|name| self.is_flag(name));
+                let told = self.found.len();
+                let left = self.number(left, Code::Argument);
+                if left.is_none() && is_flag {
+                    // What it is compared with is not wrong for itself.
+                    self.suggest_reading(right, told);
+                    return None;
+                }
+                let told = self.found.len();
+                let right = self.number(right, Code::Argument);
+                self.suggest_key(told);
+                Some(Condition::Compare {
+                    left: left?,
+                    relation: *relation,
+                    right: right?,
+                })
+            }
+            syntax::Condition::Flag { name, negated } => Some(Condition::Flag {
+                flag: self.flag(name)?,
+                negated: *negated,
+            }),
+        }
+    }
+
+    fn is_flag(&self, name: &str) -> bool {
+        !self.names.has(name) && flags::find(name, self.names.edition).is_some()
+    }
+
+    /// Suggests reading the key for a flag that is compared with one.
+    fn suggest_reading(&mut self, right: &syntax::Operand, told: usize) {
+        let key = word(right).filter(|word| word.starts_with(CONSTANT));
+        if let (Some(fault), Some(key)) = (self.found.get_mut(told), key) {
+            fault.help = Some(Suggestion::KeyFirst { key: key.into() }.into());
+        }
+    }
+
+    /// Suggests a key's constant for a letter that is compared with and not declared.
+    fn suggest_key(&mut self, told: usize) {
+        for fault in &mut self.found[told..] {
+            let name = fault.subject.as_deref().unwrap_or_default();
+            let is_key = name.len() == 1 && name.starts_with(|c: char| c.is_ascii_uppercase());
+            if fault.code == Code::UnknownVariable && is_key {
+                let character = name.into();
+                fault.help = Some(Suggestion::CharacterOrVariable { character }.into());
+            }
+        }
     }
 }

@@ -99,15 +99,10 @@ impl Names {
 
 impl Resolver<'_> {
     /// Splits a text of the source at `location` into what is shown as it is and the values between.
-    pub(super) fn message(
-        &mut self,
-        of: Keyword,
-        text: &str,
-        location: Span,
-    ) -> Option<Vec<MessagePart>> {
+    pub(super) fn message(&mut self, of: Keyword, location: Span) -> Option<Vec<MessagePart>> {
         let mut parts = Vec::new();
         let mut plain = String::new();
-        let mut rest = text;
+        let mut rest = self.slice(location);
         let mut is_sound = true;
         while let Some(first) = rest.chars().next() {
             if let Some(placeholder) = self.names.placeholder(rest) {
@@ -160,10 +155,7 @@ impl Resolver<'_> {
                 StructOperand::Reading(reading)
             }
         };
-        let size = match whole {
-            StructOperand::Variable(variable) => self.names.variables[variable].size(),
-            StructOperand::Reading(reading) => self.names.size_of(kind_of(reading)),
-        };
+        let size = self.names.size_of(whole);
         let members = match placeholder.member {
             Some(member) => member..member + 1,
             None => 0..size,

@@ -40,11 +40,11 @@ pub(super) struct Named {
     /// Number of labels.
     pub(super) labels: usize,
     /// The variables that a broken statement names: nothing can be said of them.
-    pub(super) excused: Vec<bool>,
+    excused: Vec<bool>,
     /// The variables that a MESSAGE was to show, and does not: that nothing reads them follows from it.
-    pub(super) to_be_shown: Vec<bool>,
+    to_be_shown: Vec<bool>,
     /// OUTPUT_VARIABLES reads them all.
-    pub(super) dumped: bool,
+    dumped: bool,
     /// Types of which a wrong statement may assign any variable: that one is never assigned follows from it.
     may_assign: Vec<VariableKind>,
 }
@@ -161,14 +161,10 @@ impl<'a> Uses<'a> {
                 (definition, index.filter(|_| member))
             }
         };
-        let length = match &operand.kind {
-            OperandKind::Number(_) => return,
-            OperandKind::Name(name) => name.len(),
-            OperandKind::Member(words) => words.0.len(),
-        };
+        let Some(name) = operand.name() else { return };
         let start = operand.span.start + usize::from(operand.negative);
         self.all.push(Use {
-            span: Span::new(start, start + length),
+            span: Span::new(start, start + name.len()),
             definition,
             access,
             member,
@@ -241,10 +237,9 @@ impl<'a> Uses<'a> {
     /// Records what a wrong statement was to assign, if it names no variable that is declared: its name may be that of
     /// any variable.
     pub(super) fn may_assign(&mut self, kind: &StatementKind) {
-        let unknown = |operand: Option<&Operand>| match operand.map(|operand| &operand.kind) {
-            Some(OperandKind::Name(name)) => self.names.find(name).is_none(),
-            Some(OperandKind::Member(words)) => self.names.find(&words.0).is_none(),
-            Some(OperandKind::Number(_)) | None => true,
+        let unknown = |operand: Option<&Operand>| {
+            let name = operand.and_then(Operand::name);
+            name.is_none_or(|name| self.names.find(name).is_none())
         };
         let kinds: &[VariableKind] = match kind {
             StatementKind::Broken(Shape::For) => &[VariableKind::Var],

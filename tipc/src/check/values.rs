@@ -1,22 +1,25 @@
-//! The values of commands: numbers with their flags, or a struct in their place.
+//! The values of commands: numbers with their flags, or a struct in their place; and constants that a command or an
+//! equation refuses at runtime.
 
 use super::equations::type_of;
 use super::names::kind_of;
 use super::resolve::Resolver;
-use super::resolved;
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::commands::{self, Arguments, Form, Targets, Values};
+use crate::language::commands::{self, Arguments, Form, Limit, Targets, Values};
+use crate::language::functions::{self, Operation};
 use crate::language::{Edition, reserved};
-use crate::message::phrase::Numbers;
-use crate::message::{Commanding, Suggestion};
+use crate::message::phrase::{Bounds, Numbers};
+use crate::message::{Calculating, Commanding, Suggestion};
 use crate::parse::is_unit;
-use crate::program::{self, Argument, Mark, StructOperand, VariableId};
+use crate::program::{self, Argument, Arithmetic, Function, Mark, StructOperand, VariableId};
+use crate::robot::Robot;
 use crate::source::Span;
 use crate::symbols::Access;
-use crate::syntax::{Operand, OperandKind, VariableKind, Word};
-use tip_runtime::command::{ABSOLUTE, FAST, Op, RELATIVE, Target};
+use crate::syntax::{Equation, Expression, Operand, OperandKind, VariableKind, Word};
+use tip_runtime::command::{ABSOLUTE, FAST, Op, RELATIVE, TIMERS, Target};
+use tip_runtime::model::Range;
 
 impl Resolver<'_> {
     pub(super) fn values(
@@ -25,35 +28,34 @@ impl Resolver<'_> {
         form: Arguments,
         target: Target,
         operands: &[Operand],
-    ) -> Option<resolved::Arguments> {
+    ) -> Option<Vec<Argument>> {
         let joints = usize::from(self.robot.signature().joints);
         let single = matches!(target, Target::Joint(..));
         let one_for_all = target == Target::All
             && operands.len() < joints
             && !self.is_of(operands, VariableKind::Joint);
-        let each = match form.values {
+        match form.values {
             Values::None => {
                 self.no_more(name, operands)?;
                 Some(Vec::new())
             }
             Values::One => self.plain_values(name, operands, 1),
             Values::ThreeOrPos if self.is_of(operands, VariableKind::Pos) => {
-                return self.vector(name, form, operands, VariableKind::Pos, 3);
+                self.vector(name, form, operands, VariableKind::Pos, 3)
             }
             Values::Three | Values::ThreeOrPos => self.plain_values(name, operands, 3),
             Values::Limits if single => self.scalars(name, form, operands, 2),
-            Values::Limits => return self.two_joints(name, operands),
+            Values::Limits => self.two_joints(name, operands),
             Values::Angles if single => self.scalars(name, form, operands, 1),
             Values::PerLeg if target == Target::All => self.plain_values(name, operands, 1),
             Values::PerJoint | Values::PerLeg if single || one_for_all => {
                 self.plain_values(name, operands, 1)
             }
-            Values::Position => return self.vector(name, form, operands, VariableKind::Pos, 3),
+            Values::Position => self.vector(name, form, operands, VariableKind::Pos, 3),
             Values::Angles | Values::PerJoint | Values::PerLeg => {
-                return self.vector(name, form, operands, VariableKind::Joint, joints);
+                self.vector(name, form, operands, VariableKind::Joint, joints)
             }
-        };
-        each.map(resolved::Arguments::Each)
+        }
     }
 
     /// Returns true if the first operand is a whole struct of a type.
@@ -76,7 +78,7 @@ impl Resolver<'_> {
     }
 
     /// Reads two JOINTs: the lower and the upper limits of a leg.
-    fn two_joints(&mut self, name: &Word, operands: &[Operand]) -> Option<resolved::Arguments> {
+    fn two_joints(&mut self, name: &Word, operands: &[Operand]) -> Option<Vec<Argument>> {
         let mut read = Vec::new();
         for operand in operands.iter().take(2) {
             read.push(self.joint(name, operand)?);
@@ -88,7 +90,11 @@ impl Resolver<'_> {
             return self.refuse(Code::Argument, name.span, reason);
         };
         self.no_more(name, &operands[2..])?;
-        Some(resolved::Arguments::Two([low, high]))
+        let both = [low, high].into_iter();
+        Some(
+            both.flat_map(|whole| self.members(whole, Mark::None))
+                .collect(),
+        )
     }
 
     fn joint(&mut self, name: &Word, operand: &Operand) -> Option<StructOperand> {
@@ -114,7 +120,7 @@ impl Resolver<'_> {
         operands: &[Operand],
         kind: VariableKind,
         count: usize,
-    ) -> Option<resolved::Arguments> {
+    ) -> Option<Vec<Argument>> {
         let flagged = usize::from(self.flag_of(form, operands).is_some());
         let whole = operands
             .get(flagged)
@@ -130,8 +136,7 @@ impl Resolver<'_> {
         }
         let operand = match named {
             None | Some((_, VariableKind::Var)) => {
-                let each = self.scalars(name, form, operands, count);
-                return each.map(resolved::Arguments::Each);
+                return self.scalars(name, form, operands, count);
             }
             Some((whole, of)) if of == kind => whole,
             Some((_, of)) => {
@@ -147,7 +152,15 @@ impl Resolver<'_> {
         let mark = self.mark(form, operands)?;
         let meant = self.resolve_operand_as(&operands[flagged], Code::Argument, Some(kind))?;
         self.uses.operand(&operands[flagged], meant, Access::Read);
-        Some(resolved::Arguments::Whole { operand, mark })
+        Some(self.members(operand, mark).collect())
+    }
+
+    /// Returns the members of a struct as arguments.
+    fn members(&self, whole: StructOperand, mark: Mark) -> impl Iterator<Item = Argument> + use<> {
+        (0..self.names.size_of(whole)).map(move |member| Argument {
+            operand: whole.member(member),
+            mark,
+        })
     }
 
     /// Reads `count` scalars, each with its flag.
@@ -312,9 +325,7 @@ impl Resolver<'_> {
             Some(number) => Some(number),
             None => {
                 let reason = Commanding::ConstantOrVar;
-                let fault = Diagnostic::new(shape, operand.span, reason);
-                self.report(fault.help(Commanding::CopyIntoVar));
-                None
+                self.refuse_with(shape, operand.span, reason, Commanding::CopyIntoVar)
             }
         }
     }
@@ -330,9 +341,7 @@ impl Resolver<'_> {
                     let reason = Commanding::TooMany {
                         command: name.node.clone(),
                     };
-                    let fault = Diagnostic::new(Code::Argument, location, reason);
-                    self.report(fault.help(advice));
-                    return None;
+                    return self.refuse_with(Code::Argument, location, reason, advice);
                 }
                 let reason = match name.node.as_str() {
                     // Version 2 had one.
@@ -444,5 +453,168 @@ fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) if is_flag(form, name) => Some(name),
         _ => None,
+    }
+}
+
+impl Resolver<'_> {
+    /// Warns of each constant out of the command's range.
+    pub(super) fn warn_of_range(
+        &mut self,
+        name: &Word,
+        form: Arguments,
+        operands: &[Operand],
+        values: &[Argument],
+    ) {
+        let judged = match form.values {
+            // The z of a finger is ignored.
+            Values::Three | Values::ThreeOrPos | Values::Position if self.robot.is_hand() => 2,
+            _ => values.len(),
+        };
+        for (operand, value) in operands.iter().zip(values).take(judged) {
+            if let program::Operand::Constant(value) = value.operand
+                && let Some(bounds) = broken(form.limit, value, self.robot)
+            {
+                self.warn_of_bounds(name, operand.span, bounds);
+                if self.names.edition.is_strict() {
+                    // The step fails at its first one.
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Warns of a constant limit outside the joint's own ones, or of two that leave no range between them.
+    pub(super) fn warn_of_limits(
+        &mut self,
+        name: &Word,
+        target: Target,
+        operands: &[Operand],
+        values: &[Argument],
+    ) {
+        let constant = |value: &Argument| match value.operand {
+            program::Operand::Constant(value) => Some(value),
+            _ => None,
+        };
+        let own = self.robot.limits(target);
+        let mut pairs = operands.iter().zip(values);
+        let outside = pairs.find_map(|(operand, value)| {
+            let own = own.filter(|own| constant(value).is_some_and(|it| !own.contains(it)))?;
+            let Range { min, max } = own;
+            Some((operand.span, Bounds::FromTo { min, max }))
+        });
+        let reversed = || match (values, operands) {
+            ([low, high], [_, operand]) if constant(low)? >= constant(high)? => Some((
+                operand.span,
+                Bounds::Above {
+                    low: constant(low)?,
+                },
+            )),
+            _ => None,
+        };
+        if let Some((location, bounds)) = outside.or_else(reversed) {
+            self.warn_of_bounds(name, location, bounds);
+        }
+    }
+
+    fn warn_of_bounds(&mut self, name: &Word, location: Span, bounds: Bounds) {
+        let help = Commanding::Takes {
+            command: name.node.clone(),
+            bounds,
+            robot: self.robot.name(),
+        };
+        let reason = Commanding::OutOfRange;
+        self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
+    }
+
+    /// Warns of a constant for which an equation has no result, whatever its variables are.
+    pub(super) fn warn_of_domain(&mut self, equation: &Equation) {
+        if let Some((location, reason, help)) = self.impossible(equation) {
+            self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
+        }
+    }
+
+    /// Finds such a constant: its location, why it has no result, and what to write instead.
+    fn impossible(&self, equation: &Equation) -> Option<(Span, Calculating, Calculating)> {
+        let constant = |operand: &Operand| self.names.constant(operand);
+        let division = |divisor: &Operand| {
+            let (reason, help) = (Calculating::DividedByZero, Calculating::DivideByAnother);
+            (constant(divisor)? == 0.0).then_some((divisor.span, reason, help))
+        };
+        match &equation.value {
+            Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {
+                division(divisor)
+            }
+            Expression::Binary {
+                operation: Arithmetic::Div,
+                right,
+                ..
+            } => division(right),
+            Expression::Function { name, operands } => {
+                let operation = functions::find(&name.node, self.names.edition)?;
+                outside(operation, operands, constant)
+            }
+            Expression::Operand(_) | Expression::Binary { .. } => None,
+        }
+    }
+}
+
+/// Finds a constant outside the domain of a function.
+fn outside(
+    operation: Operation,
+    operands: &[Operand],
+    constant: impl Fn(&Operand) -> Option<f64>,
+) -> Option<(Span, Calculating, Calculating)> {
+    let first = operands.first()?;
+    let value = constant(first)?;
+    let name = operation.word();
+    match operation {
+        Operation::Scalar(Function::Sqrt) if value < 0.0 => {
+            let reason = Calculating::NoSquareRoot;
+            Some((first.span, reason, Calculating::SqrtTakes))
+        }
+        Operation::Scalar(function @ (Function::Asin | Function::Acos | Function::Atan))
+            if !(-1.0..=1.0).contains(&value) =>
+        {
+            let reason = Calculating::NoResult { function: name };
+            let help = if function == Function::Atan {
+                Calculating::TakesToOneOrRatio { function: name }
+            } else {
+                Calculating::TakesToOne { function: name }
+            };
+            Some((first.span, reason, help))
+        }
+        Operation::Atan2 => {
+            let second = operands.get(1)?;
+            let reason = Calculating::NoDirection;
+            let help = Calculating::AnotherThanZero;
+            let nowhere = value == 0.0 && constant(second)? == 0.0;
+            nowhere.then(|| (first.span.to(second.span), reason, help))
+        }
+        _ => None,
+    }
+}
+
+/// Returns the range that a value leaves.
+fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
+    let outside = |value: f64, min: f64, max: f64| {
+        (!Range::new(min, max).contains(value)).then_some(Bounds::FromTo { min, max })
+    };
+    let whole_outside = |min, max| outside(value.trunc(), min, max);
+    let Range { min, max } = robot.facts().periods;
+    match limit {
+        Limit::Any | Limit::Angles => None,
+        Limit::NotNegative => (value < 0.0).then_some(Bounds::NotNegative),
+        Limit::Positive => (value <= 0.0).then_some(Bounds::Positive),
+        Limit::Percent => (value <= 0.0 || value > 100.0).then_some(Bounds::Percent),
+        Limit::Period => outside(value, min, max),
+        Limit::Frequency => outside(value, 1000.0 / max, 1000.0 / min),
+        Limit::Lamp => match robot.facts().lamps.checked_sub(1) {
+            None => Some(Bounds::Nothing),
+            Some(last) => whole_outside(0.0, f64::from(last)),
+        },
+        Limit::FloorType if robot.is_hand() => whole_outside(1.0, 2.0),
+        Limit::FloorType | Limit::ObjectType => whole_outside(1.0, 3.0),
+        Limit::Timer => whole_outside(0.0, f64::from(TIMERS - 1)),
+        Limit::Steps => whole_outside(1.0, 255.0),
     }
 }

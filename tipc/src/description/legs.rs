@@ -1,15 +1,13 @@
-//! Legs: where they are, and their joints, drawn once and turned or mirrored for each leg.
+//! Legs: where they are, and their joints, drawn once and turned or mirrored for each leg. Joints and the body have a
+//! distribution of mass, and shapes for exported files, at which no plant of this project looks.
 
 use super::Leg;
 use super::keys::Part;
-use super::rotation::sin_cos;
 use super::section::{Found, SMALLEST, Section, Sign, fault};
-use super::shape::{self, Shape};
-use super::spread;
 use crate::message::{Describing, Letter};
 use crate::source::Span;
 use tip_runtime::command::MAX;
-use tip_runtime::model::{Joint, Range, Spread};
+use tip_runtime::model::{Joint, Point, Range, Spread};
 
 /// Distance from the working limits to those of the potentiometers, unless the file says so: deg.
 const OUTER: f64 = 5.0;
@@ -107,9 +105,9 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     let mass = section.number("mass", Sign::NotNegative, found);
     let mass = mass.unwrap_or(0.1);
     let even = Spread::rod(link.unwrap_or_default(), mass);
-    let spread = spread::read(section, even, found);
+    let spread = read_spread(section, even, found);
     let torque = section.number("torque", Sign::Positive, found);
-    let shapes = shape::read(section, found);
+    let shapes = read_shapes(section, found);
     let joint = Joint {
         axis: axis?,
         link: link?,
@@ -189,7 +187,7 @@ fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
     let joint = Joint {
         axis: [0, 1, 2].map(|i| side * mirror[i] * axis[i]),
         link: [0, 1, 2].map(|i| mirror[i] * link[i]),
-        spread: joint.spread.map(|of| spread::placed(&of, turned, mirror)),
+        spread: joint.spread.map(|of| placed_spread(&of, turned, mirror)),
         ..*joint
     };
     (joint, shapes.collect())
@@ -251,4 +249,190 @@ fn initial(
         }
     }
     Some(angles)
+}
+
+/// The shapes that a description gives; what has none is empty.
+///
+/// ```
+/// let text = br#"
+/// name = "arm"
+/// leg = [{ base = [0, 0, 0] }]
+/// joint = [{ axis = "z", link = [0, 90, 0], shape = [{ sphere = 12, at = [0, 90, 0] }] }]
+/// "#;
+/// let description = tipc::description::parse("arm.toml", text).unwrap();
+/// let shapes = description.shapes();
+/// assert_eq!(shapes.of(1, 1)[0].at, [0.0, 90.0, 0.0]);
+/// assert!(shapes.body.is_empty());
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shapes {
+    /// Shapes of the body, in the robot frame.
+    pub body: Vec<Shape>,
+    /// Shapes of the link after each joint of each leg, from the joint on.
+    pub legs: Vec<Vec<Vec<Shape>>>,
+}
+
+impl Shapes {
+    /// Returns the shapes of the link after a joint of a leg, both counted from 1 as the language has them.
+    pub fn of(&self, leg: u8, joint: u8) -> &[Shape] {
+        let [leg, joint] = [leg, joint].map(|number| usize::from(number).checked_sub(1));
+        let links = leg.and_then(|leg| self.legs.get(leg));
+        let of = links.zip(joint).and_then(|(links, joint)| links.get(joint));
+        of.map_or(&[], Vec::as_slice)
+    }
+}
+
+/// A part of what a link or a body looks like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// Geometric form.
+    pub form: Form,
+    /// Its middle, from its joint or in the robot frame: mm.
+    pub at: Point,
+    /// The directions of its own axes x, y and z, as the robot frame sees them while all joints are at 0.
+    pub axes: [Point; 3],
+}
+
+/// A body around the origin: mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form {
+    /// With these sides along its own x, y and z.
+    Block([f64; 3]),
+    /// Along its own z.
+    Cylinder {
+        /// From its axis to its wall.
+        radius: f64,
+        /// From end to end.
+        length: f64,
+    },
+    /// A ball.
+    Sphere {
+        /// From its middle to its surface.
+        radius: f64,
+    },
+}
+
+/// Reads the key `shape` of a table.
+pub(super) fn read_shapes(section: Section<'_>, found: &mut Found) -> Vec<Shape> {
+    let sections = section.tables("shape", Part::Shape, found);
+    let sections = sections.unwrap_or_default().into_iter();
+    sections.filter_map(|own| shape(own, found)).collect()
+}
+
+fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
+    let form = form(section, found);
+    let at = section.numbers("at", Sign::Any, found);
+    let turned = section.numbers("turned", Sign::Any, found);
+    Some(Shape {
+        form: form?,
+        at: at.unwrap_or_default(),
+        axes: axes(turned.unwrap_or_default()),
+    })
+}
+
+/// Reads the form from the one key of three that is present.
+fn form(section: Section<'_>, found: &mut Found) -> Option<Form> {
+    let given = ["block", "cylinder", "sphere"].map(|key| section.has(key));
+    match given {
+        [true, false, false] => {
+            let sides = section.numbers("block", Sign::Size, found)?;
+            Some(Form::Block(sides))
+        }
+        [false, true, false] => {
+            let [radius, length] = section.numbers("cylinder", Sign::Size, found)?;
+            Some(Form::Cylinder { radius, length })
+        }
+        [false, false, true] => {
+            let radius = section.number("sphere", Sign::Size, found)?;
+            Some(Form::Sphere { radius })
+        }
+        _ => {
+            let reason = match given.contains(&true) {
+                true => Describing::SeveralForms,
+                false => Describing::NoForm,
+            };
+            let help = Describing::Forms;
+            found.push(fault(section.part, section.location, reason, help));
+            None
+        }
+    }
+}
+
+/// Returns the axes of what is turned about the fixed x, y and z, one after the other: deg.
+fn axes(turned: [f64; 3]) -> [Point; 3] {
+    let [[sr, cr], [sp, cp], [sy, cy]] = turned.map(sin_cos);
+    [
+        [cy * cp, sy * cp, -sp],
+        [cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr],
+        [cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr],
+    ]
+}
+
+impl Shape {
+    /// Returns the shape on a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror` the
+    /// sign of each coordinate.
+    fn placed(&self, turned: impl Fn([f64; 3]) -> [f64; 3], mirror: [f64; 3]) -> Shape {
+        let put = |of: Point| {
+            let of = turned(of);
+            [0, 1, 2].map(|i| mirror[i] * of[i])
+        };
+        let axis = |i: usize| put(self.axes[i]).map(|part| mirror[i] * part);
+        Shape {
+            form: self.form,
+            at: put(self.at),
+            // A mirror makes left-handed axes. Every form is its own mirror image, so that one of them may point the other way.
+            axes: [axis(0), axis(1), axis(2)],
+        }
+    }
+}
+
+/// Reads the keys `centre` and `inertia` of a table, with a default for the one that it leaves out; `None` if it has
+/// neither.
+pub(super) fn read_spread(section: Section<'_>, even: Spread, found: &mut Found) -> Option<Spread> {
+    let centre = section.numbers("centre", Sign::Any, found);
+    let inertia = section.numbers("inertia", Sign::Any, found);
+    if centre.is_none() && inertia.is_none() {
+        return None;
+    }
+    let spread = Spread {
+        centre: centre.unwrap_or(even.centre),
+        inertia: inertia.unwrap_or(even.inertia),
+    };
+    if spread.is_sound() {
+        return Some(spread);
+    }
+    let location = section.location_of("inertia");
+    section.refuse("inertia", location, Describing::NoBodysInertia, found)
+}
+
+/// Returns the distribution for a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror`
+/// the sign of each coordinate.
+fn placed_spread(
+    spread: &Spread,
+    turned: impl Fn([f64; 3]) -> [f64; 3],
+    mirror: [f64; 3],
+) -> Spread {
+    let [xx, yy, zz, xy, xz, yz] = spread.inertia;
+    // Rows are turned, and then, since the tensor is symmetric, columns.
+    let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(&turned);
+    let column = |axis: usize| turned(rows.map(|row| row[axis]));
+    let columns = [column(0), column(1), column(2)];
+    let at = |i: usize, j: usize| mirror[i] * mirror[j] * columns[i][j];
+    let centre = turned(spread.centre);
+    Spread {
+        centre: [0, 1, 2].map(|axis| mirror[axis] * centre[axis]),
+        inertia: [at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)],
+    }
+}
+
+/// Returns sine and cosine of an angle in degrees, exact at every quarter turn.
+fn sin_cos(angle: f64) -> [f64; 2] {
+    let quarters = (angle / 90.0).floor();
+    let (sin, cos) = libm::sincos((angle - quarters * 90.0).to_radians());
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => [sin, cos],
+        1 => [cos, -sin],
+        2 => [-sin, -cos],
+        _ => [-cos, sin],
+    }
 }

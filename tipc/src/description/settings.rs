@@ -1,11 +1,11 @@
-//! Settings of a description besides its legs; everything has a default.
+//! Settings of a description besides its legs: its name, and what has a default.
 
 use super::Leg;
 use super::keys::Part;
+use super::legs::{Shape, read_shapes, read_spread};
 use super::section::{Found, Section, Sign};
-use super::shape::{self, Shape};
-use super::spread;
-use crate::message::Describing;
+use crate::message::{Describing, Letter};
+use crate::robot::Robot;
 use tip_runtime::model::{
     Body, Forces, Inverse, Range, Slider, Spread, Standards, TorqueUnit, generic,
 };
@@ -79,8 +79,8 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<S
     let mass = mass.unwrap_or(1.0);
     let point = Range::new(0.0, 0.0);
     let even = Spread::block([x, y, z].map(|range| range.unwrap_or(point)), mass);
-    let spread = spread::read(section, even, found);
-    let shapes = shape::read(section, found);
+    let spread = read_spread(section, even, found);
+    let shapes = read_shapes(section, found);
     let body = Body {
         x: x?,
         y: y?,
@@ -138,4 +138,29 @@ pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
 pub(super) fn inverse(robot: Section<'_>, found: &mut Found) -> Option<Inverse> {
     let words = Inverse::ALL.map(|inverse| (inverse.name(), inverse));
     robot.choice("inverse", &words, found)
+}
+
+/// The longest name, in characters.
+const LONGEST: usize = 40;
+
+/// Reads the robot's name, if it is one.
+pub(super) fn name<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str> {
+    let (location, name) = robot.text("name", found)?;
+    let allowed = |c: char| c.is_alphanumeric() || " -_.".contains(c);
+    let reason = if name.trim().is_empty() {
+        Describing::NeedsName
+    } else if name.trim() != name {
+        Describing::BlankAtEnd
+    } else if name.chars().count() > LONGEST {
+        Describing::NameTooLong { most: LONGEST }
+    } else if let Some(character) = name.chars().find(|c| !allowed(*c)) {
+        Describing::NotInName {
+            character: Letter(character),
+        }
+    } else if Robot::from_name(name).is_some() {
+        Describing::KnownRobot
+    } else {
+        return Some(name);
+    };
+    robot.refuse("name", location, reason, found)
 }

@@ -1,6 +1,5 @@
 //! Descriptions, good and bad. Expected values are worked out by hand.
 
-mod drives;
 mod faults;
 mod shapes;
 

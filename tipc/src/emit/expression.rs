@@ -1,12 +1,13 @@
-//! Rust tokens of operands, equations and conditions. Evaluation order is that of the tokens:
+//! Rust tokens of operands, arguments, equations and conditions. Evaluation order is that of the tokens:
 //! operands left to right, then the operation, then the left side of `op=`, then the result.
 
 use super::ident;
 use super::ident::{field, identifier};
 use crate::analysis::assignment::Assignment;
 use crate::program::{
-    Arithmetic, Axis, Condition, Operand, Program, Reading, Relation, Scalar, ScalarExpression,
-    StepId, StructExpression, StructOperand, Teach, VariableId, VariableKind,
+    Argument, Arithmetic, Axis, Condition, Mark, MessagePart, Operand, Program, Reading, Relation,
+    Scalar, ScalarExpression, StepId, StructExpression, StructOperand, Teach, Variable, VariableId,
+    VariableKind,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -23,15 +24,7 @@ pub(super) struct Values<'a> {
 impl Values<'_> {
     /// Returns the place expression of a scalar.
     pub(super) fn place(&self, scalar: Scalar) -> TokenStream {
-        let variable = &self.program.variables[scalar.variable];
-        let name = field(variable);
-        match variable.kind {
-            VariableKind::Var => quote!(self.#name),
-            VariableKind::Pos | VariableKind::Joint => {
-                let member = Literal::usize_unsuffixed(scalar.member);
-                quote!(self.#name[#member])
-            }
-        }
+        place(&self.program.variables[scalar.variable], scalar.member)
     }
 
     /// Returns the value of a scalar, or its fault where it may have none.
@@ -46,7 +39,7 @@ impl Values<'_> {
     }
 
     /// Returns the members of a struct, or the fault of the first one without a value.
-    pub(super) fn read_struct(&self, variable: VariableId) -> TokenStream {
+    fn read_struct(&self, variable: VariableId) -> TokenStream {
         let variable = &self.program.variables[variable];
         let name = field(variable);
         let mut members = variable.first..variable.first + variable.size();
@@ -237,6 +230,18 @@ impl Values<'_> {
     }
 }
 
+/// Returns the place expression of a member of a variable; of a VAR that is the variable.
+pub(super) fn place(variable: &Variable, member: usize) -> TokenStream {
+    let name = field(variable);
+    match variable.kind {
+        VariableKind::Var => quote!(self.#name),
+        VariableKind::Pos | VariableKind::Joint => {
+            let member = Literal::usize_unsuffixed(member);
+            quote!(self.#name[#member])
+        }
+    }
+}
+
 fn arithmetic(operation: Arithmetic) -> TokenStream {
     match operation {
         Arithmetic::Add => quote!(ops::add),
@@ -263,5 +268,93 @@ fn relational(relation: Relation) -> TokenStream {
         Relation::Gt => quote!(>),
         Relation::Le => quote!(<=),
         Relation::Ge => quote!(>=),
+    }
+}
+
+impl Values<'_> {
+    /// Returns the operands of a command, as an array of values. An array of numbers alone is a constant of the
+    /// program, which a step need not make, since it calls no function.
+    pub(super) fn of_arguments(&self, arguments: &[Argument]) -> TokenStream {
+        if let Some(members) = self.whole_struct(arguments) {
+            return quote!(#members.map(Value::Absolute));
+        }
+        let values = arguments.iter().map(|argument| {
+            let number = self.operand(argument.operand);
+            match argument.mark {
+                Mark::None => quote!(Value::Absolute(#number)),
+                Mark::Relative => quote!(Value::Relative(#number)),
+                Mark::Absolute => quote!(Value::Fixed(#number)),
+            }
+        });
+        quote!([#(#values),*])
+    }
+
+    /// Returns the members of a struct, if they are the operands, all and in order.
+    fn whole_struct(&self, arguments: &[Argument]) -> Option<TokenStream> {
+        let variable = match arguments.first()?.operand {
+            Operand::Scalar { scalar, .. } => scalar.variable,
+            Operand::Constant(_) | Operand::Reading { .. } => return None,
+        };
+        let members = (0..self.program.variables[variable].size()).map(|member| Argument {
+            operand: Operand::Scalar {
+                scalar: Scalar { variable, member },
+                negative: false,
+            },
+            mark: Mark::None,
+        });
+        let is_struct = self.program.variables[variable].kind != VariableKind::Var;
+        let is_whole = arguments.iter().copied().eq(members);
+        (is_struct && is_whole).then(|| self.read_struct(variable))
+    }
+
+    /// Returns the code that hands a text to `show`, a method of the context.
+    pub(super) fn message(&self, show: &Ident, parts: &[MessagePart]) -> TokenStream {
+        let plain: Option<String> = parts.iter().map(text).collect();
+        if let Some(plain) = plain {
+            return quote!(cx.#show(&#plain););
+        }
+        let parts = parts.iter().map(|part| match part {
+            MessagePart::Text(text) => quote!(Part::Text(#text)),
+            MessagePart::Value { operand, decimals } => {
+                let (value, decimals) = (self.operand(*operand), ident::small(*decimals));
+                quote!(Part::Number(#value, #decimals))
+            }
+        });
+        quote!(cx.#show(&Message(&[#(#parts),*]));)
+    }
+}
+
+fn text(part: &MessagePart) -> Option<&str> {
+    match part {
+        MessagePart::Text(text) => Some(text),
+        MessagePart::Value { .. } => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::emit::{Options, emit};
+    use crate::fixture::{program, read};
+    use crate::program::{Action, MessagePart};
+
+    // clauses: 7.38
+    #[test]
+    fn a_message_without_values_is_shown_as_it_is() {
+        let text = || MessagePart::Text("Hello ".to_owned());
+        let value = MessagePart::Value {
+            operand: read(0),
+            decimals: 1,
+        };
+        for (parts, shown) in [
+            (vec![text()], "message (& \"Hello \")"),
+            (
+                vec![text(), value],
+                "message (& Message (& [Part :: Text (\"Hello \") ,",
+            ),
+        ] {
+            let program = program(&[], vec![Action::Message { parts }]);
+            let emitted = emit(&program, &Options::default()).to_string();
+            assert!(emitted.contains(shown), "{emitted}");
+        }
     }
 }

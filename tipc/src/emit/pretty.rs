@@ -3,7 +3,7 @@
 //! Tokens and their syntax tree take many times what their text takes. Those of a long program are therefore made, laid out and
 //! dropped a few steps at a time; the text is the same as of all at once.
 
-use super::table::GeneratedStep;
+use super::step::GeneratedStep;
 use super::{Emitter, Options, emit, header};
 use crate::program::{Program, StepId};
 use proc_macro2::TokenStream;

@@ -1,8 +1,8 @@
 //! Rust tokens of a program's state: the struct, its constructor and its implementations.
 
-use super::ident::field;
-use super::ident::in_comment;
-use super::table::States;
+use super::expression::place;
+use super::ident::{field, in_comment};
+use super::step::States;
 use super::{Emitter, header_of, ident};
 use crate::program::{Variable, VariableKind};
 use proc_macro2::{Literal, TokenStream};
@@ -383,21 +383,11 @@ impl Emitter<'_> {
     /// Returns index, name and place expression of each scalar.
     fn places(&self) -> impl Iterator<Item = (Literal, String, TokenStream)> + '_ {
         self.program.variables.iter().flat_map(|variable| {
-            let field = field(variable);
-            variable
-                .scalar_names()
-                .enumerate()
-                .map(move |(member, name)| {
-                    let index = Literal::usize_unsuffixed(variable.first + member);
-                    let place = match variable.kind {
-                        VariableKind::Var => quote!(self.#field),
-                        VariableKind::Pos | VariableKind::Joint => {
-                            let member = Literal::usize_unsuffixed(member);
-                            quote!(self.#field[#member])
-                        }
-                    };
-                    (index, name, place)
-                })
+            let names = variable.scalar_names().enumerate();
+            names.map(move |(member, name)| {
+                let index = Literal::usize_unsuffixed(variable.first + member);
+                (index, name, place(variable, member))
+            })
         })
     }
 

@@ -1,26 +1,21 @@
 //! The one table of every command: name, arguments, robots, documentation.
 //!
 //! The checker, the reserved words, the suggestions and the tables of the language reference are
-//! all derived from it. Each section of the reference has a file of rows.
+//! all derived from it.
 
-mod console;
-mod control;
-mod declarations;
 mod form;
-mod motion;
-mod others;
 mod outcome;
-mod robots;
-mod settings;
-mod usage;
-mod waiting;
+mod rows;
 
 pub use form::{Arguments, Form, Joints, Limit, Robots, Targets, Values};
 pub use outcome::{Cycles, Failure, Moves};
+pub use rows::COMMANDS;
 
-use super::index::Index;
 use super::{Bilingual, Edition, Keyword};
 use crate::robot::Robot;
+use smol_str::StrExt;
+use std::collections::HashMap;
+use std::sync::LazyLock;
 use tip_runtime::command::{Op, Teach};
 
 /// A command of the language.
@@ -73,60 +68,12 @@ pub enum Meaning {
     Keyword(Keyword),
 }
 
-/// The tables of the sections, in the order of the reference.
-const SECTIONS: [&[Command]; 8] = [
-    declarations::ROWS,
-    motion::ROWS,
-    waiting::ROWS,
-    control::ROWS,
-    settings::ROWS,
-    console::ROWS,
-    others::ROWS,
-    robots::ROWS,
-];
-
-/// Every command.
-pub const COMMANDS: &[Command] = &ROWS;
-
-const COUNT: usize = {
-    let mut count = 0;
-    let mut section = 0;
-    while section < SECTIONS.len() {
-        count += SECTIONS[section].len();
-        section += 1;
-    }
-    count
-};
-
-static ROWS: [Command; COUNT] = {
-    let mut rows = [SECTIONS[0][0]; COUNT];
-    let (mut at, mut section) = (0, 0);
-    while section < SECTIONS.len() {
-        let mut row = 0;
-        while row < SECTIONS[section].len() {
-            rows[at] = SECTIONS[section][row];
-            row += 1;
-            at += 1;
-        }
-        section += 1;
-    }
-    rows
-};
-
-/// By name and alias; a command without alias is there twice.
-static INDEX: Index<{ 2 * COUNT }> = {
-    let mut words = [("", 0); 2 * COUNT];
-    let mut row = 0;
-    while row < COUNT {
-        words[row] = (ROWS[row].name, row as u8);
-        words[COUNT + row] = match ROWS[row].alias {
-            Some(alias) => (alias, row as u8),
-            None => words[row],
-        };
-        row += 1;
-    }
-    Index::of(words)
-};
+/// By name and alias.
+static INDEX: LazyLock<HashMap<&str, &Command>> = LazyLock::new(|| {
+    let names = COMMANDS.iter().map(|row| (row.name, row));
+    let aliases = COMMANDS.iter().filter_map(|row| Some((row.alias?, row)));
+    names.chain(aliases).collect()
+});
 
 /// Returns the command of that name or alias that every edition has, whatever the case.
 pub fn find(name: &str) -> Option<&'static Command> {
@@ -135,7 +82,7 @@ pub fn find(name: &str) -> Option<&'static Command> {
 
 /// Returns the command of that name or alias that an edition has, whatever the case.
 pub fn find_in(name: &str, edition: Edition) -> Option<&'static Command> {
-    let row = ROWS.get(INDEX.find(name)?);
+    let row = INDEX.get(&*name.to_ascii_uppercase_smolstr()).copied();
     row.filter(|row| row.since <= edition)
 }
 
@@ -273,9 +220,7 @@ impl Command {
     const fn fails(self, failures: &'static [Failure]) -> Self {
         Command { failures, ..self }
     }
-}
 
-impl Command {
     /// Returns its arguments in an edition.
     pub fn form_in(&self, edition: Edition) -> Form {
         match self.later_form {

@@ -1,7 +1,9 @@
 //! The functions of equations (T.I.P. 3.1 §5-2).
 
-use super::index::Index;
 use super::{Bilingual, Edition};
+use smol_str::StrExt;
+use std::collections::HashMap;
+use std::sync::LazyLock;
 use tip_runtime::function::Function;
 
 /// A row of the table.
@@ -200,19 +202,12 @@ pub const FUNCTIONS: &[Row] = &[
     ),
 ];
 
-static INDEX: Index<{ FUNCTIONS.len() }> = {
-    let mut words = [("", 0); FUNCTIONS.len()];
-    let mut row = 0;
-    while row < FUNCTIONS.len() {
-        words[row] = (FUNCTIONS[row].word, row as u8);
-        row += 1;
-    }
-    Index::of(words)
-};
+static INDEX: LazyLock<HashMap<&str, &Row>> =
+    LazyLock::new(|| FUNCTIONS.iter().map(|row| (row.word, row)).collect());
 
 /// Returns the function that an edition writes so, whatever the case.
 pub fn find(word: &str, edition: Edition) -> Option<Operation> {
-    let row = &FUNCTIONS[INDEX.find(word)?];
+    let row = INDEX.get(&*word.to_ascii_uppercase_smolstr())?;
     (row.since <= edition).then_some(row.operation)
 }
 

@@ -1,9 +1,10 @@
 //! The words that the parser reads itself: declarations, control words, texts, ends.
 
-use super::index::Index;
 use super::{Bilingual, Edition};
-use smol_str::SmolStr;
+use smol_str::{SmolStr, StrExt};
+use std::collections::HashMap;
 use std::fmt;
+use std::sync::LazyLock;
 
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -291,14 +292,14 @@ impl Keyword {
         &KEYWORDS[self as usize]
     }
 
-    /// Returns true if it is allowed only after another one.
-    pub const fn is_particle(self) -> bool {
-        matches!(self, Keyword::Then | Keyword::To | Keyword::Step)
-    }
-
     /// Returns true if a text follows it instead of operands.
     pub const fn takes_text(self) -> bool {
         matches!(self, Keyword::Message | Keyword::Rem | Keyword::FileMessage)
+    }
+
+    /// Returns true if a word is this one, whatever the case.
+    pub fn is(self, word: &str) -> bool {
+        self.word().eq_ignore_ascii_case(word)
     }
 
     /// Returns its spelling.
@@ -319,19 +320,12 @@ impl From<Keyword> for SmolStr {
     }
 }
 
-static INDEX: Index<{ KEYWORDS.len() }> = {
-    let mut words = [("", 0); KEYWORDS.len()];
-    let mut row = 0;
-    while row < KEYWORDS.len() {
-        words[row] = (KEYWORDS[row].word, row as u8);
-        row += 1;
-    }
-    Index::of(words)
-};
+static INDEX: LazyLock<HashMap<&str, &Row>> =
+    LazyLock::new(|| KEYWORDS.iter().map(|row| (row.word, row)).collect());
 
 /// Returns the keyword that an edition writes so, whatever the case.
 pub fn find(word: &str, edition: Edition) -> Option<Keyword> {
-    let row = &KEYWORDS[INDEX.find(word)?];
+    let row = INDEX.get(&*word.to_ascii_uppercase_smolstr())?;
     (row.since <= edition).then_some(row.keyword)
 }
 

@@ -27,9 +27,21 @@ messages! {
     EveryMember { member: String } "assign every member first, as `{member} = 0`", "先に `{member} = 0` のように全てのメンバに代入してください";
 }
 
-counted! {
+messages! {
     /// A number of joints.
-    Joints: "1 joint", "1関節"; "{count} joints", "{count}関節";
+    Joints;
+
+    One "1 joint", "1関節";
+    Several { count: usize } "{count} joints", "{count}関節";
+}
+
+impl From<usize> for Joints {
+    fn from(count: usize) -> Self {
+        match count {
+            1 => Joints::One,
+            count => Joints::Several { count },
+        }
+    }
 }
 
 messages! {

@@ -161,30 +161,6 @@ macro_rules! messages {
     };
 }
 
-/// A table of two rows for so many of something: one of it, and any other number, for which `{count}` stands.
-macro_rules! counted {
-    (
-        $( #[$meta:meta] )* $table:ident:
-        $one:literal, $one_japanese:literal; $several:literal, $several_japanese:literal;
-    ) => {
-        messages! {
-            $( #[$meta] )* $table;
-
-            One $one, $one_japanese;
-            Several { count: usize } $several, $several_japanese;
-        }
-
-        impl From<usize> for $table {
-            fn from(count: usize) -> Self {
-                match count {
-                    1 => $table::One,
-                    count => $table::Several { count },
-                }
-            }
-        }
-    };
-}
-
 /// [`Message`](super::Message): a message of any of these tables.
 macro_rules! tables {
     ($( $( #[$meta:meta] )* $table:ident, )*) => {

@@ -23,10 +23,6 @@ const BANG: &str = "!";
 
 /// Returns true if a statement is a comment in another language.
 pub fn is_comment(statement: &str) -> bool {
-    // Nearly all statements begin with a word.
-    if statement.starts_with(|first: char| first.is_ascii_alphanumeric()) {
-        return false;
-    }
     MARKS.iter().any(|mark| statement.starts_with(mark)) || is_banged(statement)
 }
 

@@ -270,9 +270,7 @@ fn as_in_condition(mut fault: Fault) -> Fault {
 fn jumps(rest: &str) -> bool {
     let first = rest.split([' ', '\t']).next().unwrap_or_default();
     let words = [Keyword::Then, Keyword::Goto, Keyword::Gosub, Keyword::Call];
-    words
-        .iter()
-        .any(|word| first.eq_ignore_ascii_case(word.word()))
+    words.iter().any(|word| word.is(first))
 }
 
 fn is_part_of_relation(token: &Token) -> bool {

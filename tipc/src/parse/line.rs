@@ -16,6 +16,14 @@ use smol_str::SmolStr;
 /// Character that an IME may type for a minus.
 pub const LONG_VOWEL: &str = "ー";
 
+/// The words that are alone on their line.
+const LONE: [Keyword; 4] = [
+    Keyword::Else,
+    Keyword::EndIf,
+    Keyword::Wend,
+    Keyword::Repeat,
+];
+
 /// The longest statement that is shown whole.
 const SHOWN: usize = 120;
 
@@ -270,7 +278,10 @@ impl Parser<'_> {
             .iter()
             .enumerate()
             .filter_map(|(index, statement)| {
-                let name = lone_word(statement.kind.shape()).filter(|_| is_new(statement.span))?;
+                let name = statement.kind.shape().keyword()?;
+                if !LONE.contains(&name) || !is_new(statement.span) {
+                    return None;
+                }
                 let other = &statements[usize::from(index == 0)];
                 Some(not_alone(name, statement.span, other.span))
             })
@@ -285,28 +296,6 @@ pub(super) fn not_alone(name: Keyword, location: Span, other: Span) -> Diagnosti
     Diagnostic::new(Code::Format, location, reason)
         .label(other, Parsing::WantsOwnLine)
         .help(Parsing::LabelBeforeCommentBehind)
-}
-
-fn lone_word(shape: Shape) -> Option<Keyword> {
-    match shape {
-        Shape::Else => Some(Keyword::Else),
-        Shape::EndIf => Some(Keyword::EndIf),
-        Shape::Wend => Some(Keyword::Wend),
-        Shape::Repeat => Some(Keyword::Repeat),
-        Shape::Plain
-        | Shape::If
-        | Shape::OneLineIf
-        | Shape::ElseIf
-        | Shape::While
-        | Shape::Until
-        | Shape::For
-        | Shape::Next
-        | Shape::Subroutine
-        | Shape::SubEnd
-        | Shape::Thread
-        | Shape::ThreadEnd
-        | Shape::Close => None,
-    }
 }
 
 /// Returns the plain spelling of a typographic character.

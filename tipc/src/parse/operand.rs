@@ -1,16 +1,22 @@
-//! Operands: constants, names, members, and their signs.
+//! Operands: constants, names, members, and their signs; and what follows the word of a command: operands in a row, or
+//! a text.
 
+use super::Parser;
 use super::comment::is_comment;
 use super::reader::{Fault, Parsed, Reader};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
 use crate::language::commands::Meaning;
 use crate::language::functions::Operation;
 use crate::language::{Edition, Keyword, commands, functions};
-use crate::lex::{Kind, Token};
+use crate::lex::{BLANKS, Kind, Token, delimiter};
 use crate::message::list::List;
 use crate::message::{Message, Parsing, Suggestion};
-use crate::source::Span;
+use crate::source::{Span, first_beyond};
 use crate::suggest::nearest;
-use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
+use crate::syntax::{
+    Arithmetic, Operand, OperandKind, Shape, Spanned, StatementKind, Word, upper_case,
+};
 use smol_str::SmolStr;
 use tip_runtime::command::Reading;
 use tip_runtime::function::Function;
@@ -24,9 +30,6 @@ const STOPS: &[Keyword] = &[
     Keyword::To,
     Keyword::Step,
 ];
-
-/// All integers of so many digits are floats.
-const EXACT: usize = 15;
 
 impl Reader<'_> {
     /// Reads an operand with its sign.
@@ -172,11 +175,6 @@ impl Reader<'_> {
     }
 
     fn number(&self, word: &str, span: Span) -> Parsed<f64> {
-        // Most constants are short integers, which a float holds exactly.
-        if word.len() <= EXACT && word.bytes().all(|it| it.is_ascii_digit()) {
-            let digits = word.bytes().map(|it| u64::from(it - b'0'));
-            return Ok(digits.fold(0, |value, digit| 10 * value + digit) as f64);
-        }
         match word.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
             Ok(_) => {
@@ -192,11 +190,7 @@ impl Reader<'_> {
     }
 
     fn name(&self, word: &str, span: Span) -> Parsed<OperandKind> {
-        // Nearly all are names without a member.
         let sign = usize::from(self.is_reading(word));
-        if word.bytes().skip(sign).all(|it| is_name_char(it.into())) {
-            return Ok(OperandKind::Name(upper_case(word)));
-        }
         let (name, member) = match word.split_once('.') {
             Some((name, member)) => (name, Some(member)),
             None => (word, None),
@@ -269,10 +263,7 @@ fn suggest_for_number(word: &str) -> Message {
         return Suggestion::CountTo.into();
     }
     // `1TO 3`
-    if let Some(stop) = STOPS
-        .iter()
-        .find(|stop| unit.eq_ignore_ascii_case(stop.word()))
-    {
+    if let Some(stop) = STOPS.iter().find(|stop| stop.is(unit)) {
         let text = format!("{number} {stop}").into();
         return Suggestion::BlankMissing { text }.into();
     }
@@ -388,7 +379,7 @@ fn is_name_char(char: char) -> bool {
 
 impl Reader<'_> {
     /// `N =+ 5`, where `N += 5` was meant.
-    pub(super) fn turned_update(&self, sign: Span, operand: Span) -> Option<Fault> {
+    fn turned_update(&self, sign: Span, operand: Span) -> Option<Fault> {
         let equals = self.before()?;
         let is_glued = equals.kind == Kind::Assign(None) && equals.span.end == sign.start;
         let name = self.slice(self.whole()).split('=').next()?.trim();
@@ -402,7 +393,7 @@ impl Reader<'_> {
     }
 
     /// `--391`
-    pub(super) fn two_signs(&self, first: Span, second: Span) -> Fault {
+    fn two_signs(&self, first: Span, second: Span) -> Fault {
         let both = first.to(second);
         let third = self.left_tokens().get(2);
         let operand = third.map_or("", |it| self.slice(it.span));
@@ -412,4 +403,153 @@ impl Reader<'_> {
         };
         self.fault_with_help(both, reason, Suggestion::Write { text })
     }
+
+    /// Operands up to the end; at the first bad one, those before it and what is wrong.
+    ///
+    /// After an operand a sign belongs to the next one and needs a delimiter before it.
+    pub(super) fn operands(&mut self) -> (Vec<Operand>, Parsed<()>) {
+        let mut operands = Vec::with_capacity(self.left());
+        while let Some(token) = self.peek() {
+            let is_sign = token.kind != Kind::Word;
+            if is_sign && !token.spaced && !operands.is_empty() {
+                return (operands, Err(self.glued(token)));
+            }
+            match self.operand() {
+                Ok(operand) => operands.push(operand),
+                Err(fault) => return (operands, Err(fault)),
+            }
+        }
+        (operands, Ok(()))
+    }
+
+    fn glued(&self, token: Token) -> Fault {
+        let text = self.slice(token.span).into();
+        let reason = Parsing::BetweenArguments { text };
+        let help: Message = match token.kind {
+            // `50 mm/s`
+            Kind::Arithmetic(_) if self.before().is_some_and(|it| is_unit(self.slice(it.span))) => {
+                Suggestion::NoUnit.into()
+            }
+            Kind::Arithmetic(_) => Suggestion::CalculateArgument.into(),
+            Kind::Assign(_) => Suggestion::ArgumentNames.into(),
+            _ => Parsing::SeparateArguments.into(),
+        };
+        self.fault_with_help(token.span, reason, help)
+    }
+}
+
+impl Parser<'_> {
+    /// Reads a command word and its arguments. Whether the command exists is not known here, and a misspelt one is
+    /// reported as such, whatever follows it: so faults in its arguments travel with it.
+    pub(super) fn command(&self, keyword: Span, tokens: &[Token]) -> StatementKind {
+        let mut reader = Reader::new(self.text, tokens, 1, Code::Argument, self.module.edition);
+        let (arguments, read) = reader.operands();
+        StatementKind::Command {
+            name: self.command_word(keyword, tokens),
+            arguments,
+            malformed: read.err(),
+        }
+    }
+
+    /// Returns the command word; an operator in its place is shown as one.
+    fn command_word(&self, keyword: Span, tokens: &[Token]) -> Word {
+        let span = tokens.first().map(|token| token.span).unwrap_or_default();
+        let node = match tokens.first() {
+            Some(token) if token.kind != Kind::Word => self.source.slice(span).into(),
+            _ => upper_case(self.source.slice(keyword)),
+        };
+        Word { node, span }
+    }
+}
+
+/// The most bytes that a MESSAGE text may have.
+const TEXT_LIMIT: usize = 70;
+
+/// The most bytes that an F_MESSAGE text may have.
+const FILE_TEXT_LIMIT: usize = 200;
+
+impl Parser<'_> {
+    /// Reads MESSAGE or F_MESSAGE, whose word is at `keyword` and whose text may reach up to `end`.
+    pub(super) fn message(
+        &mut self,
+        word: Keyword,
+        keyword: Span,
+        end: usize,
+        comment: Option<Span>,
+    ) {
+        let first = delimiter(&self.text.as_bytes()[..end], keyword.end);
+        let is_blank = |char: char| BLANKS.contains(&char);
+        let location = self.trim(Span::new(keyword.end + first, end), is_blank);
+        if first == 0 && keyword.end < end {
+            return self.glued_message(keyword, location);
+        }
+        if let Some(comment) = comment.filter(|_| first > 0) {
+            self.warn_of_comment(comment);
+        }
+        self.check_text(word, location);
+        let text = Spanned {
+            node: self.source.slice(location).replace('\u{3000}', "  "),
+            span: location,
+        };
+        let end = if text.node.is_empty() {
+            keyword.end
+        } else {
+            location.end
+        };
+        let kind = match word {
+            Keyword::FileMessage => StatementKind::FileMessage { text },
+            _ => StatementKind::Message { text },
+        };
+        self.push(kind, Span::new(keyword.start, end));
+    }
+
+    fn glued_message(&mut self, keyword: Span, text: Span) {
+        let reason = Parsing::BlankBehindMessage;
+        self.report(Diagnostic::new(Code::Argument, text, reason));
+        self.push(StatementKind::Broken(Shape::Plain), keyword.to(text));
+    }
+
+    fn warn_of_comment(&mut self, comment: Span) {
+        let reason = Parsing::TextEndsHere;
+        let help = Parsing::CommentElsewhere;
+        self.report(Diagnostic::new(Code::CommentInMessage, comment, reason).help(help));
+    }
+
+    fn check_text(&mut self, word: Keyword, location: Span) {
+        let text = self.source.slice(location);
+        let is_file = word == Keyword::FileMessage;
+        if let Some(at) = line_break(text).filter(|_| !is_file) {
+            let at = location.start + at;
+            let length = text[at - location.start..]
+                .chars()
+                .take(2)
+                .map(char::len_utf8);
+            let escape = Span::new(at, at + length.sum::<usize>());
+            let reason = Parsing::LineBreak;
+            let help = Parsing::Escapes;
+            self.report(Diagnostic::new(Code::Format, escape, reason).help(help));
+        }
+        let limit = if is_file { FILE_TEXT_LIMIT } else { TEXT_LIMIT };
+        if let Some(at) = first_beyond(text, limit) {
+            self.is_text_too_long = true;
+            let rest = Span::new(location.start + at, location.end);
+            let reason = match is_file {
+                true => Parsing::FileTextTooLong { limit },
+                false => Parsing::TextTooLong { limit },
+            };
+            let help = Parsing::FullWidthCounts;
+            self.report(Diagnostic::new(Code::LongString, rest, reason).help(help));
+        }
+    }
+}
+
+/// Returns the location of `\n`; a backslash (or yen sign) and the character after it are read as one.
+fn line_break(text: &str) -> Option<usize> {
+    let mut chars = text.char_indices();
+    while let Some((at, char)) = chars.next() {
+        if matches!(char, '\\' | '\u{A5}') && chars.next().is_some_and(|(_, next)| next == 'n') {
+            return Some(at);
+        }
+    }
+    None
 }

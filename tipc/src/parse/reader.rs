@@ -18,11 +18,13 @@ pub(super) type Parsed<T> = Result<T, Fault>;
 
 /// Reads tokens one by one; its faults carry one code.
 pub(super) struct Reader<'a> {
-    text: &'a str,
+    /// The text that this reads.
+    pub(super) text: &'a str,
     tokens: &'a [Token],
     at: usize,
     code: Code,
-    edition: Edition,
+    /// The edition whose words are read.
+    pub(super) edition: Edition,
 }
 
 impl<'a> Reader<'a> {
@@ -41,11 +43,6 @@ impl<'a> Reader<'a> {
             code,
             edition,
         }
-    }
-
-    /// Returns the edition whose words are read.
-    pub(super) fn edition(&self) -> Edition {
-        self.edition
     }
 
     /// Returns true if a word is one of a special variable, well-formed or not.
@@ -90,9 +87,8 @@ impl<'a> Reader<'a> {
 
     /// Returns true if the next token is the keyword `word`.
     pub(super) fn at_word(&self, word: Keyword) -> bool {
-        self.peek().is_some_and(|token| {
-            token.kind == Kind::Word && self.slice(token.span).eq_ignore_ascii_case(word.word())
-        })
+        self.peek()
+            .is_some_and(|token| token.kind == Kind::Word && word.is(self.slice(token.span)))
     }
 
     /// Takes the keyword `word` if it is next.
@@ -104,11 +100,6 @@ impl<'a> Reader<'a> {
     /// Returns the token before the next one.
     pub(super) fn before(&self) -> Option<Token> {
         self.tokens.get(self.at.checked_sub(1)?).copied()
-    }
-
-    /// Returns the text that this reads.
-    pub(super) fn text(&self) -> &'a str {
-        self.text
     }
 
     /// Returns the tokens that are left.

@@ -2,6 +2,7 @@
 
 use super::comment::is_comment;
 use super::control::Read;
+use super::declaration::declared_kind;
 use super::line::{is_sign, not_alone};
 use super::reader::Reader;
 use super::{Flow, Parser, condition, equation};
@@ -10,7 +11,7 @@ use crate::language::{Keyword, commands, keywords};
 use crate::lex::{Kind, Token, lex};
 use crate::message::Suggestion;
 use crate::source::Span;
-use crate::syntax::{Shape, StatementKind, VariableKind};
+use crate::syntax::{Shape, StatementKind};
 
 impl Parser<'_> {
     /// Reads the statement at `span`, whose first word is `word` (empty before an operator).
@@ -132,28 +133,33 @@ impl Parser<'_> {
         tokens: &[Token],
         reported: bool,
     ) -> StatementKind {
-        match keyword.map(|keyword| (keyword, Start::of(keyword))) {
-            Some((Keyword::Else, _)) if self.is_else_if(tokens) => {
+        match keyword {
+            Some(Keyword::Else) if self.is_else_if(tokens) => {
                 self.report_else_if(tokens);
                 return StatementKind::Broken(Shape::ElseIf);
             }
-            Some((keyword, Start::Lone(kind))) => {
+            Some(keyword @ (Keyword::Else | Keyword::EndIf | Keyword::Wend | Keyword::Repeat)) => {
                 let is_alone = self.check_alone(keyword, tokens, reported);
                 return match keyword {
-                    // What closes it may stand on its line.
-                    Keyword::Repeat if !is_alone => StatementKind::Broken(Shape::Repeat),
+                    Keyword::Else => StatementKind::Else,
+                    Keyword::EndIf => StatementKind::EndIf,
                     // `WEND KB_HIT` was to close another block.
                     Keyword::Wend if !is_alone && !reported => StatementKind::Broken(Shape::Wend),
-                    _ => kind,
+                    Keyword::Wend => StatementKind::Wend,
+                    // What closes it may stand on its line.
+                    _ if !is_alone => StatementKind::Broken(Shape::Repeat),
+                    _ => StatementKind::Repeat,
                 };
             }
-            Some((Keyword::Then, _)) if self.follows_broken_if() => {
+            Some(Keyword::Then) if self.follows_broken_if() => {
                 return StatementKind::Broken(Shape::Plain);
             }
-            Some((_, Start::Define(kind))) if !equation::looks_like_one(tokens) => {
-                return self.define(kind, word, tokens, reported);
-            }
-            Some((_, Start::Define(_) | Start::Other)) | None => {}
+            _ => {}
+        }
+        if let Some(kind) = keyword.and_then(declared_kind)
+            && !equation::looks_like_one(tokens)
+        {
+            return self.define(kind, word, tokens, reported);
         }
         if reported && keyword == Some(Keyword::Subroutine) {
             return self.broken_subroutine(word, tokens);
@@ -222,10 +228,7 @@ impl Parser<'_> {
             Shape::For => Keyword::Next,
             _ => return false,
         };
-        let is_closer = |token: &Token| {
-            let word = self.source.slice(token.span);
-            word.eq_ignore_ascii_case(closer.word())
-        };
+        let is_closer = |token: &Token| closer.is(self.source.slice(token.span));
         tokens.iter().any(is_closer)
     }
 
@@ -250,72 +253,9 @@ impl Parser<'_> {
             Keyword::Goto => reader.goto_statement(word),
             Keyword::Return => reader.alone(keyword, StatementKind::Return),
             Keyword::Exit => reader.alone(keyword, StatementKind::Exit),
-            // These start no statement, or are read elsewhere.
-            Keyword::Then
-            | Keyword::To
-            | Keyword::Step
-            | Keyword::DefVar
-            | Keyword::DefPos
-            | Keyword::DefJoint
-            | Keyword::Else
-            | Keyword::EndIf
-            | Keyword::Wend
-            | Keyword::Repeat
-            | Keyword::Message
-            | Keyword::FileMessage
-            | Keyword::Rem
-            | Keyword::End => return None,
+            // The others start no statement, or are read elsewhere.
+            _ => return None,
         })
-    }
-}
-
-/// Knowledge of a statement from its keyword alone.
-enum Start {
-    /// It is this one, even if something follows its keyword.
-    Lone(StatementKind),
-    /// It declares variables, unless it is an equation.
-    Define(VariableKind),
-    /// It depends on what follows.
-    Other,
-}
-
-impl Start {
-    fn of(keyword: Keyword) -> Start {
-        match keyword {
-            Keyword::Else => Start::Lone(StatementKind::Else),
-            Keyword::EndIf => Start::Lone(StatementKind::EndIf),
-            Keyword::Wend => Start::Lone(StatementKind::Wend),
-            Keyword::Repeat => Start::Lone(StatementKind::Repeat),
-            Keyword::DefVar => Start::Define(VariableKind::Var),
-            Keyword::DefPos => Start::Define(VariableKind::Pos),
-            Keyword::DefJoint => Start::Define(VariableKind::Joint),
-            Keyword::If
-            | Keyword::Then
-            | Keyword::ElseIf
-            | Keyword::While
-            | Keyword::Until
-            | Keyword::For
-            | Keyword::To
-            | Keyword::Step
-            | Keyword::Next
-            | Keyword::Subroutine
-            | Keyword::SubEnd
-            | Keyword::Call
-            | Keyword::Goto
-            | Keyword::Gosub
-            | Keyword::Return
-            | Keyword::Thread
-            | Keyword::ThreadEnd
-            | Keyword::StartThread
-            | Keyword::StopThread
-            | Keyword::WaitThread
-            | Keyword::Define
-            | Keyword::Message
-            | Keyword::FileMessage
-            | Keyword::Rem
-            | Keyword::End
-            | Keyword::Exit => Start::Other,
-        }
     }
 }
 
@@ -336,28 +276,8 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
         Keyword::SubEnd => Shape::SubEnd,
         Keyword::Thread => Shape::Thread,
         Keyword::ThreadEnd => Shape::ThreadEnd,
-        Keyword::If
-        | Keyword::Then
-        | Keyword::To
-        | Keyword::Step
-        | Keyword::DefVar
-        | Keyword::DefPos
-        | Keyword::DefJoint
-        | Keyword::Call
-        | Keyword::Gosub
-        | Keyword::Goto
-        | Keyword::Return
-        | Keyword::StartThread
-        | Keyword::StopThread
-        | Keyword::WaitThread
-        | Keyword::Define
-        | Keyword::Message
-        | Keyword::FileMessage
-        | Keyword::Rem
-        | Keyword::End
-        | Keyword::Exit => Shape::Plain,
-        // These are never broken: they keep their meaning whatever follows them.
-        Keyword::Else | Keyword::EndIf | Keyword::Wend | Keyword::Repeat => Shape::Plain,
+        // ELSE, ENDIF, WEND and REPEAT keep their meaning whatever follows them: they are never broken.
+        _ => Shape::Plain,
     }
 }
 
@@ -379,8 +299,7 @@ fn has_statement_after_then(text: &str, tokens: &[Token]) -> bool {
 }
 
 fn is(text: &str, token: &Token, keyword: Keyword) -> bool {
-    let span = token.span;
-    text[span.start..span.end].eq_ignore_ascii_case(keyword.word())
+    keyword.is(&text[token.span.start..token.span.end])
 }
 
 /// Returns true if an IF opens a block: it contains THEN, or nothing in it looks like a jump.

@@ -1,10 +1,9 @@
 //! The parser, through one helper: a program's lines 3… in, statements and diagnostics out.
 
+mod robustness;
+
 use super::parse;
 use crate::source::{Encoding, Source};
-
-mod header;
-mod robustness;
 
 /// Parses `body` after a good version line and title, END added, and compares what comes out.
 ///
@@ -716,4 +715,40 @@ fn message_texts_are_checked() {
     check("MESSAGE", &["message []"]);
     check("MESSAGE, a, ", &["message [a,]"]);
     check("MESSAGE=5", &["broken Plain", "1:8: Wrong argument"]);
+}
+
+/// Checks whether a compiler of version `wanted` reads a program whose first line is `line`; if not, nothing else is
+/// reported.
+#[track_caller]
+fn check_version(line: &str, wanted: f64, expected: bool) {
+    let text = format!("{line}\n　two　words ;\t\nFOO");
+    let (source, _) = Source::decode("test.prg", text.as_bytes(), Encoding::Utf8);
+    let (module, diagnostics) = parse(&source, Some(wanted));
+    let messages: Vec<String> = diagnostics.iter().map(|one| one.message()).collect();
+    if expected {
+        assert_eq!(module.title, "two  words ;");
+        assert_eq!(messages, ["Not exist END"]);
+    } else {
+        assert_eq!(module.statements.len(), 0);
+        assert_eq!(messages, ["Wrong version number"]);
+    }
+}
+
+// clauses: 1.3 1.4 1.6
+#[test]
+fn versions_are_compared_as_numbers() {
+    check_version("3.1", 3.1, true);
+    check_version("3.10", 3.1, true);
+    check_version("　3.1 \t// comment", 3.1, true);
+    check_version("3.1//", 3.1, true);
+    check_version("2", 2.0, true);
+    check_version("3.1", 3.0, false);
+    check_version("3.01", 3.1, false);
+    check_version("3.1 beta", 3.1, false);
+    check_version("3.1;", 3.1, false);
+    check_version("3.1 3.1", 3.1, false);
+    check_version("", 3.1, false);
+    check_version("// 3.1", 3.1, false);
+    check_version("inf", f64::INFINITY, false);
+    check_version("３.１", 3.1, false);
 }

@@ -262,7 +262,7 @@ const LEAST: usize = 20;
 
 /// Returns the text with line breaks, so that each line fits into what `used` columns leave of the width. It breaks at
 /// blanks and beside full-width characters, not inside of code between backquotes.
-pub(super) fn wrapped(text: &str, width: Option<usize>, used: usize) -> String {
+fn wrapped(text: &str, width: Option<usize>, used: usize) -> String {
     let room = width.and_then(|width| width.checked_sub(used));
     let Some(room) = room.filter(|room| *room >= LEAST) else {
         return text.to_owned();

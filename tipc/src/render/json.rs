@@ -52,65 +52,60 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang
     out
 }
 
+/// Writes a list of objects, each by its members.
+fn push_objects<T>(
+    out: &mut String,
+    objects: impl IntoIterator<Item = T>,
+    members: impl Fn(&mut String, T),
+) {
+    out.push('[');
+    for (index, object) in objects.into_iter().enumerate() {
+        out.push_str(if index == 0 { "{" } else { ",{" });
+        members(out, object);
+        out.push('}');
+    }
+    out.push(']');
+}
+
 /// Writes the locations at which the same mistake shows again.
 fn push_related(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
-    out.push_str(",\"related\":[");
+    out.push_str(",\"related\":");
     let again = diagnostic.labels.iter().filter(|label| label.is_again());
-    for (index, label) in again.enumerate() {
+    push_objects(out, again, |out, label| {
         let (line, column) = source.line_column(label.span.start);
-        out.push_str(if index == 0 {
-            "{\"file\":"
-        } else {
-            ",{\"file\":"
-        });
+        out.push_str("\"file\":");
         push_string(out, source.name());
         push_number(out, "line", line);
         push_number(out, "column", column);
         push_member(out, "text", &label.text.in_lang(lang).to_string());
-        out.push('}');
-    }
-    out.push(']');
+    });
 }
 
 /// Writes the other locations that matter, each with its text.
 fn push_labels(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
-    out.push_str(",\"labels\":[");
-    for (index, label) in diagnostic.labels.iter().enumerate() {
-        out.push_str(if index == 0 {
-            "{\"text\":"
-        } else {
-            ",{\"text\":"
-        });
+    out.push_str(",\"labels\":");
+    push_objects(out, &diagnostic.labels, |out, label| {
+        out.push_str("\"text\":");
         push_string(out, &label.text.in_lang(lang).to_string());
         out.push_str(",\"range\":");
         push_range(out, source, label.span);
-        out.push('}');
-    }
-    out.push(']');
+    });
 }
 
 /// Ways to put it right, each with what is to be changed.
 fn push_fixes(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
-    out.push_str(",\"fixes\":[");
-    for (index, fix) in diagnostic.fixes.iter().enumerate() {
-        out.push_str(if index == 0 { "{" } else { ",{" });
+    out.push_str(",\"fixes\":");
+    push_objects(out, &diagnostic.fixes, |out, fix| {
         out.push_str("\"title\":");
         push_string(out, &fix.title.in_lang(lang).to_string());
         push_member(out, "applicability", fix.applicability.name());
-        out.push_str(",\"edits\":[");
-        for (index, edit) in fix.edits.iter().enumerate() {
-            out.push_str(if index == 0 {
-                "{\"range\":"
-            } else {
-                ",{\"range\":"
-            });
+        out.push_str(",\"edits\":");
+        push_objects(out, &fix.edits, |out, edit| {
+            out.push_str("\"range\":");
             push_range(out, source, edit.span);
             push_member(out, "text", &edit.text);
-            out.push('}');
-        }
-        out.push_str("]}");
-    }
-    out.push(']');
+        });
+    });
 }
 
 /// Writes the start and end of a span.

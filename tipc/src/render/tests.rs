@@ -1,6 +1,7 @@
-use super::{Style, classical, human, json, short};
+use super::{Style, classical, human, json, plain, short};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::load::{Options, load};
 use crate::message::{Lang, Parsing, Reading};
 use crate::robot::Robot;
 use crate::source::{Encoding, Source, Span};
@@ -375,4 +376,37 @@ fn headlines_break_where_the_terminal_ends() {
         let beyond = |line: &&str| crate::source::first_beyond(line, 40).is_some();
         assert!(!headline.iter().any(beyond), "{shown}");
     }
+}
+
+fn rendered(statements: &str) -> String {
+    let text = format!("3.1\nA title\n{statements}\nEND\n");
+    let loaded = load("walk.prg", text.as_bytes(), &Options::default());
+    plain(&loaded.source, &loaded.diagnostics[0], Lang::English)
+}
+
+#[test]
+fn an_error_is_shown_with_its_line_its_help_and_the_classical_message() {
+    let expected = "E204-01: `FLY` is not a command
+ --> walk.prg:3:1
+  |
+3 | FLY F1 10
+  | ^^^
+  |
+  = help: a label ends with a colon, an equation has `=` after its variable
+  = note: TIP_ERR:Unknown command \"FLY\" (SyntaxError)
+";
+    assert_eq!(rendered("FLY F1 10"), expected);
+}
+
+#[test]
+fn carets_stand_below_the_place_whatever_is_before_it() {
+    let text = rendered("\tSLEEP 歩");
+    let lines = "\n3 |     SLEEP 歩\n  |           ^^\n  |\n";
+    assert!(text.contains(lines), "{text}");
+}
+
+#[test]
+fn other_places_are_listed() {
+    let text = rendered("GOTO UP:\nGOSUB UP:");
+    assert!(text.contains("\n  = walk.prg:4:7: "), "{text}");
 }

@@ -93,11 +93,7 @@ impl Source {
 
     /// Returns all lines in order. An end after the last line opens no further one.
     pub fn lines(&self) -> Lines<'_> {
-        Lines {
-            bytes: self.text.as_bytes(),
-            at: 0,
-            number: 0,
-        }
+        Lines::of(&self.text)
     }
 
     /// Returns the lines from one on, counted from 1.
@@ -111,20 +107,12 @@ impl Source {
 
     /// Returns a line by its number, from 1. A line that does not exist is empty, at the end.
     pub fn line(&self, number: u32) -> Line {
-        let start = self.line_start(number);
-        let rest = &self.text.as_bytes()[start..];
-        let length = rest.iter().position(|byte| matches!(byte, b'\r' | b'\n'));
-        let end = start + length.unwrap_or(rest.len());
-        let next = match &self.text.as_bytes()[end..] {
-            [b'\r', b'\n', ..] => end + 2,
-            [_, ..] => end + 1,
-            [] => end,
+        let end = Span::new(self.text.len(), self.text.len());
+        let (span, end) = match self.lines_from(number).next() {
+            Some(line) => (line.span, line.end),
+            None => (end, end),
         };
-        Line {
-            number,
-            span: Span::new(start, end),
-            end: Span::new(end, next),
-        }
+        Line { number, span, end }
     }
 
     /// Returns the text of a line, counted from 1, without its line end.
@@ -197,21 +185,12 @@ fn ends_line(bytes: &[u8], at: usize) -> bool {
 /// Counts the line ends that end with a byte from `start` up to `end`.
 fn count_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
     let end = end.min(bytes.len());
-    let returns = count(&bytes[start..end], b'\r');
-    let feeds = count(&bytes[start..end], b'\n');
+    let count = |wanted: u8| bytes[start..end].iter().filter(|it| **it == wanted).count();
+    let (returns, feeds) = (count(b'\r'), count(b'\n'));
     if returns == 0 {
         return feeds as u32;
     }
     let pairs = &bytes[start..bytes.len().min(end + 1)];
     let pairs = pairs.windows(2).filter(|pair| *pair == b"\r\n").count();
     (feeds + returns - pairs) as u32
-}
-
-/// Counts the occurrences of a byte. Most stretches hold no carriage return, and those of an endless line no end at
-/// all.
-fn count(bytes: &[u8], wanted: u8) -> usize {
-    if !bytes.contains(&wanted) {
-        return 0;
-    }
-    bytes.iter().filter(|byte| **byte == wanted).count()
 }

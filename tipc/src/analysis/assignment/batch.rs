@@ -1,10 +1,10 @@
-//! The data flow over basic blocks for as many scalars as one machine word can hold.
+//! The data flow over basic blocks, runs of nodes that a run passes from the first to the last, for as many scalars as
+//! one machine word can hold.
 
-use super::blocks::{Block, BlockId, Blocks};
 use crate::analysis::access;
 use crate::analysis::flow::{Flow, NodeId};
 use crate::program::Program;
-use std::collections::BinaryHeap;
+use std::collections::BTreeSet;
 
 /// Effect of the path through something on unassigned scalars.
 #[derive(Clone, Copy, PartialEq)]
@@ -150,20 +150,20 @@ impl<'a> Batch<'a> {
         let blocks = self.blocks.all();
         let passages = self.passages();
         let mut states = vec![State::default(); blocks.len()];
-        let mut work = Worklist::new(blocks.len(), Order::Forward);
+        let mut work = BTreeSet::new();
         for node in self.start.nodes.iter().filter(|_| !blocks.is_empty()) {
             let first = self.blocks.of_node(*node);
             states[first].unassigned = !self.start.given;
             states[first].assigned = self.start.given;
-            work.push(first);
+            work.insert(first);
         }
-        while let Some(id) = work.pop() {
+        while let Some(id) = work.pop_first() {
             let after = states[id].behind(self.effects[id]);
             let mut flow_to = |to: BlockId, state: State| {
                 let joined = states[to].or(state);
                 if joined != states[to] {
                     states[to] = joined;
-                    work.push(to);
+                    work.insert(to);
                 }
             };
             for next in blocks[id].next.iter() {
@@ -205,18 +205,14 @@ impl<'a> Batch<'a> {
     fn passages(&self) -> Vec<Passage> {
         let blocks = self.blocks.all();
         let mut passages = vec![None; blocks.len()];
-        let mut work = Worklist::new(blocks.len(), Order::Backward);
-        for (id, _) in blocks.iter().enumerate().filter(|(_, block)| block.returns) {
-            work.push(id);
-        }
-        while let Some(id) = work.pop() {
+        let returning = blocks.iter().enumerate().filter(|(_, block)| block.returns);
+        let mut work: BTreeSet<BlockId> = returning.map(|(id, _)| id).collect();
+        while let Some(id) = work.pop_last() {
             let behind = behind(&blocks[id], &passages);
             let passage = behind.map(|behind| self.effects[id].then(behind));
             if passage != passages[id] {
                 passages[id] = passage;
-                for before in self.blocks.before(id) {
-                    work.push(*before);
-                }
+                work.extend(self.blocks.before(id));
             }
         }
         passages
@@ -241,7 +237,7 @@ fn behind(block: &Block, passages: &[Passage]) -> Passage {
 pub(super) type Scalars = u64;
 
 /// The bit of a scalar that nothing touches: wherever a run comes, it comes there unassigned.
-pub(super) const UNTOUCHED: Scalars = 1 << 63;
+const UNTOUCHED: Scalars = 1 << 63;
 /// Number of others that a batch can hold.
 const CAPACITY: usize = 63;
 
@@ -379,53 +375,132 @@ impl Sorted {
     }
 }
 
-/// Order of the nodes.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Order {
-    /// From early steps on.
-    Forward,
-    /// From late steps back.
-    Backward,
+/// The index of a block. Blocks come in the order of their nodes.
+pub(super) type BlockId = usize;
+
+/// Ways out of the last node of a block.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    /// Blocks that may follow without a call or return.
+    pub(super) next: Vec<BlockId>,
+    /// The block of a subroutine that it may call, and the one where that comes back.
+    pub(super) call: Option<(BlockId, BlockId)>,
+    /// It ends with RETURN or SUBEND.
+    pub(super) returns: bool,
 }
 
-/// A queue that holds each node once.
-pub(super) struct Worklist {
-    order: Order,
-    /// Nodes, counted so that the greatest comes first.
-    heap: BinaryHeap<usize>,
-    queued: Vec<bool>,
+/// The blocks of a flow.
+#[derive(Clone, Debug)]
+pub(super) struct Blocks {
+    all: Vec<Block>,
+    of_node: Vec<BlockId>,
+    /// The blocks that name a block in `next` or `call`: those of block `b` are
+    /// `before[before_ends[b - 1]..before_ends[b]]`.
+    before: Vec<BlockId>,
+    before_ends: Vec<usize>,
 }
 
-impl Worklist {
-    /// Creates an empty queue for nodes below `nodes`.
-    pub(super) fn new(nodes: usize, order: Order) -> Self {
-        Worklist {
-            order,
-            heap: BinaryHeap::new(),
-            queued: vec![false; nodes],
+impl Blocks {
+    /// Splits a flow into blocks. Takes time and memory linear in its length.
+    pub(super) fn of(flow: &Flow) -> Self {
+        let nodes = flow.nodes();
+        let begins = beginnings(flow);
+        let mut of_node = Vec::with_capacity(nodes.len());
+        let mut count: BlockId = 0;
+        for begins in &begins {
+            count += usize::from(*begins);
+            of_node.push(count - 1);
+        }
+        let mut all: Vec<Block> = Vec::with_capacity(count);
+        for end in 1..=nodes.len() {
+            if begins.get(end) == Some(&false) {
+                continue;
+            }
+            let last = &nodes[end - 1];
+            all.push(Block {
+                next: last.next.iter().map(|next| of_node[*next]).collect(),
+                call: last
+                    .call
+                    .map(|call| (of_node[call.entry], of_node[call.back])),
+                returns: last.returns,
+            });
+        }
+        let (before, before_ends) = before(&all);
+        Blocks {
+            all,
+            of_node,
+            before,
+            before_ends,
         }
     }
 
-    fn rank(&self, node: NodeId) -> usize {
-        match self.order {
-            Order::Forward => self.queued.len() - 1 - node,
-            Order::Backward => node,
-        }
+    /// Returns the blocks in order.
+    pub(super) fn all(&self) -> &[Block] {
+        &self.all
     }
 
-    /// Adds a node, unless it is there.
-    pub(super) fn push(&mut self, node: NodeId) {
-        if !std::mem::replace(&mut self.queued[node], true) {
-            self.heap.push(self.rank(node));
-        }
+    /// Returns the block that a node is in.
+    pub(super) fn of_node(&self, node: NodeId) -> BlockId {
+        self.of_node[node]
     }
 
-    /// Takes the first node out.
-    pub(super) fn pop(&mut self) -> Option<NodeId> {
-        let rank = self.heap.pop()?;
-        // Counting from the other end is its own inverse.
-        let node = self.rank(rank);
-        self.queued[node] = false;
-        Some(node)
+    /// Returns the blocks that lead or call to a block, or whose calls come back to it.
+    pub(super) fn before(&self, block: BlockId) -> &[BlockId] {
+        let start = match block.checked_sub(1) {
+            Some(earlier) => self.before_ends[earlier],
+            None => 0,
+        };
+        &self.before[start..self.before_ends[block]]
     }
+}
+
+/// Returns which nodes begin a block: all except those that only the node before them leads to.
+fn beginnings(flow: &Flow) -> Vec<bool> {
+    let nodes = flow.nodes();
+    let mut begins = vec![false; nodes.len()];
+    let mut mark = |node: NodeId| {
+        if let Some(begins) = begins.get_mut(node) {
+            *begins = true;
+        }
+    };
+    flow.starts().iter().copied().for_each(&mut mark);
+    for (id, node) in nodes.iter().enumerate() {
+        if node.next == [id + 1] && node.call.is_none() {
+            continue;
+        }
+        mark(id + 1);
+        node.next.iter().copied().for_each(&mut mark);
+        if let Some(call) = node.call {
+            mark(call.entry);
+            mark(call.back);
+        }
+    }
+    begins
+}
+
+/// Returns the blocks that a block names in `next` or `call`.
+fn after(block: &Block) -> impl Iterator<Item = BlockId> {
+    let called = block.call.into_iter();
+    let called = called.flat_map(|(entry, back)| [entry, back]);
+    block.next.iter().copied().chain(called)
+}
+
+fn before(all: &[Block]) -> (Vec<BlockId>, Vec<usize>) {
+    let mut ends = vec![0; all.len()];
+    for next in all.iter().flat_map(after) {
+        ends[next] += 1;
+    }
+    let mut total = 0;
+    for end in &mut ends {
+        // Where the block's part begins; filling it moves this to its end.
+        total += std::mem::replace(end, total);
+    }
+    let mut before = vec![0; total];
+    for (id, block) in all.iter().enumerate() {
+        for next in after(block) {
+            before[ends[next]] = id;
+            ends[next] += 1;
+        }
+    }
+    (before, ends)
 }

@@ -1,13 +1,10 @@
 //! Assignment judged against every run there is, and against gaps reasoned by hand.
 
-mod explored;
-mod random;
-
 use super::{Assigned, Assignment, Gap, Read, Ways, gaps};
 use crate::analysis::access;
-use crate::program::Program;
+use crate::program::{Action, Program};
 use crate::{Options, load};
-use explored::explored;
+use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write as _;
 
 fn program(text: &str) -> Program {
@@ -143,7 +140,7 @@ fn judgement_is_what_every_run_finds() {
     let mut compared = 0;
     let mut kinds = [0; 3];
     for seed in 0..300 {
-        let text = random::program(seed);
+        let text = random_program(seed);
         let program = program(&text);
         let judged = Assignment::of(&program);
         for scalar in 0..program.scalar_count() {
@@ -180,7 +177,7 @@ fn judgement_is_what_every_run_finds() {
 fn each_way_is_a_run_without_the_value() {
     let mut walked = 0;
     for seed in 0..300 {
-        let text = random::program(seed);
+        let text = random_program(seed);
         let program = program(&text);
         for gap in gaps(&program, &Assignment::of(&program)) {
             let (last, before) = gap.way.split_last().expect("a way");
@@ -265,4 +262,193 @@ fn what_native_code_shares_has_a_value_from_the_start() {
     let (proved, _) = threads_of(text);
     assert_eq!(assigned(&proved, 0), [Assigned::Always]);
     assert_eq!(assigned(&proved, 1), [Assigned::Always; 3]);
+}
+
+/// Step number, "not taken", open calls, and whether the scalar has a value.
+type Place = (u32, bool, Vec<u32>, bool);
+
+/// Explores what every run, for any answers of the robot, finds at the reads of one scalar: with a value,
+/// without one. `None` if there are too many runs.
+fn explored(program: &Program, scalar: usize) -> Option<BTreeMap<u32, (bool, bool)>> {
+    let mut found: BTreeMap<u32, (bool, bool)> = BTreeMap::new();
+    let mut seen = HashSet::new();
+    let mut open: Vec<Place> = vec![(0, false, Vec::new(), false)];
+    while let Some(place) = open.pop() {
+        if !seen.insert(place.clone()) {
+            continue;
+        }
+        if seen.len() > 3_000 {
+            return None;
+        }
+        let (at, not_taken, calls, mut assigned) = place;
+        let action = &program.steps()[at as usize].action;
+        let is_passed = matches!(action, Action::ElseIf { .. }) && !not_taken;
+        let mut reads = false;
+        access::reads(program, action, |read| reads |= read == scalar);
+        if !is_passed && reads {
+            let read = found.entry(at).or_default();
+            read.0 |= assigned;
+            read.1 |= !assigned;
+            if !assigned {
+                continue;
+            }
+        }
+        assigned |= access::assigns(program, action).contains(&scalar);
+        let mut go = |to: u32, not_taken: bool, calls: Vec<u32>| {
+            open.push((to, not_taken, calls, assigned));
+        };
+        let next = at + 1;
+        match action {
+            Action::If { otherwise, .. } => {
+                go(*otherwise, true, calls.clone());
+                go(next, false, calls);
+            }
+            Action::ElseIf { otherwise, .. } if not_taken => {
+                go(*otherwise, true, calls.clone());
+                go(next, false, calls);
+            }
+            Action::ElseIf { otherwise: to, .. } | Action::Goto { to } => go(*to, false, calls),
+            Action::Else { end } => go(if not_taken { next } else { *end }, false, calls),
+            Action::While { exit: to, .. }
+            | Action::Until { back: to, .. }
+            | Action::For { exit: to, .. }
+            | Action::Next { body: to, .. }
+            | Action::IfGoto { to, .. } => {
+                go(*to, false, calls.clone());
+                go(next, false, calls);
+            }
+            Action::Gosub { to } | Action::IfGosub { to, .. } => {
+                if matches!(action, Action::IfGosub { .. }) {
+                    go(next, false, calls.clone());
+                }
+                if calls.len() < 10 {
+                    go(*to, false, [&calls[..], &[next]].concat());
+                }
+            }
+            Action::Return => {
+                if let Some((back, calls)) = calls.split_last() {
+                    go(*back, false, calls.to_vec());
+                }
+            }
+            Action::Finish(_) => {}
+            _ => go(next, false, calls),
+        }
+    }
+    Some(found)
+}
+
+/// Returns a program whose every branch is open.
+fn random_program(seed: u64) -> String {
+    let mut writer = Writer {
+        dice: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1,
+        text: "3.1\nrandom\nDEF_VAR A B I N\nDEF_POS P\n".to_owned(),
+        labels: 0,
+        depth: 0,
+    };
+    writer.block();
+    writer.block();
+    writer.line("LAST: EXIT");
+    for routine in ["R1:", "R2:"] {
+        writer.line(routine);
+        writer.block();
+        writer.line("RETURN");
+    }
+    // No run comes here; it makes the program load.
+    writer.line("A = 1; B = 2; I = 3; N = 4; P.X = 5; KEY_IN");
+    writer.line("END");
+    writer.text
+}
+
+struct Writer {
+    dice: u64,
+    text: String,
+    labels: u32,
+    depth: u32,
+}
+
+impl Writer {
+    fn below(&mut self, bound: u64) -> u64 {
+        self.dice ^= self.dice << 13;
+        self.dice ^= self.dice >> 7;
+        self.dice ^= self.dice << 17;
+        (self.dice >> 20) % bound
+    }
+
+    fn line(&mut self, line: &str) {
+        writeln!(self.text, "{line}").expect("writing to a string");
+    }
+
+    fn block(&mut self) {
+        for _ in 0..1 + self.below(3) {
+            self.statement();
+        }
+    }
+
+    fn nested(&mut self) {
+        self.depth += 1;
+        self.block();
+        self.depth -= 1;
+    }
+
+    fn statement(&mut self) {
+        let kinds = if self.depth < 3 { 22 } else { 14 };
+        match self.below(kinds) {
+            0 => self.line("A = B"),
+            1 => self.line("B = 1"),
+            2 => self.line("A += 1"),
+            3 => self.line("A = N"),
+            4 => self.line("N = 2"),
+            5 => self.line("P.Y = P.X"),
+            6 => self.line("TEACH_POSITION F1 P"),
+            7 => self.line("P = P + P"),
+            8 => self.line("KEY_IN"),
+            9 => self.line("MESSAGE %VAR_KEY%"),
+            10 => self.line("IF KB_HIT GOSUB R1:"),
+            11 => self.line("GOSUB R2:"),
+            12 => self.line("IF A > 1 GOSUB R2:"),
+            13 => {
+                self.labels += 1;
+                let label = self.labels;
+                self.line(&format!("IF KB_HIT GOTO L{label}:"));
+                self.line("P.X = 2");
+                self.line(&format!("L{label}:"));
+            }
+            14..=16 => {
+                self.line("IF KB_HIT THEN");
+                self.nested();
+                if self.below(2) == 0 {
+                    self.line("ELSEIF B > 1 THEN");
+                    self.nested();
+                }
+                if self.below(2) == 0 {
+                    self.line("ELSE");
+                    self.nested();
+                }
+                self.line("ENDIF");
+            }
+            17 => {
+                self.line("WHILE N > 3");
+                self.nested();
+                self.line("WEND");
+            }
+            18 => {
+                self.line("REPEAT");
+                self.nested();
+                self.line("UNTIL KB_HIT");
+            }
+            19 => {
+                self.line("FOR I = A TO N");
+                self.nested();
+                self.line("NEXT");
+            }
+            20 => {
+                self.labels += 1;
+                let label = self.labels;
+                self.line(&format!("L{label}:"));
+                self.nested();
+                self.line(&format!("IF HALT_REQUEST GOTO L{label}:"));
+            }
+            _ => self.line("IF KB_HIT GOTO LAST:"),
+        }
+    }
 }

@@ -1,6 +1,9 @@
 //! Argument forms as data.
 
+use super::{Command, Meaning};
+use crate::language::Edition;
 use crate::robot::Robot;
+use tip_runtime::command::{Target, Teach};
 use tip_runtime::model::Family;
 
 /// A set of robots: families, and whether a member must sense and give torque.
@@ -62,17 +65,6 @@ impl Robots {
         let robots = Robot::ALL.iter().copied();
         let robots = robots.filter(|robot| self.contains(*robot));
         robots.map(Robot::name).collect()
-    }
-
-    /// Returns the letters T, H, G of the language reference.
-    pub fn letters(self) -> String {
-        let letters = [(self.titan, "T"), (self.hand, "H"), (self.generic, "G")];
-        let names: Vec<&str> = letters
-            .iter()
-            .filter(|(member, _)| *member)
-            .map(|(_, letter)| *letter)
-            .collect();
-        names.join(" ")
     }
 }
 
@@ -317,67 +309,109 @@ pub enum Form {
     Words(&'static str),
 }
 
-impl Form {
-    /// Returns the arguments as the language reference writes them.
-    pub fn syntax(self) -> String {
-        match self {
-            Form::Robot(arguments) => arguments.syntax(),
-            Form::Special => "number [V] [V]".to_owned(),
-            Form::Teach(targets) => format!("{} variable", targets.syntax()),
-            Form::AdIn => "board channel VAR, or id VAR".to_owned(),
-            Form::KeyIn => "[VAR]".to_owned(),
-            Form::Words(text) => text.to_owned(),
+impl Command {
+    /// Returns every form of it for a robot in an edition, as `PTP [HS] F1 [R] x [R] y [R] z`.
+    pub fn usage(&self, robot: Robot, edition: Edition) -> Vec<String> {
+        let behind = match self.form_in(edition) {
+            Form::Robot(arguments) => arguments.usage(robot),
+            Form::Special => vec!["0…255 [number] [number]".to_owned()],
+            Form::Teach(targets) => teaching(self.meaning, targets, robot),
+            Form::AdIn => vec!["VR1 VAR".to_owned(), "0 13 VAR".to_owned()],
+            Form::KeyIn => vec![String::new(), "VAR".to_owned()],
+            Form::Words(text) => vec![text.to_owned()],
+        };
+        let written = |arguments: &String| format!("{} {arguments}", self.name);
+        behind
+            .iter()
+            .map(|arguments| written(arguments).trim_end().to_owned())
+            .collect()
+    }
+}
+
+fn teaching(meaning: Meaning, targets: Targets, robot: Robot) -> Vec<String> {
+    match meaning {
+        Meaning::Teach(Teach::Angle | Teach::Torque) => {
+            vec!["F1 JOINT".to_owned(), "J11 VAR".to_owned()]
         }
+        _ => vec![format!("{} POS", targets.examples(robot))],
     }
 }
 
 impl Arguments {
-    fn syntax(self) -> String {
-        let mark = match (self.relative, self.from_target) {
+    /// Returns the flag of a default: the one that has the meaning of no flag.
+    const fn flag(self) -> &'static str {
+        match (self.relative, self.from_target) {
             (false, _) => "",
-            (true, false) => "†",
-            (true, true) => "‡",
+            (true, false) => "[R] ",
+            (true, true) => "[A] ",
+        }
+    }
+
+    fn usage(self, robot: Robot) -> Vec<String> {
+        let hs = if self.hs { "[HS] " } else { "" };
+        let all = self.targets.examples(robot);
+        let legs = Targets {
+            joints: Joints::None,
+            all: self.targets.all && self.values != Values::PerLeg,
+            ..self.targets
         };
-        let values = match self.values {
-            Values::None => String::new(),
-            Values::One => "V".to_owned(),
-            Values::Three => "V V V".to_owned(),
-            Values::Position => format!("S³{mark}"),
-            Values::Angles if self.targets.joints == Joints::None => format!("Sⁿ{mark}"),
-            Values::Angles => format!("Sⁿ{mark}, one S{mark} for J"),
-            Values::PerJoint => "Sⁿ, one V for J, V or Sⁿ for ALL".to_owned(),
-            Values::PerLeg => "Sⁿ, one V for J and ALL".to_owned(),
-            Values::ThreeOrPos => "V V V, or P".to_owned(),
-            Values::Limits => "Q Q, S S for J".to_owned(),
+        let several = |targets: &str, names: &[String], whole: &str| {
+            let flag = self.flag();
+            let names: Vec<String> = names.iter().map(|name| format!("{flag}{name}")).collect();
+            vec![
+                format!("{hs}{targets} {}", names.join(" ")),
+                format!("{hs}{targets} {flag}{whole}"),
+            ]
         };
-        let hs = if self.hs { "[HS]" } else { "" };
-        let parts = [hs.to_owned(), self.targets.syntax(), values];
-        let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-        parts.join(" ")
+        let joints = usize::from(robot.signature().joints);
+        let angles: Vec<String> = (1..=joints).map(|joint| format!("j{joint}")).collect();
+        let mut forms = match self.values {
+            Values::None => vec![format!("{hs}{all}")],
+            Values::One => vec![format!("{all} number")],
+            Values::Three => vec![format!("{all} x y z")],
+            Values::Position => several(&all, &["x", "y", "z"].map(str::to_owned), "POS"),
+            Values::Angles => several(&legs.examples(robot), &angles, "JOINT"),
+            Values::PerJoint => several("F1|ALL", &angles, "JOINT"),
+            Values::PerLeg => several(&legs.examples(robot), &angles, "JOINT"),
+            Values::ThreeOrPos => vec![format!("{all} x y z"), format!("{all} POS")],
+            Values::Limits => vec!["J11 low high".to_owned(), "F1 JOINT JOINT".to_owned()],
+        };
+        match self.values {
+            Values::Angles if self.targets.joints != Joints::None => {
+                let flag = self.flag();
+                forms.push(format!("{hs}J11 {flag}number"));
+            }
+            Values::PerJoint | Values::PerLeg => forms.push("J11|ALL number".to_owned()),
+            _ => {}
+        }
+        forms
+            .iter()
+            .map(|form| form.trim_start().to_owned())
+            .collect()
     }
 }
 
 impl Targets {
-    /// Returns the targets as help texts write them.
-    pub fn syntax(self) -> String {
-        let joints = match self.joints {
-            Joints::None => "",
-            Joints::Every => "J",
-            Joints::Second => "Jn2",
-            Joints::Third => "Jn3",
-            Joints::ThirdOfHand => "Jn3 (H)",
+    /// Returns one target of each sort that the robot has.
+    pub(crate) fn examples(self, robot: Robot) -> String {
+        let (joint, named) = match self.joints {
+            Joints::Every => (1, "J11"),
+            Joints::Second => (2, "J12"),
+            Joints::Third => (3, "J13"),
+            Joints::ThirdOfHand if robot.is_hand() => (3, "J13"),
+            Joints::ThirdOfHand | Joints::None => (0, ""),
         };
-        let parts = [
-            (self.foot, "F"),
-            (!joints.is_empty(), joints),
-            (self.floor, "FLOOR (H)"),
+        let sorts = [
+            (self.foot, "F1"),
+            (joint > 0 && robot.has(Target::Joint(1, joint)), named),
+            (self.floor && robot.has(Target::Floor), "FLOOR"),
             (self.all, "ALL"),
         ];
-        let names: Vec<&str> = parts
+        let examples: Vec<&str> = sorts
             .iter()
-            .filter(|(member, _)| *member)
-            .map(|(_, name)| *name)
+            .filter(|(stands, _)| *stands)
+            .map(|(_, example)| *example)
             .collect();
-        names.join(" | ")
+        examples.join("|")
     }
 }

@@ -1,6 +1,7 @@
 //! Facts of the table of commands about the commands of an entry.
 
 use crate::reference::read;
+use crate::reference::tables::{letters, syntax_of_targets};
 use tip_runtime::command::Teach;
 use tipc::Robot;
 use tipc::language::Edition;
@@ -29,7 +30,7 @@ pub(crate) fn facts(commands: &[&Command]) -> String {
     let mut lines = vec![
         format!("Edition: {}.", of_all(commands, edition)),
         format!("Written: {}.", written(commands, |command| command.since)),
-        format!("Robots: {}.{unit}", first.robots.letters()),
+        format!("Robots: {}.{unit}", letters(first.robots)),
         format!("Cycles: {}.", of_all(commands, cycles)),
         format!("Refused: {}.", of_all(commands, refused)),
         format!("Stops the program: {}.", of_all(commands, failures)),
@@ -197,7 +198,7 @@ fn wrong_operands(arguments: Arguments) -> Vec<String> {
 fn other_target(targets: Targets) -> String {
     format!(
         "a target other than {}",
-        targets.syntax().replace(" | ", ", ")
+        syntax_of_targets(targets).replace(" | ", ", ")
     )
 }
 

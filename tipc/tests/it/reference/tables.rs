@@ -3,9 +3,12 @@
 use crate::reference::links::anchor;
 use crate::reference::{hold, read};
 use std::fmt::Write as _;
+use tipc::Robot;
 use tipc::code::{Code, Mistake};
 use tipc::language::Edition;
-use tipc::language::commands::{COMMANDS, Command, Cycles};
+use tipc::language::commands::{
+    Arguments, COMMANDS, Command, Cycles, Form, Joints, Robots, Targets, Values,
+};
 use tipc::language::flags::FLAGS;
 use tipc::language::functions::FUNCTIONS;
 use tipc::language::inputs::INPUTS;
@@ -134,9 +137,9 @@ fn commands() -> String {
             table,
             "| {} | {} | {} | {} | {} | {} | {} | {} | [{}] |",
             names(command, &entries),
-            code(&command.form_in(Edition::V3_2).syntax()),
+            code(&syntax(command.form_in(Edition::V3_2))),
             dash(command.unit),
-            command.robots.letters(),
+            letters(command.robots),
             command.limit().map_or("–", |limit| limit.english),
             cycles(command),
             command.description.english,
@@ -145,6 +148,86 @@ fn commands() -> String {
         );
     }
     table + "\n"
+}
+
+/// Returns the letters T, H, G of the robots that have a command.
+pub(crate) fn letters(robots: Robots) -> String {
+    let letters = [
+        (Robot::Titan8, "T"),
+        (Robot::Hand, "H"),
+        (Robot::Generic, "G"),
+    ];
+    let letters = letters.into_iter();
+    let letters = letters.filter(|(robot, _)| robots.contains(*robot));
+    let letters: Vec<&str> = letters.map(|(_, letter)| letter).collect();
+    letters.join(" ")
+}
+
+/// Returns the arguments of a command as the reference writes them.
+fn syntax(form: Form) -> String {
+    match form {
+        Form::Robot(arguments) => syntax_of_arguments(arguments),
+        Form::Special => "number [V] [V]".to_owned(),
+        Form::Teach(targets) => format!("{} variable", syntax_of_targets(targets)),
+        Form::AdIn => "board channel VAR, or id VAR".to_owned(),
+        Form::KeyIn => "[VAR]".to_owned(),
+        Form::Words(text) => text.to_owned(),
+    }
+}
+
+fn syntax_of_arguments(arguments: Arguments) -> String {
+    let Arguments {
+        hs,
+        targets,
+        values,
+        relative,
+        from_target,
+        ..
+    } = arguments;
+    let mark = match (relative, from_target) {
+        (false, _) => "",
+        (true, false) => "†",
+        (true, true) => "‡",
+    };
+    let values = match values {
+        Values::None => String::new(),
+        Values::One => "V".to_owned(),
+        Values::Three => "V V V".to_owned(),
+        Values::Position => format!("S³{mark}"),
+        Values::Angles if targets.joints == Joints::None => format!("Sⁿ{mark}"),
+        Values::Angles => format!("Sⁿ{mark}, one S{mark} for J"),
+        Values::PerJoint => "Sⁿ, one V for J, V or Sⁿ for ALL".to_owned(),
+        Values::PerLeg => "Sⁿ, one V for J and ALL".to_owned(),
+        Values::ThreeOrPos => "V V V, or P".to_owned(),
+        Values::Limits => "Q Q, S S for J".to_owned(),
+    };
+    let hs = if hs { "[HS]" } else { "" };
+    let parts = [hs.to_owned(), syntax_of_targets(targets), values];
+    let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    parts.join(" ")
+}
+
+/// Returns the targets of a command as the reference writes them.
+pub(crate) fn syntax_of_targets(targets: Targets) -> String {
+    let joints = match targets.joints {
+        Joints::None => "",
+        Joints::Every => "J",
+        Joints::Second => "Jn2",
+        Joints::Third => "Jn3",
+        Joints::ThirdOfHand => "Jn3 (H)",
+    };
+    let parts = [
+        (targets.foot, "F"),
+        (!joints.is_empty(), joints),
+        (targets.floor, "FLOOR (H)"),
+        (targets.all, "ALL"),
+    ];
+    let names: Vec<&str> = parts
+        .iter()
+        .filter(|(member, _)| *member)
+        .map(|(_, name)| *name)
+        .collect();
+    names.join(" | ")
 }
 
 /// Returns its names, with a link to its entry.

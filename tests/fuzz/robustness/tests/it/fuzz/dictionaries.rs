@@ -7,7 +7,7 @@ use tipc::description::{KEYS, Part};
 use tipc::language::commands::COMMANDS;
 use tipc::language::keywords::KEYWORDS;
 use tipc::language::reserved::motion_flags;
-use tipc::language::{flags, functions, inputs};
+use tipc::language::{Keyword, flags, functions, inputs};
 
 /// Words of the language outside its tables.
 const SIGNS: &[&str] = &[
@@ -170,7 +170,9 @@ fn of_programs() {
     });
     let words = commands.flatten();
     let inputs = inputs::named().map(|port| port.to_string());
-    let particles = KEYWORDS.iter().filter(|row| row.keyword.is_particle());
+    let particles = KEYWORDS
+        .iter()
+        .filter(|row| matches!(row.keyword, Keyword::Then | Keyword::To | Keyword::Step));
     let rest = flags::families()
         .chain(flags::FLAGS.iter().filter_map(|row| row.flag.other_stem()))
         .chain(flags::words())
