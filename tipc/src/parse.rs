@@ -34,21 +34,12 @@ pub const LINE_LIMIT: usize = 1023;
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
 pub fn parse(source: &Source, tip_version: Option<f64>) -> (Module, Diagnostics) {
-    parse_taking(source, tip_version, &mut |_| ())
-}
-
-/// Parses a source, and lets `take` remove the statements of each line once it is read.
-pub fn parse_taking(
-    source: &Source,
-    tip_version: Option<f64>,
-    take: &mut dyn FnMut(&mut Vec<Statement>),
-) -> (Module, Diagnostics) {
     let edition = match header::version(source, tip_version) {
         Ok(edition) => edition,
         Err(wrong) => return (Module::default(), vec![*wrong].into()),
     };
     let mut parser = Parser::new(source, edition);
-    parser.lines(take);
+    parser.lines();
     (parser.module, parser.diagnostics)
 }
 
@@ -141,7 +132,7 @@ impl<'a> Parser<'a> {
 }
 
 impl Parser<'_> {
-    fn lines(&mut self, take: &mut dyn FnMut(&mut Vec<Statement>)) {
+    fn lines(&mut self) {
         for line in self.source.lines() {
             self.line = line;
             let mut flow = Flow::Continue;
@@ -153,11 +144,8 @@ impl Parser<'_> {
             if !is_read || !self.is_text_too_long {
                 self.check_length();
             }
-            if is_read {
-                take(&mut self.module.statements);
-                if flow == Flow::End {
-                    return;
-                }
+            if flow == Flow::End {
+                return;
             }
         }
         // A comment of another language that never ends has swallowed it.
