@@ -9,6 +9,7 @@ mod dyn_machine;
 pub mod event;
 mod event_console;
 pub mod external;
+mod ideal_joints;
 mod interp;
 mod lints;
 mod load;

@@ -2,9 +2,10 @@
 
 use crate::dyn_machine::{DynMachine, NativeCommands};
 
+use crate::ideal_joints::IdealJoints;
 use crate::model::{Anatomy, DynModel, Miss};
 use crate::program_runner::ProgramRunner;
-use crate::sim_hardware::{DynHardware, IdealJoints, OfSize, SimHardware};
+use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
 use std::fmt;
 use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
