@@ -576,7 +576,7 @@ impl Recording {
         self.cycles = from;
     }
 
-    /// Forgets what happened before a cycle, but for what still holds in it.
+    /// Forgets what happened before a cycle, but for what still holds in it, and for falls, which are counted.
     pub(crate) fn forget(&mut self, before: u64) {
         self.frames.retain(|frame| frame.cycle >= before);
         let later = self.clock.partition_point(|tick| tick.cycle <= before);
@@ -605,7 +605,6 @@ impl Recording {
         keep_last(&mut self.sets, before, |set| set.scalar);
         keep_last(&mut self.lamps, before, |lamp| lamp.0);
         keep_last(&mut self.commands, before, |asked| asked.target.to_string());
-        self.falls.retain(|fall| fall.cycle >= before);
         self.slips.retain(|slip| slip.cycle >= before);
         self.events.retain(|event| event.cycle >= before);
     }

@@ -200,7 +200,7 @@ export class Recording {
     const messages = this.messages.filter(({ text }) => text !== '');
     return [
       ...kind(messages, 'message'),
-      ...kind(this.falls, 'fall'),
+      ...kind(this.falls.filter(({ cycle }) => cycle >= this.first), 'fall'),
       ...kind(this.slips, 'slip'),
       ...kind(this.events, 'event'),
       ...stop,
@@ -276,7 +276,8 @@ export class Recording {
     keepLast(this.commands, first, ({ target }) => target);
     keepLast(this.timers, first, ({ timer }) => timer);
     for (const list of [this.messages, this.flags, this.modes, this.locks]) keepLast(list, first, () => 0);
-    for (const list of [this.falls, this.slips, this.events]) list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
+    // Falls stay: they are counted from the start.
+    for (const list of [this.slips, this.events]) list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
     this.changed = 0;
   }
 

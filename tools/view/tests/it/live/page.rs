@@ -21,8 +21,8 @@ pub(crate) struct Page {
     pub(crate) scalars: Vec<String>,
 }
 
-pub(crate) const LISTS: [&str; 7] = [
-    "steps", "sets", "messages", "events", "contacts", "flags", "modes",
+pub(crate) const LISTS: [&str; 8] = [
+    "steps", "sets", "messages", "events", "contacts", "flags", "modes", "falls",
 ];
 
 /// The rows of columns, of which so many hold differences.

@@ -130,3 +130,25 @@ fn a_long_run_forgets_its_beginning_and_no_more() {
     page.look(&session);
     assert_eq!(page.cycles, first + 1);
 }
+
+#[test]
+fn a_fall_is_counted_when_its_cycle_is_forgotten() {
+    // Two feet of one side go up: the body tips over them.
+    let tips = "3.1\nTips\nSTAND_UP 60\nWAIT_INPOS ALL\nPTP F1 -391 201 -60\nPTP F3 -391 -201 -60\n\
+                WAIT_INPOS ALL\nAGAIN:\nGOTO AGAIN:\nEND\n";
+    let mut session = session_of(tips);
+    does(&mut session, json!({"do": "play"}));
+    for _ in 0..8 {
+        session.advance(60_000.0, || true);
+    }
+    // A viewer who comes now gets the last 5 to 6 minutes.
+    let mut page = Page::default();
+    page.look(&session);
+    assert!(
+        page.frames
+            .keys()
+            .next()
+            .is_some_and(|first| *first > 5_000)
+    );
+    assert_eq!(page.lists["falls"].len(), 1);
+}
