@@ -109,9 +109,13 @@ fn provide(folder: &Folder, line: &str) {
     let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
     fs::set_permissions(folder.path("bin/python3"), mode).expect("it is ours");
     for (shared, name) in [("examples", "examples"), ("tests", "tests"), ("", "../tip")] {
-        let link = folder.path(name);
+        let (target, link) = (workspace().join(shared), folder.path(name));
+        // One from another checkout may be there.
+        if fs::read_link(&link).is_ok_and(|found| found != target) {
+            let _ = fs::remove_file(&link);
+        }
         // Another test may make the same one.
-        let _ = std::os::unix::fs::symlink(workspace().join(shared), &link);
+        let _ = std::os::unix::fs::symlink(target, &link);
         assert!(link.exists(), "{name}");
     }
 }
