@@ -316,7 +316,10 @@ fn warn_of_specials(loaded: &mut Loaded, robot: &Robot) {
         else {
             return None;
         };
-        let number = *constants(arguments)?.first()?;
+        // Its number is a constant; what follows may be anything.
+        let Operand::Constant(number) = arguments.first()?.operand else {
+            return None;
+        };
         let is_answered = answers.iter().any(|own| f64::from(*own) == number);
         let StatementKind::Command { arguments, .. } = &statement.kind else {
             return None;

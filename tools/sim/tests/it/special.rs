@@ -34,6 +34,18 @@ fn what_is_answered_by_nothing_stops_a_run() {
 }
 
 #[test]
+fn the_arguments_behind_the_number_do_not_matter() {
+    let titan8 = Robot::named("titan8").expect("a robot");
+    for arguments in ["30 V", "30 V -5"] {
+        let text = format!("3.1\nspecial\nDEF_VAR V\nV = 1\nSPECIAL {arguments}\nEND\n");
+        let mut loaded = tipc::load("special.prg", text.as_bytes(), &titan8.options());
+        titan8.warn(&mut loaded);
+        let codes: Vec<_> = loaded.diagnostics.iter().map(|it| it.code.id()).collect();
+        assert_eq!(codes, ["W123"], "{arguments}");
+    }
+}
+
+#[test]
 fn native_code_of_an_owner_may_answer_anything() {
     let titan8 = Robot::named("titan8").expect("a robot").with_special(());
     assert!(codes(&titan8, 30).0.is_empty());
