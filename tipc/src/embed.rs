@@ -1,4 +1,5 @@
-//! What macros, build scripts and commands share: the one module that opens input files, and the language of errors.
+//! Shared code of macros, build scripts and commands. It is the only module that opens input files, and it chooses the
+//! language of errors.
 
 use crate::message::Reading;
 use std::fs::{self, File};

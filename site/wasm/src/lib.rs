@@ -25,11 +25,11 @@ pub struct Playground {
 }
 
 impl Playground {
-    /// Begins a session with what is wanted, a [`Wanted`] in JSON, in the place of the one before. Its run plays. A text with
-    /// errors stands in the editor, and runs when it is put right.
+    /// Replaces the session by the one that `wanted` describes, a [`Wanted`] in JSON, and starts its run. A text with errors is
+    /// shown in the editor, and runs when they are corrected.
     ///
     /// # Errors
-    /// It cannot be had, in words for people; the session before goes on.
+    /// A message for users if the session cannot be made. The present session continues then.
     pub fn open(&mut self, wanted: &str) -> Result<(), String> {
         let wanted: Wanted = serde_json::from_str(wanted).map_err(said)?;
         let bench = wanted.bench()?;
@@ -55,7 +55,7 @@ impl Playground {
         Ok(())
     }
 
-    /// So much time has passed for the page: ms. The run goes on as long as `goes_on` agrees.
+    /// Advances the session by the time that has passed for the page, ms, as long as `goes_on` returns true.
     pub fn advance(&mut self, elapsed: f64, goes_on: impl FnMut() -> bool) {
         if let Some(session) = &mut self.session {
             session.advance(elapsed, goes_on);

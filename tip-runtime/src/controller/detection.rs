@@ -79,7 +79,7 @@ impl<const J: usize> ControllerView<J> {
     /// Legs that a target names begin to search, no others.
     ///
     /// # Errors
-    /// `InvalidMode` for a leg with a locked joint, or while another thread stands in a command of
+    /// `InvalidMode` for a leg with a locked joint, or while another thread runs a command of
     /// this kind; `Domain` for a target that is no leg.
     fn begin_search(&mut self, target: Target) -> Result<(), Fault> {
         let legs = targets::feet(&mut self.legs, target)?;

@@ -123,7 +123,7 @@ impl<const J: usize> ControllerView<J> {
     /// Brakes, then sets off for the initial posture with standard parameters.
     ///
     /// # Errors
-    /// `InvalidMode` while another thread stands in a command of this kind.
+    /// `InvalidMode` while another thread runs a command of this kind.
     pub(super) fn initial_posture(&mut self) -> Result<Poll, Fault> {
         let holds = match self.tasks.current() {
             Task::Posture(holds) => {

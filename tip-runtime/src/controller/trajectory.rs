@@ -379,7 +379,7 @@ impl Approach {
             self.speed = 0.0;
         } else if *self != Self::ARRIVED {
             let stopping = self.speed * libm::fabs(self.speed) / (2.0 * acceleration);
-            // Seen from the side on which braking at once would end short of the point.
+            // The side on which immediate braking would end short of the point.
             let side = if self.gap < stopping { -1.0 } else { 1.0 };
             let plan = Plan::new(side * self.gap, side * self.speed, limits);
             let (gap, speed) = plan.after(dt);

@@ -316,7 +316,7 @@ impl TwoLinks {
             return None;
         }
         let bent = libm::copysign(libm::acos(cosine.clamp(-1.0, 1.0)), side);
-        // In the frame of the first link, the second one goes on in its direction but for the bend.
+        // In the frame of the first link, the second one points along it, turned by the bend.
         let (sin, cos) = libm::sincos(bent);
         let ahead = libm::atan2(short * sin, long + short * cos);
         let turned = libm::atan2(reach.y, reach.x) - libm::atan2(a.y, a.x) - ahead;

@@ -296,7 +296,7 @@ pub struct Shape {
 /// A body around the origin: mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
-    /// With these sides along its own x, y and z.
+    /// A block with these sides along its own x, y and z.
     Block([f64; 3]),
     /// Along its own z.
     Cylinder {

@@ -5,7 +5,7 @@
 //! says EMG_OFF is left alone: there a joint stops at its limit, and the program goes on. A straight path to a target
 //! within reach is checked where the start of the foot is known: on the first pass, up to the first question.
 //!
-//! Where native code of a robot's owner may answer SPECIAL, nothing is said about it.
+//! SPECIAL is not checked on a robot whose owner has native code that may answer it.
 
 use crate::Robot;
 use crate::message::Linting;

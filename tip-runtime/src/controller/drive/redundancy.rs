@@ -5,8 +5,8 @@
 //! rest to that posture. The line is tried out before the leg sets off; where a posture leads into a
 //! limit, another one is tried. If that takes more than one cycle, the leg waits, or brakes first.
 //!
-//! The search begins at the target with the posture nearest to the present one, and goes on from postures that are
-//! spread over the limits; it tries a few pieces of the line in each cycle. The limits of joints are intervals: between
+//! The search first tries the posture at the target that is nearest to the present one, then postures that are
+//! spread over the limits. It tries a few pieces of the line in each cycle. The limits of joints are intervals: between
 //! two postures within them no joint is beyond its own.
 //!
 //! The postures of a straight leg's point are few, and those on its one side may end at a limit immediately. A nearly

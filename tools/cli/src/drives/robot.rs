@@ -105,7 +105,7 @@ type Mishap = fn(&mut SimulatedBus, u8);
 pub(crate) struct Mishaps {
     /// Probabilities of what happens to an answer.
     faults: Faults,
-    /// What happens to a servo: times, s, in any order, and identities.
+    /// Events of servos: time, s, in any order; event; identity.
     events: Vec<(f64, Mishap, u8)>,
 }
 

@@ -288,7 +288,7 @@ impl Origin {
     /// Returns the checkout that is given, else the one that this command was built from, else the registry.
     ///
     /// # Errors
-    /// What is asked for is not a checkout of this version.
+    /// The folder that was asked for is not a checkout of this version.
     pub(super) fn find(asked: Option<&Path>, place: &CratePath) -> Result<Self, Making> {
         if let Some(folder) = asked {
             let refused = || Making::NotACheckout {

@@ -198,7 +198,7 @@ pub(super) struct Placeholder {
     pub(super) start: usize,
     /// End in the text.
     pub(super) end: usize,
-    /// With decimals.
+    /// True if it is shown with decimals.
     pub(super) real: bool,
     /// The number of the VAR.
     pub(super) digits: String,

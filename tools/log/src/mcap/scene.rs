@@ -1,5 +1,5 @@
-//! What moves: objects besides the robot, forces as arrows and trails of the feet; and the transform of each frame of the robot to
-//! the one before, under the names that its URDF file has.
+//! The moving parts of a log: objects, forces as arrows, trails of the feet, and the transform of each frame of the robot to
+//! the one before, under the names of its URDF file.
 
 use super::messages::{
     ArrowPrimitive, CubePrimitive, CylinderPrimitive, FrameTransform, FrameTransforms,
