@@ -129,6 +129,8 @@ pub enum Problem {
     Outside(f64),
     /// The joint is commanded a torque.
     Torque,
+    /// The robot was left, or its torque is not on yet.
+    NotHeld,
 }
 
 impl Problem {
@@ -147,6 +149,7 @@ impl Problem {
             Problem::Lags(_) => "drives: a joint does not follow",
             Problem::Outside(_) => "drives: a joint is outside of its limits",
             Problem::Torque => "drives: position servos take no torques",
+            Problem::NotHeld => "drives: the robot is not held",
         }
     }
 }
@@ -386,8 +389,20 @@ impl<P: Port> Drives<P> {
     /// # Errors
     /// A servo does not answer.
     pub fn hold(&mut self) -> Result<(), Failure> {
+        self.hold_while(|| true)
+    }
+
+    /// Does the same as long as `goes_on` returns true, which is asked before each servo.
+    ///
+    /// # Errors
+    /// A servo does not answer.
+    pub(crate) fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
         let period = self.period;
+        (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         for number in 0..self.joints.len() {
+            if !goes_on() {
+                return Ok(());
+            }
             let State {
                 joint, measured, ..
             } = self.joints[number];
@@ -414,8 +429,12 @@ impl<P: Port> Drives<P> {
             let state = &mut self.joints[number];
             (state.sent, state.off) = (joint.angle(here), 0);
         }
-        (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         Ok(())
+    }
+
+    /// Sets the length of the cycles that follow, ms.
+    pub(crate) const fn set_period(&mut self, period: f64) {
+        self.period = period;
     }
 
     /// Moves every joint one cycle of `period` ms towards an angle, at this many deg/s at most, and returns the largest angle
@@ -496,6 +515,14 @@ impl<P: Port> Drives<P> {
                 }
                 self.is_resting = true;
             }
+            if self.torque < 1.0 {
+                // An emergency stop while it relaxes.
+                self.torque = 1.0;
+                let limits = self.joints.iter().map(|state| state.joint);
+                let limits: Vec<(u8, i32), SERVOS> =
+                    limits.map(|it| (it.id, it.torque_limit())).collect();
+                let _ = self.bus.sync_write(family.torque_limit, &limits);
+            }
             return self.send_goals().is_err();
         }
         let step = self.period / 1000.0 / self.settings.relaxing.max(0.001);
@@ -518,6 +545,36 @@ impl<P: Port> Drives<P> {
         let sent = self.bus.sync_write(register, &values);
         self.is_held = self.torque > 0.0 && sent.is_ok();
         !self.is_held
+    }
+
+    /// Returns true if each servo has answered since a time of the port's clock, µs.
+    pub(crate) fn is_measured_since(&self, time: u64) -> bool {
+        let mut answers = self.joints.iter().map(|state| state.measured);
+        answers.all(|measured| measured.is_some_and(|measured| measured.at >= time))
+    }
+
+    /// Brings one servo into the state in which the robot is left, without watchdog; returns true if the servo confirms it, and
+    /// false if it reports the other state. It is tried once.
+    ///
+    /// # Errors
+    /// The port is gone, or the servo does not answer.
+    pub(crate) fn confirm(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
+        let joint = self.joints[number].joint;
+        let (id, family) = (joint.id, joint.model.family);
+        if policy == Policy::Relax {
+            self.bus.write(id, family.torque_enable, 0)?;
+        }
+        if let Some(watchdog) = family.watchdog {
+            self.bus.write(id, watchdog, 0)?;
+        }
+        if policy == Policy::Hold {
+            let goal = joint.counts(self.joints[number].sent);
+            self.bus
+                .write(id, family.torque_limit, joint.torque_limit())?;
+            self.bus.write(id, family.goal_position, goal)?;
+        }
+        let torque = self.bus.read_register(id, family.torque_enable)?;
+        Ok((torque != 0) == (policy == Policy::Hold))
     }
 
     /// Ends the watchdogs, so that servos that are to hold go on holding without the host.

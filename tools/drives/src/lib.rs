@@ -9,6 +9,7 @@ extern crate std;
 pub mod bus;
 pub mod drives;
 pub mod frame;
+pub mod guard;
 pub mod model;
 pub mod moteus;
 #[cfg(feature = "std")]
@@ -18,4 +19,5 @@ pub mod simulated;
 
 pub use bus::{Bus, BusError, Port};
 pub use drives::Drives;
+pub use guard::TorqueGuard;
 pub use model::{Family, Model};
