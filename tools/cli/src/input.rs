@@ -137,7 +137,7 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
 pub(super) fn servos() -> Vec<description::Servo> {
     let servo = |model: &Model| description::Servo {
         name: model.name,
-        family: model.family.name,
+        family: model.family.name(),
         travel: Range::new(model.angle(0.0), model.angle(model.largest.into())),
     };
     MODELS.iter().map(servo).collect()

@@ -876,9 +876,9 @@ tipc::message_table! {
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";
-    WrongMode { joint: String, id: u32, register: u32, value: u32, right: u32 }
-        "{joint} (servo {id}) does not go to positions: its register {register} is {value}. Write {right} to it with the maker's tool while the torque is off (Operating Mode, or CCW Angle Limit of AX and MX)",
-        "{joint}(サーボ{id})は位置制御モードではありません(レジスタ{register}の値は{value})。トルクを切り、製造元のツールで{right}を書き込んでください(Operating Mode、AX・MXではCCW Angle Limit)";
+    WrongRegister { joint: String, id: u32, name: &'static str, register: u32, value: String, wanted: String }
+        "{joint} (servo {id}) would not go where it is sent: its register {register} ({name}) is {value}. Write {wanted} to it with the maker's tool while the torque is off",
+        "{joint}(サーボ{id})は指令した角度に動きません(レジスタ{register}、{name}の値は{value})。トルクを切り、製造元のツールで{wanted}を書き込んでください";
     Hot { joint: String, id: u32, now: f64, most: f64 }
         "{joint} (servo {id}) has {now} °C, and {most} at most is allowed: let it cool, and look for what loads it",
         "{joint}(サーボ{id})が{now} °Cで、上限{most} °Cを超えました。冷まして、負荷の原因を調べてください";

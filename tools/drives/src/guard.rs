@@ -41,7 +41,7 @@
 //! let timing = Timing { baud: 1_000_000, return_delay: 0, latency: 2000 };
 //! let servos = vec![Servo::new(model, 1, 512.0)];
 //! let port = MemoryPort::new(SimulatedBus::new(servos, timing));
-//! let bus = Bus::new(port, model.family.protocol, timing);
+//! let bus = Bus::new(port, timing);
 //! let drives = Drives::new(bus, &[joint], Settings::default())?;
 //!
 //! let mut robot = TorqueGuard::new(drives, Nobody, 20.0);
@@ -52,7 +52,7 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 
-use crate::bus::{BusError, Port, SERVOS};
+use crate::bus::{BusError, MAX_SERVOS, Port, Wire};
 use crate::drives::{Drives, Failure, Policy, Problem, Settings};
 use heapless::Vec;
 use tip_runtime::fault::Fault;
@@ -102,9 +102,9 @@ pub struct Outcome {
     /// The state that its servos were to have.
     pub policy: Policy,
     /// Joints whose servos have the other state: stiff in place of relaxed, or without torque in place of holding.
-    pub other: Vec<usize, SERVOS>,
+    pub other: Vec<usize, MAX_SERVOS>,
     /// Joints whose servos did not confirm their state in time.
-    pub unknown: Vec<usize, SERVOS>,
+    pub unknown: Vec<usize, MAX_SERVOS>,
 }
 
 impl Outcome {
@@ -314,7 +314,7 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     }
 
     fn now(&mut self) -> u64 {
-        self.drives.bus_mut().port_mut().now()
+        self.drives.bus_mut().now()
     }
 
     /// Returns true if the operator has not asked for another state than this.
@@ -355,8 +355,8 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
             Policy::Hold => self.switched_on,
             Policy::Relax => self.drives.joints().count(),
         };
-        let mut open: Vec<usize, SERVOS> = (0..joints).collect();
-        let mut other: Vec<usize, SERVOS> = Vec::new();
+        let mut open: Vec<usize, MAX_SERVOS> = (0..joints).collect();
+        let mut other: Vec<usize, MAX_SERVOS> = Vec::new();
         'rounds: while !open.is_empty() {
             for joint in open.clone() {
                 if !self.is_still(policy) {
@@ -432,6 +432,7 @@ impl<P: Port, H: Host<P>> Drop for TorqueGuard<P, H> {
 /// The failure of a robot that was left, or was not yet held.
 const NOT_HELD: Failure = Failure {
     joint: None,
+    servo: None,
     problem: Problem::NotHeld,
 };
 

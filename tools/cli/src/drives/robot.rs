@@ -151,12 +151,11 @@ impl Setup {
             }
             None => (open_serial(&port, self.bus.baud, lang)?, None),
         };
-        let protocol = self.joints.first().map(|joint| joint.model.family.protocol);
-        let Some(protocol) = protocol else {
+        if self.joints.is_empty() {
             let file = file.display().to_string().into();
             return Err(fail(Driving::NoBus { file }));
-        };
-        let bus = Bus::new(opened, protocol, self.timing());
+        }
+        let bus = Bus::new(opened, self.timing());
         let drives = Drives::new(bus, &self.joints, self.settings());
         let drives = drives.map_err(|error| Error::Failed(error.to_string()))?;
         let (is_simulated, period) = (mishaps.is_some(), self.period);
@@ -309,7 +308,7 @@ impl Connection {
         };
         let connected = Driving::Connected {
             servos: self.setup.joints.len(),
-            family: joint.model.family.name,
+            family: joint.model.family.name(),
             port: self.port.clone().into(),
             delay: self.robot().drives().bus().timing().return_delay,
         };
@@ -450,16 +449,14 @@ impl Connection {
                 number: number.into(),
                 model: own.model.name,
             },
-            Problem::Mode(value) => {
-                let mode = own.model.family.mode;
-                Driving::WrongMode {
-                    joint,
-                    id,
-                    value: value.into(),
-                    register: mode.map_or(0, |(register, ..)| register.address.into()),
-                    right: mode.map_or(0, |(_, right, _)| right.unsigned_abs()),
-                }
-            }
+            Problem::Register(wrong) => Driving::WrongRegister {
+                joint,
+                id,
+                name: wrong.name,
+                register: wrong.register.into(),
+                value: wrong.value.to_string(),
+                wanted: wrong.wanted.to_string(),
+            },
             Problem::Hot(now) => Driving::Hot {
                 joint,
                 id,
