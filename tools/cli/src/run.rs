@@ -276,10 +276,10 @@ impl Job<'_> {
         let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
         // From here on a signal ends nothing: neither the leaving of the robot nor the files.
         interrupt::hold();
-        if let Some(connection) = &connection {
+        let is_stopped = connection.as_ref().is_some_and(|connection| {
             let keyboard = run.console_mut().and_then(Screen::release);
-            connection.finish(keyboard);
-        }
+            connection.finish(keyboard)
+        });
         let logged = run.console_mut().map_or(Ok(()), Screen::close);
         if trace.as_ref().is_some_and(Trace::is_straight) {
             interrupt::release();
@@ -317,7 +317,10 @@ impl Job<'_> {
             report::complain(&format!("{}\n", connection.explain(failure)));
         }
         traced.and(logged)?;
-        Ok(self.status(&ending, fell))
+        Ok(match is_stopped {
+            true => Status::Emergency,
+            false => self.status(&ending, fell),
+        })
     }
 
     /// Puts the program on its robot.

@@ -174,6 +174,11 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
         matches!(self.state, State::On)
     }
 
+    /// Returns true if the robot was stopped: it is left as in an emergency.
+    pub const fn is_stopped(&self) -> bool {
+        self.is_stopped
+    }
+
     /// Returns the state in which the robot was left; `None` before.
     pub const fn outcome(&self) -> Option<&Outcome> {
         match &self.state {

@@ -409,13 +409,20 @@ impl Connection {
         self.robot().host_mut().keyboard.take()
     }
 
-    /// Holds or relaxes the robot for good, and reports servos that are in another state. The keyboard is read until then.
-    pub(crate) fn finish(&self, keyboard: Option<Terminal<io::Sink>>) {
+    /// Holds or relaxes the robot for good, and reports servos that are in another state. The keyboard is read until then; returns
+    /// true if the emergency stop was pressed.
+    pub(crate) fn finish(&self, keyboard: Option<Terminal<io::Sink>>) -> bool {
         let mut robot = self.robot();
+        let was_stopped = robot.is_stopped();
         robot.host_mut().keyboard = keyboard;
         robot.leave();
         report::complain(&self.setup.left(robot.outcome(), self.lang));
         robot.host_mut().keyboard = None;
+        let is_stopped = robot.is_stopped() && !was_stopped;
+        if is_stopped {
+            report::say(Driving::StoppedByKey, self.lang);
+        }
+        is_stopped
     }
 
     /// Returns the problem that stopped the robot.

@@ -47,6 +47,8 @@ mod stops;
 mod support;
 #[cfg(target_os = "linux")]
 mod sweep;
+#[cfg(target_os = "linux")]
+mod torque;
 mod usage;
 mod verify;
 mod view;
