@@ -132,21 +132,21 @@ pub enum Problem {
 }
 
 impl Problem {
-    /// Returns the words of the fault in an emergency report.
+    /// Returns the cause in an emergency report, which names the servo before it.
     pub const fn words(&self) -> &'static str {
         match self {
             Problem::Port => "drives: the port is gone",
-            Problem::Silent => "drives: a servo does not answer",
-            Problem::Model(_) => "drives: a servo of another model",
-            Problem::Mode(_) => "drives: a servo in another mode",
-            Problem::Hot(_) => "drives: a servo is too hot",
-            Problem::Voltage(_) => "drives: the supply voltage",
-            Problem::Overload(_) => "drives: a servo is overloaded",
-            Problem::Alarm(_) => "drives: a servo has an alarm",
-            Problem::Reset => "drives: a servo was reset",
-            Problem::Lags(_) => "drives: a joint does not follow",
-            Problem::Outside(_) => "drives: a joint is outside of its limits",
-            Problem::Torque => "drives: position servos take no torques",
+            Problem::Silent => "does not answer",
+            Problem::Model(_) => "is of another model",
+            Problem::Mode(_) => "is in another mode",
+            Problem::Hot(_) => "is too hot",
+            Problem::Voltage(_) => "supply voltage out of range",
+            Problem::Overload(_) => "is overloaded",
+            Problem::Alarm(_) => "has an alarm",
+            Problem::Reset => "was reset",
+            Problem::Lags(_) => "does not follow its command",
+            Problem::Outside(_) => "is outside of its limits",
+            Problem::Torque => "takes no torques",
         }
     }
 }
@@ -162,17 +162,20 @@ pub struct Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(joint) = self.joint {
+            write!(f, "joint number {joint}: ")?;
+        }
         f.write_str(self.problem.words())
     }
 }
 
 impl core::error::Error for Failure {}
 
-impl From<Failure> for HardwareFault {
-    fn from(failure: Failure) -> Self {
-        HardwareFault(failure.problem.words())
-    }
-}
+/// The failure of a port that is gone.
+const GONE: Failure = Failure {
+    joint: None,
+    problem: Problem::Port,
+};
 
 /// The last answer of a servo.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -481,10 +484,13 @@ impl<P: Port> Drives<P> {
     }
 
     /// Holds or relaxes the robot in place of a command; returns true when there is nothing left to do. Called in each cycle.
-    pub fn rest(&mut self, policy: Policy) -> bool {
+    ///
+    /// # Errors
+    /// The commands could not be sent.
+    pub fn rest(&mut self, policy: Policy) -> Result<bool, Failure> {
         let family = self.joints.first().map(|state| state.joint.model.family);
         let Some(family) = family.filter(|_| self.is_held) else {
-            return true;
+            return Ok(true);
         };
         if policy == Policy::Hold {
             if !self.is_resting {
@@ -496,7 +502,7 @@ impl<P: Port> Drives<P> {
                 }
                 self.is_resting = true;
             }
-            return self.send_goals().is_err();
+            return self.send_goals().map(|()| false).map_err(|_| GONE);
         }
         let step = self.period / 1000.0 / self.settings.relaxing.max(0.001);
         self.torque = (self.torque - step).max(0.0);
@@ -514,10 +520,14 @@ impl<P: Port> Drives<P> {
                 (state.joint.id, left as i32)
             })
             .collect();
-        // Nothing is left to be done about a port that is gone.
-        let sent = self.bus.sync_write(register, &values);
-        self.is_held = self.torque > 0.0 && sent.is_ok();
-        !self.is_held
+        if self.bus.sync_write(register, &values).is_err() {
+            // Nothing is left to be done about a port that is gone.
+            self.is_held = false;
+            self.failure.get_or_insert(GONE);
+            return Err(GONE);
+        }
+        self.is_held = self.torque > 0.0;
+        Ok(!self.is_held)
     }
 
     /// Ends the watchdogs, so that servos that are to hold go on holding without the host.
@@ -544,6 +554,21 @@ impl<P: Port> Drives<P> {
             }
         }
         self.fail(Some(joint), Problem::Silent)
+    }
+
+    /// Returns a failure as the fault of a robot with so many joints per leg.
+    pub fn fault(&self, failure: Failure, of_leg: usize) -> HardwareFault {
+        let fault = HardwareFault::new(failure.problem.words());
+        let Some(joint) = failure.joint else {
+            return fault;
+        };
+        let id = self.joints.get(joint).map(|state| state.joint.id);
+        let fault = id.map_or(fault, |id| fault.of_servo(id.into()));
+        let place = |number: usize| u8::try_from(number + 1).ok();
+        let leg = joint.checked_div(of_leg).and_then(place);
+        let joint = joint.checked_rem(of_leg).and_then(place);
+        let place = leg.zip(joint);
+        place.map_or(fault, |(leg, joint)| fault.at_joint(leg, joint))
     }
 
     fn fail<T>(&mut self, joint: Option<usize>, problem: Problem) -> Result<T, Failure> {
@@ -756,7 +781,8 @@ impl State {
 
 impl<P: Port, const L: usize, const J: usize> Hardware<L, J> for Drives<P> {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
-        self.read_cycle()?;
+        self.read_cycle()
+            .map_err(|failure| self.fault(failure, J))?;
         for (number, angle) in into.angles.as_flattened_mut().iter_mut().enumerate() {
             *angle = self.angle(number).unwrap_or(*angle);
         }
@@ -764,10 +790,13 @@ impl<P: Port, const L: usize, const J: usize> Hardware<L, J> for Drives<P> {
     }
 
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
-        Ok(self.write_cycle(outputs.joints.as_flattened(), outputs.period)?)
+        self.write_cycle(outputs.joints.as_flattened(), outputs.period)
+            .map_err(|failure| self.fault(failure, J))
     }
 
-    fn stop(&mut self, _why: &Fault) {
-        self.rest(self.settings.in_emergency);
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        let rested = self.rest(self.settings.in_emergency);
+        rested.map_err(|failure| self.fault(failure, J))?;
+        Ok(())
     }
 }

@@ -301,14 +301,15 @@ impl Setup {
         let drives = Drives::new(bus, &self.joints, self.settings());
         let drives = drives.map_err(|error| Error::Failed(error.to_string()))?;
         Ok(Connection {
-            setup: self,
             port,
             reached: Reached {
                 drives: Arc::new(Mutex::new(drives)),
                 mishaps,
                 cycle: 0,
                 is_held: false,
+                of_leg: self.of_leg,
             },
+            setup: self,
             lang,
         })
     }
@@ -332,6 +333,8 @@ struct Reached {
     /// Time of the next cycle of simulated servos, µs.
     cycle: u64,
     is_held: bool,
+    /// Joints of each leg.
+    of_leg: usize,
 }
 
 impl Reached {
@@ -453,7 +456,7 @@ impl Connection {
             true => settings.in_emergency,
             false => settings.at_end,
         };
-        while !drives.rest(policy) && policy == Policy::Relax {
+        while !drives.rest(policy).unwrap_or(true) && policy == Policy::Relax {
             if self.reached.mishaps.is_none() {
                 std::thread::sleep(Duration::from_secs_f64(self.setup.period / 1000.0));
             }
@@ -552,7 +555,8 @@ impl Drop for Connection {
 impl Joints for Reached {
     fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault> {
         let mut drives = self.drives.lock().unwrap_or_else(PoisonError::into_inner);
-        drives.read_cycle()?;
+        let read = drives.read_cycle();
+        read.map_err(|failure| drives.fault(failure, self.of_leg))?;
         for (joint, angle) in angles.iter_mut().enumerate() {
             *angle = drives.angle(joint).unwrap_or(*angle);
         }
@@ -560,15 +564,18 @@ impl Joints for Reached {
     }
 
     fn write(&mut self, commands: &[JointCommand], period: f64) -> Result<(), HardwareFault> {
-        self.drives().write_cycle(commands, period)?;
+        let written = self.drives().write_cycle(commands, period);
+        written.map_err(|failure| self.drives().fault(failure, self.of_leg))?;
         self.tick(period);
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         let mut drives = self.drives();
         let policy = drives.settings().in_emergency;
-        drives.rest(policy);
+        let rested = drives.rest(policy);
+        rested.map_err(|failure| drives.fault(failure, self.of_leg))?;
+        Ok(())
     }
 }
 
