@@ -381,7 +381,8 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
         joint.limits = tip_runtime::model::Range::new(-1e6, 1e6);
     }
     let connection = arguments.robot.open(setup)?;
-    connection.robot().drives_mut().release();
+    let released = connection.robot().drives_mut().release();
+    released.map_err(|failure| connection.failed(failure))?;
     report::say(Driving::ZeroHow, lang);
     let mut found = Vec::new();
     for place in 0..connection.setup.joints.len() {

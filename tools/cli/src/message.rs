@@ -517,9 +517,12 @@ tipc::message_table! {
     Nonsense { sensor: SmolStr }
         "the sensor of {sensor} reads invalid values: check the sensor and its cable",
         "{sensor}のセンサの値が異常です。センサと配線を確かめてください";
-    Broken { what: &'static str }
+    Broken { what: Text }
         "the hardware of the robot failed: {what}",
         "ロボットのハードウェアの異常です: {what}";
+    NotStopped { what: Text }
+        "the robot could not be stopped ({what}): switch its power off",
+        "ロボットを停止できませんでした({what})。電源を切ってください";
     KeyPressed
         "RETURN, the emergency stop, was pressed",
         "RETURNキー(非常停止)が押されました";

@@ -401,6 +401,7 @@ impl Connection {
         RunJoints {
             robot: Arc::clone(&self.robot),
             is_simulated: self.is_simulated,
+            of_leg: self.setup.of_leg,
         }
     }
 
@@ -515,12 +516,15 @@ impl Connection {
 struct RunJoints {
     robot: Arc<SharedGuard>,
     is_simulated: bool,
+    /// Joints of each leg.
+    of_leg: usize,
 }
 
 impl Joints for RunJoints {
     fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault> {
         let mut robot = lock(&self.robot);
-        robot.read_cycle()?;
+        let read = robot.read_cycle();
+        read.map_err(|failure| failure.fault(self.of_leg))?;
         for (joint, angle) in angles.iter_mut().enumerate() {
             *angle = robot.drives().angle(joint).unwrap_or(*angle);
         }
@@ -529,7 +533,8 @@ impl Joints for RunJoints {
 
     fn write(&mut self, commands: &[JointCommand], period: f64) -> Result<(), HardwareFault> {
         let mut robot = lock(&self.robot);
-        robot.write_cycle(commands, period)?;
+        let written = robot.write_cycle(commands, period);
+        written.map_err(|failure| failure.fault(self.of_leg))?;
         // A run in real time has its own pace.
         if self.is_simulated {
             robot.wait();
@@ -537,7 +542,8 @@ impl Joints for RunJoints {
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {
-        lock(&self.robot).stop_cycle();
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        let stopped = lock(&self.robot).stop_cycle();
+        stopped.map_err(|failure| failure.fault(self.of_leg))
     }
 }
