@@ -136,12 +136,14 @@ impl Setup {
             let file = file.display().to_string().into();
             return Err(fail(Driving::NoPort { file }));
         };
-        let simulated = port
-            .strip_prefix(SIMULATED)
-            .map(|rest| rest.trim_start_matches(':'));
+        let simulated = match port.strip_prefix(SIMULATED) {
+            Some("") => Some(""),
+            Some(list) => list.strip_prefix(':'),
+            None => None,
+        };
         let (opened, mishaps) = match simulated {
             Some(mishaps) => {
-                let mut mishaps: Mishaps = mishaps.parse().map_err(fail)?;
+                let mut mishaps = Mishaps::new(mishaps, &self.ids()).map_err(fail)?;
                 let mut bus = self.simulated(&mishaps);
                 mishaps.happen(&mut bus, 0);
                 (
@@ -174,8 +176,13 @@ impl Setup {
         })
     }
 
+    /// Returns the identities of the servos.
+    pub(super) fn ids(&self) -> Vec<u8> {
+        self.joints.iter().map(|joint| joint.id).collect()
+    }
+
     /// Returns the names of joints and their servos.
-    fn names(&self, joints: &[usize]) -> String {
+    pub(super) fn names(&self, joints: &[usize]) -> String {
         let name = |joint: &usize| {
             let id = self.joints.get(*joint).map_or(0, |joint| joint.id);
             format!("{} (servo {id})", self.name(*joint))
