@@ -843,6 +843,9 @@ impl<P: Port, const L: usize, const J: usize> Hardware<L, J> for Drives<P> {
         for (number, angle) in into.angles.as_flattened_mut().iter_mut().enumerate() {
             *angle = self.angle(number).unwrap_or(*angle);
         }
+        for (number, age) in into.ages.as_flattened_mut().iter_mut().enumerate() {
+            *age = self.age(number).unwrap_or_default();
+        }
         Ok(())
     }
 

@@ -547,11 +547,14 @@ impl Drop for Connection {
 }
 
 impl Joints for Reached {
-    fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault> {
+    fn read(&mut self, angles: &mut [f64], ages: &mut [u32]) -> Result<(), HardwareFault> {
         let mut drives = self.drives.lock().unwrap_or_else(PoisonError::into_inner);
         drives.read_cycle()?;
         for (joint, angle) in angles.iter_mut().enumerate() {
             *angle = drives.angle(joint).unwrap_or(*angle);
+        }
+        for (joint, age) in ages.iter_mut().enumerate() {
+            *age = drives.age(joint).unwrap_or_default();
         }
         Ok(())
     }
