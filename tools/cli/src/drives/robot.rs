@@ -534,6 +534,14 @@ impl Connection {
                 max: own.limits.max,
             },
             Problem::Torque => Driving::NoTorques { joint },
+            Problem::Load(load) => Driving::BusTooSlow {
+                percent: format!("{:.0}", load.part * 100.0),
+                cycles: load.cycles,
+                silence: bus.silence,
+            },
+            Problem::Period(most) => Driving::PeriodTooLong {
+                most: format!("{most:.0}"),
+            },
         };
         message.in_lang(self.lang).to_string()
     }
