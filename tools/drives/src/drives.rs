@@ -588,8 +588,15 @@ impl<P: Port> Drives<P> {
                 Some(_) => self.counts.implausible += u64::from(!taken),
                 None => self.counts.missing += 1,
             }
-            if let Some(torque) = reading.as_ref().and_then(|reading| reading.torque) {
-                state.off = if torque == 0 { state.off + 1 } else { 0 };
+            // A goal switches the torque of AX, MX and STS servos on again; their torque limit is not the robot's then.
+            let limit = state.joint.torque_limit();
+            let reset = reading.as_ref().and_then(|reading| {
+                let is_off = reading.torque.map(|torque| torque == 0);
+                let is_other = reading.limit.map(|own| own != limit);
+                is_off.into_iter().chain(is_other).reduce(|a, b| a || b)
+            });
+            if let Some(is_reset) = reset {
+                state.off = if is_reset { state.off + 1 } else { 0 };
             }
             let alarm = if taken {
                 state.error & family.alarms

@@ -134,6 +134,8 @@ fn servos_of_protocol_2_answer_in_one_frame() {
     };
     let mut drives = Drives::new(bus, &joints, settings).expect("not too many");
     drives.connect().expect("all are there");
+    // Not long before the first cycle, because of watchdogs.
+    drives.bus_mut().port_mut().pass((START - 5) * 20_000);
     drives.hold().expect("all are there");
     for number in START..START + 200 {
         cycle(&mut drives, number, wave(number - START)).expect("no fault");

@@ -2,3 +2,4 @@
 
 mod drives;
 mod frames;
+mod simulated;
