@@ -274,6 +274,22 @@ impl Servo {
         self.shaft.angle
     }
 
+    /// Places its shaft at an angle before the start, deg from the middle of its travel.
+    pub fn place(&mut self, angle: f64) {
+        self.shaft.angle = angle;
+        self.reset();
+    }
+
+    /// Returns its temperature, °C.
+    pub fn temperature(&self) -> f64 {
+        self.shaft.temperature
+    }
+
+    /// Returns the voltage of its supply, V.
+    pub fn voltage(&self) -> f64 {
+        self.shaft.voltage
+    }
+
     /// Returns its position, counts.
     pub fn position(&self) -> f64 {
         self.firmware.counts(self.shaft.angle)

@@ -150,14 +150,14 @@ impl Sts {
         Some((Box::new(sts), top_speed * 6.0, 12.0))
     }
 
-    /// Returns the unit of speeds, deg/s: one step, or fifty of them.
+    /// Returns the unit of speeds, deg/s: "0.0146 rpm" is a step in a second, "0.732 rpm" are fifty.
     fn speed_unit(&self) -> f64 {
-        let unit = if self.table.get(at::PHASE) & 4 != 0 {
-            0.0146
+        let steps = if self.table.get(at::PHASE) & 4 != 0 {
+            1.0
         } else {
-            0.732
+            50.0
         };
-        unit * 6.0
+        steps * 360.0 / TURN
     }
 
     /// Returns true if the angle limits are off, for several turns.

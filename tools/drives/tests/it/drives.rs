@@ -15,7 +15,7 @@ const MBAUD: Timing = Timing {
     latency: 2000,
 };
 /// The timing of a model's bus.
-fn timing(model: &Model) -> Timing {
+pub(crate) fn timing(model: &Model) -> Timing {
     match model.family.protocol {
         // Lines of text are long, and USB is fast.
         Protocol::Moteus => Timing {
@@ -29,7 +29,7 @@ fn timing(model: &Model) -> Timing {
 /// ms
 const PERIOD: f64 = 20.0;
 
-fn joint(id: u8, model: &'static Model) -> Joint {
+pub(crate) fn joint(id: u8, model: &'static Model) -> Joint {
     Joint {
         id,
         model,
@@ -54,6 +54,11 @@ fn robot(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
     Drives::new(bus, &joints, Settings::default()).expect("not too many")
 }
 
+/// The master's side of a simulated bus.
+pub(crate) fn bus_of(bus: SimulatedBus, model: &Model) -> Bus<MemoryPort> {
+    Bus::new(MemoryPort::new(bus), model.family.protocol, timing(model))
+}
+
 /// A robot that holds itself.
 fn held(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
     let mut drives = robot(name, servos, faults);
@@ -69,7 +74,11 @@ fn wave(cycle: u64) -> f64 {
 }
 
 /// Runs one cycle on the time grid; returns the problem.
-fn cycle(drives: &mut Drives<MemoryPort>, number: u64, angle: f64) -> Result<(), Problem> {
+pub(crate) fn cycle(
+    drives: &mut Drives<MemoryPort>,
+    number: u64,
+    angle: f64,
+) -> Result<(), Problem> {
     let begin = number * (PERIOD * 1000.0) as u64;
     drives.bus_mut().port_mut().pass(begin);
     let commands = vec![JointCommand::at(angle); drives.joints().count()];
@@ -95,7 +104,7 @@ fn wrong(drives: &Drives<MemoryPort>, since: u64) -> usize {
     (0..servos.len()).filter(is_wrong).count()
 }
 
-const START: u64 = 50;
+pub(crate) const START: u64 = 50;
 
 #[test]
 fn each_family_follows_its_commands() {

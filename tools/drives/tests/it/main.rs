@@ -3,3 +3,4 @@
 mod drives;
 mod frames;
 mod simulated;
+mod tables;
