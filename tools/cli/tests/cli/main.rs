@@ -41,6 +41,8 @@ mod sarif;
 mod script;
 #[cfg(target_os = "linux")]
 mod serve;
+#[cfg(target_os = "linux")]
+mod servo_bus;
 mod stops;
 mod support;
 #[cfg(target_os = "linux")]
