@@ -1,24 +1,27 @@
 //! `tip drives`: finds, names, zeroes, moves and watches the servos of a real robot.
 
+mod port;
 pub(crate) mod realtime;
 pub(crate) mod robot;
+mod simulated;
 
 use crate::choices::LangName;
 use crate::error::Error;
 use crate::input;
 use crate::message::Driving;
 use crate::{Status, choices, interrupt, output, report};
-use clap::{Args, Subcommand, ValueEnum};
-use robot::{AnyPort, Connection, Mishaps, Setup, open_serial};
+use clap::{Args, Subcommand};
+use port::{AnyPort, open_serial};
+use robot::{Connection, Setup};
+use simulated::Mishaps;
 use std::fmt::Write as _;
-use std::io::{self, BufRead, IsTerminal, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
-use tip_drives::bus::{Bus, Timing};
-use tip_drives::frame::LAST_ID;
-use tip_drives::model::{self, Family, Model};
-use tip_runtime::console::{Console, Terminal};
-use tip_runtime::hardware::JointCommand;
+use tip_drives::bus::{Bus, BusError, Timing, Wire};
+use tip_drives::family::{self, FAMILIES, Family, Query, Reading};
+use tip_drives::guard::{Request, Step};
+use tip_drives::model::Model;
 use tipc::message::Lang;
 use tipc::{description, embed};
 
@@ -39,28 +42,12 @@ pub(crate) enum DrivesVerb {
     Simulate(Simulate),
 }
 
-/// The family of the servos on a bus.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum FamilyName {
-    /// Dynamixel AX and MX, protocol 1
-    Ax,
-    /// Dynamixel X, protocol 2
-    X,
-    /// Feetech STS
-    Sts,
-    /// mjbots moteus, behind an fdcanusb adapter
-    Moteus,
-}
-
-impl FamilyName {
-    const fn family(self) -> &'static Family {
-        match self {
-            FamilyName::Ax => &model::AX,
-            FamilyName::X => &model::X,
-            FamilyName::Sts => &model::STS,
-            FamilyName::Moteus => &model::MOTEUS,
-        }
-    }
+/// Reads the name of a family.
+fn family(name: &str) -> Result<&'static dyn Family, String> {
+    family::named(name).ok_or_else(|| {
+        let known: Vec<&str> = FAMILIES.iter().map(|family| family.key()).collect();
+        format!("one of {}", known.join(", "))
+    })
 }
 
 /// A port without a robot.
@@ -88,14 +75,14 @@ impl PortArguments {
         choices::lang(self.lang)
     }
 
-    fn bus(&self, family: &Family) -> Result<Bus<AnyPort>, Error> {
+    fn bus(&self) -> Result<Bus<AnyPort>, Error> {
         let port = open_serial(&self.port, self.baud, self.lang())?;
         let timing = Timing {
             baud: self.baud,
             return_delay: 500,
             latency: self.latency * 1000,
         };
-        Ok(Bus::new(port, family.protocol, timing))
+        Ok(Bus::new(port, timing))
     }
 }
 
@@ -149,12 +136,12 @@ pub(crate) struct Scan {
     #[command(flatten)]
     port: PortArguments,
 
-    /// The servos' family; else all are tried
-    #[arg(long, value_enum)]
-    family: Option<FamilyName>,
+    /// The servos' family: ax, x, sts, lx or moteus; else all are tried
+    #[arg(long, value_parser = family)]
+    family: Option<&'static dyn Family>,
 
     /// The largest identity that is tried
-    #[arg(long, default_value_t = LAST_ID, value_parser = clap::value_parser!(u8).range(0..=252))]
+    #[arg(long, default_value_t = 252, value_parser = clap::value_parser!(u8).range(0..=252))]
     to: u8,
 }
 
@@ -172,9 +159,9 @@ pub(crate) struct Id {
     #[arg(value_parser = clap::value_parser!(u8).range(0..=252))]
     to: u8,
 
-    /// The family of the servo
-    #[arg(long, value_enum)]
-    family: FamilyName,
+    /// The family of the servo: ax, x, sts, lx or moteus
+    #[arg(long, value_parser = family)]
+    family: &'static dyn Family,
 
     #[command(flatten)]
     port: PortArguments,
@@ -261,48 +248,45 @@ pub(crate) fn drives(verb: &DrivesVerb) -> Result<Status, Error> {
 
 fn scan(arguments: &Scan) -> Result<Status, Error> {
     let lang = arguments.port.lang();
-    let all = [FamilyName::Sts, FamilyName::Ax, FamilyName::X];
     let families = arguments
         .family
         .as_ref()
-        .map_or(&all[..], std::slice::from_ref);
+        .map_or(&FAMILIES[..], std::slice::from_ref);
     let (mut text, mut count) = (String::new(), 0);
-    for family in families.iter().map(|name| name.family()) {
-        let mut bus = arguments.port.bus(family)?;
-        let mut found = Vec::new();
-        let scanned = bus.scan(family, 0..=arguments.to, |id, number| {
-            found.push((id, number))
-        });
-        scanned.map_err(|error| Error::Failed(error.to_string()))?;
-        for (id, number) in found {
-            let model = Model::numbered(family, number);
+    for family in families.iter().copied() {
+        let mut bus = arguments.port.bus()?;
+        bus.set_tries(2);
+        for id in 0..=arguments.to.min(family.last_id()) {
+            let wire: &mut dyn Wire = &mut bus;
+            let number = match wire.repeat(|wire| family.identify(wire, id)) {
+                Ok(number) => number,
+                Err(BusError::NoAnswer) => continue,
+                Err(error) => return Err(Error::Failed(error.to_string())),
+            };
+            let model = number.and_then(|number| Model::numbered(family, number));
             // Protocol 1 and Feetech share their frames: a servo of the one looks like a strange one of the other.
-            if model.is_none() && arguments.family.is_none() && family.protocol != model::X.protocol
-            {
+            if number.is_some() && model.is_none() && arguments.family.is_none() {
                 continue;
             }
-            let name = match model {
-                Some(model) => model.name.to_owned(),
-                None if number == 0 => "?".to_owned(),
-                None => format!("#{number}"),
+            let name = match (model, number) {
+                (Some(model), _) => model.name.to_owned(),
+                (None, Some(number)) => format!("#{number}"),
+                (None, None) => "?".to_owned(),
             };
-            let mut get = |register, unit: f64| {
-                let mut tries = (0..3).map(|_| bus.read_register(id, register));
-                let value = tries.find_map(Result::ok);
-                value.map_or_else(
-                    || "?".to_owned(),
-                    |value| (f64::from(value) * unit).to_string(),
-                )
-            };
-            let delay = family.return_delay;
-            let delay = delay.map_or_else(|| "0".to_owned(), |delay| get(delay, 2.0));
-            let (volts, celsius) = (get(family.voltage, 0.1), get(family.temperature, 1.0));
-            let counts = get(family.position, 1.0);
+            let shown = |value: Option<String>| value.unwrap_or_else(|| "?".to_owned());
+            let delay = family.return_delay(&mut bus, id).ok();
+            let reading = values(family, &mut bus, id);
+            let volts = reading.and_then(|it| it.voltage);
+            let celsius = reading.and_then(|it| it.temperature);
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "{id:3}  {name:13}  {counts:>6}  {volts:>4.4} V  {celsius:>3} °C  {delay:>3} µs  {}",
-                family.name
+                "{id:3}  {name:13}  {:>6}  {:>4.4} V  {:>3} °C  {:>3} µs  {}",
+                shown(reading.map(|it| it.position.to_string())),
+                shown(volts.map(|it| it.to_string())),
+                shown(celsius.map(|it| it.to_string())),
+                shown(delay.map(|it| it.to_string())),
+                family.name()
             );
             count += 1;
         }
@@ -320,19 +304,42 @@ fn scan(arguments: &Scan) -> Result<Status, Error> {
     Ok(Status::Success)
 }
 
-fn id(arguments: &Id) -> Result<Status, Error> {
-    let (lang, family) = (arguments.port.lang(), arguments.family.family());
-    let (from, to) = (arguments.from, arguments.to);
-    if arguments.family == FamilyName::Moteus {
-        let (id, to) = (from.into(), to.into());
-        return Err(Error::failed(Driving::OwnTool { id, to }, lang));
+/// Reads what a servo measures; a few times, because some do not tell everything in one answer.
+fn values(family: &dyn Family, bus: &mut Bus<AnyPort>, id: u8) -> Option<Reading> {
+    let mut found: Option<Reading> = None;
+    for turn in 0..3 {
+        let query = Query {
+            id,
+            turn,
+            is_late: false,
+        };
+        // A servo that is silent now has answered before.
+        let _ = family.read(bus, &[query], u64::MAX, false, &mut |_, reading| {
+            let old = found.unwrap_or(reading);
+            found = Some(Reading {
+                voltage: reading.voltage.or(old.voltage),
+                temperature: reading.temperature.or(old.temperature),
+                ..reading
+            });
+        });
     }
-    let mut bus = arguments.port.bus(family)?;
-    if from != to && bus.read_register(to, family.model).is_ok() {
+    found
+}
+
+fn id(arguments: &Id) -> Result<Status, Error> {
+    let (lang, family) = (arguments.port.lang(), arguments.family);
+    let (from, to) = (arguments.from, arguments.to);
+    let mut bus = arguments.port.bus()?;
+    if from != to && family.identify(&mut bus, to).is_ok() {
         return Err(Error::failed(Driving::IdTaken { id: to.into() }, lang));
     }
-    bus.set_id(family, from, to)
-        .map_err(|error| Error::Failed(error.to_string()))?;
+    family.set_id(&mut bus, from, to).map_err(|error| {
+        let (id, to) = (from.into(), to.into());
+        match error {
+            BusError::Unsupported => Error::failed(Driving::OwnTool { id, to }, lang),
+            error => Error::Failed(error.to_string()),
+        }
+    })?;
     let renamed = Driving::Renamed {
         id: from.into(),
         to: to.into(),
@@ -355,11 +362,9 @@ enum Answer {
 fn answer(question: &Driving, lang: Lang) -> Result<Answer, Error> {
     loop {
         report::complain(&format!("{}: ", question.in_lang(lang)));
-        let mut line = String::new();
-        let read = io::stdin().lock().read_line(&mut line);
-        if read.map_err(|error| Error::Failed(error.to_string()))? == 0 {
+        let Some(line) = input::line()? else {
             return Ok(Answer::Ended);
-        }
+        };
         match line.trim() {
             "" => return Ok(Answer::Done),
             "s" => return Ok(Answer::Skip),
@@ -375,14 +380,8 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
     for joint in &mut setup.joints {
         joint.limits = tip_runtime::model::Range::new(-1e6, 1e6);
     }
-    let mut connection = arguments.robot.open(setup)?;
-    let joints = connection.setup.joints.iter();
-    let off: Vec<(u8, i32)> = joints.map(|joint| (joint.id, 0)).collect();
-    if let Some(joint) = connection.setup.joints.first() {
-        let register = joint.model.family.torque_enable;
-        let sent = connection.drives().bus_mut().sync_write(register, &off);
-        sent.map_err(|error| Error::Failed(error.to_string()))?;
-    }
+    let connection = arguments.robot.open(setup)?;
+    connection.robot().drives_mut().release();
     report::say(Driving::ZeroHow, lang);
     let mut found = Vec::new();
     for place in 0..connection.setup.joints.len() {
@@ -396,12 +395,12 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
             Answer::Skip => continue,
             Answer::Done => {}
         }
-        let offset = motor_angle(&mut connection, place)?;
+        let offset = motor_angle(&connection, place)?;
         let question = Driving::AtPositive {
             joint: joint.clone(),
         };
         let turned = match answer(&question, lang)? {
-            Answer::Done => motor_angle(&mut connection, place)? - offset,
+            Answer::Done => motor_angle(&connection, place)? - offset,
             Answer::Skip | Answer::Ended => 0.0,
         };
         let sign = if turned.abs() < 3.0 {
@@ -520,14 +519,13 @@ fn with_zeros(text: &[u8], found: &[Zeroed]) -> Option<String> {
 }
 
 /// Measures the motor angle of a joint, deg.
-fn motor_angle(connection: &mut Connection, place: usize) -> Result<f64, Error> {
-    connection.tick();
+fn motor_angle(connection: &Connection, place: usize) -> Result<f64, Error> {
     // Each of them in turn may be read one by one.
     for _ in 0..4 {
-        let read = connection.drives().read_cycle();
+        let read = connection.measure();
         read.map_err(|failure| connection.failed(failure))?;
     }
-    let measured = connection.drives().measured(place);
+    let measured = connection.robot().drives().measured(place);
     let model = connection.setup.joints[place].model;
     Ok(measured.map_or(0.0, |measured| model.angle(measured.counts.into())))
 }
@@ -538,75 +536,65 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
     if !io::stdin().is_terminal() {
         return Err(Error::failed(Driving::OnlyOnTerminal, lang));
     }
-    let mut connection = arguments.robot.connect()?;
-    let joints = 0..connection.setup.joints.len();
-    let mut named = joints.filter(|place| connection.setup.name(*place) == arguments.joint);
-    let Some(place) = named.next() else {
+    let setup = arguments.robot.setup()?;
+    let mut joints = 0..setup.joints.len();
+    let Some(place) = joints.find(|place| setup.name(*place) == arguments.joint) else {
         let joint = arguments.joint.clone();
         return Err(Error::failed(Driving::NoSuchJoint { joint }, lang));
     };
+    let (limits, speed) = (setup.joints[place].limits, setup.bus.start);
+    let connection = arguments.robot.open(setup)?;
     let joint = arguments.joint.clone();
     report::say(Driving::JogHow { joint }, lang);
-    let held = connection.drives().hold();
-    let mut to: Vec<f64> = {
-        let drives = connection.drives();
-        let joints = 0..connection.setup.joints.len();
-        joints
-            .map(|joint| drives.angle(joint).unwrap_or_default())
-            .collect()
-    };
-    let mut stopped = held.err();
-    let mut keyboard = Terminal::on(io::sink(), false).report_interrupts();
-    while stopped.is_none() && !interrupt::is_requested() && !keyboard.interrupted() {
-        let due = Instant::now() + Duration::from_secs_f64(connection.period() / 1000.0);
-        match keyboard.key(0) {
-            Some(b'+') => to[place] += 1.0,
-            Some(b'-') => to[place] -= 1.0,
-            Some(b'q') => break,
-            _ => {}
+    connection.take_over();
+    let mut step = connection.robot().hold();
+    let mut to: Vec<f64> = connection.angles();
+    let stopped = loop {
+        if let Some(status) = connection.ended(step) {
+            break status;
         }
-        let limits = connection.setup.joints[place].limits;
+        let mut robot = connection.robot();
+        let mut is_over = false;
+        while let Some(key) = robot.host_mut().key() {
+            match key {
+                b'+' => to[place] += 1.0,
+                b'-' => to[place] -= 1.0,
+                b'q' => is_over = true,
+                _ => {}
+            }
+        }
         to[place] = to[place].clamp(limits.min, limits.max);
-        connection.tick();
-        let (speed, period) = (connection.setup.bus.start, connection.period());
-        stopped = connection.drives().approach(&to, speed, period).err();
-        let angle = connection.drives().angle(place).unwrap_or_default();
+        step = match is_over {
+            true => Ok(robot.obey(Request::End)),
+            false => robot.step(&to, speed),
+        };
+        let angle = robot.drives().angle(place).unwrap_or_default();
         let status = format!(
             "\r{} {angle:7.1} -> {:7.1} deg ",
             arguments.joint, to[place]
         );
         // Nothing is lost with a status that cannot be shown.
         let _ = io::stderr().write_all(status.as_bytes());
-        realtime::wait_until(due);
-    }
-    drop(keyboard);
-    report::complain("\n");
-    // The policies are those of a run; nobody wants a jogged robot to fall.
-    let commands: Vec<JointCommand> = to.iter().map(|angle| JointCommand::at(*angle)).collect();
-    match stopped {
-        Some(failure) => {
-            report::complain(&format!("{}\n", connection.explain(failure)));
-            Ok(Status::Emergency)
+        if !matches!(step, Ok(Step::Moving | Step::Arrived)) {
+            report::complain("\n");
         }
-        None => {
-            let period = connection.period();
-            let _ = connection.drives().write_cycle(&commands, period);
-            connection.drives().leave();
-            Ok(Status::Success)
-        }
-    }
+    };
+    Ok(match stopped {
+        // Ctrl-C and ESC end it as q does.
+        Status::Interrupted => Status::Success,
+        stopped => stopped,
+    })
 }
 
 fn monitor(arguments: &Monitor) -> Result<Status, Error> {
     interrupt::catch();
-    let mut connection = arguments.robot.connect()?;
+    let connection = arguments.robot.connect()?;
     let rewrites = io::stdout().is_terminal() && !arguments.once;
     let mut failure = None;
     loop {
-        connection.tick();
         // As many readings as a table needs, where servos are read one by one.
         for _ in 0..3 {
-            failure = failure.or(connection.drives().read_cycle().err());
+            failure = failure.or(connection.measure().err());
         }
         let text = table(&connection);
         let shown = if rewrites {
@@ -635,9 +623,15 @@ fn monitor(arguments: &Monitor) -> Result<Status, Error> {
     }
 }
 
+/// Returns a value with this many decimals, or a sign that it is not known.
+fn shown(value: Option<f64>, decimals: usize) -> String {
+    value.map_or_else(|| "?".to_owned(), |value| format!("{value:.decimals$}"))
+}
+
 /// Returns the table of `tip drives monitor`.
 fn table(connection: &Connection) -> String {
-    let drives = connection.drives();
+    let robot = connection.robot();
+    let drives = robot.drives();
     let mut text =
         String::from("joint  servo  model          counts      deg    load     V   °C\n");
     for (place, joint) in connection.setup.joints.iter().enumerate() {
@@ -646,12 +640,12 @@ fn table(connection: &Connection) -> String {
         let _ = match drives.measured(place) {
             Some(it) => writeln!(
                 text,
-                "{head}  {:6}  {:7.1}  {:5.0} %  {:4.1}  {:3.0}",
+                "{head}  {:6}  {:7.1}  {:>5} %  {:>4}  {:>3}",
                 it.counts,
                 joint.angle(it.counts),
-                it.load * 100.0,
-                it.voltage,
-                it.temperature
+                shown(it.load.map(|load| load * 100.0), 0),
+                shown(it.voltage, 1),
+                shown(it.temperature, 0)
             ),
             None => writeln!(text, "{head}       -"),
         };
@@ -676,7 +670,7 @@ fn simulate(arguments: &Simulate) -> Result<Status, Error> {
     let mishaps: Mishaps =
         (arguments.mishaps.parse()).map_err(|wrong: Driving| Error::usage(wrong, lang))?;
     let setup = robot.setup()?;
-    robot::serve(&setup, mishaps, lang, |port| {
+    simulated::serve(&setup, mishaps, lang, |port| {
         let servos = setup.joints.len();
         let port = port.into();
         output::say(Driving::Simulates { servos, port }, lang)

@@ -13,7 +13,6 @@ use std::error::Error;
 use std::{env, fs};
 use tip_drives::bus::{Bus, Timing};
 use tip_drives::drives::{Drives, Joint, Settings};
-use tip_drives::frame::Protocol;
 use tip_drives::model::Model;
 use tip_drives::moteus;
 use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
@@ -26,9 +25,9 @@ const START: u64 = 5_000_000;
 /// The timing of a model's bus.
 fn timing(model: &Model) -> Timing {
     Timing {
-        baud: match model.family.protocol {
+        baud: match model.family.key() {
             // Lines of text are long, and USB is fast.
-            Protocol::Moteus => 4_000_000,
+            "moteus" => 4_000_000,
             _ => 1_000_000,
         },
         return_delay: 0,
@@ -102,7 +101,7 @@ fn run(
         .collect();
     let timing = timing(model);
     let port = MemoryPort::new(SimulatedBus::new(servos, timing));
-    let bus = Bus::new(port, model.family.protocol, timing);
+    let bus = Bus::new(port, timing);
     let mut drives = Drives::new(bus, &joints, Settings::default())?;
     drives.connect()?;
     // Not long before the first cycle, because of watchdogs.
@@ -111,8 +110,8 @@ fn run(
     let bus = drives.bus().port().bus.clone();
     drives.bus_mut().port_mut().bus = bus.with_faults(faults, 3);
     let (mut wrong, mut worst, mut times, mut stopped) = (0, 0, Vec::new(), 0);
-    let allowed = match model.family.protocol {
-        Protocol::Moteus => moteus::BETWEEN,
+    let allowed = match model.family.key() {
+        "moteus" => moteus::BETWEEN,
         _ => 0,
     };
     for cycle in 0..cycles {

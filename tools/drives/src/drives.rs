@@ -2,8 +2,9 @@
 //!
 //! Angles of this module are those of joints, in deg; counts are those of servos. Every command is limited here, before it leaves.
 
-use crate::bus::{Bus, BusError, Port, SERVOS};
-use crate::model::{Model, Window};
+use crate::bus::{Bus, BusError, MAX_SERVOS, Port, Wire};
+use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
+use crate::model::Model;
 use core::fmt;
 use heapless::Vec;
 use tip_runtime::fault::Fault;
@@ -44,9 +45,10 @@ impl Joint {
         (self.model.angle(counts.into()) - self.offset) * self.sign / self.gear
     }
 
-    /// Returns the value of its torque limit.
-    fn torque_limit(&self) -> i32 {
-        (self.torque * f64::from(self.model.full_torque)) as i32
+    /// Returns the positions at its limits, counts, the smaller one first.
+    pub fn goals(&self) -> (i32, i32) {
+        let (one, other) = (self.counts(self.limits.min), self.counts(self.limits.max));
+        (one.min(other), one.max(other))
     }
 }
 
@@ -111,8 +113,8 @@ pub enum Problem {
     Silent,
     /// A servo is of another model, whose number this is.
     Model(u16),
-    /// A servo is in a mode in which it does not go to positions; this is the register's value.
-    Mode(u16),
+    /// A register of a servo gives goals another meaning.
+    Register(Mismatch),
     /// °C.
     Hot(f64),
     /// V.
@@ -129,6 +131,8 @@ pub enum Problem {
     Outside(f64),
     /// The joint is commanded a torque.
     Torque,
+    /// The robot was left, or its torque is not on yet.
+    NotHeld,
 }
 
 impl Problem {
@@ -138,7 +142,7 @@ impl Problem {
             Problem::Port => "drives: the port is gone",
             Problem::Silent => "drives: a servo does not answer",
             Problem::Model(_) => "drives: a servo of another model",
-            Problem::Mode(_) => "drives: a servo in another mode",
+            Problem::Register(_) => "drives: a servo has other settings",
             Problem::Hot(_) => "drives: a servo is too hot",
             Problem::Voltage(_) => "drives: the supply voltage",
             Problem::Overload(_) => "drives: a servo is overloaded",
@@ -147,15 +151,18 @@ impl Problem {
             Problem::Lags(_) => "drives: a joint does not follow",
             Problem::Outside(_) => "drives: a joint is outside of its limits",
             Problem::Torque => "drives: position servos take no torques",
+            Problem::NotHeld => "drives: the robot is not held",
         }
     }
 }
 
-/// A problem and its joint.
+/// A problem with its joint and servo.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Failure {
     /// The joint, leg by leg from 0; `None` if all are concerned.
     pub joint: Option<usize>,
+    /// Identity of the servo; `None` if all are concerned.
+    pub servo: Option<u8>,
     /// The problem.
     pub problem: Problem,
 }
@@ -174,17 +181,17 @@ impl From<Failure> for HardwareFault {
     }
 }
 
-/// The last answer of a servo.
+/// The last answer of a servo. A value that its family cannot measure, or has not yet, is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// Position, counts.
     pub counts: i32,
     /// Load, as a part of the stall torque.
-    pub load: f64,
+    pub load: Option<f64>,
     /// V.
-    pub voltage: f64,
+    pub voltage: Option<f64>,
     /// °C.
-    pub temperature: f64,
+    pub temperature: Option<f64>,
     /// Time of the answer on the port's clock, µs.
     pub at: u64,
 }
@@ -217,8 +224,12 @@ struct State {
     suspect: Option<Measured>,
     /// False until the position is known for sure.
     is_settled: bool,
-    /// Requests without an answer in a row.
-    silence: u32,
+    /// Number of requests.
+    turn: u32,
+    /// True if the last request was not answered.
+    is_late: bool,
+    /// Cycles since the last answer that was believed; 0 if it is of this cycle.
+    age: u32,
     /// Error byte of the answers, and another one that came once.
     error: u8,
     other_error: Option<u8>,
@@ -236,16 +247,16 @@ struct State {
 pub struct Drives<P> {
     bus: Bus<P>,
     settings: Settings,
-    joints: Vec<State, SERVOS>,
+    joints: Vec<State, MAX_SERVOS>,
     counts: Counts,
     failure: Option<Failure>,
-    /// Number of the next window.
-    turn: usize,
     /// The joint that is read first, where they are read one by one.
     first: usize,
     /// Part of the torque limits that is left while the robot relaxes.
     torque: f64,
     is_held: bool,
+    /// True if the torque was switched on, and nothing has confirmed since that it is as it is to be left.
+    is_owed: bool,
     is_resting: bool,
     /// Time of reading in this cycle, µs.
     reading: u64,
@@ -253,6 +264,10 @@ pub struct Drives<P> {
     period: f64,
 }
 
+/// Maximum number of repeats of a request at the start and at the end.
+const MAX_REPEATS: u32 = 20;
+/// Time-out of a watchdog, cycles and ms at least.
+const TIMEOUT: (f64, f64) = (10.0, 100.0);
 /// A difference of positions that noise explains, counts.
 const NOISE: f64 = 12.0;
 /// The farthest that a servo is beside the way to its goal, deg.
@@ -263,13 +278,15 @@ impl<P: Port> Drives<P> {
     ///
     /// # Errors
     /// There are more joints than a bus can have.
-    pub fn new(bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, BusError> {
+    pub fn new(mut bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, BusError> {
         let states = joints.iter().map(|joint| State {
             joint: *joint,
             measured: None,
             suspect: None,
             is_settled: false,
-            silence: 0,
+            turn: 0,
+            is_late: false,
+            age: 0,
             error: 0,
             other_error: None,
             off: 0,
@@ -277,19 +294,20 @@ impl<P: Port> Drives<P> {
             overloaded: 0.0,
             lagging: 0.0,
         });
-        if joints.len() > SERVOS {
+        if joints.len() > MAX_SERVOS {
             return Err(BusError::TooLong);
         }
+        bus.set_tries(settings.silence.min(MAX_REPEATS) + 1);
         Ok(Drives {
             bus,
             settings,
             joints: states.collect(),
             counts: Counts::default(),
             failure: None,
-            turn: 0,
             first: 0,
             torque: 1.0,
             is_held: false,
+            is_owed: false,
             is_resting: false,
             reading: 0,
             period: 20.0,
@@ -337,29 +355,42 @@ impl<P: Port> Drives<P> {
         self.failure
     }
 
-    /// Finds every servo, checks its model and its mode, takes over the delay of its answers, and reads its position. Nothing moves.
+    /// Returns the family of the servos; `None` if there are no joints.
+    pub fn family(&self) -> Option<&'static dyn Family> {
+        self.joints.first().map(|state| state.joint.model.family)
+    }
+
+    /// Returns the number of cycles since the last answer of a joint's servo that was believed; 0 if it is of this cycle.
+    pub fn age(&self, joint: usize) -> Option<u32> {
+        self.joints.get(joint).map(|state| state.age)
+    }
+
+    /// Finds every servo, checks its model and its settings, takes over the delay of its answers, and reads its position. Nothing
+    /// moves.
     ///
     /// # Errors
     /// A servo is missing or another one, is not well, or its joint is outside of its limits.
     pub fn connect(&mut self) -> Result<(), Failure> {
+        self.failure = None;
         let mut delay = 0;
         for number in 0..self.joints.len() {
-            let Joint { id, model, .. } = self.joints[number].joint;
+            let joint = self.joints[number].joint;
+            let (id, model) = (joint.id, joint.model);
             let family = model.family;
-            let reported = self.persist(number, |bus| bus.read_register(id, family.model))? as u16;
-            if model.number != 0 && reported != model.number {
+            let reported =
+                self.request(number, |wire| wire.repeat(|wire| family.identify(wire, id)))?;
+            if let (Some(wanted), Some(reported)) = (model.number, reported)
+                && reported != wanted
+            {
                 return self.fail(Some(number), Problem::Model(reported));
             }
-            if let Some((register, min, max)) = family.mode {
-                let mode = self.persist(number, |bus| bus.read_register(id, register))?;
-                if !(min..=max).contains(&mode) {
-                    return self.fail(Some(number), Problem::Mode(mode as u16));
-                }
+            let goals = joint.goals();
+            let wrong = self.request(number, |wire| family.check(wire, (id, model), goals))?;
+            if let Some(mismatch) = wrong {
+                return self.fail(Some(number), Problem::Register(mismatch));
             }
-            if let Some(register) = family.return_delay {
-                let own = self.persist(number, |bus| bus.read_register(id, register))?;
-                delay = delay.max(own.unsigned_abs() * 2);
-            }
+            let own = self.request(number, |wire| family.return_delay(wire, id))?;
+            delay = delay.max(own);
         }
         self.bus.set_return_delay(delay);
         // Two readings that agree, so that a damaged one cannot be the first.
@@ -381,41 +412,63 @@ impl<P: Port> Drives<P> {
         self.check(0.0)
     }
 
+    /// Returns the command to a joint.
+    fn setpoint(&self, joint: usize) -> Setpoint {
+        let State { joint, sent, .. } = self.joints[joint];
+        let timeout = joint.model.family.timeouts().map(|(shortest, longest)| {
+            let (cycles, least) = TIMEOUT;
+            (cycles * self.period).max(least).clamp(shortest, longest)
+        });
+        Setpoint {
+            id: joint.id,
+            model: joint.model,
+            position: joint.counts(sent),
+            speed: joint.speed * joint.gear,
+            torque: joint.torque * self.torque,
+            period: self.period,
+            timeout,
+        }
+    }
+
+    fn setpoints(&self) -> Vec<Setpoint, MAX_SERVOS> {
+        let joints = 0..self.joints.len();
+        joints.map(|joint| self.setpoint(joint)).collect()
+    }
+
     /// Sets speeds and torque limits, and switches the torque on, where each joint is.
     ///
     /// # Errors
     /// A servo does not answer.
     pub fn hold(&mut self) -> Result<(), Failure> {
-        let period = self.period;
+        self.hold_while(|| true)
+    }
+
+    /// Does the same as long as `goes_on` returns true, which is asked before each servo.
+    ///
+    /// # Errors
+    /// A servo does not answer.
+    pub fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
+        (self.is_held, self.is_owed) = (true, true);
+        (self.is_resting, self.torque) = (false, 1.0);
         for number in 0..self.joints.len() {
-            let State {
-                joint, measured, ..
-            } = self.joints[number];
-            let (id, family) = (joint.id, joint.model.family);
-            let units = joint.speed * joint.gear / joint.model.speed_unit;
-            // 0 would be as fast as it can.
-            let speed = (libm::ceil(units) as i32).clamp(1, 1023.max(joint.model.largest));
-            let torque = joint.torque_limit();
-            let here = measured.map_or(0, |measured| measured.counts);
-            if let Some(watchdog) = family.watchdog {
-                // Writing 0 ends the state that an old one has left.
-                self.persist(number, |bus| bus.write(id, watchdog, 0))?;
-                let units = libm::ceil(10.0 * period / 20.0).clamp(5.0, 127.0) as i32;
-                self.persist(number, |bus| bus.write(id, watchdog, units))?;
-            }
-            for (register, value) in [
-                (family.torque_limit, torque),
-                (family.goal_speed, speed),
-                (family.goal_position, here),
-                (family.torque_enable, 1),
-            ] {
-                self.persist(number, |bus| bus.write(id, register, value))?;
+            if !goes_on() {
+                return Ok(());
             }
             let state = &mut self.joints[number];
-            (state.sent, state.off) = (joint.angle(here), 0);
+            if let Some(measured) = state.measured {
+                state.sent = state.joint.angle(measured.counts);
+            }
+            state.off = 0;
+            let setpoint = self.setpoint(number);
+            let family = setpoint.model.family;
+            self.request(number, |wire| family.hold(wire, &setpoint))?;
         }
-        (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         Ok(())
+    }
+
+    /// Sets the length of the cycles that follow, ms.
+    pub const fn set_period(&mut self, period: f64) {
+        self.period = period;
     }
 
     /// Moves every joint one cycle of `period` ms towards an angle, at this many deg/s at most, and returns the largest angle
@@ -425,7 +478,7 @@ impl<P: Port> Drives<P> {
     /// Any failure that would stop a run.
     pub fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
         self.read_cycle()?;
-        let mut commands: Vec<JointCommand, SERVOS> = Vec::new();
+        let mut commands: Vec<JointCommand, MAX_SERVOS> = Vec::new();
         let mut left: f64 = 0.0;
         for (state, to) in self.joints.iter().zip(to) {
             let step = speed.min(state.joint.speed) * period / 1000.0;
@@ -443,11 +496,11 @@ impl<P: Port> Drives<P> {
     /// # Errors
     /// The reason to stop the robot.
     pub fn read_cycle(&mut self) -> Result<(), Failure> {
-        let begin = self.bus.port_mut().now();
+        let begin = self.bus.now();
         let allowed = self.settings.reading * self.period * 1000.0;
         self.counts.cycles += 1;
         self.measure(begin.saturating_add(allowed as u64))?;
-        self.reading = self.bus.port_mut().now() - begin;
+        self.reading = self.bus.now() - begin;
         self.check(self.period / 1000.0)
     }
 
@@ -456,7 +509,7 @@ impl<P: Port> Drives<P> {
     /// # Errors
     /// The port is gone, or a joint is commanded a torque.
     pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
-        let begin = self.bus.port_mut().now();
+        let begin = self.bus.now();
         self.period = period;
         for (number, command) in commands.iter().enumerate().take(self.joints.len()) {
             let JointCommand::Angle { angle, .. } = *command else {
@@ -474,7 +527,7 @@ impl<P: Port> Drives<P> {
             }
         }
         self.send_goals()?;
-        let busy = self.bus.port_mut().now() - begin + self.reading;
+        let busy = self.bus.now() - begin + self.reading;
         self.counts.busy += busy;
         self.counts.longest = self.counts.longest.max(busy);
         Ok(())
@@ -482,8 +535,7 @@ impl<P: Port> Drives<P> {
 
     /// Holds or relaxes the robot in place of a command; returns true when there is nothing left to do. Called in each cycle.
     pub fn rest(&mut self, policy: Policy) -> bool {
-        let family = self.joints.first().map(|state| state.joint.model.family);
-        let Some(family) = family.filter(|_| self.is_held) else {
+        let Some(family) = self.family().filter(|_| self.is_held) else {
             return true;
         };
         if policy == Policy::Hold {
@@ -496,125 +548,181 @@ impl<P: Port> Drives<P> {
                 }
                 self.is_resting = true;
             }
+            if self.torque < 1.0 {
+                // An emergency stop while it relaxes.
+                self.torque = 1.0;
+                let setpoints = self.setpoints();
+                // Goals tell about a port that is gone.
+                let _ = family.write_torque_limits(&mut self.bus, &setpoints);
+            }
             return self.send_goals().is_err();
         }
         let step = self.period / 1000.0 / self.settings.relaxing.max(0.001);
         self.torque = (self.torque - step).max(0.0);
-        let register = if self.torque > 0.0 {
-            family.torque_limit
+        if self.torque > 0.0 && family.limits_torque() {
+            let setpoints = self.setpoints();
+            let sent = family.write_torque_limits(&mut self.bus, &setpoints);
+            self.is_held = sent.is_ok();
         } else {
-            family.torque_enable
-        };
-        let values: Vec<(u8, i32), SERVOS> = self
-            .joints
-            .iter()
-            .map(|state| {
-                let full = f64::from(state.joint.model.full_torque);
-                let left = state.joint.torque * self.torque * full;
-                (state.joint.id, left as i32)
-            })
-            .collect();
+            self.release();
+        }
         // Nothing is left to be done about a port that is gone.
-        let sent = self.bus.sync_write(register, &values);
-        self.is_held = self.torque > 0.0 && sent.is_ok();
         !self.is_held
     }
 
-    /// Ends the watchdogs, so that servos that are to hold go on holding without the host.
+    /// Switches the torque of all servos off. `leave` asks them whether they have.
+    pub fn release(&mut self) {
+        let joints = self.joints.iter();
+        let ids: Vec<u8, MAX_SERVOS> = joints.map(|state| state.joint.id).collect();
+        if let Some(family) = self.family() {
+            // Nothing is left to be done about a port that is gone.
+            let _ = family.release(&mut self.bus, &ids);
+        }
+        (self.is_held, self.torque) = (false, 0.0);
+    }
+
+    /// Returns true if each servo has answered since a time of the port's clock, µs.
+    pub fn is_measured_since(&self, time: u64) -> bool {
+        let mut answers = self.joints.iter().map(|state| state.measured);
+        answers.all(|measured| measured.is_some_and(|measured| measured.at >= time))
+    }
+
+    /// Brings one servo into the state in which the robot is left, without watchdog; returns true if the servo confirms it, and
+    /// false if it reports the other state. It is tried once.
+    ///
+    /// # Errors
+    /// The port is gone, or the servo does not answer.
+    pub fn confirm(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
+        let tries = self.bus.tries();
+        self.bus.set_tries(1);
+        let left = self.leave_one(number, policy);
+        self.bus.set_tries(tries);
+        left
+    }
+
+    fn leave_one(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
+        let mut setpoint = self.setpoint(number);
+        (setpoint.timeout, setpoint.torque) = (None, self.joints[number].joint.torque);
+        let (id, family) = (setpoint.id, setpoint.model.family);
+        let hold = (policy == Policy::Hold).then_some(&setpoint);
+        family.leave(&mut self.bus, id, hold)
+    }
+
+    /// Leaves the servos to themselves: those that are held go on holding without the host, because their watchdogs end; the torque
+    /// of the others is off.
     pub fn leave(&mut self) {
+        if !core::mem::take(&mut self.is_owed) {
+            return;
+        }
+        let policy = match self.is_held {
+            true => Policy::Hold,
+            false => Policy::Relax,
+        };
         for number in 0..self.joints.len() {
-            let Joint { id, model, .. } = self.joints[number].joint;
-            if let Some(watchdog) = model.family.watchdog {
-                let _ = self.persist(number, |bus| bus.write(id, watchdog, 0));
-            }
+            let _ = self.leave_one(number, policy);
         }
     }
 
-    /// Repeats a request as often as a servo may be silent.
-    fn persist<T>(
+    /// Asks the servo of a joint.
+    fn request<T>(
         &mut self,
         joint: usize,
-        mut request: impl FnMut(&mut Bus<P>) -> Result<T, BusError>,
+        request: impl FnOnce(&mut dyn Wire) -> Result<T, BusError>,
     ) -> Result<T, Failure> {
-        for _ in 0..=self.settings.silence {
-            match request(&mut self.bus) {
-                Ok(answer) => return Ok(answer),
-                Err(BusError::NoAnswer) => {}
-                Err(_) => return self.fail(None, Problem::Port),
-            }
+        match request(&mut self.bus) {
+            Ok(answer) => Ok(answer),
+            Err(BusError::NoAnswer) => self.fail(Some(joint), Problem::Silent),
+            Err(_) => self.fail(None, Problem::Port),
         }
-        self.fail(Some(joint), Problem::Silent)
     }
 
     fn fail<T>(&mut self, joint: Option<usize>, problem: Problem) -> Result<T, Failure> {
-        let failure = Failure { joint, problem };
+        let own = joint.and_then(|joint| self.joints.get(joint));
+        let failure = Failure {
+            joint,
+            servo: own.map(|state| state.joint.id),
+            problem,
+        };
         Err(*self.failure.get_or_insert(failure))
     }
 
     /// Asks the servos until a time of the port's clock.
     fn measure(&mut self, limit: u64) -> Result<(), Failure> {
-        let Some(family) = self.joints.first().map(|state| state.joint.model.family) else {
+        let Some(family) = self.family() else {
             return Ok(());
         };
-        let window = family.windows[self.turn % family.windows.len()];
-        self.turn += 1;
-        let mut order: Vec<usize, SERVOS> = (0..self.joints.len()).collect();
+        let mut order: Vec<usize, MAX_SERVOS> = (0..self.joints.len()).collect();
         order.rotate_left(self.first);
-        let ids: Vec<u8, SERVOS> = order
+        let queries: Vec<Query, MAX_SERVOS> = order
             .iter()
-            .map(|number| self.joints[*number].joint.id)
+            .map(|number| {
+                let state = &self.joints[*number];
+                Query {
+                    id: state.joint.id,
+                    turn: state.turn,
+                    is_late: state.is_late,
+                }
+            })
             .collect();
-        let mut answers: Vec<Option<Reading>, SERVOS> = Vec::new();
+        let mut answers: Vec<Option<Reading>, MAX_SERVOS> = Vec::new();
         // As many as there are joints.
         let _ = answers.resize(order.len(), None);
         let fast = self.settings.fast;
-        let read = self
-            .bus
-            .read_many(family, window, &ids, limit, fast, |place, error, bytes| {
-                let state = &self.joints[order[place]];
-                answers[place] = Reading::of(&state.joint, window, error, bytes);
-            });
+        let read = family.read(
+            &mut self.bus,
+            &queries,
+            limit,
+            fast,
+            &mut |place, reading| {
+                answers[place] = Some(reading);
+            },
+        );
         let Ok(asked) = read else {
             return self.fail(None, Problem::Port);
         };
-        let now = self.bus.port_mut().now();
+        let now = self.bus.now();
+        for state in &mut self.joints {
+            state.age = state.age.saturating_add(1);
+        }
         for (number, reading) in order.iter().zip(&answers).take(asked) {
             let state = &mut self.joints[*number];
             let taken = reading
                 .as_ref()
-                .is_some_and(|reading| state.accept(reading, now, self.is_held));
-            state.silence = if taken { 0 } else { state.silence + 1 };
+                .is_some_and(|reading| state.accept(reading, now, self.is_held, self.torque));
+            state.turn = state.turn.wrapping_add(1);
+            state.is_late = reading.is_none();
             match reading {
                 Some(_) => self.counts.implausible += u64::from(!taken),
                 None => self.counts.missing += 1,
             }
             // A goal switches the torque of AX, MX and STS servos on again; their torque limit is not the robot's then.
-            let limit = state.joint.torque_limit();
+            let Joint { model, torque, .. } = state.joint;
+            let limit = model.torque_limit(torque * self.torque);
             let reset = reading.as_ref().and_then(|reading| {
-                let is_off = reading.torque.map(|torque| torque == 0);
-                let is_other = reading.limit.map(|own| own != limit);
+                let is_off = reading.is_on.map(|is_on| !is_on);
+                let is_other = reading.torque_limit.map(|own| Some(own) != limit);
                 is_off.into_iter().chain(is_other).reduce(|a, b| a || b)
             });
             if let Some(is_reset) = reset {
                 state.off = if is_reset { state.off + 1 } else { 0 };
             }
-            let alarm = if taken {
-                state.error & family.alarms
-            } else {
-                0
-            };
-            if alarm != 0 {
-                let id = state.joint.id;
-                let status = family.alarm_status;
-                let bits = status.and_then(|status| self.bus.read_register(id, status).ok());
-                let bits = bits.map_or(alarm, |bits| bits as u8);
+            if !taken {
+                continue;
+            }
+            state.age = 0;
+            let (id, error) = (state.joint.id, state.error);
+            if family.alarms(error) != 0 {
+                let bits = family.alarm(&mut self.bus, id, error);
+                let bits = bits.unwrap_or_else(|_| family.alarms(error));
                 return self.fail(Some(*number), Problem::Alarm(bits));
             }
-            if state.off > 1 && self.is_held {
-                return self.fail(Some(*number), Problem::Reset);
-            }
         }
-        if !family.reads_many {
+        if self.is_held
+            && let Some(number) = self.joints.iter().position(|state| state.off > 1)
+        {
+            return self.fail(Some(number), Problem::Reset);
+        }
+        if !family.reads_together() {
             self.first = (self.first + asked) % self.joints.len();
         }
         Ok(())
@@ -630,17 +738,22 @@ impl<P: Port> Drives<P> {
             };
             let since = |sum: f64, is_so: bool| if is_so { sum + time } else { 0.0 };
             let lag = (state.joint.angle(measured.counts) - state.sent).abs();
-            state.overloaded = since(state.overloaded, measured.load.abs() > settings.overload.0);
+            let load = measured.load.map_or(0.0, f64::abs);
+            state.overloaded = since(state.overloaded, load > settings.overload.0);
             // Without torque it goes where a hand turns it.
             state.lagging = since(state.lagging, is_held && lag > settings.lag.0);
-            let problem = if state.silence > settings.silence {
+            let hot = measured.temperature.filter(|it| *it > settings.temperature);
+            let voltage = measured
+                .voltage
+                .filter(|it| !settings.voltage.contains(*it));
+            let problem = if state.age > settings.silence {
                 Problem::Silent
-            } else if measured.temperature > settings.temperature {
-                Problem::Hot(measured.temperature)
-            } else if !settings.voltage.contains(measured.voltage) {
-                Problem::Voltage(measured.voltage)
+            } else if let Some(temperature) = hot {
+                Problem::Hot(temperature)
+            } else if let Some(voltage) = voltage {
+                Problem::Voltage(voltage)
             } else if state.overloaded > settings.overload.1 {
-                Problem::Overload(measured.load.abs())
+                Problem::Overload(load)
             } else if state.lagging > settings.lag.1 {
                 Problem::Lags(lag)
             } else {
@@ -652,57 +765,21 @@ impl<P: Port> Drives<P> {
     }
 
     fn send_goals(&mut self) -> Result<(), Failure> {
-        let Some(family) = self.joints.first().map(|state| state.joint.model.family) else {
+        let Some(family) = self.family() else {
             return Ok(());
         };
-        let goals = self.joints.iter();
-        let goals: Vec<(u8, i32), SERVOS> = goals
-            .map(|state| (state.joint.id, state.joint.counts(state.sent)))
-            .collect();
-        match self.bus.sync_write(family.goal_position, &goals) {
+        let setpoints = self.setpoints();
+        match family.write_goals(&mut self.bus, &setpoints) {
             Ok(()) => Ok(()),
             Err(_) => self.fail(None, Problem::Port),
         }
     }
 }
 
-/// The registers of an answer.
-#[derive(Clone, Debug)]
-struct Reading {
-    error: u8,
-    counts: i32,
-    load: f64,
-    voltage: f64,
-    temperature: f64,
-    /// Torque on or off, if it was read.
-    torque: Option<i32>,
-    /// Torque limit, if it was read.
-    limit: Option<i32>,
-    /// False if the lock is open, which nothing here leaves so.
-    is_locked: bool,
-}
-
-impl Reading {
-    fn of(joint: &Joint, window: Window, error: u8, bytes: &[u8]) -> Option<Self> {
-        let family = joint.model.family;
-        let get = |register: crate::model::Register| register.decode(window.start, bytes);
-        Some(Reading {
-            error,
-            counts: get(family.position)?,
-            load: f64::from(get(family.load)?) / joint.model.full_load,
-            voltage: f64::from(get(family.voltage)?) / 10.0,
-            temperature: f64::from(get(family.temperature)?),
-            torque: get(family.torque_enable),
-            limit: get(family.torque_limit),
-            is_locked: family.lock.and_then(get).is_none_or(|it| it == 1),
-        })
-    }
-}
-
 impl State {
     /// Takes a reading over, unless no servo could give it: a checksum of 8 bits lets some damaged frames pass. Returns true if it
     /// was taken.
-    fn accept(&mut self, reading: &Reading, now: u64, is_held: bool) -> bool {
+    fn accept(&mut self, reading: &Reading, now: u64, is_held: bool, torque: f64) -> bool {
         let model = self.joint.model;
         // An error byte counts when it has come twice.
         if reading.error != self.error {
@@ -714,34 +791,39 @@ impl State {
         }
         self.other_error = None;
         // The byte before the position belongs to one of these, or is the error byte.
-        let is_ours = reading.is_locked
-            && (!is_held
-                || reading
-                    .limit
-                    .is_none_or(|it| it == self.joint.torque_limit()));
-        let possible = is_ours
-            && (-model.largest..=2 * model.largest).contains(&reading.counts)
-            && reading.load.abs() <= 1.5
-            && (1.0..=60.0).contains(&reading.voltage)
-            && (-20.0..=120.0).contains(&reading.temperature);
+        let sent = model.torque_limit(self.joint.torque * torque);
+        let is_ours = reading.is_plausible
+            && (!is_held || reading.torque_limit.is_none_or(|it| Some(it) == sent));
+        let part = |load: i32| model.full_load.map(|full| f64::from(load) / full);
         let new = Measured {
-            counts: reading.counts,
-            load: reading.load,
+            counts: reading.position,
+            load: reading.load.and_then(part),
             voltage: reading.voltage,
             temperature: reading.temperature,
             at: now,
         };
+        let possible = is_ours
+            && (-model.largest..=2 * model.largest).contains(&new.counts)
+            && new.load.is_none_or(|it| it.abs() <= 1.5)
+            && new.voltage.is_none_or(|it| (1.0..=60.0).contains(&it))
+            && new
+                .temperature
+                .is_none_or(|it| (-20.0..=120.0).contains(&it));
         let Some(old) = self.measured else {
             self.measured = possible.then_some(new);
             return possible;
         };
+        let both = |one: Option<f64>, other: Option<f64>| one.zip(other);
         let follows = |old: &Measured| {
             let time = now.saturating_sub(old.at) as f64 / 1e6;
             let degree = model.turn / 360.0;
             let reach = 1.5 * model.speed * degree * time + NOISE.max(degree);
+            let is_near = |pair: Option<(f64, f64)>, most: f64| {
+                pair.is_none_or(|(one, other)| (one - other).abs() <= most)
+            };
             f64::from((new.counts - old.counts).abs()) <= reach
-                && (new.voltage - old.voltage).abs() <= 3.0
-                && (new.temperature - old.temperature).abs() <= 5.0 + 20.0 * time
+                && is_near(both(new.voltage, old.voltage), 3.0)
+                && is_near(both(new.temperature, old.temperature), 5.0 + 20.0 * time)
         };
         // A servo that holds is between its last position and its goal, or close by.
         let goal = self.joint.counts(self.sent);
@@ -752,7 +834,12 @@ impl State {
         let is_taken = possible && (is_expected || self.suspect.as_ref().is_some_and(follows));
         self.suspect = (possible && !is_taken).then_some(new);
         if is_taken {
-            self.measured = Some(new);
+            self.measured = Some(Measured {
+                load: new.load.or(old.load),
+                voltage: new.voltage.or(old.voltage),
+                temperature: new.temperature.or(old.temperature),
+                ..new
+            });
         } else if !self.is_settled {
             // The one before may have been the damaged one.
             self.measured = None;

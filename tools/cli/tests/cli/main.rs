@@ -49,6 +49,8 @@ mod stops;
 mod support;
 #[cfg(target_os = "linux")]
 mod sweep;
+#[cfg(target_os = "linux")]
+mod torque;
 mod usage;
 mod verify;
 mod view;

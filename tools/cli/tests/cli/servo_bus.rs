@@ -29,7 +29,7 @@ pub(crate) struct ServoBus {
 pub(crate) fn described(text: &str) -> Description {
     let servo = |model: &Model| description::Servo {
         name: model.name,
-        family: model.family.name,
+        family: model.family.name(),
         travel: Range::new(model.angle(0.0), model.angle(model.largest.into())),
     };
     let servos: Vec<_> = MODELS.iter().map(servo).collect();
@@ -45,7 +45,8 @@ impl ServoBus {
             return_delay: 0,
             latency: 0,
         };
-        let flags = OpenptFlags::RDWR | OpenptFlags::NOCTTY;
+        // No command that a test starts keeps it open.
+        let flags = OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC;
         let pty = openpt(flags).expect("a pseudo terminal");
         grantpt(&pty).expect("ours");
         unlockpt(&pty).expect("ours");

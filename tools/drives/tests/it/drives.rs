@@ -1,10 +1,13 @@
 //! Drives on a simulated bus that fails.
 
-use tip_drives::bus::{Bus, BusError, Timing};
+use tip_drives::bus::{Bus, BusError, Timing, Wire};
 use tip_drives::drives::{Drives, Joint, Policy, Problem, Settings};
-use tip_drives::frame::Protocol;
-use tip_drives::model::{Family, Model};
+use tip_drives::dynamixel1::Protocol1;
+use tip_drives::dynamixel2::Protocol2;
+use tip_drives::family::Setpoint;
+use tip_drives::model::Model;
 use tip_drives::moteus;
+use tip_drives::registers::{Framing, instruction};
 use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::model::Range;
@@ -16,9 +19,9 @@ const MBAUD: Timing = Timing {
 };
 /// The timing of a model's bus.
 pub(crate) fn timing(model: &Model) -> Timing {
-    match model.family.protocol {
+    match model.family.key() {
         // Lines of text are long, and USB is fast.
-        Protocol::Moteus => Timing {
+        "moteus" => Timing {
             baud: 4_000_000,
             ..MBAUD
         },
@@ -44,29 +47,49 @@ pub(crate) fn joint(id: u8, model: &'static Model) -> Joint {
 
 /// Robots of servos of one model, which rest at 0 deg.
 fn robot(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
+    robot_with(name, servos, faults, Settings::default())
+}
+
+fn robot_with(name: &str, servos: u8, faults: Faults, settings: Settings) -> Drives<MemoryPort> {
     let model = Model::named(name).expect("a model");
     let joints: Vec<Joint> = (1..=servos).map(|id| joint(id, model)).collect();
     let rest = |joint: &Joint| Servo::new(model, joint.id, joint.counts(0.0).into());
     let timing = timing(model);
     let bus = SimulatedBus::new(joints.iter().map(rest).collect(), timing);
     let port = MemoryPort::new(bus.with_faults(faults, 11));
-    let bus = Bus::new(port, model.family.protocol, timing);
-    Drives::new(bus, &joints, Settings::default()).expect("not too many")
+    let bus = Bus::new(port, timing);
+    Drives::new(bus, &joints, settings).expect("not too many")
 }
 
 /// The master's side of a simulated bus.
 pub(crate) fn bus_of(bus: SimulatedBus, model: &Model) -> Bus<MemoryPort> {
-    Bus::new(MemoryPort::new(bus), model.family.protocol, timing(model))
+    Bus::new(MemoryPort::new(bus), timing(model))
 }
 
 /// A robot that holds itself.
 fn held(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
-    let mut drives = robot(name, servos, faults);
+    held_with(robot(name, servos, faults))
+}
+
+fn held_with(mut drives: Drives<MemoryPort>) -> Drives<MemoryPort> {
     drives.connect().expect("all are there");
     // Not long before the first cycle, because of watchdogs.
     drives.bus_mut().port_mut().pass((START - 5) * 20_000);
     drives.hold().expect("all are there");
     drives
+}
+
+/// A command to go to a position.
+fn goal(joint: &Joint, position: i32) -> Setpoint {
+    Setpoint {
+        id: joint.id,
+        model: joint.model,
+        position,
+        speed: 180.0,
+        torque: 1.0,
+        period: PERIOD,
+        timeout: Some(200.0),
+    }
 }
 
 fn wave(cycle: u64) -> f64 {
@@ -95,8 +118,8 @@ fn wrong(drives: &Drives<MemoryPort>, since: u64) -> usize {
         let reported = servos[*number].reported().expect("asked");
         let difference = measured.counts.abs_diff(reported);
         let joint = drives.joints().nth(*number).expect("a joint");
-        let allowed = match joint.model.family.protocol {
-            Protocol::Moteus => moteus::BETWEEN,
+        let allowed = match joint.model.family.key() {
+            "moteus" => moteus::BETWEEN,
             _ => 0,
         };
         measured.at >= since && difference > allowed
@@ -136,7 +159,7 @@ fn servos_of_protocol_2_answer_in_one_frame() {
     let joints: Vec<Joint> = (1..=12).map(|id| joint(id, model)).collect();
     let rest = |joint: &Joint| Servo::new(model, joint.id, joint.counts(0.0).into());
     let bus = SimulatedBus::new(joints.iter().map(rest).collect(), MBAUD);
-    let bus = Bus::new(MemoryPort::new(bus), Protocol::Dynamixel2, MBAUD);
+    let bus = Bus::new(MemoryPort::new(bus), MBAUD);
     let settings = Settings {
         fast: true,
         ..Settings::default()
@@ -162,7 +185,13 @@ fn no_angle_is_wrong_on_a_bus_that_fails() {
         ("STS3215", 12),
         ("moteus-mj5208", 12),
     ] {
-        let mut drives = held(name, servos, Faults::evenly(0.05));
+        // A late line of a moteus holds up all that follow, for more than a cycle.
+        let settings = Settings {
+            silence: 20,
+            ..Settings::default()
+        };
+        let faults = Faults::evenly(0.05);
+        let mut drives = held_with(robot_with(name, servos, faults, settings));
         for number in START..START + 3000 {
             let (begin, angle) = (number * 20_000, wave(number - START));
             cycle(&mut drives, number, angle).expect(name);
@@ -174,7 +203,7 @@ fn no_angle_is_wrong_on_a_bus_that_fails() {
         // Those of the beginning are repeated at once. What comes late may still be in time, or meet another answer on the wire.
         assert!(unused + 60 > harmful, "{name}: {counts:?} {happened:?}");
         // After one that is missing, the last that is asked may have no time left, where they are asked one by one.
-        let in_a_row = if drives.joints().any(|it| it.model.family.reads_many) {
+        let in_a_row = if drives.joints().any(|it| it.model.family.reads_together()) {
             1
         } else {
             2
@@ -294,12 +323,13 @@ fn commands_are_limited_in_angle_and_in_step() {
 fn a_joint_without_torque_may_be_turned_by_hand() {
     let mut drives = robot("STS3215", 1, Faults::default());
     drives.connect().expect("it is there");
-    let family = drives.joints().next().expect("one").model.family;
+    let joint = *drives.joints().next().expect("one");
     // Another master is the hand.
-    for (register, value) in [(family.goal_position, 3000), (family.torque_enable, 1)] {
-        let sent = drives.bus_mut().sync_write(register, &[(1, value)]);
-        sent.expect("sent");
-    }
+    let held = joint
+        .model
+        .family
+        .hold(drives.bus_mut(), &goal(&joint, 3000));
+    held.expect("held");
     for number in START..START + 100 {
         drives.bus_mut().port_mut().pass(number * 20_000);
         drives.read_cycle().expect("nothing is commanded");
@@ -363,9 +393,9 @@ fn a_servo_with_a_watchdog_stops_without_its_host() {
     let mut drives = held("XL430-W250", 3, Faults::default());
     cycle(&mut drives, START, 0.0).expect("well");
     // The last command leads far away, as one of a faulty host would.
-    let goals = [(1, 4000), (2, 4000), (3, 4000)];
-    let family: &Family = Model::named("XL430-W250").expect("a model").family;
-    let sent = drives.bus_mut().sync_write(family.goal_position, &goals);
+    let goals: Vec<Setpoint> = drives.joints().map(|joint| goal(joint, 4000)).collect();
+    let family = goals[0].model.family;
+    let sent = family.write_goals(drives.bus_mut(), &goals);
     sent.expect("sent");
     let port = drives.bus_mut().port_mut();
     let killed = (START + 1) * 20_000;
@@ -394,7 +424,7 @@ fn a_moteus_that_timed_out_is_taken_over_by_the_next_host() {
 
     let port = drives.bus().port().clone();
     let joints: Vec<Joint> = drives.joints().copied().collect();
-    let bus = Bus::new(port, Protocol::Moteus, drives.bus().timing());
+    let bus = Bus::new(port, drives.bus().timing());
     let mut next = Drives::new(bus, &joints, Settings::default()).expect("three");
     next.connect().expect("a time-out is no fault");
     next.hold().expect("well");
@@ -409,7 +439,7 @@ fn another_model_or_a_missing_servo_is_refused() {
     let model = Model::named("STS3215").expect("a model");
     let missing = {
         let bus = SimulatedBus::new(vec![Servo::new(model, 1, 2048.0)], MBAUD);
-        let bus = Bus::new(MemoryPort::new(bus), Protocol::Feetech, MBAUD);
+        let bus = Bus::new(MemoryPort::new(bus), MBAUD);
         let joints = [joint(1, model), joint(2, model)];
         let drives = Drives::new(bus, &joints, Settings::default());
         drives.expect("two").connect().expect_err("one is missing")
@@ -420,23 +450,47 @@ fn another_model_or_a_missing_servo_is_refused() {
         Model::named("AX-12").unwrap(),
     );
     let bus = SimulatedBus::new(vec![Servo::new(mx, 1, 512.0)], MBAUD);
-    let bus = Bus::new(MemoryPort::new(bus), Protocol::Dynamixel1, MBAUD);
+    let bus = Bus::new(MemoryPort::new(bus), MBAUD);
     let drives = Drives::new(bus, &[joint(1, ax)], Settings::default());
     let other = drives.expect("one").connect().expect_err("another model");
     assert_eq!(other.problem, Problem::Model(29));
 }
 
+/// Writes a register as another master would.
+fn write(drives: &mut Drives<MemoryPort>, id: u8, address: u16, value: &[u8]) {
+    let family = drives.family().expect("servos").key();
+    let framing: &dyn Framing = if family == "x" {
+        &Protocol2
+    } else {
+        &Protocol1
+    };
+    let mut parameters = address.to_le_bytes()[..framing.word()].to_vec();
+    parameters.extend(value);
+    let request = framing.request(id, instruction::WRITE, &parameters);
+    let sent = drives.bus_mut().send(&request.expect("short"));
+    sent.expect("sent");
+}
+
 /// Extended position control of an X servo counts turns, a wheel turns forever.
 #[test]
 fn a_servo_in_another_mode_is_refused() {
-    for (name, wheel) in [("AX-12", 0), ("XL430-W250", 4), ("STS3215", 1)] {
+    for (name, address, wheel, wanted) in [
+        ("AX-12", 8, &[0, 0][..], 1023),
+        ("XL430-W250", 11, &[4], 3),
+        ("STS3215", 33, &[1], 0),
+    ] {
         let mut drives = robot(name, 2, Faults::default());
-        let family = drives.joints().next().expect("two").model.family;
-        let (mode, ..) = family.mode.expect("it has one");
-        drives.bus_mut().write(2, mode, wheel).expect("written");
+        write(&mut drives, 2, address, wheel);
         let refused = drives.connect().expect_err("another mode");
-        let expected = (Some(1), Problem::Mode(wheel as u16));
-        assert_eq!((refused.joint, refused.problem), expected, "{name}");
+        assert_eq!((refused.joint, refused.servo), (Some(1), Some(2)));
+        let Problem::Register(found) = refused.problem else {
+            panic!("{name}: {refused:?}");
+        };
+        let value = i32::from(wheel[0]);
+        assert_eq!(
+            (found.register, found.value, found.wanted),
+            (address, value, wanted)
+        );
     }
 }
 
@@ -446,19 +500,23 @@ fn a_scan_finds_servos_and_an_identity_can_be_set() {
         let model = Model::named(name).expect("a model");
         let servos = vec![Servo::new(model, 3, 500.0), Servo::new(model, 9, 500.0)];
         let port = MemoryPort::new(SimulatedBus::new(servos, timing(model)));
-        let mut bus = Bus::new(port, model.family.protocol, timing(model));
+        let mut bus = Bus::new(port, timing(model));
+        let family = model.family;
         let mut found = Vec::new();
-        let scanned = bus.scan(model.family, 0..20, |id, number| found.push((id, number)));
-        assert_eq!(scanned, Ok(()));
+        for id in 0..20 {
+            if let Ok(number) = family.identify(&mut bus, id) {
+                found.push((id, number));
+            }
+        }
         assert_eq!(found, [(3, model.number), (9, model.number)], "{name}");
-        if model.family.protocol == Protocol::Moteus {
+        let renamed = family.set_id(&mut bus, 9, 5);
+        if family.key() == "moteus" {
             // The maker's tool does that.
+            assert_eq!(renamed, Err(BusError::Unsupported));
             continue;
         }
-        bus.set_id(model.family, 9, 5).expect(name);
-        let gone = bus.read_register(9, model.family.model);
-        assert_eq!(gone, Err(BusError::NoAnswer));
-        let number = bus.read_register(5, model.family.model);
-        assert_eq!(number, Ok(i32::from(model.number)), "{name}");
+        renamed.expect(name);
+        assert_eq!(family.identify(&mut bus, 9), Err(BusError::NoAnswer));
+        assert_eq!(family.identify(&mut bus, 5), Ok(model.number), "{name}");
     }
 }
