@@ -1,7 +1,9 @@
 //! `tip drives`: finds, names, zeroes, moves and watches the servos of a real robot.
 
+mod port;
 pub(crate) mod realtime;
 pub(crate) mod robot;
+mod simulated;
 
 use crate::choices::LangName;
 use crate::error::Error;
@@ -9,16 +11,17 @@ use crate::input;
 use crate::message::Driving;
 use crate::{Status, choices, interrupt, output, report};
 use clap::{Args, Subcommand};
-use robot::{AnyPort, Connection, Mishaps, Setup, open_serial};
+use port::{AnyPort, open_serial};
+use robot::{Connection, Setup};
+use simulated::Mishaps;
 use std::fmt::Write as _;
-use std::io::{self, BufRead, IsTerminal, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tip_drives::bus::{Bus, BusError, Timing, Wire};
 use tip_drives::family::{self, FAMILIES, Family, Query, Reading};
+use tip_drives::guard::{Request, Step};
 use tip_drives::model::Model;
-use tip_runtime::console::{Console, Terminal};
-use tip_runtime::hardware::JointCommand;
 use tipc::message::Lang;
 use tipc::{description, embed};
 
@@ -359,11 +362,9 @@ enum Answer {
 fn answer(question: &Driving, lang: Lang) -> Result<Answer, Error> {
     loop {
         report::complain(&format!("{}: ", question.in_lang(lang)));
-        let mut line = String::new();
-        let read = io::stdin().lock().read_line(&mut line);
-        if read.map_err(|error| Error::Failed(error.to_string()))? == 0 {
+        let Some(line) = input::line()? else {
             return Ok(Answer::Ended);
-        }
+        };
         match line.trim() {
             "" => return Ok(Answer::Done),
             "s" => return Ok(Answer::Skip),
@@ -379,8 +380,8 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
     for joint in &mut setup.joints {
         joint.limits = tip_runtime::model::Range::new(-1e6, 1e6);
     }
-    let mut connection = arguments.robot.open(setup)?;
-    connection.drives().release();
+    let connection = arguments.robot.open(setup)?;
+    connection.robot().drives_mut().release();
     report::say(Driving::ZeroHow, lang);
     let mut found = Vec::new();
     for place in 0..connection.setup.joints.len() {
@@ -394,12 +395,12 @@ fn zero(arguments: &Zero) -> Result<Status, Error> {
             Answer::Skip => continue,
             Answer::Done => {}
         }
-        let offset = motor_angle(&mut connection, place)?;
+        let offset = motor_angle(&connection, place)?;
         let question = Driving::AtPositive {
             joint: joint.clone(),
         };
         let turned = match answer(&question, lang)? {
-            Answer::Done => motor_angle(&mut connection, place)? - offset,
+            Answer::Done => motor_angle(&connection, place)? - offset,
             Answer::Skip | Answer::Ended => 0.0,
         };
         let sign = if turned.abs() < 3.0 {
@@ -518,14 +519,13 @@ fn with_zeros(text: &[u8], found: &[Zeroed]) -> Option<String> {
 }
 
 /// Measures the motor angle of a joint, deg.
-fn motor_angle(connection: &mut Connection, place: usize) -> Result<f64, Error> {
-    connection.tick();
+fn motor_angle(connection: &Connection, place: usize) -> Result<f64, Error> {
     // Each of them in turn may be read one by one.
     for _ in 0..4 {
-        let read = connection.drives().read_cycle();
+        let read = connection.measure();
         read.map_err(|failure| connection.failed(failure))?;
     }
-    let measured = connection.drives().measured(place);
+    let measured = connection.robot().drives().measured(place);
     let model = connection.setup.joints[place].model;
     Ok(measured.map_or(0.0, |measured| model.angle(measured.counts.into())))
 }
@@ -536,75 +536,65 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
     if !io::stdin().is_terminal() {
         return Err(Error::failed(Driving::OnlyOnTerminal, lang));
     }
-    let mut connection = arguments.robot.connect()?;
-    let joints = 0..connection.setup.joints.len();
-    let mut named = joints.filter(|place| connection.setup.name(*place) == arguments.joint);
-    let Some(place) = named.next() else {
+    let setup = arguments.robot.setup()?;
+    let mut joints = 0..setup.joints.len();
+    let Some(place) = joints.find(|place| setup.name(*place) == arguments.joint) else {
         let joint = arguments.joint.clone();
         return Err(Error::failed(Driving::NoSuchJoint { joint }, lang));
     };
+    let (limits, speed) = (setup.joints[place].limits, setup.bus.start);
+    let connection = arguments.robot.open(setup)?;
     let joint = arguments.joint.clone();
     report::say(Driving::JogHow { joint }, lang);
-    let held = connection.drives().hold();
-    let mut to: Vec<f64> = {
-        let drives = connection.drives();
-        let joints = 0..connection.setup.joints.len();
-        joints
-            .map(|joint| drives.angle(joint).unwrap_or_default())
-            .collect()
-    };
-    let mut stopped = held.err();
-    let mut keyboard = Terminal::on(io::sink(), false).report_interrupts();
-    while stopped.is_none() && !interrupt::is_requested() && !keyboard.interrupted() {
-        let due = Instant::now() + Duration::from_secs_f64(connection.period() / 1000.0);
-        match keyboard.key(0) {
-            Some(b'+') => to[place] += 1.0,
-            Some(b'-') => to[place] -= 1.0,
-            Some(b'q') => break,
-            _ => {}
+    connection.take_over();
+    let mut step = connection.robot().hold();
+    let mut to: Vec<f64> = connection.angles();
+    let stopped = loop {
+        if let Some(status) = connection.ended(step) {
+            break status;
         }
-        let limits = connection.setup.joints[place].limits;
+        let mut robot = connection.robot();
+        let mut is_over = false;
+        while let Some(key) = robot.host_mut().key() {
+            match key {
+                b'+' => to[place] += 1.0,
+                b'-' => to[place] -= 1.0,
+                b'q' => is_over = true,
+                _ => {}
+            }
+        }
         to[place] = to[place].clamp(limits.min, limits.max);
-        connection.tick();
-        let (speed, period) = (connection.setup.bus.start, connection.period());
-        stopped = connection.drives().approach(&to, speed, period).err();
-        let angle = connection.drives().angle(place).unwrap_or_default();
+        step = match is_over {
+            true => Ok(robot.obey(Request::End)),
+            false => robot.step(&to, speed),
+        };
+        let angle = robot.drives().angle(place).unwrap_or_default();
         let status = format!(
             "\r{} {angle:7.1} -> {:7.1} deg ",
             arguments.joint, to[place]
         );
         // Nothing is lost with a status that cannot be shown.
         let _ = io::stderr().write_all(status.as_bytes());
-        realtime::wait_until(due);
-    }
-    drop(keyboard);
-    report::complain("\n");
-    // The policies are those of a run; nobody wants a jogged robot to fall.
-    let commands: Vec<JointCommand> = to.iter().map(|angle| JointCommand::at(*angle)).collect();
-    match stopped {
-        Some(failure) => {
-            report::complain(&format!("{}\n", connection.explain(failure)));
-            Ok(Status::Emergency)
+        if !matches!(step, Ok(Step::Moving | Step::Arrived)) {
+            report::complain("\n");
         }
-        None => {
-            let period = connection.period();
-            let _ = connection.drives().write_cycle(&commands, period);
-            connection.drives().leave();
-            Ok(Status::Success)
-        }
-    }
+    };
+    Ok(match stopped {
+        // Ctrl-C and ESC end it as q does.
+        Status::Interrupted => Status::Success,
+        stopped => stopped,
+    })
 }
 
 fn monitor(arguments: &Monitor) -> Result<Status, Error> {
     interrupt::catch();
-    let mut connection = arguments.robot.connect()?;
+    let connection = arguments.robot.connect()?;
     let rewrites = io::stdout().is_terminal() && !arguments.once;
     let mut failure = None;
     loop {
-        connection.tick();
         // As many readings as a table needs, where servos are read one by one.
         for _ in 0..3 {
-            failure = failure.or(connection.drives().read_cycle().err());
+            failure = failure.or(connection.measure().err());
         }
         let text = table(&connection);
         let shown = if rewrites {
@@ -640,7 +630,8 @@ fn shown(value: Option<f64>, decimals: usize) -> String {
 
 /// Returns the table of `tip drives monitor`.
 fn table(connection: &Connection) -> String {
-    let drives = connection.drives();
+    let robot = connection.robot();
+    let drives = robot.drives();
     let mut text =
         String::from("joint  servo  model          counts      deg    load     V   °C\n");
     for (place, joint) in connection.setup.joints.iter().enumerate() {
@@ -679,7 +670,7 @@ fn simulate(arguments: &Simulate) -> Result<Status, Error> {
     let mishaps: Mishaps =
         (arguments.mishaps.parse()).map_err(|wrong: Driving| Error::usage(wrong, lang))?;
     let setup = robot.setup()?;
-    robot::serve(&setup, mishaps, lang, |port| {
+    simulated::serve(&setup, mishaps, lang, |port| {
         let servos = setup.joints.len();
         let port = port.into();
         output::say(Driving::Simulates { servos, port }, lang)

@@ -763,6 +763,12 @@ tipc::message_table! {
     CannotOpen { port: Text, error: Text }
         "cannot open {port}: {error}. Is it plugged in, used by another program, or yours to open (group dialout)?",
         "{port}を開けません: {error}。接続、他のプログラムによる使用、権限(dialoutグループ)を確かめてください";
+    PortInUse { port: Text, process: Text, id: u32 }
+        "{port} is in use by {process} (process {id}): end it first, because two masters on one bus move a robot to angles of neither",
+        "{port}は{process}(プロセス{id})が使用中です。先に終了してください。一つのバスに二つのマスターは使えません";
+    PortTaken { port: Text }
+        "{port} is in use by another program: end it first, because two masters on one bus move a robot to angles of neither",
+        "{port}は他のプログラムが使用中です。先に終了してください。一つのバスに二つのマスターは使えません";
     NoSimulatedPort
         "'simulated' needs the servos of a robot.toml: start `tip drives simulate robot.toml`, and give the port that it prints",
         "'simulated' にはrobot.tomlのサーボが必要です。`tip drives simulate robot.toml` を起動し、表示されるポートを指定してください";
@@ -787,6 +793,21 @@ tipc::message_table! {
     PressReturn
         "keep clear; RETURN starts, Ctrl-C ends",
         "ロボットから離れてください。RETURNで開始、Ctrl-Cで終了します";
+    StoppedByKey
+        "RETURN, the emergency stop, was pressed",
+        "RETURNキー(非常停止)が押されました";
+    StillStiff { joints: String }
+        "still stiff, although they were to relax: {joints}. Switch their power off",
+        "脱力しなかったサーボがあります: {joints}。電源を切ってください";
+    PerhapsStiff { joints: String }
+        "perhaps still stiff, because they did not confirm that they relaxed: {joints}. Switch their power off",
+        "脱力を確認できないサーボがあります: {joints}。電源を切ってください";
+    WithoutTorque { joints: String }
+        "without torque, although they were to hold: {joints}",
+        "保持するはずのサーボにトルクがありません: {joints}";
+    PerhapsLimp { joints: String }
+        "perhaps without torque or not where they are to be, because they did not confirm that they hold: {joints}",
+        "保持を確認できないサーボがあります: {joints}";
     NoSuchJoint { joint: String }
         "the robot has no joint {joint}",
         "関節{joint}はありません";
@@ -891,6 +912,9 @@ tipc::message_table! {
     Outside { joint: String, id: u32, angle: String, min: f64, max: f64 }
         "{joint} (servo {id}) is at {angle} deg, outside of {min} to {max}: move it by hand, or look at sign and offset (tip drives zero)",
         "{joint}(サーボ{id})の角度{angle}度が範囲{min}から{max}の外です。手で動かすか、符号とオフセットを確かめてください(tip drives zero)";
+    NotHeld
+        "the robot was left: a signal ended this command while it was stuck",
+        "コマンドが停止したままだったため、シグナルによりロボットの制御を終えました";
     NoTorques { joint: String }
         "{joint} is commanded a torque, and position servos take angles only",
         "{joint}にトルクが指令されましたが、位置サーボは角度しか受け付けません";

@@ -21,7 +21,7 @@ use files::Trace;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use summary::{driven, fall, summary};
-use tip_runtime::console::LogFiles;
+use tip_runtime::console::{LogFiles, Terminal};
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, WaitDetector};
 use tipc::Loaded;
@@ -155,8 +155,8 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     let connection = match (&arguments.hardware, chosen, &program) {
         (Some(file), ChosenRobot::Described(robot), Some(_)) => {
             match connected(arguments, file, &robot)? {
-                Some(connection) => Some(connection),
-                None => return Ok(Status::Interrupted),
+                Ok(connection) => Some(connection),
+                Err(status) => return Ok(status),
             }
         }
         _ => None,
@@ -200,12 +200,19 @@ struct Job<'a> {
     connection: Option<Connection>,
 }
 
-/// Finds the servos of a real robot, and moves it to its initial posture after a key; `None` if it was interrupted.
+/// Returns the keyboard, if standard input is a terminal.
+fn terminal() -> Option<Terminal<io::Sink>> {
+    let is_terminal = io::stdin().is_terminal();
+    is_terminal.then(|| Terminal::on(io::sink(), false).report_interrupts())
+}
+
+/// Finds the servos of a real robot, and moves it to its initial posture after a key. Returns the status with which the command
+/// ends if it was interrupted or stopped.
 fn connected(
     arguments: &Run,
     file: &Path,
     description: &Description,
-) -> Result<Option<Connection>, Error> {
+) -> Result<Result<Connection, Status>, Error> {
     let lang = arguments.lang();
     let setup = Setup::new(file, description, lang)?;
     let mut connection = setup.open(file, arguments.port.as_deref(), lang)?;
@@ -216,16 +223,14 @@ fn connected(
             return Err(Error::usage(Driving::NeedsYes, lang));
         }
         report::say(Driving::PressReturn, lang);
-        let mut line = String::new();
-        let read = io::stdin().read_line(&mut line);
-        if !read.is_ok_and(|count| count > 0) || interrupt::is_requested() {
-            return Ok(None);
+        if input::line()?.is_none() {
+            return Ok(Err(Status::Interrupted));
         }
     }
     if arguments.fifo {
         realtime::warn(&realtime::prioritise(), lang);
     }
-    Ok(connection.stand_ready()?.then_some(connection))
+    Ok(connection.stand_ready().map_or(Ok(connection), Err))
 }
 
 impl Job<'_> {
@@ -245,13 +250,17 @@ impl Job<'_> {
         logs: Option<LogFiles<()>>,
     ) -> Result<Status, Error> {
         let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
-        let screen = Screen::new(self.progress(), messages, logs);
+        let keyboard = match &self.connection {
+            Some(connection) => connection.keyboard(),
+            None => terminal(),
+        };
+        let screen = Screen::new(keyboard, self.progress(), messages, logs);
         let anatomy = robot.anatomy();
         let source = &self.arguments.run.source;
         let (options, lang) = (source.options(robot.options().robot), self.arguments.lang());
         let mut run = begun.with_console(screen);
         let is_live = self.is_live();
-        let mut connection = self.connection.take();
+        let connection = self.connection.take();
         let mut watch = Watch {
             job: self,
             trace: trace.as_mut(),
@@ -265,10 +274,12 @@ impl Job<'_> {
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
         let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
-        if let Some(connection) = &mut connection {
-            connection.finish(matches!(ending, Ending::Emergency(_)));
-        }
+        // From here on a signal ends nothing: neither the leaving of the robot nor the files.
         interrupt::hold();
+        let is_stopped = connection.as_ref().is_some_and(|connection| {
+            let keyboard = run.console_mut().and_then(Screen::release);
+            connection.finish(keyboard)
+        });
         let logged = run.console_mut().map_or(Ok(()), Screen::close);
         if trace.as_ref().is_some_and(Trace::is_straight) {
             interrupt::release();
@@ -301,12 +312,15 @@ impl Job<'_> {
             }
         }
         if let Some(connection) = &connection
-            && let Some(failure) = connection.drives().failure()
+            && let Some(failure) = connection.failure()
         {
             report::complain(&format!("{}\n", connection.explain(failure)));
         }
         traced.and(logged)?;
-        Ok(self.status(&ending, fell))
+        Ok(match is_stopped {
+            true => Status::Emergency,
+            false => self.status(&ending, fell),
+        })
     }
 
     /// Puts the program on its robot.

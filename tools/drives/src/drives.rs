@@ -43,6 +43,8 @@ pub enum Problem {
     Load(Load),
     /// The sampling time is longer than this, ms, so that the watchdogs of the servos would stop a healthy robot.
     Period(f64),
+    /// The robot was left, or its torque is not on yet.
+    NotHeld,
 }
 
 impl Problem {
@@ -63,6 +65,7 @@ impl Problem {
             Problem::Torque => "drives: position servos take no torques",
             Problem::Load(_) => "drives: the bus is too slow",
             Problem::Period(_) => "drives: the sampling time is too long",
+            Problem::NotHeld => "drives: the robot is not held",
         }
     }
 }
@@ -714,8 +717,16 @@ impl<P: Port> Drives<P> {
                 Some(_) => self.counts.implausible += u64::from(!taken),
                 None => self.counts.missing += 1,
             }
-            if let Some(is_on) = reading.as_ref().and_then(|reading| reading.is_on) {
-                state.off = if is_on { 0 } else { state.off + 1 };
+            // A goal switches the torque of AX, MX and STS servos on again; their torque limit is not the robot's then.
+            let Joint { model, torque, .. } = state.joint;
+            let limit = model.torque_limit(torque * self.torque);
+            let reset = reading.as_ref().and_then(|reading| {
+                let is_off = reading.is_on.map(|is_on| !is_on);
+                let is_other = reading.torque_limit.map(|own| Some(own) != limit);
+                is_off.into_iter().chain(is_other).reduce(|a, b| a || b)
+            });
+            if let Some(is_reset) = reset {
+                state.off = if is_reset { state.off + 1 } else { 0 };
             }
             if !taken {
                 continue;

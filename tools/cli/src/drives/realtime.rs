@@ -27,20 +27,21 @@ pub(crate) fn wait_until(due: Instant) -> Duration {
 
 /// Sleeps until a time of the system's clock: a signal or a delay before the call does not make it longer.
 #[cfg(target_os = "linux")]
-fn sleep(time: Duration) {
-    use nix::sys::time::TimeSpec;
-    use nix::time::{ClockId, ClockNanosleepFlags, clock_gettime, clock_nanosleep};
-    let clock = ClockId::CLOCK_MONOTONIC;
-    let Ok(now) = clock_gettime(clock) else {
-        return std::thread::sleep(time);
-    };
-    let due = now + TimeSpec::from_duration(time);
-    // After an interrupt the caller looks at the time again.
-    let _ = clock_nanosleep(clock, ClockNanosleepFlags::TIMER_ABSTIME, &due);
+pub(super) fn sleep(time: Duration) {
+    use rustix::thread::{ClockId, clock_nanosleep_absolute};
+    use rustix::time::{Timespec, clock_gettime};
+    let clock = ClockId::Monotonic;
+    let due = Timespec::try_from(time).ok();
+    let due = due.and_then(|time| clock_gettime(clock).checked_add(time));
+    match due {
+        // After an interrupt the caller looks at the time again.
+        Some(due) => drop(clock_nanosleep_absolute(clock, &due)),
+        None => std::thread::sleep(time),
+    }
 }
 
 #[cfg(not(target_os = "linux"))]
-fn sleep(time: Duration) {
+pub(super) fn sleep(time: Duration) {
     std::thread::sleep(time);
 }
 
@@ -71,9 +72,13 @@ pub(crate) fn prioritise() -> Vec<Driving> {
                 error: error.into(),
             });
         }
-        let all = nix::sys::mman::MlockAllFlags::all();
-        if let Err(error) = nix::sys::mman::mlockall(all) {
-            let error = error.desc().to_owned().into();
+    }
+    #[cfg(target_os = "linux")]
+    {
+        use rustix::mm::{MlockAllFlags, mlockall};
+        let all = MlockAllFlags::CURRENT | MlockAllFlags::FUTURE;
+        if let Err(error) = mlockall(all) {
+            let error = std::io::Error::from(error).to_string().into();
             refused.push(Driving::NoLock { error });
         }
     }

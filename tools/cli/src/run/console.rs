@@ -34,15 +34,13 @@ pub(super) struct Screen {
 }
 
 impl Screen {
-    /// Returns a console with keys if standard input is a terminal, and messages if standard output is free for them.
+    /// Returns a console with keys, and messages if standard output is free for them.
     pub(super) fn new(
+        keyboard: Option<Terminal<Sink>>,
         progress: Progress,
         shows_messages: bool,
         logs: Option<LogFiles<()>>,
     ) -> Self {
-        let keyboard = io::stdin()
-            .is_terminal()
-            .then(|| Terminal::on(io::sink(), false).report_interrupts());
         Screen {
             keyboard,
             progress,
@@ -53,6 +51,12 @@ impl Screen {
         }
     }
 
+    /// Removes the line of progress, and returns the keyboard.
+    pub(super) fn release(&mut self) -> Option<Terminal<Sink>> {
+        self.progress.close();
+        self.keyboard.take()
+    }
+
     /// Returns the number of texts that FOUT.LOG had no room for.
     pub(super) fn dropped(&self) -> u64 {
         self.logs.as_ref().map_or(0, LogFiles::dropped)
@@ -60,8 +64,7 @@ impl Screen {
 
     /// Releases the terminal, so that the reports of the end appear where they should, and completes the log files.
     pub(super) fn close(&mut self) -> Result<(), Error> {
-        self.progress.close();
-        self.keyboard = None;
+        drop(self.release());
         self.logs.as_mut().map_or(Ok(()), finish)?;
         self.failure.take().map_or(Ok(()), Err)
     }

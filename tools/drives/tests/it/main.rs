@@ -2,3 +2,5 @@
 
 mod drives;
 mod frames;
+mod simulated;
+mod tables;
