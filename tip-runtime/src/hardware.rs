@@ -57,6 +57,9 @@ use crate::model::Point;
 pub struct Sensors<const L: usize, const J: usize> {
     /// Joint angles, deg.
     pub angles: [[f64; J]; L],
+    /// Number of cycles since each angle was measured; 0 if it was in this one. An older angle keeps its rate, and the next rate is
+    /// that of the time between the two measurements.
+    pub ages: [[u32; J]; L],
     /// Torque of each joint on its link, in the robot's torque unit; zeros where nothing senses it.
     pub torques: [[f64; J]; L],
     /// V of knobs, of the soles' pressure sensors, of the feeler: what a program reads by a name. A palm's touch gives 1.
@@ -69,6 +72,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     /// Nothing measured.
     pub const ZERO: Self = Sensors {
         angles: [[0.0; J]; L],
+        ages: [[0; J]; L],
         torques: [[0.0; J]; L],
         inputs: Inputs::all(0.0),
         slider: [0.0; 3],
@@ -79,6 +83,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SensorsView<'a, const J: usize> {
     pub(crate) angles: &'a [[f64; J]],
+    pub(crate) ages: &'a [[u32; J]],
     pub(crate) torques: &'a [[f64; J]],
     pub(crate) inputs: &'a Inputs,
     pub(crate) slider: Point,
@@ -106,6 +111,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     pub(crate) const fn view(&self) -> SensorsView<'_, J> {
         SensorsView {
             angles: &self.angles,
+            ages: &self.ages,
             torques: &self.torques,
             inputs: &self.inputs,
             slider: self.slider,

@@ -909,6 +909,18 @@ tipc::message_table! {
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";
+    BusLoad { percent: String, cycles: u32 }
+        "reading and commanding all servos takes {percent} % of a cycle; each servo is read in one of {cycles} cycles",
+        "全サーボの読み取りと指令に制御周期の{percent} %が必要です。各サーボの読み取りは{cycles}周期に1回です";
+    ShortTimeout { time: String, cycles: String }
+        "without the host the servos stop after {time} ms, their longest time-out: {cycles} cycles",
+        "ホストが止まると、サーボは最長のタイムアウトである{time} ms({cycles}周期)で停止します";
+    BusTooSlow { percent: String, cycles: u32, silence: u32 }
+        "the bus cannot carry a cycle: reading and commanding all servos takes {percent} % of it, each servo would be read in one of {cycles} cycles, and `silence` is {silence}. A longer sampling time, a faster bus or two of them help",
+        "バスの通信が制御周期に収まりません。全サーボの読み取りと指令に周期の{percent} %が必要で、各サーボの読み取りは{cycles}周期に1回になります(`silence` は{silence})。サンプリング時間を長くするか、バスを速くするか、2本に分けてください";
+    PeriodTooLong { most: String }
+        "the servos' watchdogs would stop a healthy robot: with them the sampling time is {most} ms at most",
+        "サーボのウォッチドッグが正常な動作を止めてしまいます。サンプリング時間は{most} ms以下にしてください";
     WrongRegister { joint: String, id: u32, name: &'static str, register: u32, value: String, wanted: String }
         "{joint} (servo {id}) would not go where it is sent: its register {register} ({name}) is {value}. Write {wanted} to it with the maker's tool while the torque is off",
         "{joint}(サーボ{id})は指令した角度に動きません(レジスタ{register}、{name}の値は{value})。トルクを切り、製造元のツールで{wanted}を書き込んでください";

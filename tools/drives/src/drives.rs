@@ -4,105 +4,13 @@
 //! Angles of this module are those of joints, in deg; counts are those of servos. Every command is limited here, before it leaves.
 
 use crate::bus::{Bus, BusError, MAX_SERVOS, Port, Wire};
+use crate::description;
+pub use crate::description::{Invalid, Joint, Policy, Settings};
 use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
-use crate::model::Model;
 use core::fmt;
 use heapless::Vec;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
 use tip_runtime::model::Range;
-
-/// A joint and the servo that moves it. Motor angle = `sign` · `gear` · joint angle + `offset`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
-    /// Identity of the servo.
-    pub id: u8,
-    /// Model of the servo.
-    pub model: &'static Model,
-    /// +1, or -1 if the motor turns against the joint.
-    pub sign: f64,
-    /// Motor angle at a joint angle of 0, deg.
-    pub offset: f64,
-    /// Turns of the motor for each turn of the joint.
-    pub gear: f64,
-    /// Angles that are commanded, deg.
-    pub limits: Range,
-    /// The fastest that is commanded, deg/s.
-    pub speed: f64,
-    /// Torque limit, as a part of the full torque.
-    pub torque: f64,
-}
-
-impl Joint {
-    /// Returns the position of the servo at a joint angle, counts.
-    pub fn counts(&self, angle: f64) -> i32 {
-        let motor = self.sign * self.gear * angle + self.offset;
-        let counts = libm::round(self.model.counts(motor));
-        (counts as i32).clamp(0, self.model.largest)
-    }
-
-    /// Returns the joint angle at a position of the servo, deg.
-    pub fn angle(&self, counts: i32) -> f64 {
-        (self.model.angle(counts.into()) - self.offset) * self.sign / self.gear
-    }
-
-    /// Returns the positions at its limits, counts, the smaller one first.
-    pub fn goals(&self) -> (i32, i32) {
-        let (one, other) = (self.counts(self.limits.min), self.counts(self.limits.max));
-        (one.min(other), one.max(other))
-    }
-}
-
-/// Treatment of the robot when its program does not move it any more.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Policy {
-    /// The servos hold their position.
-    #[default]
-    Hold,
-    /// The torque falls to nothing, slowly.
-    Relax,
-}
-
-/// Limits beyond which the robot is stopped.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Number of cycles in a row for which a servo may be silent; its last angle stands for the missing ones.
-    pub silence: u32,
-    /// The hottest that a servo may be, °C.
-    pub temperature: f64,
-    /// Supply voltage, V.
-    pub voltage: Range,
-    /// Load, as a part of the stall torque, and the time for which a joint may have more, s.
-    pub overload: (f64, f64),
-    /// Distance from the command, deg, and the time for which a joint may be farther away, s.
-    pub lag: (f64, f64),
-    /// The part of a cycle in which servos are read one by one, where one request cannot read all.
-    pub reading: f64,
-    /// Time in which the torque falls to nothing, s.
-    pub relaxing: f64,
-    /// Treatment at END, at EXIT and when the run is interrupted.
-    pub at_end: Policy,
-    /// Treatment in an emergency.
-    pub in_emergency: Policy,
-    /// Servos of protocol 2 answer in one frame.
-    pub fast: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Settings {
-            silence: 5,
-            temperature: 65.0,
-            voltage: Range::new(6.0, 15.0),
-            overload: (0.9, 0.5),
-            lag: (25.0, 0.5),
-            reading: 0.6,
-            relaxing: 2.0,
-            at_end: Policy::Hold,
-            in_emergency: Policy::Hold,
-            fast: false,
-        }
-    }
-}
 
 /// A reason why the drives stop the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,6 +39,10 @@ pub enum Problem {
     Outside(f64),
     /// The joint is commanded a torque.
     Torque,
+    /// The bus cannot carry the requests of a cycle.
+    Load(Load),
+    /// The sampling time is longer than this, ms, so that the watchdogs of the servos would stop a healthy robot.
+    Period(f64),
     /// The robot was left, or its torque is not on yet.
     NotHeld,
 }
@@ -139,7 +51,7 @@ impl Problem {
     /// Returns the cause in an emergency report, which names the servo before it.
     pub const fn words(&self) -> &'static str {
         match self {
-            Problem::Port => "drives: the port is gone",
+            Problem::Port => "the port is gone",
             Problem::Silent => "does not answer",
             Problem::Model(_) => "is of another model",
             Problem::Register(_) => "has other settings",
@@ -151,6 +63,8 @@ impl Problem {
             Problem::Lags(_) => "does not follow its command",
             Problem::Outside(_) => "is outside of its limits",
             Problem::Torque => "takes no torques",
+            Problem::Load(_) => "the bus is too slow",
+            Problem::Period(_) => "the sampling time is too long",
             Problem::NotHeld => "the robot is not held",
         }
     }
@@ -211,6 +125,15 @@ pub struct Measured {
     pub temperature: Option<f64>,
     /// Time of the answer on the port's clock, µs.
     pub at: u64,
+}
+
+/// The requests of a cycle on a bus.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load {
+    /// Time that reading and commanding all servos takes, as a part of the sampling time.
+    pub part: f64,
+    /// Number of cycles in which each servo is read once.
+    pub cycles: u32,
 }
 
 /// Counts of what the drives have done.
@@ -277,12 +200,22 @@ pub struct Drives<P> {
     reading: u64,
     /// Sampling time, ms.
     period: f64,
+    /// Number of cycles that still send the time-outs of watchdogs, because one may not arrive.
+    timeouts: u32,
+    /// Time of reading all servos, µs.
+    read_time: u64,
 }
 
 /// Maximum number of repeats of a request at the start and at the end.
 const MAX_REPEATS: u32 = 20;
 /// Time-out of a watchdog, cycles and ms at least.
 const TIMEOUT: (f64, f64) = (10.0, 100.0);
+/// Time-out while the servos are switched on one after the other, ms.
+const TIMEOUT_AT_START: f64 = 2000.0;
+/// Minimum time-out with which a healthy robot goes on, cycles.
+const MIN_TIMEOUT: f64 = 3.0;
+/// Number of cycles that send a new time-out.
+const TIMEOUT_REPEATS: u32 = 3;
 /// A difference of positions that noise explains, counts.
 const NOISE: f64 = 12.0;
 /// The farthest that a servo is beside the way to its goal, deg.
@@ -292,8 +225,9 @@ impl<P: Port> Drives<P> {
     /// Creates the drives of a robot, joint by joint and leg by leg; nothing is sent.
     ///
     /// # Errors
-    /// There are more joints than a bus can have.
-    pub fn new(mut bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, BusError> {
+    /// No robot can have such joints or settings.
+    pub fn new(mut bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, Invalid> {
+        description::check(joints, &settings)?;
         let states = joints.iter().map(|joint| State {
             joint: *joint,
             measured: None,
@@ -309,9 +243,6 @@ impl<P: Port> Drives<P> {
             overloaded: 0.0,
             lagging: 0.0,
         });
-        if joints.len() > MAX_SERVOS {
-            return Err(BusError::TooLong);
-        }
         bus.set_tries(settings.silence.min(MAX_REPEATS) + 1);
         Ok(Drives {
             bus,
@@ -325,6 +256,8 @@ impl<P: Port> Drives<P> {
             is_resting: false,
             reading: 0,
             period: 20.0,
+            timeouts: 0,
+            read_time: 0,
         })
     }
 
@@ -385,6 +318,18 @@ impl<P: Port> Drives<P> {
     /// # Errors
     /// A servo is missing or another one, is not well, or its joint is outside of its limits.
     pub fn connect(&mut self) -> Result<(), Failure> {
+        self.find(true)
+    }
+
+    /// Does the same for a robot that nobody commands: its joints may be anywhere, and the limits in its servos are not compared.
+    ///
+    /// # Errors
+    /// A servo is missing or another one, or is not well.
+    pub fn connect_to_measure(&mut self) -> Result<(), Failure> {
+        self.find(false)
+    }
+
+    fn find(&mut self, is_commanded: bool) -> Result<(), Failure> {
         self.failure = None;
         let mut delay = 0;
         for number in 0..self.joints.len() {
@@ -398,7 +343,11 @@ impl<P: Port> Drives<P> {
             {
                 return self.fail(Some(number), Problem::Model(reported));
             }
-            let goals = joint.goals();
+            let goals = match is_commanded {
+                true => joint.goals(),
+                // None that a limit could exclude.
+                false => (i32::MAX, i32::MIN),
+            };
             let wrong = self.request(number, |wire| family.check(wire, (id, model), goals))?;
             if let Some(mismatch) = wrong {
                 return self.fail(Some(number), Problem::Register(mismatch));
@@ -407,10 +356,22 @@ impl<P: Port> Drives<P> {
             delay = delay.max(own);
         }
         self.bus.set_return_delay(delay);
+        if let Some(family) = self.family() {
+            let (one, _) = family.times(self.bus.timing(), self.joints.len());
+            self.read_time = one * self.joints.len() as u64;
+        }
+        let mut shortest = None;
         // Two readings that agree, so that a damaged one cannot be the first.
         for _ in 0..2 * (self.settings.silence as usize + 1) {
+            let begin = self.bus.now();
             self.measure(u64::MAX)?;
+            if self.joints.iter().all(|state| state.age == 0) {
+                let time = self.bus.now() - begin;
+                shortest = Some(shortest.map_or(time, |it: u64| it.min(time)));
+            }
         }
+        // With the latency of the adapter, which is unknown before.
+        self.read_time = shortest.unwrap_or(self.read_time);
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
                 return self.fail(Some(number), Problem::Silent);
@@ -419,20 +380,68 @@ impl<P: Port> Drives<P> {
             (state.sent, state.is_settled) = (angle, true);
             let Range { min, max } = state.joint.limits;
             // A joint that hangs may hang a little too far.
-            if !(min - 5.0..=max + 5.0).contains(&angle) {
+            if is_commanded && !(min - 5.0..=max + 5.0).contains(&angle) {
                 return self.fail(Some(number), Problem::Outside(angle));
             }
         }
         self.check(0.0)
     }
 
+    /// Returns the requests of a cycle, as they were measured by the last `connect`, and the time in which servos are read, µs.
+    fn load_and_time(&self) -> (Load, u64) {
+        let servos = self.joints.len();
+        let Some(family) = self.family() else {
+            let none = Load {
+                part: 0.0,
+                cycles: 1,
+            };
+            return (none, 0);
+        };
+        let (_, write) = family.times(self.bus.timing(), servos);
+        let period = self.period * 1000.0;
+        let read = self.read_time as f64;
+        let allowed = (self.settings.reading * period)
+            .min(period - write as f64)
+            .max(0.0);
+        let cycles = match family.reads_together() {
+            true => 1,
+            // One is read in any case.
+            false => libm::ceil(read / allowed.max(1.0)).clamp(1.0, servos as f64) as u32,
+        };
+        let part = (read + write as f64) / period;
+        (Load { part, cycles }, allowed as u64)
+    }
+
+    /// Returns the requests of a cycle, as they were measured by the last `connect`.
+    pub fn load(&self) -> Load {
+        self.load_and_time().0
+    }
+
+    /// Returns the time-out of the servos' watchdogs, ms; `None` if they have none. It is ten cycles, as far as they can have it.
+    pub fn timeout(&self) -> Option<f64> {
+        let (shortest, longest) = self.family()?.timeouts()?;
+        let (cycles, least) = TIMEOUT;
+        Some((cycles * self.period).max(least).clamp(shortest, longest))
+    }
+
+    /// Checks that the bus and the watchdogs can have the sampling time.
+    fn check_period(&mut self) -> Result<(), Failure> {
+        if let Some((_, longest)) = self.family().and_then(Family::timeouts)
+            && longest < MIN_TIMEOUT * self.period
+        {
+            return self.fail(None, Problem::Period(longest / MIN_TIMEOUT));
+        }
+        let (load, time) = self.load_and_time();
+        let is_heard = load.cycles <= self.settings.silence.saturating_add(1);
+        if time > 0 && is_heard || self.joints.is_empty() {
+            return Ok(());
+        }
+        self.fail(None, Problem::Load(load))
+    }
+
     /// Returns the command to a joint.
     fn setpoint(&self, joint: usize) -> Setpoint {
         let State { joint, sent, .. } = self.joints[joint];
-        let timeout = joint.model.family.timeouts().map(|(shortest, longest)| {
-            let (cycles, least) = TIMEOUT;
-            (cycles * self.period).max(least).clamp(shortest, longest)
-        });
         Setpoint {
             id: joint.id,
             model: joint.model,
@@ -440,7 +449,7 @@ impl<P: Port> Drives<P> {
             speed: joint.speed * joint.gear,
             torque: joint.torque * self.torque,
             period: self.period,
-            timeout,
+            timeout: self.timeout(),
         }
     }
 
@@ -462,6 +471,7 @@ impl<P: Port> Drives<P> {
     /// # Errors
     /// A servo does not answer.
     pub fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
+        self.check_period()?;
         (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         for number in 0..self.joints.len() {
             if !goes_on() {
@@ -472,10 +482,16 @@ impl<P: Port> Drives<P> {
                 state.sent = state.joint.angle(measured.counts);
             }
             state.off = 0;
-            let setpoint = self.setpoint(number);
+            let mut setpoint = self.setpoint(number);
             let family = setpoint.model.family;
+            // Cycles begin when the last servo is on.
+            setpoint.timeout = family.timeouts().map(|(shortest, longest)| {
+                let time = setpoint.timeout.unwrap_or_default().max(TIMEOUT_AT_START);
+                time.clamp(shortest, longest)
+            });
             self.request(number, |wire| family.hold(wire, &setpoint))?;
         }
+        self.timeouts = TIMEOUT_REPEATS;
         Ok(())
     }
 
@@ -510,9 +526,9 @@ impl<P: Port> Drives<P> {
     /// The reason to stop the robot.
     pub fn read_cycle(&mut self) -> Result<(), Failure> {
         let begin = self.bus.now();
-        let allowed = self.settings.reading * self.period * 1000.0;
+        let (_, allowed) = self.load_and_time();
         self.counts.cycles += 1;
-        self.measure(begin.saturating_add(allowed as u64))?;
+        self.measure(begin.saturating_add(allowed))?;
         self.reading = self.bus.now() - begin;
         self.check(self.period / 1000.0)
     }
@@ -520,10 +536,16 @@ impl<P: Port> Drives<P> {
     /// Sends a command to each joint, at the end of a cycle of `period` ms.
     ///
     /// # Errors
-    /// The port is gone, or a joint is commanded a torque.
+    /// The port is gone, a joint is commanded a torque, or the bus or the watchdogs cannot have this sampling time.
     pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
         let begin = self.bus.now();
-        self.period = period;
+        if period != self.period {
+            self.period = period;
+            self.timeouts = TIMEOUT_REPEATS;
+            if self.is_held {
+                self.check_period()?;
+            }
+        }
         for (number, command) in commands.iter().enumerate().take(self.joints.len()) {
             let JointCommand::Angle { angle, .. } = *command else {
                 return self.fail(Some(number), Problem::Torque);
@@ -696,8 +718,16 @@ impl<P: Port> Drives<P> {
                 Some(_) => self.counts.implausible += u64::from(!taken),
                 None => self.counts.missing += 1,
             }
-            if let Some(is_on) = reading.as_ref().and_then(|reading| reading.is_on) {
-                state.off = if is_on { 0 } else { state.off + 1 };
+            // A goal switches the torque of AX, MX and STS servos on again; their torque limit is not the robot's then.
+            let Joint { model, torque, .. } = state.joint;
+            let limit = model.torque_limit(torque * self.torque);
+            let reset = reading.as_ref().and_then(|reading| {
+                let is_off = reading.is_on.map(|is_on| !is_on);
+                let is_other = reading.torque_limit.map(|own| Some(own) != limit);
+                is_off.into_iter().chain(is_other).reduce(|a, b| a || b)
+            });
+            if let Some(is_reset) = reset {
+                state.off = if is_reset { state.off + 1 } else { 0 };
             }
             if !taken {
                 continue;
@@ -762,7 +792,14 @@ impl<P: Port> Drives<P> {
             return Ok(());
         };
         let setpoints = self.setpoints();
-        match family.write_goals(&mut self.bus, &setpoints) {
+        let mut sent = Ok(());
+        if self.is_held && self.timeouts > 0 {
+            // Before a cycle that may be longer than the last one.
+            self.timeouts -= 1;
+            sent = family.write_timeouts(&mut self.bus, &setpoints);
+        }
+        let sent = sent.and_then(|()| family.write_goals(&mut self.bus, &setpoints));
+        match sent {
             Ok(()) => Ok(()),
             Err(_) => self.fail(None, Problem::Port),
         }

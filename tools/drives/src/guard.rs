@@ -332,6 +332,10 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
 
     /// Sends the commands to hold or to relax; returns false if the operator has asked for another state.
     fn rest(&mut self, policy: Policy, period: f64) -> bool {
+        if policy == Policy::Hold && self.switched_on < self.drives.joints().count() {
+            // A goal would switch the torque of some servos on. `confirm` holds those that have torque.
+            return true;
+        }
         let begin = self.now();
         let relaxing = (self.drives.settings().relaxing.clamp(0.0, 60.0) * 1e6) as u64;
         let limit = begin + relaxing + LEAVING_LIMIT;
@@ -450,6 +454,9 @@ impl<P: Port, H: Host<P>, const L: usize, const J: usize> Hardware<L, J> for Tor
         self.read_cycle().map_err(|failure| failure.fault(J))?;
         for (number, angle) in into.angles.as_flattened_mut().iter_mut().enumerate() {
             *angle = self.drives.angle(number).unwrap_or(*angle);
+        }
+        for (number, age) in into.ages.as_flattened_mut().iter_mut().enumerate() {
+            *age = self.drives.age(number).unwrap_or_default();
         }
         Ok(())
     }

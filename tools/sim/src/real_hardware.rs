@@ -15,11 +15,11 @@ use tip_runtime::program::Program;
 
 /// The joints of a real robot, leg by leg: [`Hardware`](tip_runtime::hardware::Hardware) for a robot of any size.
 pub trait Joints: Send {
-    /// Measures the angle of each joint, deg.
+    /// Measures the angle of each joint, deg, and says how many cycles ago it did, where it could not in this one.
     ///
     /// # Errors
     /// The fault; the machine answers with an emergency stop.
-    fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault>;
+    fn read(&mut self, angles: &mut [f64], ages: &mut [u32]) -> Result<(), HardwareFault>;
 
     /// Sends a command to each joint, for a cycle of `period` ms.
     ///
@@ -85,7 +85,10 @@ impl DynHardware for RealHardware {
     }
 
     fn read(&mut self, into: Reading<'_>) -> Result<(), HardwareFault> {
-        self.joints.as_mut().ok_or(COPY)?.read(into.angles)?;
+        self.joints
+            .as_mut()
+            .ok_or(COPY)?
+            .read(into.angles, into.ages)?;
         self.angles.clear();
         self.angles.extend_from_slice(into.angles);
         Ok(())

@@ -16,6 +16,7 @@ const PRESSED: f64 = 2.0;
 /// The sensors of a robot, to be filled in.
 pub(crate) struct Reading<'a> {
     pub(crate) angles: &'a mut [f64],
+    pub(crate) ages: &'a mut [u32],
     pub(crate) torques: &'a mut [f64],
     pub(crate) inputs: &'a mut Inputs,
     pub(crate) slider: &'a mut Point,
@@ -264,6 +265,7 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimHardware {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
         self.measure(Reading {
             angles: into.angles.as_flattened_mut(),
+            ages: into.ages.as_flattened_mut(),
             torques: into.torques.as_flattened_mut(),
             inputs: &mut into.inputs,
             slider: &mut into.slider,

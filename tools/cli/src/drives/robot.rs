@@ -512,6 +512,14 @@ impl Connection {
                 max: own.limits.max,
             },
             Problem::Torque => Driving::NoTorques { joint },
+            Problem::Load(load) => Driving::BusTooSlow {
+                percent: format!("{:.0}", load.part * 100.0),
+                cycles: load.cycles,
+                silence: bus.silence,
+            },
+            Problem::Period(most) => Driving::PeriodTooLong {
+                most: format!("{most:.0}"),
+            },
             Problem::NotHeld => Driving::NotHeld,
         };
         message.in_lang(self.lang).to_string()
@@ -528,12 +536,15 @@ struct RunJoints {
 }
 
 impl Joints for RunJoints {
-    fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault> {
+    fn read(&mut self, angles: &mut [f64], ages: &mut [u32]) -> Result<(), HardwareFault> {
         let mut robot = lock(&self.robot);
         let read = robot.read_cycle();
         read.map_err(|failure| failure.fault(self.of_leg))?;
         for (joint, angle) in angles.iter_mut().enumerate() {
             *angle = robot.drives().angle(joint).unwrap_or(*angle);
+        }
+        for (joint, age) in ages.iter_mut().enumerate() {
+            *age = robot.drives().age(joint).unwrap_or_default();
         }
         Ok(())
     }

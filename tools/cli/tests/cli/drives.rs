@@ -214,7 +214,8 @@ fn a_file_without_a_bus_or_a_port_says_what_is_missing() {
     let folder = folder.file("wrong.toml", wrong);
     let outcome = folder.tip(&["robot", "check", "wrong.toml"]).expect(1);
     let said = outcome.out + &outcome.err;
-    assert!(said.contains("cannot have the identity 1"), "{said}");
+    let same = "cannot have the identity 1: that of J11 has it";
+    assert!(said.contains(same), "{said}");
     let nowhere = ["--port", "/dev/nowhere", "--yes"];
     let run = [&["run", program, "--hardware", "port.toml"][..], &nowhere].concat();
     let outcome = folder.tip(&run).expect(1);

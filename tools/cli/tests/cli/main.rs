@@ -9,6 +9,8 @@ mod dap;
 #[cfg(target_os = "linux")]
 mod drives;
 mod emit;
+#[cfg(target_os = "linux")]
+mod endings;
 #[cfg(unix)]
 mod external;
 #[cfg(target_os = "linux")]

@@ -18,7 +18,7 @@ const MBAUD: Timing = Timing {
     latency: 2000,
 };
 /// The timing of a model's bus.
-fn timing(model: &Model) -> Timing {
+pub(crate) fn timing(model: &Model) -> Timing {
     match model.family.key() {
         // Lines of text are long, and USB is fast.
         "moteus" => Timing {
@@ -32,7 +32,7 @@ fn timing(model: &Model) -> Timing {
 /// ms
 const PERIOD: f64 = 20.0;
 
-fn joint(id: u8, model: &'static Model) -> Joint {
+pub(crate) fn joint(id: u8, model: &'static Model) -> Joint {
     Joint {
         id,
         model,
@@ -59,6 +59,11 @@ fn robot_with(name: &str, servos: u8, faults: Faults, settings: Settings) -> Dri
     let port = MemoryPort::new(bus.with_faults(faults, 11));
     let bus = Bus::new(port, timing);
     Drives::new(bus, &joints, settings).expect("not too many")
+}
+
+/// The master's side of a simulated bus.
+pub(crate) fn bus_of(bus: SimulatedBus, model: &Model) -> Bus<MemoryPort> {
+    Bus::new(MemoryPort::new(bus), timing(model))
 }
 
 /// A robot that holds itself.
@@ -92,7 +97,11 @@ fn wave(cycle: u64) -> f64 {
 }
 
 /// Runs one cycle on the time grid; returns the problem.
-fn cycle(drives: &mut Drives<MemoryPort>, number: u64, angle: f64) -> Result<(), Problem> {
+pub(crate) fn cycle(
+    drives: &mut Drives<MemoryPort>,
+    number: u64,
+    angle: f64,
+) -> Result<(), Problem> {
     let begin = number * (PERIOD * 1000.0) as u64;
     drives.bus_mut().port_mut().pass(begin);
     let commands = vec![JointCommand::at(angle); drives.joints().count()];
@@ -118,7 +127,7 @@ fn wrong(drives: &Drives<MemoryPort>, since: u64) -> usize {
     (0..servos.len()).filter(is_wrong).count()
 }
 
-const START: u64 = 50;
+pub(crate) const START: u64 = 50;
 
 #[test]
 fn each_family_follows_its_commands() {
@@ -157,6 +166,8 @@ fn servos_of_protocol_2_answer_in_one_frame() {
     };
     let mut drives = Drives::new(bus, &joints, settings).expect("not too many");
     drives.connect().expect("all are there");
+    // Not long before the first cycle, because of watchdogs.
+    drives.bus_mut().port_mut().pass((START - 5) * 20_000);
     drives.hold().expect("all are there");
     for number in START..START + 200 {
         cycle(&mut drives, number, wave(number - START)).expect("no fault");

@@ -15,7 +15,7 @@ use tip_runtime::hardware::{Hardware, JointCommand, Outputs, Sensors};
 use tip_runtime::model::Range;
 
 /// A servo of each family.
-const MODELS: [&str; 4] = ["AX-12", "XL430-W250", "STS3215", "moteus-mj5208"];
+const MODELS: [&str; 5] = ["AX-12", "XL430-W250", "STS3215", "LX-16A", "moteus-mj5208"];
 /// Policies at the end and in an emergency.
 const POLICIES: [(Policy, Policy); 2] =
     [(Policy::Relax, Policy::Hold), (Policy::Hold, Policy::Relax)];
@@ -328,7 +328,11 @@ fn a_servo_that_is_gone_is_unknown_after_a_bounded_time() {
 #[test]
 fn a_failure_on_the_way_leaves_the_robot_as_in_an_emergency() {
     // An LX servo does not tell its load, but that it stays behind.
-    for (model, problem) in [("AX-12", "overloaded"), ("STS3215", "overloaded")] {
+    for (model, problem) in [
+        ("AX-12", "overloaded"),
+        ("STS3215", "overloaded"),
+        ("LX-16A", "follow"),
+    ] {
         for policies in POLICIES {
             let mut robot = robot(model, policies, NEVER);
             with_bus(&robot, |bus| bus.block(2));

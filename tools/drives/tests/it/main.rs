@@ -3,3 +3,5 @@
 mod drives;
 mod frames;
 mod guard;
+mod simulated;
+mod tables;
