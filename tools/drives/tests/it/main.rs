@@ -3,4 +3,5 @@
 mod drives;
 mod frames;
 mod simulated;
+mod start;
 mod tables;
