@@ -19,13 +19,15 @@
 //!         for (angle, command) in self.0.iter_mut().zip(commands) {
 //!             match command {
 //!                 JointCommand::Angle { angle: to, .. } => *angle = *to,
-//!                 JointCommand::Torque(_) => return Err(HardwareFault("no torques")),
+//!                 JointCommand::Torque(_) => return Err(HardwareFault::new("no torques")),
 //!             }
 //!         }
 //!         Ok(())
 //!     }
 //!
-//!     fn stop(&mut self, _why: &Fault) {}
+//!     fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+//!         Ok(()) // They stay where they are.
+//!     }
 //! }
 //!
 //! let mut servos = Servos([0.0, 90.0]);
@@ -43,6 +45,8 @@
 //! outputs.joints[0][1] = JointCommand::Torque(2.0);
 //! assert!(servos.write(&outputs).is_err());
 //! ```
+
+pub use crate::fault::HardwareFault;
 
 use crate::command::Port;
 use crate::fault::Fault;
@@ -179,10 +183,6 @@ impl<const L: usize, const J: usize> Outputs<L, J> {
     }
 }
 
-/// The robot failed to read or to write; the text names what.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct HardwareFault(pub &'static str);
-
 /// A robot: simulated, or yours.
 pub trait Hardware<const L: usize, const J: usize> {
     /// Samples every sensor, at the start of a cycle.
@@ -198,7 +198,11 @@ pub trait Hardware<const L: usize, const J: usize> {
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault>;
 
     /// Stops the robot: called in every cycle of an emergency, in place of [`write`](Self::write).
-    fn stop(&mut self, why: &Fault);
+    ///
+    /// # Errors
+    /// The robot could not be stopped in this cycle. The machine keeps the first such fault
+    /// ([`Emergency::stop_fault`](crate::machine::Emergency::stop_fault)), and calls again in the next cycle.
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 }
 
 /// A value for each input that a robot may have; what a robot lacks keeps the value of the beginning. Joints are not

@@ -1,4 +1,5 @@
-//! The joints of a robot as servos on a bus: the [`Hardware`] of a machine, and the checks that keep a robot whole.
+//! The joints of a robot as servos on a bus, and the checks that keep a robot whole. Torque belongs to the
+//! [guard](crate::guard).
 //!
 //! Angles of this module are those of joints, in deg; counts are those of servos. Every command is limited here, before it leaves.
 
@@ -8,8 +9,7 @@ pub use crate::description::{Invalid, Joint, Policy, Settings};
 use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
 use core::fmt;
 use heapless::Vec;
-use tip_runtime::fault::Fault;
-use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
+use tip_runtime::hardware::{HardwareFault, JointCommand};
 use tip_runtime::model::Range;
 
 /// A reason why the drives stop the robot.
@@ -48,24 +48,24 @@ pub enum Problem {
 }
 
 impl Problem {
-    /// Returns the words of the fault in an emergency report.
+    /// Returns the cause in an emergency report, which names the servo before it.
     pub const fn words(&self) -> &'static str {
         match self {
-            Problem::Port => "drives: the port is gone",
-            Problem::Silent => "drives: a servo does not answer",
-            Problem::Model(_) => "drives: a servo of another model",
-            Problem::Register(_) => "drives: a servo has other settings",
-            Problem::Hot(_) => "drives: a servo is too hot",
-            Problem::Voltage(_) => "drives: the supply voltage",
-            Problem::Overload(_) => "drives: a servo is overloaded",
-            Problem::Alarm(_) => "drives: a servo has an alarm",
-            Problem::Reset => "drives: a servo was reset",
-            Problem::Lags(_) => "drives: a joint does not follow",
-            Problem::Outside(_) => "drives: a joint is outside of its limits",
-            Problem::Torque => "drives: position servos take no torques",
-            Problem::Load(_) => "drives: the bus is too slow",
-            Problem::Period(_) => "drives: the sampling time is too long",
-            Problem::NotHeld => "drives: the robot is not held",
+            Problem::Port => "the port is gone",
+            Problem::Silent => "does not answer",
+            Problem::Model(_) => "is of another model",
+            Problem::Register(_) => "has other settings",
+            Problem::Hot(_) => "is too hot",
+            Problem::Voltage(_) => "supply voltage out of range",
+            Problem::Overload(_) => "is overloaded",
+            Problem::Alarm(_) => "has an alarm",
+            Problem::Reset => "was reset",
+            Problem::Lags(_) => "does not follow its command",
+            Problem::Outside(_) => "is outside of its limits",
+            Problem::Torque => "takes no torques",
+            Problem::Load(_) => "the bus is too slow",
+            Problem::Period(_) => "the sampling time is too long",
+            Problem::NotHeld => "the robot is not held",
         }
     }
 }
@@ -83,17 +83,34 @@ pub struct Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(joint) = self.joint {
+            write!(f, "joint number {joint}: ")?;
+        }
         f.write_str(self.problem.words())
     }
 }
 
 impl core::error::Error for Failure {}
 
-impl From<Failure> for HardwareFault {
-    fn from(failure: Failure) -> Self {
-        HardwareFault(failure.problem.words())
+impl Failure {
+    /// Returns it as the fault of a robot with so many joints per leg.
+    pub fn fault(self, of_leg: usize) -> HardwareFault {
+        let fault = HardwareFault::new(self.problem.words());
+        let fault = self.servo.map_or(fault, |id| fault.of_servo(id.into()));
+        let place = |number: usize| u8::try_from(number + 1).ok();
+        let leg = self.joint.and_then(|joint| joint.checked_div(of_leg));
+        let joint = self.joint.and_then(|joint| joint.checked_rem(of_leg));
+        let place = leg.and_then(place).zip(joint.and_then(place));
+        place.map_or(fault, |(leg, joint)| fault.at_joint(leg, joint))
     }
 }
+
+/// The failure of a port that is gone.
+const GONE: Failure = Failure {
+    joint: None,
+    servo: None,
+    problem: Problem::Port,
+};
 
 /// The last answer of a servo. A value that its family cannot measure, or has not yet, is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -210,8 +227,6 @@ pub struct Drives<P> {
     /// Part of the torque limits that is left while the robot relaxes.
     torque: f64,
     is_held: bool,
-    /// True if the torque was switched on, and nothing has confirmed since that it is as it is to be left.
-    is_owed: bool,
     is_resting: bool,
     /// Time of reading in this cycle, µs.
     reading: u64,
@@ -272,7 +287,6 @@ impl<P: Port> Drives<P> {
             first: 0,
             torque: 1.0,
             is_held: false,
-            is_owed: false,
             is_resting: false,
             reading: 0,
             period: 20.0,
@@ -498,8 +512,7 @@ impl<P: Port> Drives<P> {
     /// A servo does not answer.
     pub fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
         self.check_period()?;
-        (self.is_held, self.is_owed) = (true, true);
-        (self.is_resting, self.torque) = (false, 1.0);
+        (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         for number in 0..self.joints.len() {
             if !goes_on() {
                 return Ok(());
@@ -596,9 +609,12 @@ impl<P: Port> Drives<P> {
     }
 
     /// Holds or relaxes the robot in place of a command; returns true when there is nothing left to do. Called in each cycle.
-    pub fn rest(&mut self, policy: Policy) -> bool {
+    ///
+    /// # Errors
+    /// The commands could not be sent.
+    pub fn rest(&mut self, policy: Policy) -> Result<bool, Failure> {
         let Some(family) = self.family().filter(|_| self.is_held) else {
-            return true;
+            return Ok(true);
         };
         if policy == Policy::Hold {
             if !self.is_resting {
@@ -617,7 +633,7 @@ impl<P: Port> Drives<P> {
                 // Goals tell about a port that is gone.
                 let _ = family.write_torque_limits(&mut self.bus, &setpoints);
             }
-            return self.send_goals().is_err();
+            return self.send_goals().map(|()| false).map_err(|_| GONE);
         }
         let step = self.period / 1000.0 / self.settings.relaxing.max(0.001);
         self.torque = (self.torque - step).max(0.0);
@@ -625,22 +641,22 @@ impl<P: Port> Drives<P> {
             let setpoints = self.setpoints();
             let sent = family.write_torque_limits(&mut self.bus, &setpoints);
             self.is_held = sent.is_ok();
-        } else {
-            self.release();
+            return sent.map(|()| false).map_err(|_| GONE);
         }
-        // Nothing is left to be done about a port that is gone.
-        !self.is_held
+        self.release().map(|()| true)
     }
 
-    /// Switches the torque of all servos off. `leave` asks them whether they have.
-    pub fn release(&mut self) {
+    /// Switches the torque of all servos off. Nothing confirms it.
+    ///
+    /// # Errors
+    /// The port is gone.
+    pub fn release(&mut self) -> Result<(), Failure> {
         let joints = self.joints.iter();
         let ids: Vec<u8, MAX_SERVOS> = joints.map(|state| state.joint.id).collect();
-        if let Some(family) = self.family() {
-            // Nothing is left to be done about a port that is gone.
-            let _ = family.release(&mut self.bus, &ids);
-        }
         (self.is_held, self.torque) = (false, 0.0);
+        let family = self.family();
+        let sent = family.map_or(Ok(()), |family| family.release(&mut self.bus, &ids));
+        sent.map_err(|_| GONE)
     }
 
     /// Returns true if each servo has answered since a time of the port's clock, µs.
@@ -668,21 +684,6 @@ impl<P: Port> Drives<P> {
         let (id, family) = (setpoint.id, setpoint.model.family);
         let hold = (policy == Policy::Hold).then_some(&setpoint);
         family.leave(&mut self.bus, id, hold)
-    }
-
-    /// Leaves the servos to themselves: those that are held go on holding without the host, because their watchdogs end; the torque
-    /// of the others is off.
-    pub fn leave(&mut self) {
-        if !core::mem::take(&mut self.is_owed) {
-            return;
-        }
-        let policy = match self.is_held {
-            true => Policy::Hold,
-            false => Policy::Relax,
-        };
-        for number in 0..self.joints.len() {
-            let _ = self.leave_one(number, policy);
-        }
     }
 
     /// Asks the servo of a joint.
@@ -917,26 +918,5 @@ impl State {
         let (low, high) = (old.counts.min(goal) - slack, old.counts.max(goal) + slack);
         let is_on_its_way = !is_held || (low..=high).contains(&new.counts);
         can_follow(&old) && is_on_its_way || self.suspect.as_ref().is_some_and(can_follow)
-    }
-}
-
-impl<P: Port, const L: usize, const J: usize> Hardware<L, J> for Drives<P> {
-    fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
-        self.read_cycle()?;
-        for (number, angle) in into.angles.as_flattened_mut().iter_mut().enumerate() {
-            *angle = self.angle(number).unwrap_or(*angle);
-        }
-        for (number, age) in into.ages.as_flattened_mut().iter_mut().enumerate() {
-            *age = self.age(number).unwrap_or_default();
-        }
-        Ok(())
-    }
-
-    fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
-        Ok(self.write_cycle(outputs.joints.as_flattened(), outputs.period)?)
-    }
-
-    fn stop(&mut self, _why: &Fault) {
-        self.rest(self.settings.in_emergency);
     }
 }

@@ -28,7 +28,10 @@ pub trait Joints: Send {
     fn write(&mut self, commands: &[JointCommand], period: f64) -> Result<(), HardwareFault>;
 
     /// Stops the robot: called in every cycle of an emergency, in place of [`write`](Self::write).
-    fn stop(&mut self, why: &Fault);
+    ///
+    /// # Errors
+    /// The robot could not be stopped in this cycle.
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 }
 
 impl Run {
@@ -66,7 +69,7 @@ impl fmt::Debug for RealHardware {
 }
 
 /// The fault of a copy.
-const COPY: HardwareFault = HardwareFault("a copy of a run has no robot");
+const COPY: HardwareFault = HardwareFault::new("a copy of a run has no robot");
 
 impl DynHardware for RealHardware {
     fn boxed(&self) -> Box<dyn DynHardware> {
@@ -96,10 +99,8 @@ impl DynHardware for RealHardware {
         joints.write(commands.joints, commands.period)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        if let Some(joints) = &mut self.joints {
-            joints.stop(why);
-        }
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.joints.as_mut().ok_or(COPY)?.stop(why)
     }
 
     fn has_input(&self, _: Port) -> bool {

@@ -38,7 +38,7 @@ pub(crate) trait DynHardware: Send {
     fn plant(&self) -> &dyn Any;
     fn read(&mut self, into: Reading<'_>) -> Result<(), HardwareFault>;
     fn write(&mut self, commands: &Commands<'_>) -> Result<(), HardwareFault>;
-    fn stop(&mut self, why: &Fault);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 
     /// Returns true if the robot has this input.
     fn has_input(&self, port: Port) -> bool;
@@ -158,8 +158,8 @@ where
         self.plant.write(&outputs)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        self.plant.stop(why);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.plant.stop(why)
     }
 
     fn has_input(&self, port: Port) -> bool {
@@ -234,14 +234,14 @@ impl SimHardware {
 
     fn measure(&mut self, into: Reading<'_>) -> Result<(), HardwareFault> {
         match std::mem::take(&mut self.read_fails) {
-            true => Err(HardwareFault("read")),
+            true => Err(HardwareFault::new("read")),
             false => self.simulated.read(into),
         }
     }
 
     fn drive(&mut self, commands: &Commands<'_>) -> Result<(), HardwareFault> {
         match self.write_fails {
-            true => Err(HardwareFault("write")),
+            true => Err(HardwareFault::new("write")),
             false => self.simulated.write(commands),
         }
     }
@@ -281,7 +281,7 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimHardware {
         })
     }
 
-    fn stop(&mut self, why: &Fault) {
-        self.simulated.stop(why);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.simulated.stop(why)
     }
 }

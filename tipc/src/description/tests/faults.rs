@@ -444,7 +444,11 @@ fn a_servo_model_that_is_nearly_right_is_named() {
         ("STS-3215", "STS3215"),
         ("sts", "STS3215"),
     ] {
-        assert_eq!(help_of(name), Some(format!("did you mean `{near}`?")), "{name}");
+        assert_eq!(
+            help_of(name),
+            Some(format!("did you mean `{near}`?")),
+            "{name}"
+        );
     }
     let none = help_of("Dynamixel").unwrap_or_default();
     assert!(none.starts_with("`servo` is"), "{none}");

@@ -149,6 +149,14 @@ fn each_fault_has_its_outcome_on(robot: &str) {
             "{robot} {mishap}: {}",
             outcome.err
         );
+        // The report of the emergency stop names the servo too.
+        let named = "the hardware of the robot failed: J31 (servo 7): ";
+        assert_eq!(
+            outcome.err.contains(named),
+            status == 3,
+            "{robot} {mishap}: {}",
+            outcome.err
+        );
     }
 }
 

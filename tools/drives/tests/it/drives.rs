@@ -272,6 +272,11 @@ fn a_silent_servo_is_held_and_then_stops_the_robot() {
     let failure = drives.failure().expect("a failure");
     assert_eq!(failure.joint, Some(6));
     assert_eq!(drives.counts().missing, silence + 1);
+    // The seventh joint is the first of the third leg of three joints, and the third of the second one of four.
+    let faults = [3, 4].map(|of_leg| failure.fault(of_leg).to_string());
+    let [of_three, of_four] =
+        ["J31", "J23"].map(|joint| format!("{joint} (servo 7): does not answer"));
+    assert_eq!(faults, [of_three, of_four]);
 }
 
 /// Runs until a problem, and returns it with the number of cycles before it.
@@ -380,7 +385,7 @@ fn an_end_holds_or_relaxes() {
     for number in START..START + 20 {
         cycle(&mut drives, number, 20.0).expect("well");
     }
-    assert!(!drives.rest(Policy::Hold));
+    assert_eq!(drives.rest(Policy::Hold), Ok(false));
     drives.bus_mut().port_mut().pass((START + 100) * 20_000);
     let bus = &drives.bus().port().bus;
     assert!(
@@ -390,7 +395,7 @@ fn an_end_holds_or_relaxes() {
     );
 
     let mut limits = Vec::new();
-    while !drives.rest(Policy::Relax) {
+    while drives.rest(Policy::Relax) == Ok(false) {
         limits.push(drives.bus().port().bus.servos()[0].torque_limit());
     }
     // In 2 s, from 0.8 of the torque; the last of 100 cycles switches it off.
