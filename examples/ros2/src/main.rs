@@ -189,7 +189,7 @@ impl Hardware<LEGS, JOINTS> for Wires {
         let silence = self.silence.get_or_insert(0);
         *silence += 1;
         if *silence > SILENCE {
-            return Err(HardwareFault("joint_states: no feedback"));
+            return Err(HardwareFault::new("joint_states: no feedback"));
         }
         into.angles = self.angles;
         Ok(())
@@ -206,11 +206,13 @@ impl Hardware<LEGS, JOINTS> for Wires {
             });
         let (angles, rates): (Vec<f64>, Vec<f64>) = parts.unzip();
         let sent = self.publish(angles.into_iter(), rates.into_iter());
-        sent.then_some(()).ok_or(HardwareFault("joint_commands"))
+        sent.then_some(()).ok_or(HardwareFault::new("joint_commands"))
     }
 
     /// Says nothing more: the controller behind the topic holds its last command.
-    fn stop(&mut self, _why: &Fault) {}
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        Ok(())
+    }
 }
 
 /// Keys that services press; messages go to standard output.

@@ -43,7 +43,7 @@ impl Hardware<4, 3> for Counter {
         self.reads += 1;
         into.angles = titan8::MODEL.legs.map(|leg| leg.initial);
         if self.breaks && self.reads > 3 {
-            return Err(HardwareFault("bus"));
+            return Err(HardwareFault::new("bus"));
         }
         Ok(())
     }
@@ -53,8 +53,9 @@ impl Hardware<4, 3> for Counter {
         Ok(())
     }
 
-    fn stop(&mut self, _: &Fault) {
+    fn stop(&mut self, _: &Fault) -> Result<(), HardwareFault> {
         self.stops += 1;
+        Ok(())
     }
 }
 

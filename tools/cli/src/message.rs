@@ -517,9 +517,12 @@ tipc::message_table! {
     Nonsense { sensor: SmolStr }
         "the sensor of {sensor} reads invalid values: check the sensor and its cable",
         "{sensor}のセンサの値が異常です。センサと配線を確かめてください";
-    Broken { what: &'static str }
+    Broken { what: Text }
         "the hardware of the robot failed: {what}",
         "ロボットのハードウェアの異常です: {what}";
+    NotStopped { what: Text }
+        "the robot could not be stopped ({what}): switch its power off",
+        "ロボットを停止できませんでした({what})。電源を切ってください";
     KeyPressed
         "RETURN, the emergency stop, was pressed",
         "RETURNキー(非常停止)が押されました";
@@ -775,6 +778,9 @@ tipc::message_table! {
     NotSimulated { text: String }
         "`{text}` is not a list of faults: write faults=0.01 (or corrupt, drop, duplicate, delay, truncate) and unplug=ID@S (or reset, overheat, block, sag), separated by commas",
         "`{text}` は故障の並びではありません。faults=0.01(または corrupt、drop、duplicate、delay、truncate)と unplug=ID@S(または reset、overheat、block、sag)をコンマで区切ってください";
+    NoServoToFail { text: String, id: u32 }
+        "`{text}` can never happen: the robot has no servo {id}",
+        "`{text}` は起こりません。サーボ{id}はありません";
     NeedsYes
         "the robot is about to move, and no one can press a key: give --yes if that is safe",
         "ロボットが動きますが、キーを押す人がいません。安全なら--yesを付けてください";
@@ -814,6 +820,21 @@ tipc::message_table! {
     Found { servos: usize }
         "{servos} servos found",
         "サーボが{servos}台見つかりました";
+    Scans { family: &'static str, last: u32 }
+        "asking {family}, identities 0 to {last}",
+        "{family}のID 0から{last}を調べています";
+    NewModel { id: u32, number: u32 }
+        "servo {id} reports the model number {number}, which no model here has: its scales are not known",
+        "サーボ{id}の型番{number}は登録されていないため、換算係数が分かりません";
+    OtherFamily { id: u32, model: &'static str, key: &'static str }
+        "servo {id} is of another family: it reports to be {model} (--family {key})",
+        "サーボ{id}は別の系列で、{model}です(--family {key})";
+    Doubtful { id: u32, family: &'static str }
+        "servo {id} answers as {family} would, but with values that such a servo cannot have: is it of another family?",
+        "サーボ{id}の応答は{family}の形式ですが、値がありえません。別の系列ではありませんか?";
+    NoServo { id: u32 }
+        "servo {id} does not answer: look at power, wiring, --baud and --family",
+        "サーボ{id}が応答しません。電源、配線、--baud、--familyを確かめてください";
     NothingFound
         "no servo answers: look at power, wiring, --baud and --family",
         "応答するサーボがありません。電源、配線、--baud、--familyを確かめてください";
@@ -829,6 +850,18 @@ tipc::message_table! {
     ZeroHow
         "the torque is off. For each joint: turn it by hand to its angle 0, press RETURN; turn it a little in its positive direction, press RETURN. 's' and RETURN skips a joint",
         "トルクを切りました。関節ごとに、手で角度0に合わせてRETURN、正の向きに少し回してRETURNを押してください。's'とRETURNで飛ばします";
+    ZeroReleases { joints: String }
+        "these servos hold: {joints}. Support the robot; RETURN switches their torque off",
+        "保持中のサーボがあります: {joints}。ロボットを支えてください。RETURNでトルクを切ります";
+    NotStill { joints: String }
+        "{joints} gave no two equal positions in a row: keep the joint still, look at its cables, and do it again",
+        "{joints}の位置が定まりません。関節を動かさず、ケーブルを確かめて、やり直してください";
+    TurnedTooFar { joint: String, angle: String }
+        "{joint} has turned by {angle} deg or the other way round, nobody can tell: turn it by less than a third of a turn, and do it again",
+        "{joint}は{angle}度回ったのか逆向きなのか判別できません。3分の1回転未満にして、やり直してください";
+    OverTheEnd { joint: String, end: u32 }
+        "{joint} turned over the end of its servo's travel ({end} to 0), where the servo cannot follow: mount its horn turned if the joint has to go there",
+        "{joint}はサーボの可動範囲の端({end}と0の間)を越えました。サーボはそこを通れないので、必要ならホーンを回して付け直してください";
     AtZero { joint: String }
         "{joint} at 0",
         "{joint}を角度0に";
@@ -876,6 +909,18 @@ tipc::message_table! {
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";
+    BusLoad { percent: String, cycles: u32 }
+        "reading and commanding all servos takes {percent} % of a cycle; each servo is read in one of {cycles} cycles",
+        "全サーボの読み取りと指令に制御周期の{percent} %が必要です。各サーボの読み取りは{cycles}周期に1回です";
+    ShortTimeout { time: String, cycles: String }
+        "without the host the servos stop after {time} ms, their longest time-out: {cycles} cycles",
+        "ホストが止まると、サーボは最長のタイムアウトである{time} ms({cycles}周期)で停止します";
+    BusTooSlow { percent: String, cycles: u32, silence: u32 }
+        "the bus cannot carry a cycle: reading and commanding all servos takes {percent} % of it, each servo would be read in one of {cycles} cycles, and `silence` is {silence}. A longer sampling time, a faster bus, two of them or a larger `silence` help",
+        "バスの通信が制御周期に収まりません。全サーボの読み取りと指令に周期の{percent} %が必要で、各サーボの読み取りは{cycles}周期に1回になります(`silence` は{silence})。サンプリング時間を長くするか、バスを速くするか、2本に分けるか、`silence` を大きくしてください";
+    PeriodTooLong { most: String }
+        "the servos' watchdogs would stop a healthy robot: with them the sampling time is {most} ms at most",
+        "サーボのウォッチドッグが正常な動作を止めてしまいます。サンプリング時間は{most} ms以下にしてください";
     WrongRegister { joint: String, id: u32, name: &'static str, register: u32, value: String, wanted: String }
         "{joint} (servo {id}) would not go where it is sent: its register {register} ({name}) is {value}. Write {wanted} to it with the maker's tool while the torque is off",
         "{joint}(サーボ{id})は指令した角度に動きません(レジスタ{register}、{name}の値は{value})。トルクを切り、製造元のツールで{wanted}を書き込んでください";

@@ -285,6 +285,12 @@ impl Job<'_> {
             interrupt::release();
         }
         let traced = trace.map_or(Ok(()), |trace| trace.end(ending, run.cycles()));
+        // The servo first: it is what people look at.
+        if let Some(connection) = &connection
+            && let Some(failure) = connection.failure()
+        {
+            report::complain(&format!("{}\n", connection.explain(failure)));
+        }
         if let (Ending::Emergency(emergency), Some(program)) = (ending, run.engine()) {
             let stopped = Stopped {
                 emergency,
@@ -310,11 +316,6 @@ impl Job<'_> {
             if let Some(connection) = &connection {
                 report::complain(&driven(connection, live.as_ref().map(Live::jitter), lang));
             }
-        }
-        if let Some(connection) = &connection
-            && let Some(failure) = connection.failure()
-        {
-            report::complain(&format!("{}\n", connection.explain(failure)));
         }
         traced.and(logged)?;
         Ok(match is_stopped {

@@ -36,8 +36,8 @@ impl Default for Drives {
 }
 
 impl Hardware<LEGS, JOINTS> for Drives {
-    /// Measures. A drive that does not answer is an error, `Err(HardwareFault("bus: no answer"))`, which stops the robot: what
-    /// is not written here looks like a joint that stands still.
+    /// Measures. A drive that does not answer is an error, `Err(HardwareFault::new("no answer").at_joint(1, 2))`, which stops the
+    /// robot: what is not written here looks like a joint that stands still.
     fn read(&mut self, into: &mut Sensors<LEGS, JOINTS>) -> Result<(), HardwareFault> {
         into.angles = self.angles; // sign and offset of a motor belong here and into `write`
         into.torques = self.torques;
@@ -57,8 +57,10 @@ impl Hardware<LEGS, JOINTS> for Drives {
         Ok(())
     }
 
-    /// Stops every joint. It is called in place of `write`, in each cycle of an emergency.
-    fn stop(&mut self, why: &Fault) {
+    /// Stops every joint. It is called in place of `write`, in each cycle of an emergency. An error is reported, and the next
+    /// cycle tries again.
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
         let _ = why;
+        Ok(())
     }
 }

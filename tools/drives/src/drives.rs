@@ -1,108 +1,16 @@
-//! The joints of a robot as servos on a bus: the [`Hardware`] of a machine, and the checks that keep a robot whole.
+//! The joints of a robot as servos on a bus, and the checks that keep a robot whole. Torque belongs to the
+//! [guard](crate::guard).
 //!
 //! Angles of this module are those of joints, in deg; counts are those of servos. Every command is limited here, before it leaves.
 
 use crate::bus::{Bus, BusError, MAX_SERVOS, Port, Wire};
+use crate::description;
+pub use crate::description::{Invalid, Joint, Policy, Settings};
 use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
-use crate::model::Model;
 use core::fmt;
 use heapless::Vec;
-use tip_runtime::fault::Fault;
-use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
+use tip_runtime::hardware::{HardwareFault, JointCommand};
 use tip_runtime::model::Range;
-
-/// A joint and the servo that moves it. Motor angle = `sign` · `gear` · joint angle + `offset`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
-    /// Identity of the servo.
-    pub id: u8,
-    /// Model of the servo.
-    pub model: &'static Model,
-    /// +1, or -1 if the motor turns against the joint.
-    pub sign: f64,
-    /// Motor angle at a joint angle of 0, deg.
-    pub offset: f64,
-    /// Turns of the motor for each turn of the joint.
-    pub gear: f64,
-    /// Angles that are commanded, deg.
-    pub limits: Range,
-    /// The fastest that is commanded, deg/s.
-    pub speed: f64,
-    /// Torque limit, as a part of the full torque.
-    pub torque: f64,
-}
-
-impl Joint {
-    /// Returns the position of the servo at a joint angle, counts.
-    pub fn counts(&self, angle: f64) -> i32 {
-        let motor = self.sign * self.gear * angle + self.offset;
-        let counts = libm::round(self.model.counts(motor));
-        (counts as i32).clamp(0, self.model.largest)
-    }
-
-    /// Returns the joint angle at a position of the servo, deg.
-    pub fn angle(&self, counts: i32) -> f64 {
-        (self.model.angle(counts.into()) - self.offset) * self.sign / self.gear
-    }
-
-    /// Returns the positions at its limits, counts, the smaller one first.
-    pub fn goals(&self) -> (i32, i32) {
-        let (one, other) = (self.counts(self.limits.min), self.counts(self.limits.max));
-        (one.min(other), one.max(other))
-    }
-}
-
-/// Treatment of the robot when its program does not move it any more.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Policy {
-    /// The servos hold their position.
-    #[default]
-    Hold,
-    /// The torque falls to nothing, slowly.
-    Relax,
-}
-
-/// Limits beyond which the robot is stopped.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Number of cycles in a row for which a servo may be silent; its last angle stands for the missing ones.
-    pub silence: u32,
-    /// The hottest that a servo may be, °C.
-    pub temperature: f64,
-    /// Supply voltage, V.
-    pub voltage: Range,
-    /// Load, as a part of the stall torque, and the time for which a joint may have more, s.
-    pub overload: (f64, f64),
-    /// Distance from the command, deg, and the time for which a joint may be farther away, s.
-    pub lag: (f64, f64),
-    /// The part of a cycle in which servos are read one by one, where one request cannot read all.
-    pub reading: f64,
-    /// Time in which the torque falls to nothing, s.
-    pub relaxing: f64,
-    /// Treatment at END, at EXIT and when the run is interrupted.
-    pub at_end: Policy,
-    /// Treatment in an emergency.
-    pub in_emergency: Policy,
-    /// Servos of protocol 2 answer in one frame.
-    pub fast: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Settings {
-            silence: 5,
-            temperature: 65.0,
-            voltage: Range::new(6.0, 15.0),
-            overload: (0.9, 0.5),
-            lag: (25.0, 0.5),
-            reading: 0.6,
-            relaxing: 2.0,
-            at_end: Policy::Hold,
-            in_emergency: Policy::Hold,
-            fast: false,
-        }
-    }
-}
 
 /// A reason why the drives stop the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,27 +39,33 @@ pub enum Problem {
     Outside(f64),
     /// The joint is commanded a torque.
     Torque,
+    /// The bus cannot carry the requests of a cycle.
+    Load(Load),
+    /// The sampling time is longer than this, ms, so that the watchdogs of the servos would stop a healthy robot.
+    Period(f64),
     /// The robot was left, or its torque is not on yet.
     NotHeld,
 }
 
 impl Problem {
-    /// Returns the words of the fault in an emergency report.
+    /// Returns the cause in an emergency report, which names the servo before it.
     pub const fn words(&self) -> &'static str {
         match self {
-            Problem::Port => "drives: the port is gone",
-            Problem::Silent => "drives: a servo does not answer",
-            Problem::Model(_) => "drives: a servo of another model",
-            Problem::Register(_) => "drives: a servo has other settings",
-            Problem::Hot(_) => "drives: a servo is too hot",
-            Problem::Voltage(_) => "drives: the supply voltage",
-            Problem::Overload(_) => "drives: a servo is overloaded",
-            Problem::Alarm(_) => "drives: a servo has an alarm",
-            Problem::Reset => "drives: a servo was reset",
-            Problem::Lags(_) => "drives: a joint does not follow",
-            Problem::Outside(_) => "drives: a joint is outside of its limits",
-            Problem::Torque => "drives: position servos take no torques",
-            Problem::NotHeld => "drives: the robot is not held",
+            Problem::Port => "the port is gone",
+            Problem::Silent => "does not answer",
+            Problem::Model(_) => "is of another model",
+            Problem::Register(_) => "has other settings",
+            Problem::Hot(_) => "is too hot",
+            Problem::Voltage(_) => "supply voltage out of range",
+            Problem::Overload(_) => "is overloaded",
+            Problem::Alarm(_) => "has an alarm",
+            Problem::Reset => "was reset",
+            Problem::Lags(_) => "does not follow its command",
+            Problem::Outside(_) => "is outside of its limits",
+            Problem::Torque => "takes no torques",
+            Problem::Load(_) => "the bus is too slow",
+            Problem::Period(_) => "the sampling time is too long",
+            Problem::NotHeld => "the robot is not held",
         }
     }
 }
@@ -169,17 +83,34 @@ pub struct Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(joint) = self.joint {
+            write!(f, "joint number {joint}: ")?;
+        }
         f.write_str(self.problem.words())
     }
 }
 
 impl core::error::Error for Failure {}
 
-impl From<Failure> for HardwareFault {
-    fn from(failure: Failure) -> Self {
-        HardwareFault(failure.problem.words())
+impl Failure {
+    /// Returns it as the fault of a robot with so many joints per leg.
+    pub fn fault(self, of_leg: usize) -> HardwareFault {
+        let fault = HardwareFault::new(self.problem.words());
+        let fault = self.servo.map_or(fault, |id| fault.of_servo(id.into()));
+        let place = |number: usize| u8::try_from(number + 1).ok();
+        let leg = self.joint.and_then(|joint| joint.checked_div(of_leg));
+        let joint = self.joint.and_then(|joint| joint.checked_rem(of_leg));
+        let place = leg.and_then(place).zip(joint.and_then(place));
+        place.map_or(fault, |(leg, joint)| fault.at_joint(leg, joint))
     }
 }
+
+/// The failure of a port that is gone.
+const GONE: Failure = Failure {
+    joint: None,
+    servo: None,
+    problem: Problem::Port,
+};
 
 /// The last answer of a servo. A value that its family cannot measure, or has not yet, is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -194,6 +125,15 @@ pub struct Measured {
     pub temperature: Option<f64>,
     /// Time of the answer on the port's clock, µs.
     pub at: u64,
+}
+
+/// The requests of a cycle on a bus.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load {
+    /// Time that reading and commanding all servos takes, as a part of the sampling time.
+    pub part: f64,
+    /// Number of cycles in which each servo is read once.
+    pub cycles: u32,
 }
 
 /// Counts of what the drives have done.
@@ -222,6 +162,8 @@ struct State {
     measured: Option<Measured>,
     /// An answer that was not believed: it is when the next one agrees.
     suspect: Option<Measured>,
+    voltage: Slow,
+    temperature: Slow,
     /// False until the position is known for sure.
     is_settled: bool,
     /// Number of requests.
@@ -242,6 +184,36 @@ struct State {
     lagging: f64,
 }
 
+/// A value that changes slowly, and is not in every answer.
+#[derive(Clone, Copy, Debug, Default)]
+struct Slow {
+    /// The last value that was believed, and its time, µs.
+    known: Option<(f64, u64)>,
+    /// A value that was not believed: it is when the next one agrees.
+    suspect: Option<f64>,
+}
+
+impl Slow {
+    /// Returns true if a value can follow the last one, from which it differs by `most` and as much more in a second as `rate` says.
+    fn accept(&mut self, new: Option<f64>, now: u64, (most, rate): (f64, f64)) -> bool {
+        let (Some(new), Some((known, at))) = (new, self.known) else {
+            return true;
+        };
+        let time = now.saturating_sub(at) as f64 / 1e6;
+        let is_near = |other: f64, most: f64| (new - other).abs() <= most;
+        let is_accepted = is_near(known, most + rate * time)
+            || self.suspect.is_some_and(|suspect| is_near(suspect, most));
+        self.suspect = (!is_accepted).then_some(new);
+        is_accepted
+    }
+
+    /// Takes a value over, and returns the last one that is known.
+    fn take(&mut self, new: Option<f64>, now: u64) -> Option<f64> {
+        self.known = new.map(|new| (new, now)).or(self.known);
+        self.known.map(|(value, _)| value)
+    }
+}
+
 /// The servos of a robot.
 #[derive(Debug)]
 pub struct Drives<P> {
@@ -255,19 +227,27 @@ pub struct Drives<P> {
     /// Part of the torque limits that is left while the robot relaxes.
     torque: f64,
     is_held: bool,
-    /// True if the torque was switched on, and nothing has confirmed since that it is as it is to be left.
-    is_owed: bool,
     is_resting: bool,
     /// Time of reading in this cycle, µs.
     reading: u64,
     /// Sampling time, ms.
     period: f64,
+    /// Number of cycles that still send the time-outs of watchdogs, because one may not arrive.
+    timeouts: u32,
+    /// Time of reading all servos, µs.
+    read_time: u64,
 }
 
 /// Maximum number of repeats of a request at the start and at the end.
 const MAX_REPEATS: u32 = 20;
 /// Time-out of a watchdog, cycles and ms at least.
 const TIMEOUT: (f64, f64) = (10.0, 100.0);
+/// Time-out while the servos are switched on one after the other, ms.
+const TIMEOUT_AT_START: f64 = 2000.0;
+/// Minimum time-out with which a healthy robot goes on, cycles.
+const MIN_TIMEOUT: f64 = 3.0;
+/// Number of cycles that send a new time-out.
+const TIMEOUT_REPEATS: u32 = 3;
 /// A difference of positions that noise explains, counts.
 const NOISE: f64 = 12.0;
 /// The farthest that a servo is beside the way to its goal, deg.
@@ -277,12 +257,15 @@ impl<P: Port> Drives<P> {
     /// Creates the drives of a robot, joint by joint and leg by leg; nothing is sent.
     ///
     /// # Errors
-    /// There are more joints than a bus can have.
-    pub fn new(mut bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, BusError> {
+    /// No robot can have such joints or settings.
+    pub fn new(mut bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, Invalid> {
+        description::check(joints, &settings)?;
         let states = joints.iter().map(|joint| State {
             joint: *joint,
             measured: None,
             suspect: None,
+            voltage: Slow::default(),
+            temperature: Slow::default(),
             is_settled: false,
             turn: 0,
             is_late: false,
@@ -294,9 +277,6 @@ impl<P: Port> Drives<P> {
             overloaded: 0.0,
             lagging: 0.0,
         });
-        if joints.len() > MAX_SERVOS {
-            return Err(BusError::TooLong);
-        }
         bus.set_tries(settings.silence.min(MAX_REPEATS) + 1);
         Ok(Drives {
             bus,
@@ -307,10 +287,11 @@ impl<P: Port> Drives<P> {
             first: 0,
             torque: 1.0,
             is_held: false,
-            is_owed: false,
             is_resting: false,
             reading: 0,
             period: 20.0,
+            timeouts: 0,
+            read_time: 0,
         })
     }
 
@@ -371,6 +352,18 @@ impl<P: Port> Drives<P> {
     /// # Errors
     /// A servo is missing or another one, is not well, or its joint is outside of its limits.
     pub fn connect(&mut self) -> Result<(), Failure> {
+        self.find(true)
+    }
+
+    /// Does the same for a robot that nobody commands: its joints may be anywhere, and the limits in its servos are not compared.
+    ///
+    /// # Errors
+    /// A servo is missing or another one, or is not well.
+    pub fn connect_to_measure(&mut self) -> Result<(), Failure> {
+        self.find(false)
+    }
+
+    fn find(&mut self, is_commanded: bool) -> Result<(), Failure> {
         self.failure = None;
         let mut delay = 0;
         for number in 0..self.joints.len() {
@@ -384,7 +377,11 @@ impl<P: Port> Drives<P> {
             {
                 return self.fail(Some(number), Problem::Model(reported));
             }
-            let goals = joint.goals();
+            let goals = match is_commanded {
+                true => joint.goals(),
+                // None that a limit could exclude.
+                false => (i32::MAX, i32::MIN),
+            };
             let wrong = self.request(number, |wire| family.check(wire, (id, model), goals))?;
             if let Some(mismatch) = wrong {
                 return self.fail(Some(number), Problem::Register(mismatch));
@@ -393,9 +390,24 @@ impl<P: Port> Drives<P> {
             delay = delay.max(own);
         }
         self.bus.set_return_delay(delay);
+        if let Some(family) = self.family() {
+            let (one, _) = family.times(self.bus.timing(), self.joints.len());
+            self.read_time = one * self.joints.len() as u64;
+        }
+        let mut times: Vec<u64, 9> = Vec::new();
         // Two readings that agree, so that a damaged one cannot be the first.
         for _ in 0..2 * (self.settings.silence as usize + 1) {
+            let begin = self.bus.now();
             self.measure(u64::MAX)?;
+            if self.joints.iter().all(|state| state.age == 0) {
+                // Enough of them, if there is no room.
+                let _ = times.push(self.bus.now() - begin);
+            }
+        }
+        times.sort_unstable();
+        // With the latency of the adapter, which is unknown before.
+        if let Some(median) = times.get(times.len() / 2) {
+            self.read_time = *median;
         }
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
@@ -405,20 +417,71 @@ impl<P: Port> Drives<P> {
             (state.sent, state.is_settled) = (angle, true);
             let Range { min, max } = state.joint.limits;
             // A joint that hangs may hang a little too far.
-            if !(min - 5.0..=max + 5.0).contains(&angle) {
+            if is_commanded && !(min - 5.0..=max + 5.0).contains(&angle) {
                 return self.fail(Some(number), Problem::Outside(angle));
             }
         }
         self.check(0.0)
     }
 
+    /// Returns the requests of a cycle, as they were measured by the last `connect`, and the time in which servos are read, µs.
+    fn load_and_time(&self) -> (Load, u64) {
+        let servos = self.joints.len();
+        let Some(family) = self.family() else {
+            let none = Load {
+                part: 0.0,
+                cycles: 1,
+            };
+            return (none, 0);
+        };
+        let (_, write) = family.times(self.bus.timing(), servos);
+        let period = self.period * 1000.0;
+        let read = self.read_time as f64;
+        let allowed = (self.settings.reading * period)
+            .min(period - write as f64)
+            .max(0.0);
+        let in_a_cycle = match family.reads_together() {
+            true => servos,
+            // One is read in any case.
+            false => (allowed * servos as f64 / read.max(1.0)) as usize,
+        };
+        let cycles = servos.div_ceil(in_a_cycle.max(1)) as u32;
+        let part = (read + write as f64) / period;
+        (Load { part, cycles }, allowed as u64)
+    }
+
+    /// Returns the requests of a cycle, as they were measured by the last `connect`.
+    pub fn load(&self) -> Load {
+        self.load_and_time().0
+    }
+
+    /// Returns the time-out of the servos' watchdogs, ms; `None` if they have none. It is ten cycles, as far as they can have it.
+    pub fn timeout(&self) -> Option<f64> {
+        let (shortest, longest) = self.family()?.timeouts()?;
+        let (cycles, least) = TIMEOUT;
+        Some((cycles * self.period).max(least).clamp(shortest, longest))
+    }
+
+    /// Checks that the bus and the watchdogs can have the sampling time.
+    fn check_period(&mut self) -> Result<(), Failure> {
+        if let Some((_, longest)) = self.family().and_then(Family::timeouts)
+            && longest < MIN_TIMEOUT * self.period
+        {
+            return self.fail(None, Problem::Period(longest / MIN_TIMEOUT));
+        }
+        let (load, time) = self.load_and_time();
+        // One missing answer must not stop the robot.
+        let is_heard =
+            load.cycles == 1 || 2 * load.cycles <= self.settings.silence.saturating_add(1);
+        if time > 0 && is_heard || self.joints.is_empty() {
+            return Ok(());
+        }
+        self.fail(None, Problem::Load(load))
+    }
+
     /// Returns the command to a joint.
     fn setpoint(&self, joint: usize) -> Setpoint {
         let State { joint, sent, .. } = self.joints[joint];
-        let timeout = joint.model.family.timeouts().map(|(shortest, longest)| {
-            let (cycles, least) = TIMEOUT;
-            (cycles * self.period).max(least).clamp(shortest, longest)
-        });
         Setpoint {
             id: joint.id,
             model: joint.model,
@@ -426,7 +489,7 @@ impl<P: Port> Drives<P> {
             speed: joint.speed * joint.gear,
             torque: joint.torque * self.torque,
             period: self.period,
-            timeout,
+            timeout: self.timeout(),
         }
     }
 
@@ -448,8 +511,8 @@ impl<P: Port> Drives<P> {
     /// # Errors
     /// A servo does not answer.
     pub fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
-        (self.is_held, self.is_owed) = (true, true);
-        (self.is_resting, self.torque) = (false, 1.0);
+        self.check_period()?;
+        (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         for number in 0..self.joints.len() {
             if !goes_on() {
                 return Ok(());
@@ -459,10 +522,16 @@ impl<P: Port> Drives<P> {
                 state.sent = state.joint.angle(measured.counts);
             }
             state.off = 0;
-            let setpoint = self.setpoint(number);
+            let mut setpoint = self.setpoint(number);
             let family = setpoint.model.family;
+            // Cycles begin when the last servo is on.
+            setpoint.timeout = family.timeouts().map(|(shortest, longest)| {
+                let time = setpoint.timeout.unwrap_or_default().max(TIMEOUT_AT_START);
+                time.clamp(shortest, longest)
+            });
             self.request(number, |wire| family.hold(wire, &setpoint))?;
         }
+        self.timeouts = TIMEOUT_REPEATS;
         Ok(())
     }
 
@@ -497,9 +566,9 @@ impl<P: Port> Drives<P> {
     /// The reason to stop the robot.
     pub fn read_cycle(&mut self) -> Result<(), Failure> {
         let begin = self.bus.now();
-        let allowed = self.settings.reading * self.period * 1000.0;
+        let (_, allowed) = self.load_and_time();
         self.counts.cycles += 1;
-        self.measure(begin.saturating_add(allowed as u64))?;
+        self.measure(begin.saturating_add(allowed))?;
         self.reading = self.bus.now() - begin;
         self.check(self.period / 1000.0)
     }
@@ -507,10 +576,16 @@ impl<P: Port> Drives<P> {
     /// Sends a command to each joint, at the end of a cycle of `period` ms.
     ///
     /// # Errors
-    /// The port is gone, or a joint is commanded a torque.
+    /// The port is gone, a joint is commanded a torque, or the bus or the watchdogs cannot have this sampling time.
     pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
         let begin = self.bus.now();
-        self.period = period;
+        if period != self.period {
+            self.period = period;
+            self.timeouts = TIMEOUT_REPEATS;
+            if self.is_held {
+                self.check_period()?;
+            }
+        }
         for (number, command) in commands.iter().enumerate().take(self.joints.len()) {
             let JointCommand::Angle { angle, .. } = *command else {
                 return self.fail(Some(number), Problem::Torque);
@@ -534,9 +609,12 @@ impl<P: Port> Drives<P> {
     }
 
     /// Holds or relaxes the robot in place of a command; returns true when there is nothing left to do. Called in each cycle.
-    pub fn rest(&mut self, policy: Policy) -> bool {
+    ///
+    /// # Errors
+    /// The commands could not be sent.
+    pub fn rest(&mut self, policy: Policy) -> Result<bool, Failure> {
         let Some(family) = self.family().filter(|_| self.is_held) else {
-            return true;
+            return Ok(true);
         };
         if policy == Policy::Hold {
             if !self.is_resting {
@@ -555,7 +633,7 @@ impl<P: Port> Drives<P> {
                 // Goals tell about a port that is gone.
                 let _ = family.write_torque_limits(&mut self.bus, &setpoints);
             }
-            return self.send_goals().is_err();
+            return self.send_goals().map(|()| false).map_err(|_| GONE);
         }
         let step = self.period / 1000.0 / self.settings.relaxing.max(0.001);
         self.torque = (self.torque - step).max(0.0);
@@ -563,22 +641,22 @@ impl<P: Port> Drives<P> {
             let setpoints = self.setpoints();
             let sent = family.write_torque_limits(&mut self.bus, &setpoints);
             self.is_held = sent.is_ok();
-        } else {
-            self.release();
+            return sent.map(|()| false).map_err(|_| GONE);
         }
-        // Nothing is left to be done about a port that is gone.
-        !self.is_held
+        self.release().map(|()| true)
     }
 
-    /// Switches the torque of all servos off. `leave` asks them whether they have.
-    pub fn release(&mut self) {
+    /// Switches the torque of all servos off. Nothing confirms it.
+    ///
+    /// # Errors
+    /// The port is gone.
+    pub fn release(&mut self) -> Result<(), Failure> {
         let joints = self.joints.iter();
         let ids: Vec<u8, MAX_SERVOS> = joints.map(|state| state.joint.id).collect();
-        if let Some(family) = self.family() {
-            // Nothing is left to be done about a port that is gone.
-            let _ = family.release(&mut self.bus, &ids);
-        }
         (self.is_held, self.torque) = (false, 0.0);
+        let family = self.family();
+        let sent = family.map_or(Ok(()), |family| family.release(&mut self.bus, &ids));
+        sent.map_err(|_| GONE)
     }
 
     /// Returns true if each servo has answered since a time of the port's clock, µs.
@@ -606,21 +684,6 @@ impl<P: Port> Drives<P> {
         let (id, family) = (setpoint.id, setpoint.model.family);
         let hold = (policy == Policy::Hold).then_some(&setpoint);
         family.leave(&mut self.bus, id, hold)
-    }
-
-    /// Leaves the servos to themselves: those that are held go on holding without the host, because their watchdogs end; the torque
-    /// of the others is off.
-    pub fn leave(&mut self) {
-        if !core::mem::take(&mut self.is_owed) {
-            return;
-        }
-        let policy = match self.is_held {
-            true => Policy::Hold,
-            false => Policy::Relax,
-        };
-        for number in 0..self.joints.len() {
-            let _ = self.leave_one(number, policy);
-        }
     }
 
     /// Asks the servo of a joint.
@@ -769,7 +832,14 @@ impl<P: Port> Drives<P> {
             return Ok(());
         };
         let setpoints = self.setpoints();
-        match family.write_goals(&mut self.bus, &setpoints) {
+        let mut sent = Ok(());
+        if self.is_held && self.timeouts > 0 {
+            // Before a cycle that may be longer than the last one.
+            self.timeouts -= 1;
+            sent = family.write_timeouts(&mut self.bus, &setpoints);
+        }
+        let sent = sent.and_then(|()| family.write_goals(&mut self.bus, &setpoints));
+        match sent {
             Ok(()) => Ok(()),
             Err(_) => self.fail(None, Problem::Port),
         }
@@ -809,59 +879,44 @@ impl State {
             && new
                 .temperature
                 .is_none_or(|it| (-20.0..=120.0).contains(&it));
-        let Some(old) = self.measured else {
-            self.measured = possible.then_some(new);
-            return possible;
-        };
-        let both = |one: Option<f64>, other: Option<f64>| one.zip(other);
-        let follows = |old: &Measured| {
-            let time = now.saturating_sub(old.at) as f64 / 1e6;
-            let degree = model.turn / 360.0;
-            let reach = 1.5 * model.speed * degree * time + NOISE.max(degree);
-            let is_near = |pair: Option<(f64, f64)>, most: f64| {
-                pair.is_none_or(|(one, other)| (one - other).abs() <= most)
-            };
-            f64::from((new.counts - old.counts).abs()) <= reach
-                && is_near(both(new.voltage, old.voltage), 3.0)
-                && is_near(both(new.temperature, old.temperature), 5.0 + 20.0 * time)
-        };
-        // A servo that holds is between its last position and its goal, or close by.
-        let goal = self.joint.counts(self.sent);
-        let slack = (STRAY * model.turn / 360.0) as i32;
-        let (low, high) = (old.counts.min(goal) - slack, old.counts.max(goal) + slack);
-        let is_on_its_way = !is_held || (low..=high).contains(&new.counts);
-        let is_expected = follows(&old) && is_on_its_way;
-        let is_taken = possible && (is_expected || self.suspect.as_ref().is_some_and(follows));
+        let slow = possible
+            && self.voltage.accept(new.voltage, now, (3.0, 0.0))
+            && self.temperature.accept(new.temperature, now, (5.0, 20.0));
+        let is_taken = slow && self.follows(&new, now, is_held);
+        let old = self.measured;
         self.suspect = (possible && !is_taken).then_some(new);
         if is_taken {
             self.measured = Some(Measured {
-                load: new.load.or(old.load),
-                voltage: new.voltage.or(old.voltage),
-                temperature: new.temperature.or(old.temperature),
+                load: new.load.or(old.and_then(|old| old.load)),
+                voltage: self.voltage.take(new.voltage, now),
+                temperature: self.temperature.take(new.temperature, now),
                 ..new
             });
         } else if !self.is_settled {
             // The one before may have been the damaged one.
             self.measured = None;
+            (self.voltage, self.temperature) = (Slow::default(), Slow::default());
         }
         is_taken
     }
-}
 
-impl<P: Port, const L: usize, const J: usize> Hardware<L, J> for Drives<P> {
-    fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
-        self.read_cycle()?;
-        for (number, angle) in into.angles.as_flattened_mut().iter_mut().enumerate() {
-            *angle = self.angle(number).unwrap_or(*angle);
-        }
-        Ok(())
-    }
-
-    fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
-        Ok(self.write_cycle(outputs.joints.as_flattened(), outputs.period)?)
-    }
-
-    fn stop(&mut self, _why: &Fault) {
-        self.rest(self.settings.in_emergency);
+    /// Returns true if a position can follow the last one, or one that was not believed.
+    fn follows(&self, new: &Measured, now: u64, is_held: bool) -> bool {
+        let Some(old) = self.measured else {
+            return true;
+        };
+        let model = self.joint.model;
+        let degree = model.turn / 360.0;
+        let can_follow = |old: &Measured| {
+            let time = now.saturating_sub(old.at) as f64 / 1e6;
+            let reach = 1.5 * model.speed * degree * time + NOISE.max(degree);
+            f64::from((new.counts - old.counts).abs()) <= reach
+        };
+        // A servo that holds is between its last position and its goal, or close by.
+        let goal = self.joint.counts(self.sent);
+        let slack = (STRAY * degree) as i32;
+        let (low, high) = (old.counts.min(goal) - slack, old.counts.max(goal) + slack);
+        let is_on_its_way = !is_held || (low..=high).contains(&new.counts);
+        can_follow(&old) && is_on_its_way || self.suspect.as_ref().is_some_and(can_follow)
     }
 }

@@ -332,6 +332,10 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
 
     /// Sends the commands to hold or to relax; returns false if the operator has asked for another state.
     fn rest(&mut self, policy: Policy, period: f64) -> bool {
+        if policy == Policy::Hold && self.switched_on < self.drives.joints().count() {
+            // A goal would switch the torque of some servos on. `confirm` holds those that have torque.
+            return true;
+        }
         let begin = self.now();
         let relaxing = (self.drives.settings().relaxing.clamp(0.0, 60.0) * 1e6) as u64;
         let limit = begin + relaxing + LEAVING_LIMIT;
@@ -342,7 +346,7 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
                 break;
             }
         }
-        while !self.drives.rest(policy) && policy == Policy::Relax && self.due < limit {
+        while self.drives.rest(policy) == Ok(false) && policy == Policy::Relax && self.due < limit {
             self.pass(period);
             if !self.is_still(policy) {
                 return false;
@@ -418,10 +422,14 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     }
 
     /// Stops the robot, in place of a command: it is left as in an emergency from now on. Called in each cycle.
-    pub fn stop_cycle(&mut self) {
+    ///
+    /// # Errors
+    /// The port is gone.
+    pub fn stop_cycle(&mut self) -> Result<(), Failure> {
         self.emergency_stop();
-        if self.has_torque() {
-            self.drives.rest(self.policy());
+        match self.has_torque() {
+            true => self.drives.rest(self.policy()).map(drop),
+            false => Ok(()),
         }
     }
 }
@@ -443,18 +451,22 @@ const NOT_HELD: Failure = Failure {
 
 impl<P: Port, H: Host<P>, const L: usize, const J: usize> Hardware<L, J> for TorqueGuard<P, H> {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
-        self.read_cycle()?;
+        self.read_cycle().map_err(|failure| failure.fault(J))?;
         for (number, angle) in into.angles.as_flattened_mut().iter_mut().enumerate() {
             *angle = self.drives.angle(number).unwrap_or(*angle);
+        }
+        for (number, age) in into.ages.as_flattened_mut().iter_mut().enumerate() {
+            *age = self.drives.age(number).unwrap_or_default();
         }
         Ok(())
     }
 
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
-        Ok(self.write_cycle(outputs.joints.as_flattened(), outputs.period)?)
+        let written = self.write_cycle(outputs.joints.as_flattened(), outputs.period);
+        written.map_err(|failure| failure.fault(J))
     }
 
-    fn stop(&mut self, _why: &Fault) {
-        self.stop_cycle();
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        self.stop_cycle().map_err(|failure| failure.fault(J))
     }
 }

@@ -7,6 +7,7 @@
 extern crate std;
 
 pub mod bus;
+pub mod description;
 pub mod drives;
 pub mod dynamixel1;
 pub mod dynamixel2;

@@ -265,7 +265,7 @@ impl ExternalHardware {
 
     fn fault(&self) -> Result<(), HardwareFault> {
         let word = self.error.as_ref().map(PlantError::word);
-        word.map_or(Ok(()), |word| Err(HardwareFault(word)))
+        word.map_or(Ok(()), |word| Err(HardwareFault::new(word)))
     }
 }
 
@@ -323,11 +323,12 @@ impl DynHardware for ExternalHardware {
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         if let (Some(link), None, false) = (&mut self.link, &self.error, self.is_stopped) {
             link.notify(protocol::stop(self.number));
         }
         self.is_stopped = true;
+        Ok(())
     }
 
     fn has_input(&self, port: Port) -> bool {

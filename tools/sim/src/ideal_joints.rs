@@ -100,7 +100,9 @@ impl DynHardware for IdealJoints {
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {}
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        Ok(())
+    }
 
     fn has_input(&self, port: Port) -> bool {
         let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > self.soles);

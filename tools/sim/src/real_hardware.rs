@@ -15,11 +15,11 @@ use tip_runtime::program::Program;
 
 /// The joints of a real robot, leg by leg: [`Hardware`](tip_runtime::hardware::Hardware) for a robot of any size.
 pub trait Joints: Send {
-    /// Measures the angle of each joint, deg.
+    /// Measures the angle of each joint, deg, and says how many cycles ago it did, where it could not in this one.
     ///
     /// # Errors
     /// The fault; the machine answers with an emergency stop.
-    fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault>;
+    fn read(&mut self, angles: &mut [f64], ages: &mut [u32]) -> Result<(), HardwareFault>;
 
     /// Sends a command to each joint, for a cycle of `period` ms.
     ///
@@ -28,7 +28,10 @@ pub trait Joints: Send {
     fn write(&mut self, commands: &[JointCommand], period: f64) -> Result<(), HardwareFault>;
 
     /// Stops the robot: called in every cycle of an emergency, in place of [`write`](Self::write).
-    fn stop(&mut self, why: &Fault);
+    ///
+    /// # Errors
+    /// The robot could not be stopped in this cycle.
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 }
 
 impl Run {
@@ -66,7 +69,7 @@ impl fmt::Debug for RealHardware {
 }
 
 /// The fault of a copy.
-const COPY: HardwareFault = HardwareFault("a copy of a run has no robot");
+const COPY: HardwareFault = HardwareFault::new("a copy of a run has no robot");
 
 impl DynHardware for RealHardware {
     fn boxed(&self) -> Box<dyn DynHardware> {
@@ -82,7 +85,10 @@ impl DynHardware for RealHardware {
     }
 
     fn read(&mut self, into: Reading<'_>) -> Result<(), HardwareFault> {
-        self.joints.as_mut().ok_or(COPY)?.read(into.angles)?;
+        self.joints
+            .as_mut()
+            .ok_or(COPY)?
+            .read(into.angles, into.ages)?;
         self.angles.clear();
         self.angles.extend_from_slice(into.angles);
         Ok(())
@@ -93,10 +99,8 @@ impl DynHardware for RealHardware {
         joints.write(commands.joints, commands.period)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        if let Some(joints) = &mut self.joints {
-            joints.stop(why);
-        }
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.joints.as_mut().ok_or(COPY)?.stop(why)
     }
 
     fn has_input(&self, _: Port) -> bool {

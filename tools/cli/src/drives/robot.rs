@@ -136,12 +136,14 @@ impl Setup {
             let file = file.display().to_string().into();
             return Err(fail(Driving::NoPort { file }));
         };
-        let simulated = port
-            .strip_prefix(SIMULATED)
-            .map(|rest| rest.trim_start_matches(':'));
+        let simulated = match port.strip_prefix(SIMULATED) {
+            Some("") => Some(""),
+            Some(list) => list.strip_prefix(':'),
+            None => None,
+        };
         let (opened, mishaps) = match simulated {
             Some(mishaps) => {
-                let mut mishaps: Mishaps = mishaps.parse().map_err(fail)?;
+                let mut mishaps = Mishaps::new(mishaps, &self.ids()).map_err(fail)?;
                 let mut bus = self.simulated(&mishaps);
                 mishaps.happen(&mut bus, 0);
                 (
@@ -174,8 +176,13 @@ impl Setup {
         })
     }
 
+    /// Returns the identities of the servos.
+    pub(super) fn ids(&self) -> Vec<u8> {
+        self.joints.iter().map(|joint| joint.id).collect()
+    }
+
     /// Returns the names of joints and their servos.
-    fn names(&self, joints: &[usize]) -> String {
+    pub(super) fn names(&self, joints: &[usize]) -> String {
         let name = |joint: &usize| {
             let id = self.joints.get(*joint).map_or(0, |joint| joint.id);
             format!("{} (servo {id})", self.name(*joint))
@@ -401,6 +408,7 @@ impl Connection {
         RunJoints {
             robot: Arc::clone(&self.robot),
             is_simulated: self.is_simulated,
+            of_leg: self.setup.of_leg,
         }
     }
 
@@ -504,6 +512,14 @@ impl Connection {
                 max: own.limits.max,
             },
             Problem::Torque => Driving::NoTorques { joint },
+            Problem::Load(load) => Driving::BusTooSlow {
+                percent: format!("{:.0}", load.part * 100.0),
+                cycles: load.cycles,
+                silence: bus.silence,
+            },
+            Problem::Period(most) => Driving::PeriodTooLong {
+                most: format!("{most:.0}"),
+            },
             Problem::NotHeld => Driving::NotHeld,
         };
         message.in_lang(self.lang).to_string()
@@ -515,21 +531,28 @@ impl Connection {
 struct RunJoints {
     robot: Arc<SharedGuard>,
     is_simulated: bool,
+    /// Joints of each leg.
+    of_leg: usize,
 }
 
 impl Joints for RunJoints {
-    fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault> {
+    fn read(&mut self, angles: &mut [f64], ages: &mut [u32]) -> Result<(), HardwareFault> {
         let mut robot = lock(&self.robot);
-        robot.read_cycle()?;
+        let read = robot.read_cycle();
+        read.map_err(|failure| failure.fault(self.of_leg))?;
         for (joint, angle) in angles.iter_mut().enumerate() {
             *angle = robot.drives().angle(joint).unwrap_or(*angle);
+        }
+        for (joint, age) in ages.iter_mut().enumerate() {
+            *age = robot.drives().age(joint).unwrap_or_default();
         }
         Ok(())
     }
 
     fn write(&mut self, commands: &[JointCommand], period: f64) -> Result<(), HardwareFault> {
         let mut robot = lock(&self.robot);
-        robot.write_cycle(commands, period)?;
+        let written = robot.write_cycle(commands, period);
+        written.map_err(|failure| failure.fault(self.of_leg))?;
         // A run in real time has its own pace.
         if self.is_simulated {
             robot.wait();
@@ -537,7 +560,8 @@ impl Joints for RunJoints {
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {
-        lock(&self.robot).stop_cycle();
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        let stopped = lock(&self.robot).stop_cycle();
+        stopped.map_err(|failure| failure.fault(self.of_leg))
     }
 }

@@ -4,7 +4,6 @@ use super::robot::Setup;
 use crate::Status;
 use crate::error::Error;
 use crate::message::Driving;
-use std::str::FromStr;
 use tip_drives::simulated::{Faults, SimulatedBus};
 use tipc::message::Lang;
 
@@ -19,15 +18,20 @@ pub(crate) struct Mishaps {
     events: Vec<(f64, Mishap, u8)>,
 }
 
-impl FromStr for Mishaps {
-    type Err = Driving;
-
-    fn from_str(text: &str) -> Result<Self, Driving> {
+impl Mishaps {
+    /// Reads a list of faults on a bus with servos of these identities.
+    ///
+    /// # Errors
+    /// The list is malformed, or a fault can never happen.
+    pub(crate) fn new(text: &str, ids: &[u8]) -> Result<Self, Driving> {
         let wrong = || Driving::NotSimulated {
             text: text.to_owned(),
         };
         let mut mishaps = Mishaps::default();
-        for part in text.split(',').filter(|part| !part.is_empty()) {
+        if text.is_empty() {
+            return Ok(mishaps);
+        }
+        for part in text.split(',') {
             let (name, value) = part.split_once('=').ok_or_else(wrong)?;
             let faults = &mut mishaps.faults;
             let probability = match name {
@@ -57,15 +61,21 @@ impl FromStr for Mishaps {
                 _ => return Err(wrong()),
             };
             let (id, time) = value.split_once('@').ok_or_else(wrong)?;
-            let event = id.parse().ok().zip(time.parse().ok());
+            let time = time.parse().ok().filter(|time: &f64| time.is_finite());
+            let event = id.parse().ok().zip(time.filter(|time| *time >= 0.0));
             let (id, time): (u8, f64) = event.ok_or_else(wrong)?;
+            if !ids.contains(&id) {
+                let text = part.to_owned();
+                return Err(Driving::NoServoToFail {
+                    text,
+                    id: id.into(),
+                });
+            }
             mishaps.events.push((time, mishap, id));
         }
         Ok(mishaps)
     }
-}
 
-impl Mishaps {
     /// Lets happen what is due at a time, µs.
     pub(crate) fn happen(&mut self, bus: &mut SimulatedBus, now: u64) {
         self.events.retain(|(time, mishap, id)| {

@@ -149,6 +149,14 @@ fn each_fault_has_its_outcome_on(robot: &str) {
             "{robot} {mishap}: {}",
             outcome.err
         );
+        // The report of the emergency stop names the servo too.
+        let named = "the hardware of the robot failed: J31 (servo 7): ";
+        assert_eq!(
+            outcome.err.contains(named),
+            status == 3,
+            "{robot} {mishap}: {}",
+            outcome.err
+        );
     }
 }
 
@@ -206,7 +214,8 @@ fn a_file_without_a_bus_or_a_port_says_what_is_missing() {
     let folder = folder.file("wrong.toml", wrong);
     let outcome = folder.tip(&["robot", "check", "wrong.toml"]).expect(1);
     let said = outcome.out + &outcome.err;
-    assert!(said.contains("cannot have the identity 1"), "{said}");
+    let same = "cannot have the identity 1: that of J11 has it";
+    assert!(said.contains(same), "{said}");
     let nowhere = ["--port", "/dev/nowhere", "--yes"];
     let run = [&["run", program, "--hardware", "port.toml"][..], &nowhere].concat();
     let outcome = folder.tip(&run).expect(1);
