@@ -293,7 +293,8 @@ impl<P: Port> Wire for Bus<P> {
             self.decoder.clear();
         }
         self.send(request)?;
-        let time = wait.time + u64::from(self.timing.latency);
+        // A port may take the request before it is on the wire.
+        let time = self.timing.bytes(request.len()) + wait.time + u64::from(self.timing.latency);
         let limit = wait.limit.min(self.port.now().saturating_add(time));
         while self.port.wait(limit).map_err(|_| BusError::Port)? {
             self.receive()?;

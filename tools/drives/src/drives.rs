@@ -162,6 +162,8 @@ struct State {
     measured: Option<Measured>,
     /// An answer that was not believed: it is when the next one agrees.
     suspect: Option<Measured>,
+    voltage: Slow,
+    temperature: Slow,
     /// False until the position is known for sure.
     is_settled: bool,
     /// Number of requests.
@@ -180,6 +182,36 @@ struct State {
     /// Time with too much load, and too far away, s.
     overloaded: f64,
     lagging: f64,
+}
+
+/// A value that changes slowly, and is not in every answer.
+#[derive(Clone, Copy, Debug, Default)]
+struct Slow {
+    /// The last value that was believed, and its time, µs.
+    known: Option<(f64, u64)>,
+    /// A value that was not believed: it is when the next one agrees.
+    suspect: Option<f64>,
+}
+
+impl Slow {
+    /// Returns true if a value can follow the last one, from which it differs by `most` and as much more in a second as `rate` says.
+    fn accept(&mut self, new: Option<f64>, now: u64, (most, rate): (f64, f64)) -> bool {
+        let (Some(new), Some((known, at))) = (new, self.known) else {
+            return true;
+        };
+        let time = now.saturating_sub(at) as f64 / 1e6;
+        let is_near = |other: f64, most: f64| (new - other).abs() <= most;
+        let is_accepted = is_near(known, most + rate * time)
+            || self.suspect.is_some_and(|suspect| is_near(suspect, most));
+        self.suspect = (!is_accepted).then_some(new);
+        is_accepted
+    }
+
+    /// Takes a value over, and returns the last one that is known.
+    fn take(&mut self, new: Option<f64>, now: u64) -> Option<f64> {
+        self.known = new.map(|new| (new, now)).or(self.known);
+        self.known.map(|(value, _)| value)
+    }
 }
 
 /// The servos of a robot.
@@ -232,6 +264,8 @@ impl<P: Port> Drives<P> {
             joint: *joint,
             measured: None,
             suspect: None,
+            voltage: Slow::default(),
+            temperature: Slow::default(),
             is_settled: false,
             turn: 0,
             is_late: false,
@@ -360,18 +394,21 @@ impl<P: Port> Drives<P> {
             let (one, _) = family.times(self.bus.timing(), self.joints.len());
             self.read_time = one * self.joints.len() as u64;
         }
-        let mut shortest = None;
+        let mut times: Vec<u64, 9> = Vec::new();
         // Two readings that agree, so that a damaged one cannot be the first.
         for _ in 0..2 * (self.settings.silence as usize + 1) {
             let begin = self.bus.now();
             self.measure(u64::MAX)?;
             if self.joints.iter().all(|state| state.age == 0) {
-                let time = self.bus.now() - begin;
-                shortest = Some(shortest.map_or(time, |it: u64| it.min(time)));
+                // Enough of them, if there is no room.
+                let _ = times.push(self.bus.now() - begin);
             }
         }
+        times.sort_unstable();
         // With the latency of the adapter, which is unknown before.
-        self.read_time = shortest.unwrap_or(self.read_time);
+        if let Some(median) = times.get(times.len() / 2) {
+            self.read_time = *median;
+        }
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
                 return self.fail(Some(number), Problem::Silent);
@@ -403,11 +440,12 @@ impl<P: Port> Drives<P> {
         let allowed = (self.settings.reading * period)
             .min(period - write as f64)
             .max(0.0);
-        let cycles = match family.reads_together() {
-            true => 1,
+        let in_a_cycle = match family.reads_together() {
+            true => servos,
             // One is read in any case.
-            false => libm::ceil(read / allowed.max(1.0)).clamp(1.0, servos as f64) as u32,
+            false => (allowed * servos as f64 / read.max(1.0)) as usize,
         };
+        let cycles = servos.div_ceil(in_a_cycle.max(1)) as u32;
         let part = (read + write as f64) / period;
         (Load { part, cycles }, allowed as u64)
     }
@@ -432,7 +470,9 @@ impl<P: Port> Drives<P> {
             return self.fail(None, Problem::Period(longest / MIN_TIMEOUT));
         }
         let (load, time) = self.load_and_time();
-        let is_heard = load.cycles <= self.settings.silence.saturating_add(1);
+        // One missing answer must not stop the robot.
+        let is_heard =
+            load.cycles == 1 || 2 * load.cycles <= self.settings.silence.saturating_add(1);
         if time > 0 && is_heard || self.joints.is_empty() {
             return Ok(());
         }
@@ -839,41 +879,44 @@ impl State {
             && new
                 .temperature
                 .is_none_or(|it| (-20.0..=120.0).contains(&it));
-        let Some(old) = self.measured else {
-            self.measured = possible.then_some(new);
-            return possible;
-        };
-        let both = |one: Option<f64>, other: Option<f64>| one.zip(other);
-        let follows = |old: &Measured| {
-            let time = now.saturating_sub(old.at) as f64 / 1e6;
-            let degree = model.turn / 360.0;
-            let reach = 1.5 * model.speed * degree * time + NOISE.max(degree);
-            let is_near = |pair: Option<(f64, f64)>, most: f64| {
-                pair.is_none_or(|(one, other)| (one - other).abs() <= most)
-            };
-            f64::from((new.counts - old.counts).abs()) <= reach
-                && is_near(both(new.voltage, old.voltage), 3.0)
-                && is_near(both(new.temperature, old.temperature), 5.0 + 20.0 * time)
-        };
-        // A servo that holds is between its last position and its goal, or close by.
-        let goal = self.joint.counts(self.sent);
-        let slack = (STRAY * model.turn / 360.0) as i32;
-        let (low, high) = (old.counts.min(goal) - slack, old.counts.max(goal) + slack);
-        let is_on_its_way = !is_held || (low..=high).contains(&new.counts);
-        let is_expected = follows(&old) && is_on_its_way;
-        let is_taken = possible && (is_expected || self.suspect.as_ref().is_some_and(follows));
+        let slow = possible
+            && self.voltage.accept(new.voltage, now, (3.0, 0.0))
+            && self.temperature.accept(new.temperature, now, (5.0, 20.0));
+        let is_taken = slow && self.follows(&new, now, is_held);
+        let old = self.measured;
         self.suspect = (possible && !is_taken).then_some(new);
         if is_taken {
             self.measured = Some(Measured {
-                load: new.load.or(old.load),
-                voltage: new.voltage.or(old.voltage),
-                temperature: new.temperature.or(old.temperature),
+                load: new.load.or(old.and_then(|old| old.load)),
+                voltage: self.voltage.take(new.voltage, now),
+                temperature: self.temperature.take(new.temperature, now),
                 ..new
             });
         } else if !self.is_settled {
             // The one before may have been the damaged one.
             self.measured = None;
+            (self.voltage, self.temperature) = (Slow::default(), Slow::default());
         }
         is_taken
+    }
+
+    /// Returns true if a position can follow the last one, or one that was not believed.
+    fn follows(&self, new: &Measured, now: u64, is_held: bool) -> bool {
+        let Some(old) = self.measured else {
+            return true;
+        };
+        let model = self.joint.model;
+        let degree = model.turn / 360.0;
+        let can_follow = |old: &Measured| {
+            let time = now.saturating_sub(old.at) as f64 / 1e6;
+            let reach = 1.5 * model.speed * degree * time + NOISE.max(degree);
+            f64::from((new.counts - old.counts).abs()) <= reach
+        };
+        // A servo that holds is between its last position and its goal, or close by.
+        let goal = self.joint.counts(self.sent);
+        let slack = (STRAY * degree) as i32;
+        let (low, high) = (old.counts.min(goal) - slack, old.counts.max(goal) + slack);
+        let is_on_its_way = !is_held || (low..=high).contains(&new.counts);
+        can_follow(&old) && is_on_its_way || self.suspect.as_ref().is_some_and(can_follow)
     }
 }

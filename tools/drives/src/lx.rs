@@ -27,8 +27,8 @@ pub mod command {
     pub const ID_WRITE: u8 = 13;
     /// Identity.
     pub const ID_READ: u8 = 14;
-    /// Deviation that is added to positions, signed, counts.
-    pub const ANGLE_OFFSET_WRITE: u8 = 18;
+    /// Deviation that is added to positions, signed, counts; command 18 keeps it without power.
+    pub const ANGLE_OFFSET_ADJUST: u8 = 17;
     /// The same.
     pub const ANGLE_OFFSET_READ: u8 = 19;
     /// Smallest and largest position.
@@ -125,33 +125,27 @@ fn move_to(servo: &Setpoint) -> [u8; 4] {
 }
 
 impl Lx {
-    /// Asks a servo once for the `N` bytes that a command reads. `is_last` waits for all answers that come, and returns the last.
+    /// Asks a servo once for the `N` bytes that a command reads.
     fn read_once<const N: usize>(
         wire: &mut dyn Wire,
         id: u8,
         command: u8,
         limit: u64,
-        is_last: bool,
     ) -> Result<[u8; N], BusError> {
         let wait = Wait {
             answers: 1,
             time: wire.timing().answer(N + FRAMING),
             limit,
         };
-        let mut found = None;
         let parse = |bytes: &[u8]| parse(bytes, command, N);
-        wire.exchange(&request(id, command, &[]), wait, &parse, &mut |frame| {
-            if frame.id == id {
-                found = frame.parameters.first_chunk::<N>().copied().or(found);
-            }
-            found.is_some() && !is_last
-        })?;
-        wire.count_answers(found.is_some().into());
-        found.ok_or(BusError::NoAnswer)
+        wire.ask(&request(id, command, &[]), wait, &parse, |frame| {
+            let its = frame.parameters.first_chunk::<N>();
+            its.filter(|_| frame.id == id).copied()
+        })
     }
 
     fn get<const N: usize>(wire: &mut dyn Wire, id: u8, command: u8) -> Result<[u8; N], BusError> {
-        wire.repeat(|wire| Self::read_once(wire, id, command, u64::MAX, false))
+        wire.repeat(|wire| Self::read_once(wire, id, command, u64::MAX))
     }
 
     /// Sends a command until what another one reads agrees.
@@ -163,7 +157,7 @@ impl Lx {
     ) -> Result<(), BusError> {
         wire.repeat(|wire| {
             wire.send(&request(id, write, &parameters))?;
-            let own = Self::read_once::<N>(wire, id, read, u64::MAX, false)?;
+            let own = Self::read_once::<N>(wire, id, read, u64::MAX)?;
             if own == parameters {
                 Ok(())
             } else {
@@ -185,11 +179,22 @@ impl Lx {
     /// Reads the position of a servo, and one of the other values in some turns.
     fn reading(wire: &mut dyn Wire, servo: &Query, limit: u64) -> Result<Reading, BusError> {
         let Query { id, turn, is_late } = *servo;
-        // All answers look the same: an old one must not be the only one that is waited for.
-        let position = Self::read_once(wire, id, POS_READ, limit, is_late)?;
+        let read = |wire: &mut dyn Wire| {
+            let position = Self::read_once(wire, id, POS_READ, limit)?;
+            Ok::<i16, BusError>(i16::from_le_bytes(position))
+        };
+        let mut position = read(wire)?;
+        if is_late {
+            // All answers look the same, and this may be the one that was missing before: the next one must agree.
+            let again = read(wire)?;
+            if again.abs_diff(position) > 1 {
+                return Err(BusError::NoAnswer);
+            }
+            position = again;
+        }
         let mut reading = Reading {
             error: 0,
-            position: i16::from_le_bytes(position).into(),
+            position: position.into(),
             load: None,
             voltage: None,
             temperature: None,
@@ -200,13 +205,13 @@ impl Lx {
         let slow = SLOW_VALUES.len() as u32;
         let which = match turn < slow {
             true => turn,
-            false if (turn + u32::from(id)).is_multiple_of(SLOW) => turn / SLOW % slow,
+            false if !is_late && (turn + u32::from(id)).is_multiple_of(SLOW) => turn / SLOW % slow,
             false => return Ok(reading),
         };
         let command = SLOW_VALUES[which as usize];
         let value = match command {
-            VIN_READ => Self::read_once(wire, id, command, limit, is_late).map(u16::from_le_bytes),
-            _ => Self::read_once::<1>(wire, id, command, limit, is_late).map(|[it]| it.into()),
+            VIN_READ => Self::read_once(wire, id, command, limit).map(u16::from_le_bytes),
+            _ => Self::read_once::<1>(wire, id, command, limit).map(|[it]| it.into()),
         };
         let value = match value {
             Ok(value) => value,
@@ -247,7 +252,7 @@ impl Family for Lx {
     }
 
     fn identify(&self, wire: &mut dyn Wire, id: u8) -> Result<Option<u16>, BusError> {
-        let [own] = Self::read_once(wire, id, ID_READ, u64::MAX, false)?;
+        let [own] = Self::read_once(wire, id, ID_READ, u64::MAX)?;
         if own == id {
             Ok(None)
         } else {
@@ -283,22 +288,28 @@ impl Family for Lx {
         let checks = [
             (
                 OR_MOTOR_MODE_WRITE,
-                "SERVO_OR_MOTOR_MODE",
+                "OR_MOTOR_MODE_WRITE",
                 mode.into(),
                 0,
                 mode == 0,
             ),
-            (ANGLE_OFFSET_WRITE, "ANGLE_OFFSET", offset, 0, offset == 0),
+            (
+                ANGLE_OFFSET_ADJUST,
+                "ANGLE_OFFSET_ADJUST",
+                offset,
+                0,
+                offset == 0,
+            ),
             (
                 ANGLE_LIMIT_WRITE,
-                "ANGLE_LIMIT, minimum",
+                "ANGLE_LIMIT_WRITE, minimum",
                 lowest,
                 0,
                 lowest <= min,
             ),
             (
                 ANGLE_LIMIT_WRITE,
-                "ANGLE_LIMIT, maximum",
+                "ANGLE_LIMIT_WRITE, maximum",
                 highest,
                 model.largest,
                 highest >= max,
@@ -324,7 +335,8 @@ impl Family for Lx {
         _: bool,
         take: &mut dyn FnMut(usize, Reading),
     ) -> Result<usize, BusError> {
-        let time = wire.timing().answer(FRAMING + 2);
+        let timing = wire.timing();
+        let time = timing.bytes(FRAMING) + timing.answer(FRAMING + 2);
         for (place, servo) in servos.iter().enumerate() {
             if place > 0 && wire.now() + time > limit {
                 return Ok(place);

@@ -551,8 +551,10 @@ impl Family for Table {
         let Some(first) = servos.first().filter(|_| self.reads_together) else {
             for (place, servo) in servos.iter().enumerate() {
                 let block = block_of(servo);
-                let length = block.length.into();
-                if place > 0 && wire.now() + self.longest(wire.timing(), 1, length) > limit {
+                let timing = wire.timing();
+                let request = timing.bytes(self.framing.frame_length(2 * self.framing.word()));
+                let time = request + self.longest(timing, 1, block.length.into());
+                if place > 0 && wire.now() + time > limit {
                     return Ok(place);
                 }
                 match self.read_block(wire, servo.id, block, limit) {

@@ -25,6 +25,10 @@ pub(crate) fn timing(model: &Model) -> Timing {
             baud: 4_000_000,
             ..MBAUD
         },
+        "lx" => Timing {
+            baud: 115_200,
+            ..MBAUD
+        },
         _ => MBAUD,
     }
 }
@@ -46,11 +50,16 @@ pub(crate) fn joint(id: u8, model: &'static Model) -> Joint {
 }
 
 /// Robots of servos of one model, which rest at 0 deg.
-fn robot(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
+pub(crate) fn robot(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
     robot_with(name, servos, faults, Settings::default())
 }
 
-fn robot_with(name: &str, servos: u8, faults: Faults, settings: Settings) -> Drives<MemoryPort> {
+pub(crate) fn robot_with(
+    name: &str,
+    servos: u8,
+    faults: Faults,
+    settings: Settings,
+) -> Drives<MemoryPort> {
     let model = Model::named(name).expect("a model");
     let joints: Vec<Joint> = (1..=servos).map(|id| joint(id, model)).collect();
     let rest = |joint: &Joint| Servo::new(model, joint.id, joint.counts(0.0).into());
@@ -67,11 +76,11 @@ pub(crate) fn bus_of(bus: SimulatedBus, model: &Model) -> Bus<MemoryPort> {
 }
 
 /// A robot that holds itself.
-fn held(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
+pub(crate) fn held(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
     held_with(robot(name, servos, faults))
 }
 
-fn held_with(mut drives: Drives<MemoryPort>) -> Drives<MemoryPort> {
+pub(crate) fn held_with(mut drives: Drives<MemoryPort>) -> Drives<MemoryPort> {
     drives.connect().expect("all are there");
     // Not long before the first cycle, because of watchdogs.
     drives.bus_mut().port_mut().pass((START - 5) * 20_000);
@@ -135,6 +144,7 @@ fn each_family_follows_its_commands() {
         ("AX-12", 18),
         ("XL430-W250", 12),
         ("STS3215", 12),
+        ("LX-16A", 6),
         ("moteus-mj5208", 12),
     ] {
         let mut drives = held(name, servos, Faults::default());
@@ -148,8 +158,9 @@ fn each_family_follows_its_commands() {
             let lag = (angle - wave(499)).abs();
             assert!(lag < 3.0, "{name} {number}: {lag}");
         }
-        // The robot has 20 ms.
-        assert!(counts.longest < 12_000, "{name}: {} µs", counts.longest);
+        // The robot has 20 ms; frames of an LX take their time.
+        let most = if name == "LX-16A" { 19_000 } else { 12_000 };
+        assert!(counts.longest < most, "{name}: {} µs", counts.longest);
     }
 }
 
@@ -183,6 +194,7 @@ fn no_angle_is_wrong_on_a_bus_that_fails() {
         ("AX-12", 12),
         ("XL430-W250", 12),
         ("STS3215", 12),
+        ("LX-16A", 6),
         ("moteus-mj5208", 12),
     ] {
         // A late line of a moteus holds up all that follow, for more than a cycle.
@@ -225,7 +237,7 @@ fn damaged_frames_give_no_wrong_angle() {
         truncate: 0.1,
     };
     let (mut frames, mut right) = (0, 0);
-    for name in ["AX-12", "XL430-W250", "STS3215", "moteus-mj5208"] {
+    for name in ["AX-12", "XL430-W250", "STS3215", "LX-16A", "moteus-mj5208"] {
         let mut drives = held(name, 12, Faults::default());
         let bus = drives.bus().port().bus.clone();
         drives.bus_mut().port_mut().bus = bus.with_faults(faults, 5);
@@ -298,7 +310,7 @@ fn a_servo_that_was_reset_is_noticed_by_its_torque() {
 
 #[test]
 fn a_hot_servo_stops_the_robot() {
-    for name in ["AX-12", "XL430-W250", "STS3215", "moteus-mj5208"] {
+    for name in ["AX-12", "XL430-W250", "STS3215", "LX-16A", "moteus-mj5208"] {
         let mut drives = held(name, 6, Faults::default());
         cycle(&mut drives, START, 0.0).expect("well");
         drives.bus_mut().port_mut().bus.overheat(2);
@@ -462,7 +474,7 @@ fn another_model_or_a_missing_servo_is_refused() {
 }
 
 /// Writes a register as another master would.
-fn write(drives: &mut Drives<MemoryPort>, id: u8, address: u16, value: &[u8]) {
+pub(crate) fn write(drives: &mut Drives<MemoryPort>, id: u8, address: u16, value: &[u8]) {
     let family = drives.family().expect("servos").key();
     let framing: &dyn Framing = if family == "x" {
         &Protocol2
@@ -476,32 +488,9 @@ fn write(drives: &mut Drives<MemoryPort>, id: u8, address: u16, value: &[u8]) {
     sent.expect("sent");
 }
 
-/// Extended position control of an X servo counts turns, a wheel turns forever.
-#[test]
-fn a_servo_in_another_mode_is_refused() {
-    for (name, address, wheel, wanted) in [
-        ("AX-12", 8, &[0, 0][..], 1023),
-        ("XL430-W250", 11, &[4], 3),
-        ("STS3215", 33, &[1], 0),
-    ] {
-        let mut drives = robot(name, 2, Faults::default());
-        write(&mut drives, 2, address, wheel);
-        let refused = drives.connect().expect_err("another mode");
-        assert_eq!((refused.joint, refused.servo), (Some(1), Some(2)));
-        let Problem::Register(found) = refused.problem else {
-            panic!("{name}: {refused:?}");
-        };
-        let value = i32::from(wheel[0]);
-        assert_eq!(
-            (found.register, found.value, found.wanted),
-            (address, value, wanted)
-        );
-    }
-}
-
 #[test]
 fn a_scan_finds_servos_and_an_identity_can_be_set() {
-    for name in ["AX-12", "XL430-W250", "STS3215", "moteus-qdd100"] {
+    for name in ["AX-12", "XL430-W250", "STS3215", "HTS-35H", "moteus-qdd100"] {
         let model = Model::named(name).expect("a model");
         let servos = vec![Servo::new(model, 3, 500.0), Servo::new(model, 9, 500.0)];
         let port = MemoryPort::new(SimulatedBus::new(servos, timing(model)));

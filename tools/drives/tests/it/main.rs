@@ -4,4 +4,5 @@ mod drives;
 mod frames;
 mod guard;
 mod simulated;
+mod start;
 mod tables;
