@@ -98,8 +98,11 @@ pub(super) fn zero(arguments: &Zero) -> Result<Status, Error> {
 /// Switches the torque off, after a key if a servo has any; returns false if the operator does not want that.
 fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
     let joints = 0..connection.setup.joints.len();
-    let is_on =
-        |place: &usize| reading(connection, *place, 0).is_some_and(|it| it.is_on == Some(true));
+    // Not each reading tells it.
+    let is_on = |place: &usize| {
+        let mut readings = (0..3).filter_map(|turn| read(connection, *place, turn).ok().flatten());
+        readings.any(|reading| reading.is_on == Some(true))
+    };
     let stiff: Vec<usize> = joints.clone().filter(is_on).collect();
     if !stiff.is_empty() {
         let joints = connection.setup.names(&stiff);
@@ -210,10 +213,6 @@ impl Turned {
 }
 
 /// Asks the servo of a joint, and nobody else: its answer is younger than the call.
-fn reading(connection: &Connection, place: usize, turn: u32) -> Option<Reading> {
-    read(connection, place, turn).ok().flatten()
-}
-
 fn read(connection: &Connection, place: usize, turn: u32) -> Result<Option<Reading>, BusError> {
     let joint = connection.setup.joints[place];
     let query = Query {
