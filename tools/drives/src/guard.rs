@@ -192,6 +192,7 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// # Errors
     /// A servo is missing, is another one, or is not well.
     pub fn connect(&mut self) -> Result<(), Failure> {
+        self.drives.set_period(self.period);
         self.drives.connect()
     }
 
