@@ -20,7 +20,10 @@ use tipc::{description, embed};
   tip drives zero robot.toml            print sign and offset of each [[drive]]
   tip drives zero robot.toml --write    write them into the file
 
-Exit status: 0, or 1 if a servo does not answer.")]
+The place of a joint at the key counts, from two equal answers after it. What was found is kept
+when Ctrl-C or a fault ends the command.
+
+Exit status: 0, 130 after Ctrl-C, 1 if a servo does not answer.")]
 pub(crate) struct Zero {
     #[command(flatten)]
     robot: RobotArguments,
