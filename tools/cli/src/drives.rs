@@ -70,13 +70,18 @@ impl RobotArguments {
         Setup::new(&self.file, &description, self.lang())
     }
 
-    fn connect(&self) -> Result<Connection, Error> {
-        self.open(self.setup()?)
+    /// Connects to a robot that is to move.
+    fn connect(&self, setup: Setup) -> Result<Connection, Error> {
+        let connection = setup.open(&self.file, self.port.as_deref(), self.lang())?;
+        connection.connect(false)?;
+        Ok(connection)
     }
 
-    fn open(&self, setup: Setup) -> Result<Connection, Error> {
-        let mut connection = setup.open(&self.file, self.port.as_deref(), self.lang())?;
-        connection.connect(false)?;
+    /// Connects to a robot that only the operator moves.
+    fn connect_to_measure(&self) -> Result<Connection, Error> {
+        let setup = self.setup()?;
+        let connection = setup.open(&self.file, self.port.as_deref(), self.lang())?;
+        connection.connect_to_measure()?;
         Ok(connection)
     }
 }
@@ -156,7 +161,7 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
         return Err(Error::failed(Driving::NoSuchJoint { joint }, lang));
     };
     let (limits, speed) = (setup.joints[place].limits, setup.bus.start);
-    let connection = arguments.robot.open(setup)?;
+    let connection = arguments.robot.connect(setup)?;
     let joint = arguments.joint.clone();
     report::say(Driving::JogHow { joint }, lang);
     connection.take_over();
@@ -201,7 +206,7 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
 
 fn monitor(arguments: &Monitor) -> Result<Status, Error> {
     interrupt::catch();
-    let connection = arguments.robot.connect()?;
+    let connection = arguments.robot.connect_to_measure()?;
     let rewrites = io::stdout().is_terminal() && !arguments.once;
     let mut failure = None;
     loop {

@@ -215,7 +215,7 @@ fn connected(
 ) -> Result<Result<Connection, Status>, Error> {
     let lang = arguments.lang();
     let setup = Setup::new(file, description, lang)?;
-    let mut connection = setup.open(file, arguments.port.as_deref(), lang)?;
+    let connection = setup.open(file, arguments.port.as_deref(), lang)?;
     connection.connect(arguments.quiet)?;
     if !connection.is_simulated() && !arguments.yes {
         connection.announce();

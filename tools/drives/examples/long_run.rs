@@ -28,6 +28,7 @@ fn timing(model: &Model) -> Timing {
         baud: match model.family.key() {
             // Lines of text are long, and USB is fast.
             "moteus" => 4_000_000,
+            "lx" => 115_200,
             _ => 1_000_000,
         },
         return_delay: 0,
@@ -45,6 +46,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("AX-12", 18, 20),
         ("XL430-W250", 12, 20),
         ("STS3215", 12, 10),
+        // Their frames are long, and their bus is slow.
+        ("LX-16A", 18, 40),
         ("moteus-mj5208", 12, 20),
     ];
     let is_meant = |name: &str| only.as_deref().is_none_or(|only| only == name);
@@ -106,6 +109,7 @@ fn run(
     drives.connect()?;
     // Not long before the first cycle, because of watchdogs.
     drives.bus_mut().port_mut().pass(START - 100_000);
+    drives.set_period(period as f64);
     drives.hold()?;
     let bus = drives.bus().port().bus.clone();
     drives.bus_mut().port_mut().bus = bus.with_faults(faults, 3);

@@ -2,7 +2,7 @@
 //! robot can have, so that the drives need not ask again.
 
 use crate::bus::MAX_SERVOS;
-use crate::model::Model;
+use crate::family::Model;
 use core::fmt;
 use tip_runtime::model::Range;
 
@@ -123,6 +123,11 @@ pub enum Invalid {
         /// Motor angle at a limit of the joint, deg.
         angle: f64,
     },
+    /// The torque of the servo cannot be limited.
+    NoTorqueLimit {
+        /// The joint.
+        joint: usize,
+    },
     /// Two servos have the same identity.
     SameIdentity {
         /// The joint.
@@ -156,6 +161,13 @@ impl fmt::Display for Invalid {
                 write!(
                     f,
                     "the motor of joint {joint} cannot turn to {angle:.1} deg"
+                )
+            }
+            Invalid::NoTorqueLimit { joint } => {
+                let joint = joint + 1;
+                write!(
+                    f,
+                    "the torque of the servo of joint {joint} cannot be limited: `torque` is 1"
                 )
             }
             Invalid::SameIdentity { joint, other } => {
@@ -255,6 +267,9 @@ fn check_joint(number: usize, joint: &Joint) -> Result<(), Invalid> {
             joint: number,
             name,
         });
+    }
+    if torque < 1.0 && !model.family.limits_torque() {
+        return Err(Invalid::NoTorqueLimit { joint: number });
     }
     let (low, high) = (model.angle(0.0), model.angle(model.largest.into()));
     let ends = [limits.min, limits.max].map(|angle| sign * gear * angle + offset);

@@ -114,6 +114,7 @@ impl Outcome {
     }
 }
 
+#[allow(clippy::large_enum_variant, reason = "there is no allocator")]
 #[derive(Debug)]
 enum State {
     /// No torque was switched on yet.
@@ -192,6 +193,7 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// # Errors
     /// A servo is missing, is another one, or is not well.
     pub fn connect(&mut self) -> Result<(), Failure> {
+        self.drives.set_period(self.period);
         self.drives.connect()
     }
 

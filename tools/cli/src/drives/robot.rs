@@ -229,6 +229,9 @@ pub(crate) struct Operator {
     typed: Vec<u8>,
 }
 
+/// Cycles that a watchdog should wait: it must not stop a robot whose host is late now and then.
+const SAFE_TIMEOUT: f64 = 10.0;
+
 /// The most keys that are kept.
 const MAX_TYPED: usize = 64;
 
@@ -306,9 +309,37 @@ impl Connection {
         self.setup.period
     }
 
-    /// Finds the servos, and says which.
-    pub(crate) fn connect(&mut self, quiet: bool) -> Result<(), Error> {
+    /// Finds the servos of a robot that is to move, and says which, and whether the bus can carry a cycle.
+    pub(crate) fn connect(&self, quiet: bool) -> Result<(), Error> {
         let connected = self.robot().connect();
+        self.connected(connected, quiet)?;
+        let robot = self.robot();
+        let (load, timeout, period) = (
+            robot.drives().load(),
+            robot.drives().timeout(),
+            self.period(),
+        );
+        let mut warnings = Vec::new();
+        if load.part > 1.0 || load.cycles > 1 {
+            let percent = format!("{:.0}", load.part * 100.0);
+            let cycles = load.cycles;
+            warnings.push(Driving::BusLoad { percent, cycles });
+        }
+        if let Some(timeout) = timeout.filter(|timeout| *timeout < SAFE_TIMEOUT * period) {
+            let (time, cycles) = (format!("{timeout:.0}"), format!("{:.1}", timeout / period));
+            warnings.push(Driving::ShortTimeout { time, cycles });
+        }
+        realtime::warn(&warnings, self.lang);
+        Ok(())
+    }
+
+    /// Finds the servos of a robot that nobody is going to move, and says which.
+    pub(crate) fn connect_to_measure(&self) -> Result<(), Error> {
+        let connected = self.robot().drives_mut().connect_to_measure();
+        self.connected(connected, false)
+    }
+
+    fn connected(&self, connected: Result<(), Failure>, quiet: bool) -> Result<(), Error> {
         connected.map_err(|failure| self.failed(failure))?;
         let Some(joint) = self.setup.joints.first().filter(|_| !quiet) else {
             return Ok(());

@@ -9,7 +9,7 @@ use clap::Args;
 use std::fmt::Write as _;
 use tip_drives::bus::BusError;
 use tip_drives::drives::Policy;
-use tip_drives::family::Query;
+use tip_drives::family::{Query, Reading};
 use tip_drives::model::Model;
 use tip_runtime::model::Range;
 use tipc::message::Lang;
@@ -67,12 +67,7 @@ fn answer(question: &Driving, lang: Lang) -> Result<Answer, Error> {
 pub(super) fn zero(arguments: &Zero) -> Result<Status, Error> {
     interrupt::catch();
     let lang = arguments.robot.lang();
-    let mut setup = arguments.robot.setup()?;
-    // Where the joints are is what is to be found.
-    for joint in &mut setup.joints {
-        joint.limits = Range::new(-1e6, 1e6);
-    }
-    let connection = arguments.robot.open(setup)?;
+    let connection = arguments.robot.connect_to_measure()?;
     if !release(&connection, lang)? {
         return Ok(Status::Interrupted);
     }
@@ -215,19 +210,11 @@ impl Turned {
 }
 
 /// Asks the servo of a joint, and nobody else: its answer is younger than the call.
-fn reading(
-    connection: &Connection,
-    place: usize,
-    turn: u32,
-) -> Option<tip_drives::family::Reading> {
+fn reading(connection: &Connection, place: usize, turn: u32) -> Option<Reading> {
     read(connection, place, turn).ok().flatten()
 }
 
-fn read(
-    connection: &Connection,
-    place: usize,
-    turn: u32,
-) -> Result<Option<tip_drives::family::Reading>, BusError> {
+fn read(connection: &Connection, place: usize, turn: u32) -> Result<Option<Reading>, BusError> {
     let joint = connection.setup.joints[place];
     let query = Query {
         id: joint.id,

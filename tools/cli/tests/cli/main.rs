@@ -45,6 +45,8 @@ mod script;
 mod serve;
 #[cfg(target_os = "linux")]
 mod servo_bus;
+#[cfg(target_os = "linux")]
+mod servo_commands;
 mod stops;
 mod support;
 #[cfg(target_os = "linux")]

@@ -18,7 +18,7 @@ const CONTROL_C: u8 = 0x03;
 const ALL: [u8; 3] = [1, 2, 3];
 
 /// A leg of three joints on a bus where answers may take long, because tests share their machine.
-fn leg(at_end: &str, in_emergency: &str, more: &str) -> String {
+pub(crate) fn leg(at_end: &str, in_emergency: &str, more: &str) -> String {
     let drives: String = (1..=3)
         .map(|n| format!("[[drive]]\njoint = \"J1{n}\"\nid = {n}\n"))
         .collect();
@@ -43,7 +43,7 @@ in_emergency = \"{in_emergency}\"
 }
 
 /// It says that it runs, and then does nothing.
-const WAITS: &str = "MESSAGE go\nL1:\nSLEEP 100\nGOTO L1:\nEND";
+pub(crate) const WAITS: &str = "MESSAGE go\nL1:\nSLEEP 100\nGOTO L1:\nEND";
 
 /// A command on a robot, with a terminal before it.
 struct Session {

@@ -45,7 +45,11 @@ pub(crate) fn joint(id: u8, model: &'static Model) -> Joint {
         gear: 1.0,
         limits: Range::new(-90.0, 90.0),
         speed: 180.0,
-        torque: 0.8,
+        torque: if model.family.limits_torque() {
+            0.8
+        } else {
+            1.0
+        },
     }
 }
 

@@ -89,7 +89,11 @@ fn robot(model: &str, policies: (Policy, Policy), presses: (usize, Request)) -> 
             gear: 1.0,
             limits: Range::new(-90.0, 90.0),
             speed: 180.0,
-            torque: 0.8,
+            torque: if model.family.limits_torque() {
+                0.8
+            } else {
+                1.0
+            },
         })
         .collect();
     let rest = |joint: &Joint| Servo::new(model, joint.id, joint.counts(0.0).into());

@@ -401,6 +401,14 @@ fn no_robot_has_impossible_joints() {
     assert_eq!(other, Some(Invalid::OtherFamily { joint: 1, other: 0 }));
     let many: Vec<Joint> = (1..=82).map(|id| joint(id, ax)).collect();
     assert_eq!(refused(&many, ordinary), Some(Invalid::TooManyJoints));
+    let lx = Model::named("LX-16A").expect("a model");
+    let limited = Joint {
+        torque: 0.9,
+        ..joint(1, lx)
+    };
+    let expected = Some(Invalid::NoTorqueLimit { joint: 0 });
+    assert_eq!(refused(&[limited], ordinary), expected);
+    assert_eq!(refused(&[joint(1, lx)], ordinary), None);
     let nan = Settings {
         temperature: f64::NAN,
         ..ordinary

@@ -27,11 +27,20 @@ fn held(joints: &[Joint], at: f64) -> Drives<MemoryPort> {
     drives
 }
 
+/// Half of the torque, where it can be limited.
+fn torque_of(model: &Model) -> f64 {
+    if model.family.limits_torque() {
+        0.5
+    } else {
+        1.0
+    }
+}
+
 fn joints(model: &'static Model) -> Vec<Joint> {
     [1, 2]
         .map(|id| Joint {
             speed: 60.0,
-            torque: 0.5,
+            torque: torque_of(model),
             ..joint(id, model)
         })
         .to_vec()
