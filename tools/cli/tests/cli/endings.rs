@@ -642,7 +642,7 @@ fn table() -> String {
             Event::Panic => "a panic of a program that embeds the drives",
             Event::Kill => "kill -9, power failure of the host",
             Event::UsbGone => "the adapter is pulled out",
-            Event::End => "END, EXIT",
+            Event::End => "END",
             Event::ProgramFault => "a fault of the program",
         };
         write!(table, "| {name} |").expect("a string");
