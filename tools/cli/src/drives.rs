@@ -90,6 +90,9 @@ impl RobotArguments {
 #[command(after_long_help = "Example:
   tip drives jog robot.toml J11
 
++ and - turn the joint by 1 deg. RETURN is the emergency stop; q, ESC and Ctrl-C end in order.
+The servos are left as `at_end` and `in_emergency` of the file say.
+
 Exit status: 0, 3 if the robot was stopped, 1 if it cannot start.")]
 pub(crate) struct Jog {
     #[command(flatten)]

@@ -884,8 +884,8 @@ tipc::message_table! {
         "these keys belong to the [[drive]] tables of {file}:",
         "次のキーを{file}の[[drive]]表に書いてください:";
     JogHow { joint: String }
-        "{joint}: + and - turn it by 1 deg, q ends",
-        "{joint}: +と-で1度ずつ動かし、qで終わります";
+        "{joint}: + and - turn it by 1 deg, q ends, RETURN is the emergency stop",
+        "{joint}: +と-で1度ずつ動かし、qで終わります。RETURNは非常停止です";
     Simulates { servos: usize, port: Text }
         "{servos} simulated servos on {port}; Ctrl-C ends",
         "{port}に模擬サーボが{servos}台あります。Ctrl-Cで終わります";

@@ -52,7 +52,8 @@ pub(super) const LONG_WAIT: f64 = 60_000.0;
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
 program sets another. On a terminal, keys reach the program as they are pressed; RETURN is the
 emergency stop and ESC the halt request; Ctrl-C ends the run and completes its files,
-a second one ends a run that is stuck. On standard error a run says when the robot falls, and at
+a second one ends a run that is stuck. On a real robot the keys count from the first torque
+to the last, and no signal ends the process before the servos are as their file says. On standard error a run says when the robot falls, and at
 its end what it did.
 
 Exit status; the first that applies:
@@ -223,7 +224,8 @@ fn connected(
             return Err(Error::usage(Driving::NeedsYes, lang));
         }
         report::say(Driving::PressReturn, lang);
-        if input::line()?.is_none() {
+        // RETURN alone: not what someone answers who does not want it.
+        if !input::line()?.is_some_and(|line| line.trim().is_empty()) {
             return Ok(Err(Status::Interrupted));
         }
     }

@@ -10,8 +10,8 @@ pub const LEGS: usize = <<legs>>;
 /// Joints of each.
 pub const JOINTS: usize = <<joints>>;
 
-/// The drives, one for each joint.
-#[derive(Clone, Debug)]
+/// The drives, one for each joint. They own the torque: there is no copy of them.
+#[derive(Debug)]
 pub struct Drives {
     /// deg.
     angles: [[f64; JOINTS]; LEGS],
@@ -63,4 +63,9 @@ impl Hardware<LEGS, JOINTS> for Drives {
         let _ = why;
         Ok(())
     }
+}
+
+impl Drop for Drives {
+    /// Leaves the robot: hold it, or take its torque away slowly. This comes at the end, whatever it is: a panic, too.
+    fn drop(&mut self) {}
 }

@@ -20,7 +20,10 @@ use tipc::{description, embed};
   tip drives zero robot.toml            print sign and offset of each [[drive]]
   tip drives zero robot.toml --write    write them into the file
 
-Exit status: 0, or 1 if a servo does not answer.")]
+The place of a joint at the key counts, from two equal answers after it. What was found is kept
+when Ctrl-C or a fault ends the command.
+
+Exit status: 0, 130 after Ctrl-C, 1 if a servo does not answer.")]
 pub(crate) struct Zero {
     #[command(flatten)]
     robot: RobotArguments,
@@ -98,8 +101,11 @@ pub(super) fn zero(arguments: &Zero) -> Result<Status, Error> {
 /// Switches the torque off, after a key if a servo has any; returns false if the operator does not want that.
 fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
     let joints = 0..connection.setup.joints.len();
-    let is_on =
-        |place: &usize| reading(connection, *place, 0).is_some_and(|it| it.is_on == Some(true));
+    // Not each reading tells it.
+    let is_on = |place: &usize| {
+        let mut readings = (0..3).filter_map(|turn| read(connection, *place, turn).ok().flatten());
+        readings.any(|reading| reading.is_on == Some(true))
+    };
     let stiff: Vec<usize> = joints.clone().filter(is_on).collect();
     if !stiff.is_empty() {
         let joints = connection.setup.names(&stiff);
@@ -210,10 +216,6 @@ impl Turned {
 }
 
 /// Asks the servo of a joint, and nobody else: its answer is younger than the call.
-fn reading(connection: &Connection, place: usize, turn: u32) -> Option<Reading> {
-    read(connection, place, turn).ok().flatten()
-}
-
 fn read(connection: &Connection, place: usize, turn: u32) -> Result<Option<Reading>, BusError> {
     let joint = connection.setup.joints[place];
     let query = Query {

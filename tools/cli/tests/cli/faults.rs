@@ -19,6 +19,9 @@ struct Row {
 
 const HEADING: &str = "\n## Files and Ctrl-C\n";
 
+/// The next part of the page, which `endings` writes.
+const NEXT: &str = "\n## A robot on servos\n";
+
 const HEAD: &str = "
 The outcome of `tip run PROGRAM --out-dir FOLDER --trace FILE` if its files cannot be written, or if it is interrupted.
 An earlier run of the same program had written all five files.
@@ -76,8 +79,10 @@ fn whatever_happens_to_files_and_runs_has_its_outcome_and_the_table_says_which()
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/faults.md");
     let page = fs::read_to_string(&path).expect("the page of faults");
     let (before, half) = page.split_once(HEADING).expect("the heading of this half");
+    let (half, after) = half.split_once(NEXT).expect("the heading of the next part");
     if env::var_os("TIP_BLESS").is_some() {
-        fs::write(path, format!("{before}{HEADING}{text}")).expect("the docs can be written");
+        fs::write(path, format!("{before}{HEADING}{text}{NEXT}{after}"))
+            .expect("the docs can be written");
         return;
     }
     assert!(

@@ -303,7 +303,7 @@ fn a_scan_lists_servos_of_every_family() {
     let folder = Folder::new("scan-all");
     for (model, name) in [
         ("moteus-mj5208", "mjbots moteus"),
-        ("LX-16A", "LewanSoul"),
+        ("LX-16A", "Hiwonder LX"),
         ("XL430-W250", "XL430-W250"),
     ] {
         let bus = bus(model, &[500.0], 1_000_000);

@@ -120,7 +120,7 @@ fn speed_torque_supply_and_temperature_are_those_of_the_servo() {
         }
         let load = drives.measured(0).expect("measured").load;
         assert!(
-            load.is_none_or(|it| (0.6..1.2).contains(&it)),
+            load.is_none_or(|it| (0.95..1.05).contains(&it)),
             "{name}: {load:?}"
         );
         assert_eq!(load.is_none(), model.family.key() == "lx", "{name}");
