@@ -154,6 +154,8 @@ fn zero_keeps_what_was_found_before_it_was_interrupted_or_failed() {
         let status = match ends {
             "SIGINT" => {
                 kill_process(Pid::from_child(&zero.child), Signal::INT).expect("ours");
+                // Before the end of its input, which ends it too.
+                zero.child.wait().expect("it ends");
                 130
             }
             _ => {
