@@ -2,7 +2,7 @@
 //! robot can have, so that the drives need not ask again.
 
 use crate::bus::MAX_SERVOS;
-use crate::model::Model;
+use crate::family::Model;
 use core::fmt;
 use tip_runtime::model::Range;
 

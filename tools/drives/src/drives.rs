@@ -370,11 +370,14 @@ impl<P: Port> Drives<P> {
             let joint = self.joints[number].joint;
             let (id, model) = (joint.id, joint.model);
             let family = model.family;
-            let reported =
-                self.request(number, |wire| wire.repeat(|wire| family.identify(wire, id)))?;
-            if let (Some(wanted), Some(reported)) = (model.number, reported)
-                && reported != wanted
-            {
+            let is_another = |reported: &Option<u16>| {
+                let pair = model.number.zip(*reported);
+                pair.is_some_and(|(wanted, reported)| reported != wanted)
+            };
+            let reported = self.confirmed(number, is_another, |wire| {
+                wire.repeat(|wire| family.identify(wire, id))
+            })?;
+            if let Some(reported) = reported.filter(|reported| is_another(&Some(*reported))) {
                 return self.fail(Some(number), Problem::Model(reported));
             }
             let goals = match is_commanded {
@@ -382,11 +385,17 @@ impl<P: Port> Drives<P> {
                 // None that a limit could exclude.
                 false => (i32::MAX, i32::MIN),
             };
-            let wrong = self.request(number, |wire| family.check(wire, (id, model), goals))?;
+            let wrong = self.confirmed(number, Option::is_some, |wire| {
+                family.check(wire, (id, model), goals)
+            })?;
             if let Some(mismatch) = wrong {
                 return self.fail(Some(number), Problem::Register(mismatch));
             }
-            let own = self.request(number, |wire| family.return_delay(wire, id))?;
+            let own = self.confirmed(
+                number,
+                |delay| *delay > 0,
+                |wire| family.return_delay(wire, id),
+            )?;
             delay = delay.max(own);
         }
         self.bus.set_return_delay(delay);
@@ -697,6 +706,28 @@ impl<P: Port> Drives<P> {
             Err(BusError::NoAnswer) => self.fail(Some(joint), Problem::Silent),
             Err(_) => self.fail(None, Problem::Port),
         }
+    }
+
+    /// Asks the servo of a joint, and again where the answer is doubtful: it counts when it comes twice in a row, because a checksum
+    /// of 8 bits lets some damaged answers pass.
+    fn confirmed<T: PartialEq>(
+        &mut self,
+        joint: usize,
+        is_doubtful: impl Fn(&T) -> bool,
+        request: impl Fn(&mut dyn Wire) -> Result<T, BusError>,
+    ) -> Result<T, Failure> {
+        let mut answer = self.request(joint, &request)?;
+        for _ in 0..MAX_REPEATS {
+            if !is_doubtful(&answer) {
+                break;
+            }
+            let again = self.request(joint, &request)?;
+            if again == answer {
+                break;
+            }
+            answer = again;
+        }
+        Ok(answer)
     }
 
     fn fail<T>(&mut self, joint: Option<usize>, problem: Problem) -> Result<T, Failure> {

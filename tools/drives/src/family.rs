@@ -1,12 +1,61 @@
-//! The interface of a servo family: all that the drives and the commands ask of servos. One file per family implements it.
+//! The interface of a servo family: all that the drives and the commands ask of servos, and what a model of a family is. One file
+//! per family implements it; [`model`](crate::model) lists families and models.
 //!
 //! Methods that address one servo repeat a request without an answer, unless they say that they ask once. A value that a family
 //! cannot measure is `None`.
 
 use crate::bus::{BusError, Timing, Wire};
-use crate::model::Model;
-use crate::{dynamixel1, dynamixel2, feetech, lx, moteus};
 use core::fmt;
+
+/// A servo model.
+#[derive(Debug, PartialEq)]
+pub struct Model {
+    /// Name in a robot file.
+    pub name: &'static str,
+    /// Number that the servo reports; `None` if the maker states none.
+    pub number: Option<u16>,
+    /// Its family.
+    pub family: &'static dyn Family,
+    /// Counts of a full turn.
+    pub turn: f64,
+    /// The largest position, counts; the smallest is 0.
+    pub largest: i32,
+    /// Position at a motor angle of 0, counts.
+    pub middle: f64,
+    /// Speed of one unit of the speed register, deg/s; `None` if it has none.
+    pub speed_unit: Option<f64>,
+    /// Speed without load at the rated voltage, deg/s.
+    pub speed: f64,
+    /// Load register at the stall torque; `None` if it has none.
+    pub full_load: Option<f64>,
+    /// Value of the torque limit at full torque; `None` if it has none.
+    pub full_torque: Option<u16>,
+}
+
+impl Model {
+    /// Returns the motor angle at a position, deg.
+    pub fn angle(&self, counts: f64) -> f64 {
+        (counts - self.middle) * 360.0 / self.turn
+    }
+
+    /// Returns the position at a motor angle, deg: counts, not rounded.
+    pub fn counts(&self, angle: f64) -> f64 {
+        self.middle + angle * self.turn / 360.0
+    }
+
+    /// Returns the value of its torque limit at a part of the full torque; `None` if it has none.
+    pub fn torque_limit(&self, part: f64) -> Option<i32> {
+        let full = f64::from(self.full_torque?);
+        Some((part * full) as i32)
+    }
+
+    /// Returns the value of its speed limit at a speed of the motor, deg/s.
+    pub fn speed_limit(&self, speed: f64) -> i32 {
+        let units = libm::ceil(speed / self.speed_unit.unwrap_or(1.0));
+        // 0 would be as fast as it can.
+        (units as i32).clamp(1, 1023.max(self.largest))
+    }
+}
 
 /// A servo to be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -211,18 +260,4 @@ impl PartialEq for dyn Family {
     fn eq(&self, other: &Self) -> bool {
         self.key() == other.key()
     }
-}
-
-/// The families.
-pub static FAMILIES: [&dyn Family; 5] = [
-    &dynamixel1::AX,
-    &dynamixel2::X,
-    &feetech::STS,
-    &lx::LX,
-    &moteus::MOTEUS,
-];
-
-/// Returns the family with a name in commands.
-pub fn named(key: &str) -> Option<&'static dyn Family> {
-    FAMILIES.into_iter().find(|family| family.key() == key)
 }

@@ -114,6 +114,7 @@ impl Outcome {
     }
 }
 
+#[allow(clippy::large_enum_variant, reason = "there is no allocator")]
 #[derive(Debug)]
 enum State {
     /// No torque was switched on yet.

@@ -6,9 +6,9 @@
 //! Source: "LewanSoul Bus Servo Communication Protocol" of the maker.
 
 use crate::bus::{BusError, Timing, Wait, Wire};
+use crate::family::Model;
 use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
 use crate::frame::{Bytes, Frame, Parsed, checksum};
-use crate::model::Model;
 
 /// LX and HTS servos.
 pub static LX: Lx = Lx;

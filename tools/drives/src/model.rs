@@ -1,36 +1,12 @@
-//! The servo models. A model is a row; what else differs between servos is in their families.
+//! The servo families and models that exist. A model is a row; what else differs between servos is in their families.
 
 use crate::dynamixel1::AX;
 use crate::dynamixel2::X;
 use crate::family::Family;
+pub use crate::family::Model;
 use crate::feetech::STS;
 use crate::lx::LX;
 use crate::moteus::{self, MOTEUS};
-
-/// A servo model.
-#[derive(Debug, PartialEq)]
-pub struct Model {
-    /// Name in a robot file.
-    pub name: &'static str,
-    /// Number that the servo reports; `None` if the maker states none.
-    pub number: Option<u16>,
-    /// Its family.
-    pub family: &'static dyn Family,
-    /// Counts of a full turn.
-    pub turn: f64,
-    /// The largest position, counts; the smallest is 0.
-    pub largest: i32,
-    /// Position at a motor angle of 0, counts.
-    pub middle: f64,
-    /// Speed of one unit of the speed register, deg/s; `None` if it has none.
-    pub speed_unit: Option<f64>,
-    /// Speed without load at the rated voltage, deg/s.
-    pub speed: f64,
-    /// Load register at the stall torque; `None` if it has none.
-    pub full_load: Option<f64>,
-    /// Value of the torque limit at full torque; `None` if it has none.
-    pub full_torque: Option<u16>,
-}
 
 const fn ax(name: &'static str, number: u16, speed: f64) -> Model {
     Model {
@@ -140,6 +116,14 @@ pub static MODELS: &[Model] = &[
     moteus("moteus-qdd100", 1200.0, 1600),
 ];
 
+/// The families.
+pub static FAMILIES: [&dyn Family; 5] = [&AX, &X, &STS, &LX, &MOTEUS];
+
+/// Returns the family with a name in commands.
+pub fn family_named(key: &str) -> Option<&'static dyn Family> {
+    FAMILIES.into_iter().find(|family| family.key() == key)
+}
+
 impl Model {
     /// Returns the model of that name, in any case.
     pub fn named(name: &str) -> Option<&'static Self> {
@@ -153,28 +137,5 @@ impl Model {
         let is_it =
             |model: &&Model| model.family.key() == family.key() && model.number == Some(number);
         MODELS.iter().find(is_it)
-    }
-
-    /// Returns the motor angle at a position, deg.
-    pub fn angle(&self, counts: f64) -> f64 {
-        (counts - self.middle) * 360.0 / self.turn
-    }
-
-    /// Returns the position at a motor angle, deg: counts, not rounded.
-    pub fn counts(&self, angle: f64) -> f64 {
-        self.middle + angle * self.turn / 360.0
-    }
-
-    /// Returns the value of its torque limit at a part of the full torque; `None` if it has none.
-    pub fn torque_limit(&self, part: f64) -> Option<i32> {
-        let full = f64::from(self.full_torque?);
-        Some((part * full) as i32)
-    }
-
-    /// Returns the value of its speed limit at a speed of the motor, deg/s.
-    pub fn speed_limit(&self, speed: f64) -> i32 {
-        let units = libm::ceil(speed / self.speed_unit.unwrap_or(1.0));
-        // 0 would be as fast as it can.
-        (units as i32).clamp(1, 1023.max(self.largest))
     }
 }

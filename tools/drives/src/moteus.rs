@@ -7,9 +7,9 @@
 //! has another sender, to which the controller answers, and asks for its identity and twice for its position.
 
 use crate::bus::{BusError, Timing, Wait, Wire};
+use crate::family::Model;
 use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
 use crate::frame::{Bytes, Frame, MAX_FRAME_BYTES, Parsed};
-use crate::model::Model;
 use heapless::Vec;
 use moteus_protocol::command::{PositionCommand, PositionFormat, StopCommand};
 use moteus_protocol::fdcanusb::{

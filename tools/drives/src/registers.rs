@@ -1,9 +1,9 @@
 //! Servos with a register table: Dynamixel and Feetech. A family is a [`Table`], and the [`Framing`] of its requests.
 
 use crate::bus::{BusError, MAX_SERVOS, Timing, Wait, Wire};
+use crate::family::Model;
 use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
 use crate::frame::{BROADCAST, Bytes, Frame, Parsed, TooLong, add};
-use crate::model::Model;
 use core::fmt;
 use heapless::Vec;
 

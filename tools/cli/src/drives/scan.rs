@@ -8,8 +8,8 @@ use crate::{Status, interrupt, output, report};
 use clap::Args;
 use std::fmt::Write as _;
 use tip_drives::bus::{Bus, BusError, Timing, Wire};
-use tip_drives::family::{self, FAMILIES, Family, Query, Reading};
-use tip_drives::model::Model;
+use tip_drives::family::{Family, Query, Reading};
+use tip_drives::model::{self, FAMILIES, Model};
 use tip_runtime::model::Range;
 use tipc::message::Lang;
 
@@ -92,7 +92,7 @@ pub(crate) struct Id {
 
 /// Reads the name of a family.
 fn family(name: &str) -> Result<&'static dyn Family, String> {
-    family::named(name).ok_or_else(|| {
+    model::family_named(name).ok_or_else(|| {
         let known: Vec<&str> = FAMILIES.iter().map(|family| family.key()).collect();
         format!("one of {}", known.join(", "))
     })

@@ -89,6 +89,62 @@ fn robots_walk_on_servos_as_they_do_in_the_simulation() {
     }
 }
 
+/// Where the robot rests between its steps, every joint is where the simulator has it, to half a count of its servo.
+#[test]
+fn robots_on_servos_rest_where_simulated_ones_do() {
+    for (robot, old, servo, count) in [
+        ("phantomx", "AX-12", "AX-12", 300.0 / 1024.0),
+        ("phantomx", "AX-12", "LX-16A", 240.0 / 1000.0),
+        ("spotmicro", "STS3215", "STS3215", 360.0 / 4096.0),
+    ] {
+        let folder = crate_for(robot);
+        let description = folder.read("it/robot.toml");
+        let description = description
+            .replace(
+                &format!("servo = \"{old}\""),
+                &format!("servo = \"{servo}\""),
+            )
+            .replace("voltage = [9, 13]", "voltage = [6, 13]");
+        assert!(description.contains(&format!("servo = \"{servo}\"\n")));
+        // One stride; after each wait it rests for 0.4 s, and says so.
+        let program = folder
+            .read("it/motions/walk.prg")
+            .replace("STRIDES = 4", "STRIDES = 1");
+        let rests = program.lines().map(|line| {
+            let waits = line.trim_start().starts_with("WAIT_");
+            format!(
+                "{line}\n{}",
+                if waits {
+                    "SLEEP 400\nMESSAGE rest\n"
+                } else {
+                    ""
+                }
+            )
+        });
+        let program: String = rests.collect();
+        let folder = folder
+            .file("robot.toml", description)
+            .file("rests.prg", program);
+        let run = |where_to: &str| {
+            let run = ["run", "rests.prg", where_to, "robot.toml", "--trace-motion"];
+            let all = [&run[..], &["--trace", "trace.jsonl"]].concat();
+            folder.tip(&all).expect(0);
+            let trace = folder.read("trace.jsonl");
+            let rests = trace
+                .lines()
+                .filter(|line| line.contains("\"say\":\"rest\""));
+            rests.map(|line| self::trace(line).2).collect::<Vec<_>>()
+        };
+        let (real, simulated) = (run("--hardware"), run("--robot"));
+        assert!(real.len() > 15, "{robot}: {} rests", real.len());
+        assert_eq!(real.len(), simulated.len(), "{robot}");
+        let pairs = real.iter().flatten().zip(simulated.iter().flatten());
+        let farthest = pairs.map(|(real, simulated)| (real - simulated).abs());
+        let farthest = farthest.fold(0.0, f64::max);
+        assert!(farthest <= 0.51 * count, "{robot} {servo}: {farthest} deg");
+    }
+}
+
 /// The faults of docs/drives.md, on both robots. `tests/external/drives/run` lets them happen in real time.
 #[test]
 fn each_fault_has_its_outcome() {

@@ -18,12 +18,34 @@ use tipc::description::{self, Description};
 pub(crate) struct ServoBus {
     port: String,
     /// `None` when the adapter was pulled out.
-    bus: Arc<Mutex<Option<SimulatedBus>>>,
-    start: Instant,
+    bus: Arc<Mutex<Option<Timed>>>,
     thread: Option<JoinHandle<()>>,
     /// The last state of the servos before it was pulled out.
-    left: Option<SimulatedBus>,
+    left: Option<Timed>,
 }
+
+/// Servos and their time, µs.
+struct Timed {
+    bus: SimulatedBus,
+    now: u64,
+    seen: Instant,
+}
+
+impl Timed {
+    /// Brings the servos up to now, by `most` at most: on a busy machine requests wait in the pseudo-terminal, and a watchdog must
+    /// not expire for that.
+    fn advance(&mut self, most: Duration) -> u64 {
+        let seen = Instant::now();
+        let passed = (seen - self.seen).min(most);
+        self.seen = seen;
+        self.now += passed.as_micros() as u64;
+        self.bus.advance(self.now);
+        self.now
+    }
+}
+
+/// The longest time in which nobody serves the bus.
+const LEAP: Duration = Duration::from_millis(20);
 
 /// Returns a description that has a bus.
 pub(crate) fn described(text: &str) -> Description {
@@ -52,14 +74,16 @@ impl ServoBus {
         unlockpt(&pty).expect("ours");
         let port = ptsname(&pty, Vec::new()).expect("a name");
         let port = port.into_string().expect("ASCII");
-        let bus = Arc::new(Mutex::new(Some(SimulatedBus::new(servos, timing))));
-        let start = Instant::now();
+        let bus = Arc::new(Mutex::new(Some(Timed {
+            bus: SimulatedBus::new(servos, timing),
+            now: 0,
+            seen: Instant::now(),
+        })));
         let served = Arc::clone(&bus);
         ServoBus {
             port,
             bus,
-            start,
-            thread: Some(spawn(move || serve(&pty, &served, start))),
+            thread: Some(spawn(move || serve(&pty, &served))),
             left: None,
         }
     }
@@ -84,21 +108,18 @@ impl ServoBus {
         &self.port
     }
 
-    fn lock(&self) -> MutexGuard<'_, Option<SimulatedBus>> {
+    fn lock(&self) -> MutexGuard<'_, Option<Timed>> {
         self.bus.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Looks at the servos, or lets something happen to them; their time is brought up to now first.
+    /// Looks at the servos, or lets something happen to them.
     pub(crate) fn with<T>(&mut self, act: impl FnOnce(&mut SimulatedBus) -> T) -> T {
-        let now = self.start.elapsed().as_micros() as u64;
         if let Some(left) = &mut self.left {
-            left.advance(now);
-            return act(left);
+            left.advance(Duration::MAX);
+            return act(&mut left.bus);
         }
         let mut bus = self.lock();
-        let bus = bus.as_mut().expect("served");
-        bus.advance(now);
-        act(bus)
+        act(&mut bus.as_mut().expect("served").bus)
     }
 
     /// Returns the identities of the servos whose torque is on.
@@ -134,23 +155,22 @@ impl Drop for ServoBus {
     }
 }
 
-fn serve(pty: &OwnedFd, bus: &Mutex<Option<SimulatedBus>>, start: Instant) {
-    let now = || start.elapsed().as_micros() as u64;
+fn serve(pty: &OwnedFd, bus: &Mutex<Option<Timed>>) {
     loop {
-        let next = {
+        let wait = {
             let mut bus = bus.lock().unwrap_or_else(PoisonError::into_inner);
-            let Some(bus) = bus.as_mut() else { return };
-            bus.advance(now());
-            let due = bus.take_bytes(now(), 4096);
+            let Some(timed) = bus.as_mut() else { return };
+            let now = timed.advance(LEAP);
+            let due = timed.bus.take_bytes(now, 4096);
             let mut left = &due[..];
             while !left.is_empty() {
                 // Nobody may listen any more.
                 let Ok(count) = write(pty, left) else { break };
                 left = &left[count..];
             }
-            bus.next_byte()
+            let next = timed.bus.next_byte();
+            next.map_or(2000, |at| at.saturating_sub(now).min(2000))
         };
-        let wait = next.map_or(2000, |at| at.saturating_sub(now()).min(2000));
         let wait = Timespec {
             tv_sec: 0,
             tv_nsec: wait as i64 * 1000,
@@ -163,8 +183,9 @@ fn serve(pty: &OwnedFd, bus: &Mutex<Option<SimulatedBus>>, start: Instant) {
             && let Ok(count) = read(pty, &mut bytes)
         {
             let mut bus = bus.lock().unwrap_or_else(PoisonError::into_inner);
-            let Some(bus) = bus.as_mut() else { return };
-            bus.receive(&bytes[..count], now());
+            let Some(timed) = bus.as_mut() else { return };
+            let now = timed.advance(LEAP);
+            timed.bus.receive(&bytes[..count], now);
         } else if events.contains(PollFlags::HUP) {
             sleep(Duration::from_millis(1));
         }

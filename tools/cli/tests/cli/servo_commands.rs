@@ -154,7 +154,7 @@ fn zero_keeps_what_was_found_before_it_was_interrupted_or_failed() {
         let status = match ends {
             "SIGINT" => {
                 kill_process(Pid::from_child(&zero.child), Signal::INT).expect("ours");
-                // Not for the end of its input.
+                // Before the end of its input, which ends it too.
                 zero.child.wait().expect("it ends");
                 130
             }

@@ -1,8 +1,11 @@
 //! Frames: the examples of the makers' manuals, and streams of damaged bytes.
 
-use tip_drives::dynamixel1::Protocol1;
+use std::convert::Infallible;
+use tip_drives::bus::{Bus, Port, Timing};
+use tip_drives::dynamixel1::{AX, Protocol1};
 use tip_drives::dynamixel2::Protocol2;
-use tip_drives::family::Setpoint;
+use tip_drives::family::{Family, Query, Setpoint};
+use tip_drives::feetech::STS;
 use tip_drives::frame::{Decoder, Frame, Parsed};
 use tip_drives::lx;
 use tip_drives::model::Model;
@@ -32,6 +35,117 @@ fn requests_are_those_of_the_manuals() {
     assert_eq!(lx::request(1, 1, &[0xF4, 0x01, 0xE8, 0x03]), bytes);
     let bytes = [0x55, 0x55, 1, 3, 0x1B, 0xE0];
     assert_eq!(lx::request(1, lx::command::VIN_READ, &[]), bytes);
+}
+
+/// A port that keeps what is sent, and gives the same answer to each request.
+struct Recorded {
+    sent: Vec<u8>,
+    answer: &'static [u8],
+    left: &'static [u8],
+    now: u64,
+}
+
+impl embedded_io::ErrorType for Recorded {
+    type Error = Infallible;
+}
+
+impl embedded_io::Read for Recorded {
+    fn read(&mut self, into: &mut [u8]) -> Result<usize, Infallible> {
+        let count = into.len().min(self.left.len());
+        into[..count].copy_from_slice(&self.left[..count]);
+        self.left = &self.left[count..];
+        Ok(count)
+    }
+}
+
+impl embedded_io::Write for Recorded {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        self.sent.extend(bytes);
+        self.left = self.answer;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+impl Port for Recorded {
+    fn now(&mut self) -> u64 {
+        self.now
+    }
+
+    fn wait(&mut self, until: u64) -> Result<bool, Infallible> {
+        if self.left.is_empty() {
+            self.now = self.now.max(until);
+        }
+        Ok(!self.left.is_empty())
+    }
+}
+
+fn recorded(answer: &'static [u8]) -> Bus<Recorded> {
+    let port = Recorded {
+        sent: Vec::new(),
+        answer,
+        left: &[],
+        now: 0,
+    };
+    let timing = Timing {
+        baud: 1_000_000,
+        return_delay: 0,
+        latency: 1000,
+    };
+    Bus::new(port, timing)
+}
+
+/// The exchange of "AX-12 User's Manual", example 8: model 116 and firmware 8.
+#[test]
+fn a_model_number_is_asked_for_as_in_the_manual() {
+    let mut bus = recorded(&[0xFF, 0xFF, 0x01, 0x05, 0x00, 0x74, 0x00, 0x08, 0x7D]);
+    assert_eq!(AX.identify(&mut bus, 1), Ok(Some(116)));
+    let request = [0xFF, 0xFF, 0x01, 0x04, 0x02, 0x00, 0x03, 0xF5];
+    assert_eq!(bus.port().sent, request);
+}
+
+/// The sync read of Feetech's protocol manual: eight bytes from 0x38 of servos 1 and 2. The answer is in the middle, at rest, with
+/// 12.1 V and 30 °C.
+#[test]
+fn many_sts_are_read_as_in_the_manual() {
+    let mut bus = recorded(&[
+        0xFF, 0xFF, 0x01, 0x0A, 0x00, 0x00, 0x08, 0x00, 0x00, 0x00, 0x00, 0x79, 0x1E, 0x55,
+    ]);
+    let servos = [1, 2].map(|id| Query {
+        id,
+        turn: 0,
+        is_late: false,
+    });
+    let mut found = Vec::new();
+    let asked = STS.read(&mut bus, &servos, u64::MAX, false, &mut |place, reading| {
+        let values = (reading.position, reading.load, reading.voltage);
+        found.push((place, values, reading.temperature));
+    });
+    assert_eq!(asked, Ok(2));
+    assert_eq!(found, [(0, (2048, Some(0), Some(12.1)), Some(30.0))]);
+    let request = [0xFF, 0xFF, 0xFE, 0x06, 0x82, 0x38, 0x08, 0x01, 0x02, 0x36];
+    assert_eq!(bus.port().sent, request);
+}
+
+/// A move of servo 1 to 500 in 1000 ms. Its time is the sampling time.
+#[test]
+fn a_move_of_an_lx_takes_the_sampling_time() {
+    let mut bus = recorded(&[]);
+    let setpoint = Setpoint {
+        id: 1,
+        model: Model::named("LX-16A").unwrap(),
+        position: 500,
+        speed: 180.0,
+        torque: 1.0,
+        period: 1000.0,
+        timeout: None,
+    };
+    lx::LX.write_goals(&mut bus, &[setpoint]).unwrap();
+    let request = [0x55, 0x55, 1, 7, 1, 0xF4, 0x01, 0xE8, 0x03, 0x16];
+    assert_eq!(bus.port().sent, request);
 }
 
 /// Returns the frame in a stream of bytes.

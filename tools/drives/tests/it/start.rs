@@ -438,3 +438,30 @@ fn an_lx_tells_what_it_can() {
     };
     assert!(ax.load.is_some());
 }
+
+/// A checksum of 8 bits lets one of 255 damaged answers pass: no healthy robot is refused for one.
+#[test]
+fn a_damaged_answer_at_the_start_refuses_no_servo() {
+    let faults = Faults {
+        corrupt: 0.2,
+        ..Faults::default()
+    };
+    for (name, seeds) in [("AX-12", 300), ("STS3215", 300), ("LX-16A", 100)] {
+        let model = Model::named(name).expect("a model");
+        let joints: Vec<Joint> = (1..=6).map(|id| joint(id, model)).collect();
+        for seed in 0..seeds {
+            let servos = joints
+                .iter()
+                .map(|joint| Servo::new(model, joint.id, joint.counts(0.0).into()));
+            let bus = SimulatedBus::new(servos.collect(), timing(model));
+            let bus = bus_of(bus.with_faults(faults, seed), model);
+            let settings = Settings {
+                silence: 20,
+                ..Settings::default()
+            };
+            let drives = Drives::new(bus, &joints, settings);
+            let connected = drives.expect("six").connect();
+            assert_eq!(connected, Ok(()), "{name}, {seed}");
+        }
+    }
+}

@@ -97,7 +97,7 @@ fn speed_torque_supply_and_temperature_are_those_of_the_servo() {
         );
         let torque = servo.torque_limit();
         let expected = if has_torque { 0.5 } else { 1.0 };
-        assert!((torque - expected).abs() < 0.02, "{name}: {torque}");
+        assert!((torque - expected).abs() < 0.002, "{name}: {torque}");
         let temperature = measured.temperature.expect(name);
         assert!(
             (temperature - servo.temperature()).abs() <= 1.0,
@@ -124,5 +124,20 @@ fn speed_torque_supply_and_temperature_are_those_of_the_servo() {
             "{name}: {load:?}"
         );
         assert_eq!(load.is_none(), model.family.key() == "lx", "{name}");
+    }
+}
+
+#[test]
+fn the_delay_of_answers_is_that_of_the_servo() {
+    // AX-12A: address 5, XL430: 9, STS3215: 7; 2 µs each.
+    for (name, address) in [("AX-12", 5), ("XL430-W250", 9), ("STS3215", 7)] {
+        let model = Model::named(name).expect("a model");
+        let middle = model.counts(0.0);
+        let servo = Servo::of(name, 1, middle).with(address, 90);
+        let bus = bus_of(SimulatedBus::new(vec![servo], timing(model)), model);
+        let drives = Drives::new(bus, &[joint(1, model)], Settings::default());
+        let mut drives = drives.expect("one");
+        drives.connect().expect("it is there");
+        assert_eq!(drives.bus().timing().return_delay, 180, "{name}");
     }
 }
