@@ -52,7 +52,8 @@ use crate::command::Port;
 use crate::fault::Fault;
 use crate::model::Point;
 
-/// The readings of one cycle. A reader fills in what it has; the rest keeps its zeros.
+/// The readings of one cycle. A reader fills in what it has. The rest stays absent ([`UNREAD`](Self::UNREAD)), and a program that
+/// reads it is stopped by `Sensor fault`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensors<const L: usize, const J: usize> {
     /// Joint angles, deg.
@@ -60,22 +61,32 @@ pub struct Sensors<const L: usize, const J: usize> {
     /// Number of cycles since each angle was measured; 0 if it was in this one. An older angle keeps its rate, and the next rate is
     /// that of the time between the two measurements.
     pub ages: [[u32; J]; L],
-    /// Torque of each joint on its link, in the robot's torque unit; zeros where nothing senses it.
+    /// Torque of each joint on its link, in the robot's torque unit; NaN where nothing senses it.
     pub torques: [[f64; J]; L],
     /// V of knobs, of the soles' pressure sensors, of the feeler: what a program reads by a name. A palm's touch gives 1.
+    /// NaN where nothing is connected.
     pub inputs: Inputs,
-    /// Place of the slider (`FLOOR`), mm; zeros without a slider.
+    /// Place of the slider (`FLOOR`), mm; anything without a slider.
     pub slider: Point,
 }
 
 impl<const L: usize, const J: usize> Sensors<L, J> {
-    /// Nothing measured.
+    /// The readings of a simulation in which nothing is driven.
     pub const ZERO: Self = Sensors {
         angles: [[0.0; J]; L],
         ages: [[0; J]; L],
         torques: [[0.0; J]; L],
         inputs: Inputs::all(0.0),
         slider: [0.0; 3],
+    };
+
+    /// The readings before the first cycle: every joint at 0, and all else absent, which is a NaN.
+    pub const UNREAD: Self = Sensors {
+        angles: [[0.0; J]; L],
+        ages: [[0; J]; L],
+        torques: [[f64::NAN; J]; L],
+        inputs: Inputs::all(f64::NAN),
+        slider: [f64::NAN; 3],
     };
 }
 

@@ -142,10 +142,17 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         chosen,
         robot,
     } = loader::load(&arguments.run.file, &arguments.run, None)?;
+    let inputs = arguments.run.inputs.inputs();
+    if arguments.hardware.is_some() {
+        let unconnected = robot.unconnected(&loaded, &inputs.events);
+        if !unconnected.is_empty() {
+            loaded.program = None;
+            loaded.report(unconnected.into());
+        }
+    }
     if loaded.program.is_none() || !arguments.quiet {
         report::diagnostics(&loaded, arguments.run.source.output_options);
     }
-    let inputs = arguments.run.inputs.inputs();
     if arguments.deny.rejects(&loaded) {
         return Ok(Status::Failure);
     }

@@ -17,6 +17,8 @@ pub struct Drives {
     angles: [[f64; JOINTS]; LEGS],
     /// In the robot's torque unit; only a robot that senses torques is commanded any.
     torques: [[f64; JOINTS]; LEGS],
+    /// Place of the slider under a hand, mm.
+    slider: [f64; 3],
 }
 
 impl Drives {
@@ -25,6 +27,7 @@ impl Drives {
         Drives {
             angles: <<MODEL>>.legs.map(|leg| leg.initial),
             torques: [[0.0; JOINTS]; LEGS],
+            slider: <<MODEL>>.slider.map_or([0.0; 3], |slider| slider.initial),
         }
     }
 }
@@ -37,10 +40,12 @@ impl Default for Drives {
 
 impl Hardware<LEGS, JOINTS> for Drives {
     /// Measures. A drive that does not answer is an error, `Err(HardwareFault::new("no answer").at_joint(1, 2))`, which stops the
-    /// robot: what is not written here looks like a joint that stands still.
+    /// robot: an angle that is not written here looks like a joint that stands still. Knobs and other inputs are absent until
+    /// they are written to `into.inputs`; a program that reads an absent one stops with `Sensor fault`.
     fn read(&mut self, into: &mut Sensors<LEGS, JOINTS>) -> Result<(), HardwareFault> {
         into.angles = self.angles; // sign and offset of a motor belong here and into `write`
         into.torques = self.torques;
+        into.slider = self.slider;
         Ok(())
     }
 
@@ -54,6 +59,7 @@ impl Hardware<LEGS, JOINTS> for Drives {
                 }
             }
         }
+        self.slider = outputs.slider;
         Ok(())
     }
 

@@ -296,6 +296,9 @@ impl DynHardware for ExternalHardware {
         self.fault()?;
         let unit = self.layout.per_newton_metre;
         into.angles.copy_from_slice(&self.measured.angles);
+        // Sensors that a simulation does not drive read 0.
+        into.torques.fill(0.0);
+        *into.inputs = Inputs::all(0.0);
         for (into, torque) in into.torques.iter_mut().zip(&self.measured.torques) {
             *into = torque * unit;
         }

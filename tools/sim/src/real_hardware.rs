@@ -1,17 +1,28 @@
 //! A real robot as the hardware of a run: joints that this process reaches over a bus. A copy of such a run reaches none.
+//!
+//! Nothing but joints is connected to the bus. Other inputs exist as far as events give them a value; the rest is absent,
+//! which is a NaN and a `Sensor fault` where a program reads it.
 
+use crate::event::Events;
+use crate::message::Linting;
 use crate::motion::Limbs;
 use crate::program_runner::ProgramRunner;
 use crate::robot::Robot;
 use crate::run::Run;
-use crate::sim_hardware::{Commands, DynHardware, Reading};
+use crate::sim_hardware::{Commands, DynHardware, Reading, has_input};
 use std::any::Any;
 use std::fmt;
-use tip_runtime::command::Port;
+use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::fault::Fault;
-use tip_runtime::hardware::{HardwareFault, JointCommand};
+use tip_runtime::hardware::{HardwareFault, Inputs, JointCommand};
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::Program;
+use tipc::Loaded;
+use tipc::code::Code;
+use tipc::diagnostic::Diagnostic;
+use tipc::language::flags::{self, Cause};
+use tipc::message::Text;
+use tipc::program::{Action, Condition};
 
 /// The joints of a real robot, leg by leg: [`Hardware`](tip_runtime::hardware::Hardware) for a robot of any size.
 pub trait Joints: Send {
@@ -44,13 +55,74 @@ impl Run {
         robot: &Robot,
         joints: impl Joints + 'static,
     ) -> Result<Self, Mismatch> {
+        let anatomy = robot.anatomy();
+        let legs = anatomy.legs.len();
         let hardware = Box::new(RealHardware {
             joints: Some(Box::new(joints)),
-            legs: robot.anatomy().legs.len(),
+            legs,
+            soles: anatomy.body.map_or(0, |_| legs),
             angles: Vec::new(),
+            inputs: Inputs::all(f64::NAN),
         });
         let machine = robot.start_on(hardware, ProgramRunner::new(program));
         Ok(Run::on(machine?))
+    }
+}
+
+impl Robot {
+    /// Returns an error for each statement that reads an input which a real robot of this kind lacks, and which no event
+    /// gives a value.
+    pub fn unconnected(&self, loaded: &Loaded, events: &Events) -> Vec<Diagnostic> {
+        let Some(program) = &loaded.program else {
+            return Vec::new();
+        };
+        let anatomy = self.anatomy();
+        let joints = anatomy.legs.len() * anatomy.joints;
+        let soles = anatomy.body.map_or(0, |_| anatomy.legs.len());
+        let is_given = |port: Port| events.ports().any(|given| given == port);
+        let steps = loaded.module.steps().zip(program.steps());
+        let read = steps.filter_map(|(statement, step)| {
+            let mut ports = inputs(&step.action, joints, soles).into_iter();
+            let port = ports.find(|port| !is_given(*port))?;
+            let input = Text::from(port.to_string());
+            let diagnostic = |reason| Diagnostic::new(Code::Argument, statement.span, reason);
+            Some(match port {
+                Port::Channel(_) => diagnostic(Linting::OpenChannel { channel: input }),
+                _ => diagnostic(Linting::NotConnected {
+                    input: input.clone(),
+                })
+                .help(Linting::GiveInput { input }),
+            })
+        });
+        read.collect()
+    }
+}
+
+/// Returns the inputs that an action reads, joints excepted, on a robot with so many joints and soles.
+fn inputs(action: &Action, joints: usize, soles: usize) -> Vec<Port> {
+    match action {
+        Action::AdIn { port, .. } => match port.by_name() {
+            Port::Joint(..) => Vec::new(),
+            Port::Channel(channel) if usize::from(channel) < joints => Vec::new(),
+            port => vec![port],
+        },
+        Action::Command {
+            op: Op::DetectFloor,
+            target,
+            ..
+        } => {
+            let searches =
+                |leg: &u8| matches!(target, Target::All) || *target == Target::Foot(*leg);
+            let legs = (1..).take(soles).filter(searches);
+            legs.map(Port::Paw).collect()
+        }
+        action => match action.condition() {
+            Some(Condition::Flag { flag, .. }) => match flags::row(*flag).map(|row| row.cause) {
+                Some(Cause::Input(port)) => vec![port],
+                _ => Vec::new(),
+            },
+            _ => Vec::new(),
+        },
     }
 }
 
@@ -58,8 +130,11 @@ struct RealHardware {
     /// None in a copy.
     joints: Option<Box<dyn Joints>>,
     legs: usize,
+    soles: usize,
     /// The last measured angles, deg.
     angles: Vec<f64>,
+    /// Values that events gave to inputs, V; NaN for all others.
+    inputs: Inputs,
 }
 
 impl fmt::Debug for RealHardware {
@@ -91,6 +166,7 @@ impl DynHardware for RealHardware {
             .read(into.angles, into.ages)?;
         self.angles.clear();
         self.angles.extend_from_slice(into.angles);
+        *into.inputs = self.inputs;
         Ok(())
     }
 
@@ -103,12 +179,12 @@ impl DynHardware for RealHardware {
         self.joints.as_mut().ok_or(COPY)?.stop(why)
     }
 
-    fn has_input(&self, _: Port) -> bool {
-        false
+    fn has_input(&self, port: Port) -> bool {
+        has_input(self.soles, port)
     }
 
-    fn set_sensor(&mut self, _: Port, _: f64) -> bool {
-        false
+    fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
+        self.has_input(port) && self.inputs.set(port, volts)
     }
 
     fn limbs(&self) -> Option<Limbs> {

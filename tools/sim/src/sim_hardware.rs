@@ -31,6 +31,12 @@ pub(crate) struct Commands<'a> {
     pub(crate) period: f64,
 }
 
+/// Returns true if a robot with so many soles may have this input by its name.
+pub(crate) fn has_input(soles: usize, port: Port) -> bool {
+    let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > soles);
+    !lacks && port.place().is_some()
+}
+
 /// A simulated robot of any size. A method that is not overridden belongs to a robot that lacks it.
 pub(crate) trait DynHardware: Send {
     fn boxed(&self) -> Box<dyn DynHardware>;

@@ -242,6 +242,21 @@ fn equal_mishaps_give_equal_traces() {
 }
 
 #[test]
+fn an_input_that_nothing_drives_is_refused_until_it_has_a_value() {
+    let folder = crate_for("phantomx").file(
+        "stick.prg",
+        "3.1\nStick\nDEF_VAR V\nAD_IN VR1 V\nMESSAGE %V%\nEND\n",
+    );
+    let run = ["run", "stick.prg", "--hardware", "it/robot.toml", "-q"];
+    let outcome = folder.tip(&run).expect(1);
+    assert!(outcome.err.contains("stick.prg:4:"), "{}", outcome.err);
+    let reason = "nothing is connected to VR1";
+    assert!(outcome.err.contains(reason), "{}", outcome.err);
+    let given = [&run[..], &["--sensor", "VR1=5@0"]].concat();
+    assert_eq!(folder.tip(&given).expect(0).out, "5\n");
+}
+
+#[test]
 fn a_file_without_a_bus_or_a_port_says_what_is_missing() {
     let folder = crate_for("phantomx");
     let text = folder.read("it/robot.toml");
