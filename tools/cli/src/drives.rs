@@ -291,7 +291,8 @@ fn simulate(arguments: &Simulate) -> Result<Status, Error> {
     let setup = robot.setup()?;
     let mishaps = Mishaps::new(&arguments.mishaps, &setup.ids());
     let mishaps = mishaps.map_err(|wrong| Error::usage(wrong, lang))?;
-    simulated::serve(&setup, mishaps, lang, |port| {
+    let bus = setup.simulated(&mishaps);
+    simulated::serve(bus, mishaps, lang, |port| {
         let servos = setup.joints.len();
         let port = port.into();
         output::say(Driving::Simulates { servos, port }, lang)

@@ -3,7 +3,7 @@
 //! The first one is a request, which the command obeys. A second one, or time, ends a command that is stuck. Before the process
 //! ends so, a robot whose torque is on is left in the state that its file names.
 
-use crate::report;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
@@ -115,7 +115,8 @@ fn end() {
             let _ = fs::remove_file(part);
         }
         tip_sim::end_processes();
-        report::complain(&left.unwrap_or_default());
+        // The process ends in any case.
+        let _ = io::stderr().write_all(left.unwrap_or_default().as_bytes());
         process::exit(status().into());
     }
 }

@@ -799,9 +799,6 @@ tipc::message_table! {
     PressReturn
         "keep clear; RETURN starts, Ctrl-C ends",
         "ロボットから離れてください。RETURNで開始、Ctrl-Cで終了します";
-    StoppedByKey
-        "RETURN, the emergency stop, was pressed",
-        "RETURNキー(非常停止)が押されました";
     StillStiff { joints: String }
         "still stiff, although they were to relax: {joints}. Switch their power off",
         "脱力しなかったサーボがあります: {joints}。電源を切ってください";

@@ -4,7 +4,7 @@ use super::port::{AnyPort, SIMULATED, open_serial};
 use super::realtime;
 use super::simulated::Mishaps;
 use crate::error::Error;
-use crate::message::Driving;
+use crate::message::{Driving, Stopping};
 use crate::{Status, interrupt, report};
 use std::io;
 use std::path::Path;
@@ -422,7 +422,7 @@ impl Connection {
             Ok(Step::Moving | Step::Arrived) => return None,
             Ok(Step::Left(Request::End)) => Status::Interrupted,
             Ok(Step::Left(Request::EmergencyStop)) => {
-                report::say(Driving::StoppedByKey, self.lang);
+                report::say(Stopping::KeyPressed, self.lang);
                 Status::Emergency
             }
             Err(failure) => {
@@ -459,7 +459,7 @@ impl Connection {
         robot.host_mut().keyboard = None;
         let is_stopped = robot.is_stopped() && !was_stopped;
         if is_stopped {
-            report::say(Driving::StoppedByKey, self.lang);
+            report::say(Stopping::KeyPressed, self.lang);
         }
         is_stopped
     }

@@ -1,6 +1,5 @@
 //! Simulated servos in place of real ones: the faults that happen to them, and their bus on a pseudo-terminal.
 
-use super::robot::Setup;
 use crate::Status;
 use crate::error::Error;
 use crate::message::Driving;
@@ -88,10 +87,10 @@ impl Mishaps {
     }
 }
 
-/// Serves a bus until it is interrupted; `announce` gets the name of its port.
+/// Serves a bus on a pseudo-terminal until it is interrupted; `announce` gets the name of its port.
 #[cfg(unix)]
 pub(super) fn serve(
-    setup: &Setup,
+    mut bus: SimulatedBus,
     mut mishaps: Mishaps,
     _: Lang,
     announce: impl FnOnce(String) -> Result<(), Error>,
@@ -110,7 +109,6 @@ pub(super) fn serve(
     let name = ptsname(&pty, Vec::new()).map_err(failed)?;
     announce(name.to_string_lossy().into_owned())?;
 
-    let mut bus = setup.simulated(&mishaps);
     let start = Instant::now();
     while !interrupt::is_requested() {
         let now = start.elapsed().as_micros() as u64;
@@ -149,7 +147,7 @@ pub(super) fn serve(
 
 #[cfg(not(unix))]
 pub(super) fn serve(
-    _: &Setup,
+    _: SimulatedBus,
     _: Mishaps,
     lang: Lang,
     _: impl FnOnce(String) -> Result<(), Error>,
