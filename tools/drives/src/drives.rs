@@ -789,15 +789,14 @@ impl<P: Port> Drives<P> {
                 Some(_) => self.counts.implausible += u64::from(!taken),
                 None => self.counts.missing += 1,
             }
-            // A goal switches the torque of AX, MX and STS servos on again; their torque limit is not the robot's then.
-            let Joint { model, torque, .. } = state.joint;
-            let limit = model.torque_limit(torque * self.torque);
-            let reset = reading.as_ref().and_then(|reading| {
-                let is_off = reading.is_on.map(|is_on| !is_on);
-                let is_other = reading.torque_limit.map(|own| Some(own) != limit);
-                is_off.into_iter().chain(is_other).reduce(|a, b| a || b)
-            });
-            if let Some(is_reset) = reset {
+            // A goal switches the torque of AX, MX and STS servos on again after a reset; their limits are not the robot's then.
+            if let Some(reading) = reading.as_ref().filter(|reading| reading.is_on.is_some()) {
+                let joint = &state.joint;
+                let torque = joint.model.torque_limit(joint.torque * self.torque);
+                let speed = joint.model.speed_limit(joint.speed * joint.gear);
+                let is_reset = reading.is_on == Some(false)
+                    || reading.torque_limit.is_some_and(|own| Some(own) != torque)
+                    || reading.speed_limit.is_some_and(|own| own != speed);
                 state.off = if is_reset { state.off + 1 } else { 0 };
             }
             if !taken {

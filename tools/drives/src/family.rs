@@ -85,6 +85,8 @@ pub struct Reading {
     pub is_on: Option<bool>,
     /// Torque limit, in units of its register.
     pub torque_limit: Option<i32>,
+    /// Speed limit, in units of its register.
+    pub speed_limit: Option<i32>,
     /// False if a register has a value that nothing here leaves in it: the answer is damaged.
     pub is_plausible: bool,
 }

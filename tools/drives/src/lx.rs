@@ -200,6 +200,7 @@ impl Lx {
             temperature: None,
             is_on: None,
             torque_limit: None,
+            speed_limit: None,
             is_plausible: true,
         };
         let slow = SLOW_VALUES.len() as u32;

@@ -355,6 +355,7 @@ impl Family for Moteus {
                         temperature: Some(answer.temperature.into()),
                         is_on: Some(answer.is_on),
                         torque_limit: None,
+                        speed_limit: None,
                         is_plausible: true,
                     },
                 ),

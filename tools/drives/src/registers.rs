@@ -350,6 +350,7 @@ impl Table {
             temperature: get(self.temperature).map(f64::from),
             is_on: get(self.torque_enable).map(|it| it != 0),
             torque_limit: get(self.torque_limit),
+            speed_limit: get(self.goal_speed),
             // Nothing here leaves the lock open.
             is_plausible: self.lock.and_then(get).is_none_or(|it| it == 1),
         })

@@ -304,6 +304,21 @@ fn a_servo_that_was_reset_is_noticed_by_its_torque() {
         // Each third answer tells, and two are needed.
         assert!(cycles <= 12, "{name}: {cycles}");
     }
+    // The torque limit of a servo with all its torque is what it has after a reset, and a goal switches its torque on again: its
+    // speed limit tells.
+    let model = Model::named("AX-12").expect("a model");
+    let full = Joint {
+        torque: 1.0,
+        ..joint(1, model)
+    };
+    let servo = Servo::new(model, 1, full.counts(0.0).into());
+    let bus = bus_of(SimulatedBus::new(vec![servo], timing(model)), model);
+    let mut drives = held_with(Drives::new(bus, &[full], Settings::default()).expect("one"));
+    cycle(&mut drives, START, 0.0).expect("well");
+    drives.bus_mut().port_mut().bus.reset(1);
+    let (problem, cycles) = until_problem(&mut drives);
+    assert_eq!(problem, Problem::Reset);
+    assert!(cycles <= 12, "{cycles}");
     // Its window does not hold the torque: it is noticed when it stays behind.
     let mut drives = held("XL430-W250", 12, Faults::default());
     cycle(&mut drives, START, 0.0).expect("well");
