@@ -18,7 +18,32 @@ const HYPHENED: usize = 8;
 
 impl Parser<'_> {
     /// `DEF_… NAME NAME …`: the names as written; what is not a word is reported.
+    ///
+    /// Another declaration inside it, `DEF_VAR A, DEF_POS P`, is reported and read as a statement of its own.
     pub(super) fn define(
+        &mut self,
+        mut kind: VariableKind,
+        mut keyword: Span,
+        mut tokens: &[Token],
+        mut reported: bool,
+    ) -> StatementKind {
+        while let Some(at) = self.declares_again(tokens) {
+            let (first, rest) = tokens.split_at(at);
+            let first = self.declaration(kind, keyword, first, reported);
+            self.push(first, keyword);
+            let second = rest[0].span;
+            let fault = Diagnostic::new(Code::Argument, second, Parsing::OnlyNames);
+            self.report(fault.help(Suggestion::NextStatement));
+            kind = keywords::find(self.source.slice(second), self.module.edition)
+                .and_then(declared_kind)
+                .unwrap_or(kind);
+            (keyword, tokens, reported) = (second, rest, true);
+        }
+        self.declaration(kind, keyword, tokens, reported)
+    }
+
+    /// Reads the names of one declaration.
+    fn declaration(
         &mut self,
         kind: VariableKind,
         keyword: Span,
@@ -28,9 +53,6 @@ impl Parser<'_> {
         if tokens.len() < 2 {
             let missing = Diagnostic::new(Code::Argument, keyword, Naming::NoNames);
             self.report(missing.help(Naming::WriteNames));
-        }
-        if let Some(at) = self.declares_again(tokens) {
-            return self.two_declarations(kind, keyword, tokens, at, reported);
         }
         let reader = Reader::new(self.text, tokens, 0, Code::Argument, self.module.edition);
         let glued = hyphened(tokens);
@@ -74,26 +96,6 @@ impl Parser<'_> {
         };
         let again = tokens.iter().skip(1).position(declares)?;
         Some(again + 1)
-    }
-
-    /// Reads the second of two declarations on a line as what it was meant to be.
-    fn two_declarations(
-        &mut self,
-        kind: VariableKind,
-        keyword: Span,
-        tokens: &[Token],
-        at: usize,
-        reported: bool,
-    ) -> StatementKind {
-        let second = tokens[at].span;
-        let first = self.define(kind, keyword, &tokens[..at], reported);
-        self.push(first, keyword);
-        let fault = Diagnostic::new(Code::Argument, second, Parsing::OnlyNames);
-        self.report(fault.help(Suggestion::NextStatement));
-        let kind = keywords::find(self.source.slice(second), self.module.edition)
-            .and_then(declared_kind)
-            .unwrap_or(kind);
-        self.define(kind, second, &tokens[at..], true)
     }
 
     /// Returns the names of a word, which full-width commas may separate: those are reported.

@@ -390,14 +390,13 @@ impl Parser<'_> {
         is_name.then(|| Span::new(word.start, word.start + name.len()))
     }
 
-    /// Reads a label with a full-width colon, and the statement after it.
+    /// Reads a label with a full-width colon and returns the first word of the statement after it, and that statement.
     pub(super) fn wide_label(
         &mut self,
         name: Span,
+        word: Span,
         span: Span,
-        text_end: usize,
-        comment: Option<Span>,
-    ) -> Flow {
+    ) -> Option<(Span, Span)> {
         let whole = Span::new(name.start, name.end + COLON.len_utf8());
         let label = self.narrow_word(name);
         let location = foreign_run(self.text, whole).unwrap_or(whole);
@@ -410,10 +409,15 @@ impl Parser<'_> {
         let rest = self.source.slice(Span::new(whole.end, span.end));
         let start = span.end - rest.trim_start_matches(DELIMITERS).len();
         if start == span.end {
-            return Flow::Continue;
+            return None;
         }
-        let word = word_end(&self.text.as_bytes()[..span.end], start);
-        let rest = Span::new(start, span.end);
-        self.statement(Span::new(start, word), rest, text_end, comment)
+        // A word that holds many colons is not searched for its end again after each.
+        let is_same_word =
+            start < word.end && self.source.slice(word)[start - word.start..].contains(COLON);
+        let end = match is_same_word {
+            true => word.end,
+            false => word_end(&self.text.as_bytes()[..span.end], start),
+        };
+        Some((Span::new(start, end), Span::new(start, span.end)))
     }
 }

@@ -24,8 +24,12 @@ impl Parser<'_> {
         text_end: usize,
         comment: Option<Span>,
     ) -> Flow {
-        if let Some(name) = self.ends_with_wide_colon(word) {
-            return self.wide_label(name, span, text_end, comment);
+        let (mut word, mut span) = (word, span);
+        while let Some(name) = self.ends_with_wide_colon(word) {
+            match self.wide_label(name, word, span) {
+                Some(rest) => (word, span) = rest,
+                None => return Flow::Continue,
+            }
         }
         match keywords::find(self.source.slice(word), self.module.edition) {
             Some(Keyword::End) => {
