@@ -129,6 +129,8 @@ impl Source {
 
     /// Returns the start of the line of a byte.
     pub(crate) fn start_of_line_at(&self, offset: usize) -> usize {
-        self.lines.start(self.line_number(offset)).unwrap_or_default()
+        self.lines
+            .start(self.line_number(offset))
+            .unwrap_or_default()
     }
 }

@@ -91,7 +91,9 @@ impl Source {
         let before = Span::new(start, next_boundary(&self.text, offset));
         let text = self.slice(before);
         let units = match unit {
-            Unit::Byte => self.original.count(text, self.original.line_start(start, number)),
+            Unit::Byte => self
+                .original
+                .count(text, self.original.line_start(start, number)),
             Unit::Utf8 => text.len(),
             // Four bytes are two units.
             Unit::Utf16 => text.chars().count() + text.bytes().filter(|it| *it >= 0xF0).count(),

@@ -1,377 +1,185 @@
-//! The data flow over basic blocks, runs of nodes that a run passes from the first to the last, for as many scalars as
-//! one machine word can hold.
+//! The data flow over basic blocks: nodes that a run passes from the first to the last.
 
 use crate::analysis::access;
 use crate::analysis::flow::{Flow, NodeId};
 use crate::program::Program;
 use std::collections::BTreeSet;
 
-/// Effect of the path through something on unassigned scalars.
-#[derive(Clone, Copy, PartialEq)]
-struct Effect {
-    /// The scalars that it neither reads nor assigns.
-    untouched: Scalars,
-    /// The scalars that it assigns before it reads them.
-    set: Scalars,
+/// Scalars by their assignment where runs come, 64 of them. A scalar in neither set is one that no run has there: a read
+/// without a value ended those runs.
+#[derive(Clone, Copy, Default, PartialEq)]
+struct Word {
+    /// The scalars that may be unassigned.
+    unassigned: u64,
+    /// The scalars that may be assigned.
+    assigned: u64,
 }
 
-impl Effect {
-    const NONE: Effect = Effect {
-        untouched: Scalars::MAX,
-        set: 0,
+impl Word {
+    const UNASSIGNED: Word = Word {
+        unassigned: u64::MAX,
+        assigned: 0,
     };
 
-    fn of(touch: Touch) -> Self {
-        Effect {
-            untouched: !(touch.read | touch.set),
-            set: touch.set & !touch.read,
+    fn then(self, after: Word) -> Word {
+        Word {
+            unassigned: self.unassigned & after.unassigned,
+            assigned: self.assigned | (self.unassigned & after.assigned),
         }
     }
 
-    /// Returns the effect of this, and then something after it.
-    fn then(self, behind: Effect) -> Effect {
-        Effect {
-            untouched: self.untouched & behind.untouched,
-            set: self.set | (self.untouched & behind.set),
-        }
-    }
-}
-
-/// Effect of the paths from a block to the return of the call that it is in on unassigned scalars:
-/// a scalar is in a set if some path belongs there. `None` if there is no path.
-type Passage = Option<Effect>;
-
-fn either(a: Passage, b: Passage) -> Passage {
-    match (a, b) {
-        (Some(a), Some(b)) => Some(Effect {
-            untouched: a.untouched | b.untouched,
-            set: a.set | b.set,
-        }),
-        (a, b) => a.or(b),
-    }
-}
-
-/// Possible ways to reach a location. A scalar that may be neither is one with which no run gets there.
-#[derive(Clone, Copy, Default, PartialEq)]
-struct State {
-    /// The scalars that may be unassigned.
-    unassigned: Scalars,
-    /// The scalars that may be assigned.
-    assigned: Scalars,
-}
-
-impl State {
-    /// Returns the state after something with an effect. If that first reads an unassigned scalar, the run is over.
-    fn behind(self, effect: Effect) -> State {
-        State {
-            unassigned: self.unassigned & effect.untouched,
-            assigned: self.assigned | (self.unassigned & effect.set),
-        }
-    }
-
-    fn or(self, other: State) -> State {
-        State {
+    fn or(self, other: Word) -> Word {
+        Word {
             unassigned: self.unassigned | other.unassigned,
             assigned: self.assigned | other.assigned,
         }
     }
 }
 
-/// The scalars that a node reads, and how runs can come to it.
+/// The scalars that are judged, by their assignment where runs come.
+#[derive(Clone, PartialEq)]
+pub(super) struct State(Vec<Word>);
+
+impl State {
+    /// Creates the state with every one of so many scalars unassigned.
+    fn unassigned(scalars: usize) -> Self {
+        State(vec![Word::UNASSIGNED; scalars.div_ceil(64)])
+    }
+
+    /// Returns true if the scalar at a place may be unassigned.
+    pub(super) fn may_be_unassigned(&self, place: usize) -> bool {
+        self.0[place / 64].unassigned >> (place % 64) & 1 != 0
+    }
+
+    /// Returns true if the scalar at a place may be assigned.
+    pub(super) fn may_be_assigned(&self, place: usize) -> bool {
+        self.0[place / 64].assigned >> (place % 64) & 1 != 0
+    }
+
+    /// Goes on behind a read or an assignment of the scalar at a place.
+    pub(super) fn pass(&mut self, place: usize, assigns: bool) {
+        let word = &mut self.0[place / 64];
+        let bit = 1 << (place % 64);
+        if assigns {
+            word.assigned |= word.unassigned & bit;
+        }
+        word.unassigned &= !bit;
+    }
+
+    /// Returns the state after a part of the program, given the state after that part with every scalar unassigned
+    /// before it.
+    fn then(&self, after: &State) -> State {
+        let words = self.0.iter().zip(&after.0);
+        State(words.map(|(word, after)| word.then(*after)).collect())
+    }
+
+    /// Adds the runs of another state; returns true if that changes this one.
+    fn join(&mut self, other: &State) -> bool {
+        let mut changes = false;
+        for (word, other) in self.0.iter_mut().zip(&other.0) {
+            let joined = word.or(*other);
+            changes |= joined != *word;
+            *word = joined;
+        }
+        changes
+    }
+}
+
+/// Adds the runs of another state, if there are any; returns true if that changes the known one.
+fn join(known: &mut Option<State>, other: State) -> bool {
+    match known {
+        Some(known) => known.join(&other),
+        None => {
+            *known = Some(other);
+            true
+        }
+    }
+}
+
+/// A read or assignment of a scalar by a node.
 #[derive(Clone, Copy)]
-pub(super) struct Found {
-    /// The node.
+pub(super) struct Access {
     pub(super) node: NodeId,
-    /// The scalars that it reads and that may be unassigned there.
-    pub(super) unassigned: Scalars,
-    /// The scalars that it reads and that may be assigned there.
-    pub(super) assigned: Scalars,
+    pub(super) scalar: usize,
+    pub(super) assigns: bool,
 }
 
-/// Beginning of runs.
-#[derive(Clone, Copy)]
-pub(super) struct Start<'a> {
-    /// The nodes where a run may begin.
-    pub(super) nodes: &'a [NodeId],
-    /// The scalars that have a value there.
-    pub(super) given: Scalars,
-}
-
-/// Some scalars in the blocks of a flow.
-pub(super) struct Batch<'a> {
-    blocks: &'a Blocks,
-    start: Start<'a>,
-    touches: &'a [Touch],
-    effects: Vec<Effect>,
-}
-
-impl<'a> Batch<'a> {
-    /// Prepares the scalars that are touched so, in the order of the nodes, for runs that begin so.
-    pub(super) fn new(blocks: &'a Blocks, touches: &'a [Touch], start: Start<'a>) -> Self {
-        let mut effects = vec![Effect::NONE; blocks.all().len()];
-        for touch in touches {
-            let effect = &mut effects[blocks.of_node(touch.node)];
-            *effect = effect.then(Effect::of(*touch));
-        }
-        Batch {
-            blocks,
-            start,
-            touches,
-            effects,
-        }
-    }
-
-    /// Returns what each node that reads finds, and for each block whether a run can come to it.
-    pub(super) fn found(&self) -> (Vec<Found>, Vec<bool>) {
-        let states = self.states();
-        let mut found = Vec::new();
-        let mut block = None;
-        let mut state = State::default();
-        for touch in self.touches {
-            let its_block = self.blocks.of_node(touch.node);
-            if block.replace(its_block) != Some(its_block) {
-                state = states[its_block];
-            }
-            if touch.read != 0 {
-                found.push(Found {
-                    node: touch.node,
-                    unassigned: state.unassigned & touch.read,
-                    assigned: state.assigned & touch.read,
+/// Returns every read and assignment of a program, in the order of the nodes; each node reads before it assigns.
+pub(super) fn accesses(program: &Program, flow: &Flow) -> Vec<Access> {
+    let mut all = Vec::with_capacity(2 * flow.nodes().len());
+    for (node, content) in flow.nodes().iter().enumerate() {
+        let action = &program.steps()[content.step as usize].action;
+        if !content.is_passed {
+            access::reads(program, action, |scalar| {
+                all.push(Access {
+                    node,
+                    scalar,
+                    assigns: false,
                 });
-            }
-            state = state.behind(Effect::of(*touch));
+            });
         }
-        let is_reached = |state: &State| state.unassigned & UNTOUCHED != 0;
-        (found, states.iter().map(is_reached).collect())
+        all.extend(access::assigns(program, action).map(|scalar| Access {
+            node,
+            scalar,
+            assigns: true,
+        }));
     }
-
-    /// Returns for each block how runs come to it.
-    fn states(&self) -> Vec<State> {
-        let blocks = self.blocks.all();
-        let passages = self.passages();
-        let mut states = vec![State::default(); blocks.len()];
-        let mut work = BTreeSet::new();
-        for node in self.start.nodes.iter().filter(|_| !blocks.is_empty()) {
-            let first = self.blocks.of_node(*node);
-            states[first].unassigned = !self.start.given;
-            states[first].assigned = self.start.given;
-            work.insert(first);
-        }
-        while let Some(id) = work.pop_first() {
-            let after = states[id].behind(self.effects[id]);
-            let mut flow_to = |to: BlockId, state: State| {
-                let joined = states[to].or(state);
-                if joined != states[to] {
-                    states[to] = joined;
-                    work.insert(to);
-                }
-            };
-            for next in blocks[id].next.iter() {
-                flow_to(*next, after);
-            }
-            if let Some((entry, back)) = blocks[id].call {
-                flow_to(entry, after);
-                if let Some(passage) = passages[entry] {
-                    flow_to(back, after.behind(passage));
-                }
-            }
-        }
-        states
-    }
-
-    /// Returns true if a node neither reads nor assigns any of the scalars.
-    pub(super) fn is_untouched(&self, node: NodeId) -> bool {
-        self.touches
-            .binary_search_by_key(&node, |touch| touch.node)
-            .is_err()
-    }
-
-    /// Returns a test: true if some path through the subroutine at a node leaves the scalar at bit 0 alone.
-    pub(super) fn passes(&self) -> impl Fn(NodeId) -> bool {
-        let passages = self.passages();
-        move |entry| {
-            let passage = passages[self.blocks.of_node(entry)];
-            passage.is_some_and(|passage| passage.untouched & 1 != 0)
-        }
-    }
-
-    /// Returns a test: true if some path through the subroutine at a node comes back.
-    pub(super) fn comes_back(&self) -> impl Fn(NodeId) -> bool {
-        let passages = self.passages();
-        move |entry| passages[self.blocks.of_node(entry)].is_some()
-    }
-
-    /// Returns for each block the paths to the return of the call that it is in.
-    fn passages(&self) -> Vec<Passage> {
-        let blocks = self.blocks.all();
-        let mut passages = vec![None; blocks.len()];
-        let returning = blocks.iter().enumerate().filter(|(_, block)| block.returns);
-        let mut work: BTreeSet<BlockId> = returning.map(|(id, _)| id).collect();
-        while let Some(id) = work.pop_last() {
-            let behind = behind(&blocks[id], &passages);
-            let passage = behind.map(|behind| self.effects[id].then(behind));
-            if passage != passages[id] {
-                passages[id] = passage;
-                work.extend(self.blocks.before(id));
-            }
-        }
-        passages
-    }
+    all
 }
 
-/// Returns the paths from the end of a block.
-fn behind(block: &Block, passages: &[Passage]) -> Passage {
-    let mut ways = block.returns.then_some(Effect::NONE);
-    for next in block.next.iter() {
-        ways = either(ways, passages[*next]);
-    }
-    if let Some((entry, back)) = block.call
-        && let (Some(inner), Some(back)) = (passages[entry], passages[back])
-    {
-        ways = either(ways, Some(inner.then(back)));
-    }
-    ways
+/// Scalars that are judged: each has a place in a [`State`].
+#[derive(Clone)]
+pub(super) struct Places {
+    of_scalar: Vec<Option<usize>>,
+    count: usize,
 }
 
-/// A set of the scalars of a batch, one bit each.
-pub(super) type Scalars = u64;
-
-/// The bit of a scalar that nothing touches: wherever a run comes, it comes there unassigned.
-const UNTOUCHED: Scalars = 1 << 63;
-/// Number of others that a batch can hold.
-const CAPACITY: usize = 63;
-
-/// Accesses of a node to the scalars of a batch.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Touch {
-    /// The node.
-    pub(super) node: NodeId,
-    /// The scalars that it reads, before it assigns any.
-    pub(super) read: Scalars,
-    /// The scalars that it assigns.
-    pub(super) set: Scalars,
-}
-
-/// A scalar at a node.
-#[derive(Clone, Copy)]
-struct Access {
-    node: NodeId,
-    scalar: usize,
-    assigns: bool,
-}
-
-/// Every read and assignment of a program, in the order of a run through each node.
-pub(super) struct Touches {
-    all: Vec<Access>,
-}
-
-/// Some scalars, and what the nodes do with them.
-#[derive(Default)]
-pub(super) struct Sorted {
-    /// The scalars, by their bits.
-    pub(super) scalars: Vec<usize>,
-    /// In the order of the nodes.
-    pub(super) touches: Vec<Touch>,
-}
-
-impl Touches {
-    /// Collects what the nodes of a program's flow read and assign.
-    pub(super) fn of(program: &Program, flow: &Flow) -> Self {
-        let mut all = Vec::with_capacity(2 * flow.nodes().len());
-        for (node, content) in flow.nodes().iter().enumerate() {
-            let action = &program.steps()[content.step as usize].action;
-            if !content.is_passed {
-                access::reads(program, action, |scalar| {
-                    all.push(Access {
-                        node,
-                        scalar,
-                        assigns: false,
-                    });
-                });
-            }
-            all.extend(access::assigns(program, action).map(|scalar| Access {
-                node,
-                scalar,
-                assigns: true,
-            }));
-        }
-        Touches { all }
+impl Places {
+    /// Gives the only place to one scalar.
+    pub(super) fn only(scalar: usize, scalars: usize) -> Self {
+        let mut places = Places {
+            of_scalar: vec![None; scalars],
+            count: 0,
+        };
+        places.add(scalar);
+        places
     }
 
-    /// Returns the touches of one scalar, at bit 0.
-    pub(super) fn of_scalar(&self, scalar: usize) -> Vec<Touch> {
-        let mut sorted = Sorted::default();
-        for access in self.all.iter().filter(|access| access.scalar == scalar) {
-            sorted.add(*access, 1);
-        }
-        sorted.touches
-    }
-
-    /// Returns the scalars that a block reads before it assigns them, in batches of 63, with all their touches; one
-    /// batch at least. And the reads of all others, which find a value wherever a run comes.
-    pub(super) fn sorted(
-        &self,
-        scalars: usize,
-        blocks: &Blocks,
-    ) -> (Vec<Sorted>, Vec<(NodeId, usize)>) {
-        let places = self.exposed(scalars, blocks);
-        let mut batches = vec![Sorted::default()];
-        let mut certain = Vec::new();
-        for access in &self.all {
-            match places[access.scalar] {
-                Some(place) => {
-                    batches.resize_with(batches.len().max(place / CAPACITY + 1), Sorted::default);
-                    batches[place / CAPACITY].add(*access, 1 << (place % CAPACITY));
-                }
-                None if access.assigns => {}
-                None => certain.push((access.node, access.scalar)),
-            }
-        }
-        for (scalar, place) in places.iter().enumerate() {
-            if let Some(place) = place {
-                let names = &mut batches[place / CAPACITY].scalars;
-                names.resize(names.len().max(place % CAPACITY + 1), 0);
-                names[place % CAPACITY] = scalar;
-            }
-        }
-        (batches, certain)
-    }
-
-    /// Numbers those scalars that some block reads before it assigns them.
-    fn exposed(&self, scalars: usize, blocks: &Blocks) -> Vec<Option<usize>> {
-        let mut places: Vec<Option<usize>> = vec![None; scalars];
-        let mut touched_in: Vec<Option<BlockId>> = vec![None; scalars];
-        let mut count = 0;
-        for access in &self.all {
+    /// Gives a place to each scalar that some block reads before it assigns it.
+    pub(super) fn exposed(accesses: &[Access], scalars: usize, blocks: &Blocks) -> Self {
+        let mut places = Places {
+            of_scalar: vec![None; scalars],
+            count: 0,
+        };
+        let mut last_block: Vec<Option<BlockId>> = vec![None; scalars];
+        for access in accesses {
             let block = Some(blocks.of_node(access.node));
-            let was_touched = std::mem::replace(&mut touched_in[access.scalar], block) == block;
-            if !access.assigns && !was_touched && places[access.scalar].is_none() {
-                places[access.scalar] = Some(count);
-                count += 1;
+            let is_first = last_block[access.scalar].replace(blocks.of_node(access.node)) != block;
+            if !access.assigns && is_first && places.of(access.scalar).is_none() {
+                places.add(access.scalar);
             }
         }
         places
     }
-}
 
-impl Sorted {
-    fn add(&mut self, access: Access, bit: Scalars) {
-        if self
-            .touches
-            .last()
-            .is_none_or(|last| last.node != access.node)
-        {
-            self.touches.push(Touch {
-                node: access.node,
-                ..Touch::default()
-            });
+    fn add(&mut self, scalar: usize) {
+        self.of_scalar[scalar] = Some(self.count);
+        self.count += 1;
+    }
+
+    /// Returns the place of a scalar, if it has one.
+    pub(super) fn of(&self, scalar: usize) -> Option<usize> {
+        self.of_scalar[scalar]
+    }
+
+    /// Takes the places from `limit` on away, and returns the number of scalars that have lost theirs.
+    pub(super) fn keep(&mut self, limit: usize) -> usize {
+        let lost = self.count.saturating_sub(limit);
+        self.count -= lost;
+        for place in &mut self.of_scalar {
+            *place = place.filter(|place| *place < limit);
         }
-        if let Some(touch) = self.touches.last_mut() {
-            match access.assigns {
-                true => touch.set |= bit,
-                false => touch.read |= bit,
-            }
-        }
+        lost
     }
 }
 
@@ -380,13 +188,13 @@ pub(super) type BlockId = usize;
 
 /// Ways out of the last node of a block.
 #[derive(Clone, Debug)]
-pub(super) struct Block {
+struct Block {
     /// Blocks that may follow without a call or return.
-    pub(super) next: Vec<BlockId>,
+    next: Vec<BlockId>,
     /// The block of a subroutine that it may call, and the one where that comes back.
-    pub(super) call: Option<(BlockId, BlockId)>,
+    call: Option<(BlockId, BlockId)>,
     /// It ends with RETURN or SUBEND.
-    pub(super) returns: bool,
+    returns: bool,
 }
 
 /// The blocks of a flow.
@@ -394,10 +202,8 @@ pub(super) struct Block {
 pub(super) struct Blocks {
     all: Vec<Block>,
     of_node: Vec<BlockId>,
-    /// The blocks that name a block in `next` or `call`: those of block `b` are
-    /// `before[before_ends[b - 1]..before_ends[b]]`.
-    before: Vec<BlockId>,
-    before_ends: Vec<usize>,
+    /// For each block those that name it in `next` or `call`.
+    before: Vec<Vec<BlockId>>,
 }
 
 impl Blocks {
@@ -405,52 +211,47 @@ impl Blocks {
     pub(super) fn of(flow: &Flow) -> Self {
         let nodes = flow.nodes();
         let begins = beginnings(flow);
-        let mut of_node = Vec::with_capacity(nodes.len());
-        let mut count: BlockId = 0;
-        for begins in &begins {
+        let mut count = 0;
+        let number = |begins: &bool| {
             count += usize::from(*begins);
-            of_node.push(count - 1);
-        }
-        let mut all: Vec<Block> = Vec::with_capacity(count);
-        for end in 1..=nodes.len() {
-            if begins.get(end) == Some(&false) {
-                continue;
+            count - 1
+        };
+        let of_node: Vec<BlockId> = begins.iter().map(number).collect();
+        let is_last = |node: &NodeId| begins.get(node + 1) != Some(&false);
+        let lasts = (0..nodes.len()).filter(is_last).map(|node| &nodes[node]);
+        let blocks = lasts.map(|last| Block {
+            next: last.next.iter().map(|next| of_node[*next]).collect(),
+            call: last
+                .call
+                .map(|call| (of_node[call.entry], of_node[call.back])),
+            returns: last.returns,
+        });
+        let all: Vec<Block> = blocks.collect();
+        let mut before = vec![Vec::new(); all.len()];
+        for (id, block) in all.iter().enumerate() {
+            let called = block
+                .call
+                .into_iter()
+                .flat_map(|(entry, back)| [entry, back]);
+            for next in block.next.iter().copied().chain(called) {
+                before[next].push(id);
             }
-            let last = &nodes[end - 1];
-            all.push(Block {
-                next: last.next.iter().map(|next| of_node[*next]).collect(),
-                call: last
-                    .call
-                    .map(|call| (of_node[call.entry], of_node[call.back])),
-                returns: last.returns,
-            });
         }
-        let (before, before_ends) = before(&all);
         Blocks {
             all,
             of_node,
             before,
-            before_ends,
         }
     }
 
-    /// Returns the blocks in order.
-    pub(super) fn all(&self) -> &[Block] {
-        &self.all
+    /// Returns the number of blocks.
+    pub(super) fn count(&self) -> usize {
+        self.all.len()
     }
 
     /// Returns the block that a node is in.
     pub(super) fn of_node(&self, node: NodeId) -> BlockId {
         self.of_node[node]
-    }
-
-    /// Returns the blocks that lead or call to a block, or whose calls come back to it.
-    pub(super) fn before(&self, block: BlockId) -> &[BlockId] {
-        let start = match block.checked_sub(1) {
-            Some(earlier) => self.before_ends[earlier],
-            None => 0,
-        };
-        &self.before[start..self.before_ends[block]]
     }
 }
 
@@ -478,29 +279,103 @@ fn beginnings(flow: &Flow) -> Vec<bool> {
     begins
 }
 
-/// Returns the blocks that a block names in `next` or `call`.
-fn after(block: &Block) -> impl Iterator<Item = BlockId> {
-    let called = block.call.into_iter();
-    let called = called.flat_map(|(entry, back)| [entry, back]);
-    block.next.iter().copied().chain(called)
+/// The scalars at some places, in the blocks of a flow.
+pub(super) struct Analysis<'a> {
+    blocks: &'a Blocks,
+    scalars: usize,
+    /// The state behind each block, with every scalar unassigned before it.
+    effects: Vec<State>,
+    /// The same behind the paths from each block to the return of the call that it is in; `None` without such a path.
+    summaries: Vec<Option<State>>,
 }
 
-fn before(all: &[Block]) -> (Vec<BlockId>, Vec<usize>) {
-    let mut ends = vec![0; all.len()];
-    for next in all.iter().flat_map(after) {
-        ends[next] += 1;
+impl<'a> Analysis<'a> {
+    /// Follows the accesses of scalars that have places.
+    pub(super) fn new(blocks: &'a Blocks, accesses: &[Access], places: &Places) -> Self {
+        let mut effects = vec![State::unassigned(places.count); blocks.count()];
+        for access in accesses {
+            if let Some(place) = places.of(access.scalar) {
+                effects[blocks.of_node(access.node)].pass(place, access.assigns);
+            }
+        }
+        let mut analysis = Analysis {
+            blocks,
+            scalars: places.count,
+            summaries: vec![None; blocks.count()],
+            effects,
+        };
+        analysis.summarise();
+        analysis
     }
-    let mut total = 0;
-    for end in &mut ends {
-        // Where the block's part begins; filling it moves this to its end.
-        total += std::mem::replace(end, total);
-    }
-    let mut before = vec![0; total];
-    for (id, block) in all.iter().enumerate() {
-        for next in after(block) {
-            before[ends[next]] = id;
-            ends[next] += 1;
+
+    fn summarise(&mut self) {
+        let blocks = self.blocks.all.iter().enumerate();
+        let returning = blocks.filter(|(_, block)| block.returns);
+        let mut work: BTreeSet<BlockId> = returning.map(|(id, _)| id).collect();
+        while let Some(id) = work.pop_last() {
+            let Some(behind) = self.behind(&self.blocks.all[id]) else {
+                continue;
+            };
+            let summary = self.effects[id].then(&behind);
+            if join(&mut self.summaries[id], summary) {
+                work.extend(&self.blocks.before[id]);
+            }
         }
     }
-    (before, ends)
+
+    /// Returns the paths from the end of a block to the return of the call that it is in.
+    fn behind(&self, block: &Block) -> Option<State> {
+        let mut paths = block.returns.then(|| State::unassigned(self.scalars));
+        for next in &block.next {
+            if let Some(summary) = &self.summaries[*next] {
+                join(&mut paths, summary.clone());
+            }
+        }
+        if let Some((entry, back)) = block.call
+            && let (Some(inner), Some(back)) = (&self.summaries[entry], &self.summaries[back])
+        {
+            join(&mut paths, inner.then(back));
+        }
+        paths
+    }
+
+    /// Returns the paths through the subroutine at a node, with every scalar unassigned before it; `None` if none comes
+    /// back.
+    pub(super) fn call(&self, entry: NodeId) -> Option<&State> {
+        self.summaries[self.blocks.of_node(entry)].as_ref()
+    }
+
+    /// Returns for each block how runs come to it that begin at these nodes, with the scalars at these places assigned;
+    /// `None` if no run comes to it.
+    pub(super) fn states(&self, starts: &[NodeId], given: &[usize]) -> Vec<Option<State>> {
+        let mut states: Vec<Option<State>> = vec![None; self.blocks.count()];
+        let mut work = BTreeSet::new();
+        let mut start = State::unassigned(self.scalars);
+        given.iter().for_each(|place| start.pass(*place, true));
+        for node in starts.iter().filter(|_| self.blocks.count() > 0) {
+            let first = self.blocks.of_node(*node);
+            states[first] = Some(start.clone());
+            work.insert(first);
+        }
+        while let Some(id) = work.pop_first() {
+            let Some(state) = &states[id] else { continue };
+            let after = state.then(&self.effects[id]);
+            let block = &self.blocks.all[id];
+            let mut flow_to = |to: BlockId, state: State| {
+                if join(&mut states[to], state) {
+                    work.insert(to);
+                }
+            };
+            if let Some((entry, back)) = block.call {
+                flow_to(entry, after.clone());
+                if let Some(summary) = &self.summaries[entry] {
+                    flow_to(back, after.then(summary));
+                }
+            }
+            for next in &block.next {
+                flow_to(*next, after.clone());
+            }
+        }
+        states
+    }
 }
