@@ -198,7 +198,7 @@ pub fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
         Some(fault) => (Module::default(), vec![fault.into()].into()),
     };
     name_encoding(&mut diagnostics, bytes);
-    judge(&mut diagnostics, module.edition);
+    judge(diagnostics.iter_mut(), module.edition);
     let wrong_version = diagnostics.iter().any(|one| one.code == Code::Version);
     Parsed {
         source,
@@ -270,7 +270,7 @@ fn lower(source: &Source, module: &Module, resolved: ResolvedModule<'_>, robot: 
 
 /// Takes what a module is resolved to, unless there is an error in it.
 fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
-    judge(&mut checked.found, edition);
+    judge(checked.found.iter_mut(), edition);
     // A constant that fails wherever it runs leaves the program its ways.
     let of_domain = checked.found.iter().filter(|one| one.code == Code::Domain);
     match checked.found.errors(edition) > of_domain.count() {
@@ -301,7 +301,7 @@ fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) 
 }
 
 /// Names the encoding of a file that the language does not know, where something in it cannot be read.
-fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
+fn name_encoding(diagnostics: &mut Diagnostics, bytes: &[u8]) {
     let mut unreadable = diagnostics.iter_mut().filter(|one| {
         matches!(
             one.reason,
@@ -317,7 +317,7 @@ fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
 }
 
 /// Judges diagnostics by the rules of an edition.
-pub fn judge(diagnostics: &mut [Diagnostic], edition: Edition) {
+pub fn judge<'d>(diagnostics: impl IntoIterator<Item = &'d mut Diagnostic>, edition: Edition) {
     for diagnostic in diagnostics {
         diagnostic.edition = edition;
         diagnostic.code = diagnostic.code.in_edition(edition);

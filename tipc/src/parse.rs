@@ -64,7 +64,7 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
             label = is_label.then(|| label.unwrap_or(statement.span));
         }
         parser.module.after_end = None;
-        parser.diagnostics.clear();
+        parser.diagnostics = Diagnostics::default();
         parser.is_numbered = false;
     }
     None

@@ -1,7 +1,7 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics, MOST};
+use crate::diagnostic::{Diagnostic, Diagnostics, MOST, MistakeId};
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, keywords, names};
@@ -352,7 +352,7 @@ impl Names {
                 _ => (name, Naming::VariableCharacters.into()),
             };
             let fault = fault(Naming::NoVariableName { word: name.into() });
-            return Some(fault.once(mistake).help(help));
+            return Some(fault.once(MistakeId::Word(mistake.into())).help(help));
         }
         if is_reserved(name, self.edition) {
             let help = Naming::ChooseAnother;
@@ -510,7 +510,9 @@ impl Names {
         let Some(reading) = reserved::reading(name, self.edition) else {
             let reason = Naming::NoReading { word: name.clone() };
             let fault = Diagnostic::new(Code::UnknownVariable, operand.span, reason);
-            let fault = fault.about(name.as_str()).once(format!("variable {name}"));
+            let fault = fault
+                .about(name.as_str())
+                .once(MistakeId::Variable(name.clone()));
             return Err(Box::new(fault.help(Naming::Readings)));
         };
         if let Some(fault) = self.not_sensed(reading, operand.span) {
@@ -617,7 +619,11 @@ impl Names {
                 last: variable.size(),
             },
         };
-        let mistake = format!("{} {}.{member}", shape.id(), variable.name);
+        let mistake = MistakeId::Member {
+            code: shape,
+            variable: variable.name.as_str().into(),
+            member: member.into(),
+        };
         Diagnostic::new(shape, span, reason)
             .once(mistake)
             .help(help)
@@ -695,7 +701,7 @@ impl Names {
         let is_guess = help == declare(name, guess).into();
         let fault = Diagnostic::new(Code::UnknownVariable, span, reason)
             .about(name)
-            .once(format!("variable {name}"));
+            .once(MistakeId::Variable(name.into()));
         match is_guess {
             true => fault.guess(help),
             false => fault.help(help),

@@ -3,7 +3,7 @@
 use super::labels::Title;
 use super::names::Names;
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics, Label};
+use crate::diagnostic::{Diagnostic, Diagnostics, Handle, Label, MistakeId};
 use crate::language::{Keyword, commands, keywords};
 use crate::lex::BLANKS;
 use crate::message::{Message, Structuring, Suggestion};
@@ -223,7 +223,7 @@ struct AllOwed {
 /// A closer that may still come of a construct that is reported already: it is not a second mistake.
 struct Owed {
     /// The diagnostic of the construct, if it was cut off.
-    fault: Option<usize>,
+    fault: Option<Handle>,
     /// True if other branches may come as well.
     branches: bool,
 }
@@ -276,7 +276,7 @@ impl Matcher<'_> {
         self.owes(BlockKind::If, None, true);
     }
 
-    fn owes(&mut self, kind: BlockKind, fault: Option<usize>, branches: bool) {
+    fn owes(&mut self, kind: BlockKind, fault: Option<Handle>, branches: bool) {
         let owed = &mut self.owed[kind as usize];
         owed.branches += usize::from(branches);
         owed.all.push(Owed { fault, branches });
@@ -534,10 +534,10 @@ impl Matcher<'_> {
             (None, Some(last)) => fault.label(last.span, Structuring::EndsBefore { closer }),
             (None, None) => fault,
         };
+        let fault = self.found.report(fault);
         if met.is_some() {
-            self.owes(open.kind, Some(self.found.len()), true);
+            self.owes(open.kind, fault, true);
         }
-        self.found.push(fault);
     }
 
     /// `REPEAT` … `WHILE A < 3`: reports a WHILE that nothing closes as the end of the REPEAT around it.
@@ -650,7 +650,7 @@ impl Matcher<'_> {
         };
         let reason = Structuring::NextNames { name: name.into() };
         let fault = Diagnostic::new(Code::Structure, named.span, reason)
-            .once(format!("{} {start}", Keyword::Next))
+            .once(MistakeId::CrossedNext(start))
             .label(counting.variable.span, Structuring::VariableOfFor)
             .help(named_by(of));
         self.found.push(fault);

@@ -3,7 +3,7 @@
 
 use super::equations::type_of;
 use super::names::kind_of;
-use super::resolve::Resolver;
+use super::resolve::{Refused, Resolver};
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -99,7 +99,9 @@ impl Resolver<'_> {
 
     fn joint(&mut self, name: &Word, operand: &Operand) -> Option<StructOperand> {
         let kind = Some(VariableKind::Joint);
-        let meant = self.resolve_operand_as(operand, Code::Argument, kind)?;
+        let meant = self
+            .resolve_operand_as(operand, Code::Argument, kind)
+            .ok()?;
         self.uses.operand(operand, meant, Access::Read);
         match meant.structure() {
             Some((whole, VariableKind::Joint, false)) => Some(whole),
@@ -132,7 +134,8 @@ impl Resolver<'_> {
         let named = whole.and_then(|_| self.struct_named(&operands[flagged]));
         if let (None, Some(_), [operand]) = (named, whole, &operands[flagged..]) {
             // The only operand can only be meant as a struct.
-            self.resolve_operand_as(operand, Code::Argument, Some(kind))?;
+            self.resolve_operand_as(operand, Code::Argument, Some(kind))
+                .ok()?;
         }
         let operand = match named {
             None | Some((_, VariableKind::Var)) => {
@@ -150,7 +153,9 @@ impl Resolver<'_> {
         };
         self.no_more(name, &operands[flagged + 1..])?;
         let mark = self.mark(form, operands)?;
-        let meant = self.resolve_operand_as(&operands[flagged], Code::Argument, Some(kind))?;
+        let meant = self
+            .resolve_operand_as(&operands[flagged], Code::Argument, Some(kind))
+            .ok()?;
         self.uses.operand(&operands[flagged], meant, Access::Read);
         Some(self.members(operand, mark).collect())
     }
@@ -191,12 +196,13 @@ impl Resolver<'_> {
                 let reason = Commanding::FlagBeforeNumber { flag: flag.into() };
                 return self.refuse(Code::Argument, operand.span, reason);
             }
-            let told = self.found.len();
             let number = self.number(operand, Code::Argument);
-            if number.is_none() && self.explain_word(name, form, operand, told) {
+            if let Err(fault) = number
+                && self.explain_word(name, form, operand, fault)
+            {
                 return None;
             }
-            values.push(number.map(|operand| Argument { operand, mark }));
+            values.push(number.ok().map(|operand| Argument { operand, mark }));
             rest = behind;
         }
         // How many there are does not count where one of them is wrong.
@@ -212,7 +218,7 @@ impl Resolver<'_> {
         name: &Word,
         form: Arguments,
         operand: &Operand,
-        told: usize,
+        fault: Refused,
     ) -> bool {
         let Some(text) = word(operand) else {
             return false;
@@ -223,7 +229,8 @@ impl Resolver<'_> {
         } else {
             glued_flag(form, text)
         };
-        let Some((advice, fault)) = advice.zip(self.found.get_mut(told)) else {
+        let fault = fault.and_then(|fault| self.found.get_mut(fault));
+        let Some((advice, fault)) = advice.zip(fault) else {
             return false;
         };
         fault.help = Some(advice.into());
@@ -238,12 +245,11 @@ impl Resolver<'_> {
         count: usize,
     ) -> Option<Vec<Argument>> {
         let judged = &operands[..count.min(operands.len())];
-        let told = self.found.len();
-        let values: Vec<Option<Argument>> = judged
+        let values: Vec<Result<Argument, Refused>> = judged
             .iter()
             .map(|operand| {
                 let operand = self.variable_or_constant(operand, Code::Argument)?;
-                Some(Argument {
+                Ok(Argument {
                     operand,
                     mark: Mark::None,
                 })
@@ -251,10 +257,9 @@ impl Resolver<'_> {
             .collect();
         let is_target =
             |operand: &Operand| word(operand).is_some_and(|it| it.parse::<Target>().is_ok());
-        if let Some(fault) = self
-            .found
-            .get_mut(told)
-            .filter(|_| judged.iter().any(is_target))
+        let first = values.iter().find_map(|value| value.err().flatten());
+        if let Some(fault) = first.and_then(|first| self.found.get_mut(first))
+            && judged.iter().any(is_target)
         {
             let command = name.node.clone();
             let help = match takes_target(&command) {
@@ -263,7 +268,7 @@ impl Resolver<'_> {
             };
             fault.help = Some(help.into());
         }
-        let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
+        let values: Vec<Argument> = values.into_iter().collect::<Result<_, _>>().ok()?;
         if values.len() < count {
             let numbers = [count, values.len()];
             return self.too_few(name, Arguments::BARE, name.span, numbers, None);
@@ -318,14 +323,14 @@ impl Resolver<'_> {
         &mut self,
         operand: &Operand,
         shape: Code,
-    ) -> Option<program::Operand> {
+    ) -> Result<program::Operand, Refused> {
         let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         match meant.number().filter(|_| !meant.is_member()) {
-            Some(number) => Some(number),
+            Some(number) => Ok(number),
             None => {
-                let reason = Commanding::ConstantOrVar;
-                self.refuse_with(shape, operand.span, reason, Commanding::CopyIntoVar)
+                let fault = Diagnostic::new(shape, operand.span, Commanding::ConstantOrVar);
+                Err(self.report(fault.help(Commanding::CopyIntoVar)))
             }
         }
     }

@@ -1,7 +1,6 @@
 //! Conditions of IF, ELSEIF, WHILE and UNTIL (T.I.P. 3.1 §6).
 
-use super::reader::{Fault, Parsed, Reader};
-use crate::diagnostic::Diagnostic;
+use super::reader::{Broken, Fault, Parsed, Reader};
 use crate::language::{Edition, Keyword, flags, functions, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
@@ -78,20 +77,20 @@ impl Reader<'_> {
     fn comparison(&mut self, left: Operand, relation: Relation, sign: Span) -> Parsed<Condition> {
         if let Some((token, whole)) = self.split_relation(relation) {
             let location = sign.to(token.span);
-            let reason = Suggestion::SplitOperator { sign: whole.into() };
-            let help = Suggestion::WriteRelation { relation: whole };
-            return Err(self.fault_with_help(location, reason, help));
+            let reason = Suggestion::SplitOperator {
+                sign: sign_of(whole).into(),
+            };
+            return Err(self.meant(whole, location, reason));
         }
         if let Some(token) = self.peek().filter(is_part_of_relation) {
             let reason = Parsing::NoRelation;
-            let help: Message = match (relation, token.kind) {
-                (Relation::Gt, Kind::Relation(Relation::Lt)) => Suggestion::WriteNotEqual.into(),
-                (Relation::Eq, Kind::Assign(None)) => {
-                    Suggestion::WriteRelation { relation: "==" }.into()
+            return Err(match (relation, token.kind) {
+                (Relation::Gt, Kind::Relation(Relation::Lt)) => {
+                    self.fault_with_help(token.span, reason, Suggestion::WriteNotEqual)
                 }
-                _ => Parsing::Relations.into(),
-            };
-            return Err(self.fault_with_help(token.span, reason, help));
+                (Relation::Eq, Kind::Assign(None)) => self.meant(Relation::Eq, token.span, reason),
+                _ => self.fault_with_help(token.span, reason, Parsing::Relations),
+            });
         }
         let right = self.operand_before_keyword().map_err(as_in_condition)?;
         match self.peek() {
@@ -116,12 +115,12 @@ impl Reader<'_> {
     }
 
     /// `> =`, `< >`: the second sign, and what both are in one piece.
-    fn split_relation(&self, first: Relation) -> Option<(Token, &'static str)> {
+    fn split_relation(&self, first: Relation) -> Option<(Token, Relation)> {
         let next = self.peek().filter(|next| next.spaced)?;
         let whole = match (first, next.kind) {
-            (Relation::Lt, Kind::Assign(None)) => "<=",
-            (Relation::Gt, Kind::Assign(None)) => ">=",
-            (Relation::Lt, Kind::Relation(Relation::Gt)) => "<>",
+            (Relation::Lt, Kind::Assign(None)) => Relation::Le,
+            (Relation::Gt, Kind::Assign(None)) => Relation::Ge,
+            (Relation::Lt, Kind::Relation(Relation::Gt)) => Relation::Ne,
             _ => return None,
         };
         Some((next, whole))
@@ -141,13 +140,21 @@ impl Reader<'_> {
         })
     }
 
+    /// Returns the fault of signs that were meant as a relation.
+    fn meant(&self, relation: Relation, location: Span, reason: impl Into<Message>) -> Fault {
+        let help = Suggestion::WriteRelation {
+            relation: sign_of(relation),
+        };
+        self.fault_with_help(location, reason, help)
+            .of(Broken::Relation(relation))
+    }
+
     fn no_relation(&self, left: &Operand, token: Token) -> Fault {
         if token.kind == Kind::Not {
-            return self.fault_with_help(
-                token.span,
-                Suggestion::NotEqual,
-                Suggestion::WriteNotEqual,
-            );
+            let help = Suggestion::WriteNotEqual;
+            return self
+                .fault_with_help(token.span, Suggestion::NotEqual, help)
+                .of(Broken::Relation(Relation::Ne));
         }
         let turned = match self.peek_second().filter(|next| !next.spaced) {
             Some(Token {
@@ -159,18 +166,22 @@ impl Reader<'_> {
         };
         match (token.kind, turned) {
             (Kind::Assign(None), Some((relation, location))) => {
-                let relation = if relation == Relation::Gt { ">=" } else { "<=" };
-                let help = Suggestion::WriteRelation { relation };
-                self.fault_with_help(location, Parsing::NoRelation, help)
+                let relation = match relation {
+                    Relation::Gt => Relation::Ge,
+                    _ => Relation::Le,
+                };
+                self.meant(relation, location, Parsing::NoRelation)
             }
             (Kind::Assign(None), None) => {
                 let reason = Parsing::AssignsComparesNothing;
                 let word = upper_case(self.slice(left.span));
-                let help: Message = match flags::find(&word, Edition::default()) {
-                    Some(_) => Suggestion::FlagAlone { flag: word }.into(),
-                    None => Parsing::Relations.into(),
-                };
-                self.fault_with_help(token.span, reason, help)
+                let fault = self.fault(token.span, reason);
+                match flags::find(&word, Edition::default()) {
+                    Some(_) => fault.help(Suggestion::FlagAlone { flag: word }),
+                    None => fault
+                        .help(Parsing::Relations)
+                        .of(Broken::Relation(Relation::Eq)),
+                }
             }
             (Kind::Arithmetic(_), _) => {
                 let reason = Parsing::ConditionCannotCalculate;
@@ -261,9 +272,8 @@ fn negates(word: &str) -> bool {
 }
 
 /// Adds the forms of conditions to the fault of an operand.
-fn as_in_condition(mut fault: Fault) -> Fault {
-    fault.help.get_or_insert_with(|| Parsing::Conditions.into());
-    fault
+fn as_in_condition(fault: Fault) -> Fault {
+    fault.or_help(Parsing::Conditions)
 }
 
 /// Returns true if what follows a condition goes on with its IF.
@@ -282,16 +292,11 @@ fn is_part_of_relation(token: &Token) -> bool {
 
 /// Returns the tokens of a statement with the relation that was meant, if that is what is wrong with it: `IF A = 1
 /// GOTO L1`.
-pub(super) fn with_intended_relation(fault: &Diagnostic, tokens: &[Token]) -> Option<Vec<Token>> {
-    let relation = match (&fault.reason, fault.help.as_ref()?) {
-        (
-            Message::Parsing(Parsing::AssignsComparesNothing),
-            Message::Parsing(Parsing::Relations),
-        ) => Relation::Eq,
-        (_, Message::Suggestion(Suggestion::WriteRelation { relation })) => of_sign(relation)?,
-        (Message::Suggestion(Suggestion::NotEqual), _) => Relation::Ne,
-        _ => return None,
+pub(super) fn with_intended_relation(fault: &Fault, tokens: &[Token]) -> Option<Vec<Token>> {
+    let Broken::Relation(relation) = fault.broken else {
+        return None;
     };
+    let fault = &fault.diagnostic;
     let first = tokens
         .iter()
         .position(|it| it.span.start == fault.span.start)?;
@@ -317,14 +322,14 @@ pub(super) fn with_intended_relation(fault: &Diagnostic, tokens: &[Token]) -> Op
     Some([before, &[sign], after].concat())
 }
 
-fn of_sign(sign: &str) -> Option<Relation> {
-    Some(match sign {
-        "==" => Relation::Eq,
-        "<>" => Relation::Ne,
-        "<" => Relation::Lt,
-        ">" => Relation::Gt,
-        "<=" => Relation::Le,
-        ">=" => Relation::Ge,
-        _ => return None,
-    })
+/// Returns how a relation is written.
+fn sign_of(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Eq => "==",
+        Relation::Ne => "<>",
+        Relation::Lt => "<",
+        Relation::Gt => ">",
+        Relation::Le => "<=",
+        Relation::Ge => ">=",
+    }
 }

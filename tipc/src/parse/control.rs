@@ -1,7 +1,8 @@
 //! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE, jumps and their labels (T.I.P. 3.1 §7-6, §7-7).
 
 use super::Parser;
-use super::reader::{Fault, Parsed, Reader};
+use super::reader::{Broken, Fault, Parsed, Reader};
+use crate::diagnostic::MistakeId;
 use crate::language::reserved::LOOP;
 use crate::language::{Keyword, commands, keywords, names};
 use crate::lex::{Kind, Token};
@@ -126,11 +127,10 @@ impl Reader<'_> {
             return self.fault_with_help(self.here(), Parsing::IfCannotCall, help);
         }
         if let Some(advice) = self.flag_or_command() {
-            return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, advice);
+            return self.other_than_then(advice);
         }
         if let Some(text) = self.glued_jump() {
-            let help = Suggestion::Write { text };
-            return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help);
+            return self.other_than_then(Suggestion::Write { text });
         }
         // `IF A EQ 3 THEN`
         let goes_on = |token: &Token| AFTER_IF.iter().any(|it| it.is(self.slice(token.span)));
@@ -144,7 +144,13 @@ impl Reader<'_> {
             Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
             None => Parsing::WriteThenOrJump.into(),
         };
+        self.other_than_then(help)
+    }
+
+    /// Returns the fault of an IF at a place where neither THEN nor a jump stands.
+    fn other_than_then(&self, help: impl Into<Message>) -> Fault {
         self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help)
+            .of(Broken::Then)
     }
 
     /// `GOTOL1:` after a condition: the jump with its blank.
@@ -192,6 +198,7 @@ impl Reader<'_> {
             None => Err(self.joined().unwrap_or_else(|| {
                 let help = Suggestion::ElseIf;
                 self.fault_with_help(self.here(), Parsing::ThenBelongsHere, help)
+                    .of(Broken::Then)
             })),
         };
         Ok((StatementKind::ElseIf { keyword, condition }, end))
@@ -362,9 +369,11 @@ impl Reader<'_> {
                     true => Suggestion::NoParameters { name: alone }.into(),
                     false => written(alone).into(),
                 };
-                let mut fault = self.fault_with_help(name.span, Parsing::NameColonMissing, help);
-                fault.once = takes_some.then(|| name.node.clone());
-                Err(fault)
+                let fault = self.fault_with_help(name.span, Parsing::NameColonMissing, help);
+                Err(match takes_some {
+                    true => fault.once(MistakeId::Word(name.node.clone())),
+                    false => fault,
+                })
             }
         };
         let kind = match word {
@@ -386,10 +395,7 @@ impl Reader<'_> {
                 return Err(self.fault_with_help(self.here(), Parsing::NameMissing, help()));
             }
         };
-        let value = self.operand().map_err(|mut fault| {
-            fault.help.get_or_insert_with(|| help().into());
-            fault
-        })?;
+        let value = self.operand().map_err(|fault| fault.or_help(help()))?;
         let end = self.expect_end_or(End::DefineAndValue, help());
         let kind = StatementKind::Constant {
             keyword,
@@ -423,9 +429,9 @@ impl Reader<'_> {
     /// Reads a word that is alone in its statement.
     pub(super) fn alone(&mut self, name: Keyword, kind: StatementKind) -> Read {
         let end = self.expect_end(End::Word { word: name.into() });
-        let end = end.map_err(|mut fault| {
-            fault.help = self.alone_help(name).or(fault.help);
-            fault
+        let end = end.map_err(|fault| match self.alone_help(name) {
+            Some(help) => fault.help(help),
+            None => fault,
         });
         Ok((kind, end))
     }
@@ -455,9 +461,8 @@ fn routine_and_name(word: Keyword) -> End {
 }
 
 /// Adds the form of FOR to the fault of an operand.
-fn as_in_for(mut fault: Fault) -> Fault {
-    fault.help.get_or_insert_with(|| Parsing::WriteFor.into());
-    fault
+fn as_in_for(fault: Fault) -> Fault {
+    fault.or_help(Parsing::WriteFor)
 }
 
 /// Returns a label's name without quotes, parentheses and other signs around it.
@@ -526,11 +531,6 @@ pub(super) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
     }
 }
 
-/// Returns the mistake of a label in the form of another language: its jumps are wrong in the same way.
-pub(crate) fn label_of(name: &str) -> String {
-    format!("{name}:")
-}
-
 impl Reader<'_> {
     /// Returns the whole name of a label that is not in one piece.
     fn spread_label(&self, first: Span) -> Option<Span> {
@@ -571,8 +571,10 @@ impl Reader<'_> {
             let reason = Naming::NoLabelName {
                 word: upper_case(self.slice(location)),
             };
-            let fault = self.fault(location, reason).once(label_of(&name));
-            return Err(fault.help(Parsing::WriteLabel { name }).into());
+            let fault = self
+                .fault(location, reason)
+                .once(MistakeId::ForeignLabel(name.clone()));
+            return Err(fault.help(Parsing::WriteLabel { name }));
         }
         let word = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
@@ -589,8 +591,10 @@ impl Reader<'_> {
             let written = upper_case(self.slice(location));
             let name = joined(&written);
             let reason = Naming::NoLabelName { word: written };
-            let fault = self.fault(location, reason).once(label_of(&name));
-            return Err(fault.help(Parsing::WriteLabel { name }).into());
+            let fault = self
+                .fault(location, reason)
+                .once(MistakeId::ForeignLabel(name.clone()));
+            return Err(fault.help(Parsing::WriteLabel { name }));
         }
         match self.peek() {
             Some(token) if token.kind == Kind::Colon && !token.spaced => {
@@ -607,8 +611,8 @@ impl Reader<'_> {
             _ => {
                 if let Some(name) = with_parameters(&word.node) {
                     let fault = self.fault(word.span, Parsing::LabelColonMissing);
-                    let fault = fault.once(name.clone());
-                    return Err(fault.help(Suggestion::NoParameters { name }).into());
+                    let fault = fault.once(MistakeId::Word(name.clone()));
+                    return Err(fault.help(Suggestion::NoParameters { name }));
                 }
                 let name = bare(&word.node);
                 let is_number = name.chars().all(|c| c.is_ascii_digit());

@@ -3,7 +3,7 @@
 use super::reader::{Fault, Reader};
 use super::{Parser, narrow};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, MistakeId};
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run};
 use crate::message::{Naming, Parsing, Suggestion};
@@ -65,7 +65,9 @@ impl Parser<'_> {
             && let Some(odd) = tokens.iter().position(is_odd)
         {
             let fault = odd_in_declaration(&reader, kind, tokens, odd);
-            self.diagnostics.extend(fault.map(|it| *it));
+            if let Some(fault) = fault {
+                self.report(*fault.diagnostic);
+            }
         }
         let is_apart = |token: &&Token| {
             let location = token.span;
@@ -127,7 +129,11 @@ impl Parser<'_> {
             name: written.replace('-', "_").into(),
         };
         let fault = Diagnostic::new(Code::Argument, location, reason);
-        self.report(fault.once(written.as_str()).help(help));
+        self.report(
+            fault
+                .once(MistakeId::Word(written.as_str().into()))
+                .help(help),
+        );
         if self.hyphened.len() < HYPHENED {
             self.hyphened.push(written);
         }

@@ -1,7 +1,7 @@
 //! `LHS op RHS` (T.I.P. 3.1 §5).
 
 use super::operand::{is_unit, no_function};
-use super::reader::{Fault, Parsed, Reader};
+use super::reader::{Broken, Fault, Parsed, Reader};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::{self, Meaning};
@@ -178,18 +178,15 @@ fn is_number(word: &str) -> bool {
 }
 
 /// Adds a help to a fault among the operands of a function: what looks like a sign there was to be a second operation.
-fn with_help(mut fault: Fault) -> Fault {
-    if fault.reason == Parsing::SignStandsBefore.into() {
-        fault = Box::new(Diagnostic::new(
-            Code::Equation,
-            fault.span,
-            Parsing::EquationEnds,
-        ));
-    }
-    fault
-        .help
-        .get_or_insert_with(|| Parsing::OneOperation.into());
-    fault
+fn with_help(fault: Fault) -> Fault {
+    let fault = match fault.broken {
+        Broken::Sign => {
+            let location = fault.diagnostic.span;
+            Diagnostic::new(Code::Equation, location, Parsing::EquationEnds).into()
+        }
+        _ => fault,
+    };
+    fault.or_help(Parsing::OneOperation)
 }
 
 fn is_function(reader: &Reader<'_>, token: Token, edition: Edition) -> bool {

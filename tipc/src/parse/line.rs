@@ -4,7 +4,7 @@ use super::comment::{comment_after, comment_mark, ends_in_mark, is_comment};
 use super::operand::{is_range, is_unit};
 use super::{Flow, LINE_LIMIT, Parser};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Handle, MistakeId};
 use crate::language::commands::Meaning;
 use crate::language::{Keyword, commands, keywords, names};
 use crate::lex::{DELIMITERS, Piece, Pieces, foreign_run, split_comment, word_end};
@@ -32,7 +32,7 @@ impl Parser<'_> {
     pub(super) fn statements_of_line(&mut self) -> Flow {
         let (code, comment) = split_comment(self.text, self.line.span);
         let first = self.module.statements.len();
-        let reported = self.diagnostics.len();
+        let reported = self.diagnostics.mark();
         let mut flow = Flow::Continue;
         for piece in Pieces::new(self.text, code, false).in_edition(self.module.edition) {
             match piece {
@@ -204,7 +204,9 @@ impl Parser<'_> {
         } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(location) {
             diagnostic = diagnostic.help(Suggestion::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
-            diagnostic = diagnostic.once(text).help(Parsing::PlainNames);
+            diagnostic = diagnostic
+                .once(MistakeId::Word(text.into()))
+                .help(Parsing::PlainNames);
         } else {
             diagnostic = diagnostic.help(Parsing::TakeOut);
         }
@@ -258,7 +260,7 @@ impl Parser<'_> {
     /// Checks that ELSE, ENDIF, WEND and REPEAT are alone on their line.
     ///
     /// The line's statements start at `first`, its diagnostics at `reported`.
-    fn check_lone_words(&mut self, first: usize, reported: usize) {
+    fn check_lone_words(&mut self, first: usize, reported: Handle) {
         let statements = &self.module.statements[first..];
         let labels = statements
             .iter()
@@ -268,7 +270,9 @@ impl Parser<'_> {
         if statements.len() < 2 {
             return;
         }
-        let mut known: Vec<usize> = self.diagnostics[reported..]
+        let mut known: Vec<usize> = self
+            .diagnostics
+            .since(reported)
             .iter()
             .map(|diagnostic| diagnostic.span.start)
             .collect();
@@ -325,9 +329,8 @@ fn is_invisible(char: char) -> bool {
 }
 
 /// Returns the mistake of a full-width name, with or without its colon.
-fn wide_name(narrow: &str) -> String {
-    let name = narrow.trim_end_matches(':').to_ascii_uppercase();
-    format!("{name} wide")
+fn wide_name(narrow: &str) -> MistakeId {
+    MistakeId::FullWidth(upper_case(narrow.trim_end_matches(':')))
 }
 
 /// Returns the text with half-width letters, digits and signs for full-width ones.

@@ -3,9 +3,9 @@
 
 use super::Parser;
 use super::comment::is_comment;
-use super::reader::{Fault, Parsed, Reader};
+use super::reader::{Broken, Fault, Parsed, Reader};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, MistakeId};
 use crate::language::commands::Meaning;
 use crate::language::functions::Operation;
 use crate::language::{Edition, Keyword, commands, functions};
@@ -52,38 +52,39 @@ impl Reader<'_> {
                 Err(self.with_argument_help(fault, token))
             }
             None => {
-                let mut fault = self.fault(self.here(), Parsing::OperandMissing);
-                if self.is_equation() {
-                    fault.help = Some(Parsing::WriteEquation.into());
-                }
-                Err(fault)
+                let fault = self.fault(self.here(), Parsing::OperandMissing);
+                Err(match self.is_equation() {
+                    true => fault.help(Parsing::WriteEquation),
+                    false => fault,
+                })
             }
         }
     }
 
     /// Adds a help to the fault of an operator among the arguments of a command: it calculates nothing, or was to
     /// begin a comment.
-    fn with_argument_help(&self, mut fault: Fault, token: Token) -> Fault {
+    fn with_argument_help(&self, fault: Fault, token: Token) -> Fault {
         let calculates = matches!(token.kind, Kind::Arithmetic(_)) && !self.is_equation();
         let rest = self.slice(self.rest());
         if is_comment(rest) && rest.len() > token.span.end - token.span.start {
-            fault.help = Some(Suggestion::Comment.into());
+            fault.help(Suggestion::Comment)
         } else if calculates {
-            fault.help = Some(Suggestion::CalculateArgument.into());
+            fault.help(Suggestion::CalculateArgument)
         } else if token.kind == Kind::Colon {
-            fault.help = Some(Suggestion::NextStatement.into());
+            fault.help(Suggestion::NextStatement)
         } else if token.kind == Kind::Assign(None) && self.is_equation() {
             // `N = = 1`
             let (name, rest) = self.slice(self.whole()).split_once('=').unwrap_or_default();
             let rest = rest.trim_start_matches([' ', '\t', '=']);
             let text = upper_case(&format!("{} = {rest}", name.trim()));
-            fault.help = Some(Suggestion::Write { text }.into());
+            fault.help(Suggestion::Write { text })
         } else if matches!(token.kind, Kind::Assign(_)) {
-            fault.help = Some(self.without_equals().into());
+            fault.help(self.without_equals())
         } else if self.is_equation() {
-            fault.help = Some(Parsing::WriteEquation.into());
+            fault.help(Parsing::WriteEquation)
+        } else {
+            fault
         }
-        fault
     }
 
     /// `AD_IN VR1 = V`
@@ -116,11 +117,9 @@ impl Reader<'_> {
                 let (sign, word) = (self.slice(location), self.slice(word.span));
                 let text = format!("{sign}{word}").into();
                 let reason = Parsing::SignStandsBefore;
-                return Err(self.fault_with_help(
-                    location,
-                    reason,
-                    Suggestion::WriteSigned { text },
-                ));
+                let fault =
+                    self.fault_with_help(location, reason, Suggestion::WriteSigned { text });
+                return Err(fault.of(Broken::Sign));
             }
             Some(Token {
                 kind: Kind::Arithmetic(_),
@@ -129,7 +128,7 @@ impl Reader<'_> {
             }) if self.left() > 2 => return Err(self.two_signs(location, span)),
             _ => {
                 let reason = Parsing::SignStandsBefore;
-                return Err(self.fault(location, reason));
+                return Err(self.fault(location, reason).of(Broken::Sign));
             }
         };
         self.take();
@@ -183,8 +182,10 @@ impl Reader<'_> {
             }
             Err(_) => {
                 let reason = Parsing::NoNumber { word: word.into() };
-                let fault = self.fault(span, reason).once(upper_case(word));
-                Err(fault.help(suggest_for_number(word)).into())
+                let fault = self
+                    .fault(span, reason)
+                    .once(MistakeId::Word(upper_case(word)));
+                Err(fault.help(suggest_for_number(word)))
             }
         }
     }
@@ -233,12 +234,12 @@ impl Reader<'_> {
             }
             _ => help,
         };
-        let mut fault = self.fault_with_help(location, reason, help);
+        let fault = self.fault_with_help(location, reason, help);
         let name = word.split(['(', '[']).next().unwrap_or_default();
-        if !name.is_empty() && (name.len() < word.len() || word.ends_with('$')) {
-            fault.once = Some(upper_case(name));
+        match !name.is_empty() && (name.len() < word.len() || word.ends_with('$')) {
+            true => fault.once(MistakeId::Word(upper_case(name))),
+            false => fault,
         }
-        fault
     }
 }
 
@@ -447,7 +448,7 @@ impl Parser<'_> {
         StatementKind::Command {
             name: self.command_word(keyword, tokens),
             arguments,
-            malformed: read.err(),
+            malformed: read.err().map(|fault| fault.diagnostic),
         }
     }
 

@@ -4,7 +4,7 @@ use super::comment::is_comment;
 use super::control::Read;
 use super::declaration::declared_kind;
 use super::line::{is_sign, not_alone};
-use super::reader::Reader;
+use super::reader::{Broken, Fault, Reader};
 use super::{Flow, Parser, condition, equation};
 use crate::code::Code;
 use crate::language::{Keyword, commands, keywords};
@@ -12,6 +12,15 @@ use crate::lex::{Kind, Token, lex};
 use crate::message::Suggestion;
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind};
+
+/// Beginning of a statement.
+#[derive(Clone, Copy)]
+struct First {
+    keyword: Option<Keyword>,
+    word: Span,
+    /// A brace or colon that opens a block was taken off its end.
+    is_opened: bool,
+}
 
 impl Parser<'_> {
     /// Reads the statement at `span`, whose first word is `word` (empty before an operator).
@@ -75,9 +84,14 @@ impl Parser<'_> {
             self.report_foreign(foreign);
         }
         let keyword = keyword.or_else(|| self.narrow_keyword(word).filter(|_| foreign.is_some()));
-        let before = self.diagnostics.len();
+        let before = self.diagnostics.mark();
         let opening = self.take_brace(keyword, &mut tokens);
-        let kind = self.kind(keyword, word, &tokens, foreign.is_some());
+        let first = First {
+            keyword,
+            word,
+            is_opened: opening.is_some(),
+        };
+        let kind = self.kind(first, &tokens, foreign.is_some());
         let kind = match opening {
             Some(opening) => self.opened_block(word, opening, before, kind),
             None => kind,
@@ -130,13 +144,8 @@ impl Parser<'_> {
         tokens.len() > 2 && tokens[1..].iter().all(is_name)
     }
 
-    fn kind(
-        &mut self,
-        keyword: Option<Keyword>,
-        word: Span,
-        tokens: &[Token],
-        reported: bool,
-    ) -> StatementKind {
+    fn kind(&mut self, first: First, tokens: &[Token], reported: bool) -> StatementKind {
+        let First { keyword, word, .. } = first;
         match keyword {
             Some(Keyword::Else) if self.is_else_if(tokens) => {
                 self.report_else_if(tokens);
@@ -175,7 +184,7 @@ impl Parser<'_> {
             return match equation::equation(self.text, tokens, self.module.edition) {
                 Ok(equation) => StatementKind::Equation(Box::new(equation)),
                 Err(fault) => {
-                    self.report(*fault);
+                    self.report(*fault.diagnostic);
                     StatementKind::Broken(Shape::Plain)
                 }
             };
@@ -184,25 +193,36 @@ impl Parser<'_> {
         if let Some(Err(fault) | Ok((_, Err(fault)))) = &read
             && let Some(tokens) = condition::with_intended_relation(fault, tokens)
         {
-            self.report((**fault).clone());
-            return self.kind(keyword, word, &tokens, reported);
+            self.report((*fault.diagnostic).clone());
+            let first = First {
+                is_opened: false,
+                ..first
+            };
+            return self.kind(first, &tokens, reported);
         }
         match read {
             Some(Ok((kind, Ok(())))) => kind,
             Some(Ok((kind, Err(fault)))) => {
-                self.report(*fault);
+                self.report_broken(first, fault);
                 match self.closes_itself(&kind, tokens) {
                     true => StatementKind::Broken(Shape::Plain),
                     false => kind,
                 }
             }
             Some(Err(fault)) => {
-                self.report(*fault);
+                self.report_broken(first, fault);
                 StatementKind::Broken(shape(keyword, self.text, tokens))
             }
             None => self
                 .unknown(word, tokens)
                 .unwrap_or_else(|| self.command(word, tokens)),
+        }
+    }
+
+    /// Reports a fault of a statement. A brace or colon that opens its block stands for a THEN, and is reported itself.
+    fn report_broken(&mut self, first: First, fault: Fault) {
+        if !first.is_opened || fault.broken != Broken::Then {
+            self.report(*fault.diagnostic);
         }
     }
 

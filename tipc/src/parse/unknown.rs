@@ -1,12 +1,12 @@
 //! Statements whose first word is none of the language: what can be told of each of them all the same, so that it is
 //! one mistake. A misspelt keyword of a block opens and closes as the keyword does.
 
-use super::control::{joined, label_of, marked, spread};
+use super::control::{joined, marked, spread};
 use super::declaration::declared_kind;
 use super::statement::intended_shape;
 use super::{Flow, Parser, narrow};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Handle, MistakeId};
 use crate::language::commands::Meaning;
 use crate::language::reserved::{JOINT, POSITION};
 use crate::language::{Edition, Keyword, commands, keywords, names};
@@ -154,7 +154,8 @@ impl Parser<'_> {
         let written = upper_case(self.source.slice(location));
         let name = joined(&written);
         let reason = Naming::NoLabelName { word: written };
-        let fault = Diagnostic::new(Code::Argument, location, reason).once(label_of(&name));
+        let fault = Diagnostic::new(Code::Argument, location, reason)
+            .once(MistakeId::ForeignLabel(name.clone()));
         self.report(fault.help(Parsing::WriteLabel { name }));
         Some(StatementKind::Broken(Shape::Plain))
     }
@@ -168,7 +169,7 @@ impl Parser<'_> {
         let word = upper_case(self.source.slice(first));
         let reason = Commanding::NoCommand { word: word.clone() };
         let fault = Diagnostic::new(Code::UnknownCommand, first, reason).about(word.as_str());
-        let fault = fault.once(label_of(&name));
+        let fault = fault.once(MistakeId::ForeignLabel(name.clone()));
         self.report(fault.help(Parsing::WriteLabel { name }));
         // What jumps there is not wrong.
         Some(StatementKind::Label(Word { node, span }))
@@ -431,7 +432,9 @@ impl Parser<'_> {
         self.is_numbered = true;
         let reason = Commanding::NoCommand { word: text.into() };
         let fault = Diagnostic::new(Code::UnknownCommand, word, reason).about(text);
-        let fault = fault.once("line numbers").again(Suggestion::NumberedToo);
+        let fault = fault
+            .once(MistakeId::LineNumbers)
+            .again(Suggestion::NumberedToo);
         self.report(fault.help(Suggestion::NoNumbers));
         Some(StatementKind::Broken(shape))
     }
@@ -488,7 +491,7 @@ impl Parser<'_> {
         &mut self,
         location: Span,
         opening: Token,
-        before: usize,
+        before: Handle,
         kind: StatementKind,
     ) -> StatementKind {
         let word = self.source.slice(location);
@@ -498,7 +501,7 @@ impl Parser<'_> {
             _ if word == CLOSE => return kind,
             // All of the statement is unknown: `SWITCH (A) {`.
             _ if !self.is_command(word) => {
-                self.braces.push(self.diagnostics.len() > before);
+                self.braces.push(!self.diagnostics.since(before).is_empty());
                 return kind;
             }
             _ => {
@@ -506,14 +509,7 @@ impl Parser<'_> {
                 (Suggestion::NoBraces, Suggestion::Braces)
             }
         };
-        let lacks_then = |fault: &Diagnostic| {
-            [Parsing::ThenOrJumpBelongsHere, Parsing::ThenBelongsHere]
-                .into_iter()
-                .any(|reason| fault.reason == reason.into())
-        };
-        // It stands for the THEN.
-        if self.diagnostics[before..].iter().all(lacks_then) {
-            self.diagnostics.truncate(before);
+        if self.diagnostics.since(before).is_empty() {
             let fault = Diagnostic::new(Code::Argument, opening.span, reason);
             self.report(fault.help(help));
         }

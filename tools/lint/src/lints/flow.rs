@@ -285,7 +285,12 @@ impl Unreachable {
 
     /// Warns once of each run of steps that would do something. Silent about routines that nothing calls: a program may
     /// have more of them than it needs.
-    pub(super) fn warn(&self, context: &LintContext<'_>, found: &mut Diagnostics) {
+    pub(super) fn warn(
+        &self,
+        context: &LintContext<'_>,
+        glued: &GluedJumps<'_>,
+        found: &mut Diagnostics,
+    ) {
         if self.0.is_empty() {
             return;
         }
@@ -296,7 +301,7 @@ impl Unreachable {
         };
         let belongs = |before: &StepId, step: &StepId| before + 1 == *step && !is_subroutine(*step);
         for run in self.0.chunk_by(belongs) {
-            found.extend(unreachable_warning(context, run, &sources));
+            found.extend(unreachable_warning(context, run, &sources, glued));
         }
     }
 }
@@ -315,6 +320,7 @@ fn unreachable_warning(
     context: &LintContext<'_>,
     run: &[StepId],
     sources: &HashMap<StepId, Vec<StepId>>,
+    glued: &GluedJumps<'_>,
 ) -> Option<Diagnostic> {
     let actions = run
         .iter()
@@ -337,6 +343,7 @@ fn unreachable_warning(
         return None;
     }
     let (reason, help) = match start.kind.label() {
+        Some((name, _)) if glued.mean(&name.node) => return None,
         Some((name, _)) => {
             let name = name.node.clone();
             (
@@ -543,24 +550,37 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// Warns of labels like `GOTOL1:`. Silent about a label that something jumps to, and where no label has the rest of
-/// its name. That nothing comes to the label that was meant follows from it.
-pub(super) fn glued_jumps(context: &LintContext<'_>, found: &mut Diagnostics) {
-    let suspects = suspects(context.symbols);
-    let meant: HashSet<&str> = suspects.iter().map(|it| it.meant).collect();
-    let follows = |diagnostic: &Diagnostic| match diagnostic.reason.get() {
-        Some(Linting::NothingJumps { name }) => meant.contains(name.as_str()),
-        _ => false,
-    };
-    found.retain(|diagnostic| !follows(diagnostic));
-    for Suspect { label, jump, meant } in suspects {
-        let help = Linting::JumpInTwoWords {
-            written: format!("{jump} {meant}:").into(),
-            word: label.name.clone(),
-        };
-        let reason = Linting::JumpInOneWord { jump };
-        let diagnostic = |location| Diagnostic::new(Code::GluedJump, location, reason).help(help);
-        found.extend(label.span.map(diagnostic));
+/// Labels like `GOTOL1:`, which look like jumps.
+pub(super) struct GluedJumps<'a> {
+    suspects: Vec<Suspect<'a>>,
+    /// The labels that they would jump to.
+    meant: HashSet<&'a str>,
+}
+
+impl<'a> GluedJumps<'a> {
+    /// Finds the labels. Silent about a label that something jumps to, and where no label has the rest of its name.
+    pub(super) fn of(context: &LintContext<'a>) -> Self {
+        let suspects = suspects(context.symbols);
+        let meant = suspects.iter().map(|it| it.meant).collect();
+        GluedJumps { suspects, meant }
+    }
+
+    /// Returns true if one of the jumps was to go to a label. That nothing comes to the label follows from that.
+    fn mean(&self, label: &str) -> bool {
+        self.meant.contains(label)
+    }
+
+    /// Warns of each of them.
+    pub(super) fn warn(self, found: &mut Diagnostics) {
+        for Suspect { label, jump, meant } in self.suspects {
+            let help = Linting::JumpInTwoWords {
+                written: format!("{jump} {meant}:").into(),
+                word: label.name.clone(),
+            };
+            let reason = Linting::JumpInOneWord { jump };
+            let warning = |location| Diagnostic::new(Code::GluedJump, location, reason).help(help);
+            found.extend(label.span.map(warning));
+        }
     }
 }
 
