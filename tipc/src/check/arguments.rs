@@ -121,7 +121,7 @@ impl Resolver<'_> {
             );
             return None;
         }
-        if self.goes_on(name) {
+        if self.add_to_line_before(name) {
             return None;
         }
         let (reason, help) = match self.names.find(word) {

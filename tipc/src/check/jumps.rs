@@ -78,7 +78,7 @@ impl Jumps<'_> {
             return self.loop_target(index, kind, jump, location);
         }
         let Some(to) = self.statement_of(self.known.labels.find(name)) else {
-            if self.is_known_otherwise(name, jump, location) {
+            if self.told_otherwise(name, jump, location) {
                 return None;
             }
             let near = match self.found.are_many() {
@@ -131,7 +131,7 @@ impl Jumps<'_> {
             return None;
         }
         let to = self.statement_of(self.known.labels.loop_above(index));
-        if to.is_none() && !self.is_known_otherwise(LOOP, jump, location) {
+        if to.is_none() && !self.told_otherwise(LOOP, jump, location) {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(LOOP);
             let fault = fault.once(MistakeId::Label(LOOP.into()));
@@ -152,7 +152,7 @@ impl Jumps<'_> {
 
     /// Returns true if a missing label is not the mistake of this jump: it stands there without its colon, or after
     /// END, or the jump itself is wrong.
-    fn is_known_otherwise(&mut self, name: &str, jump: &Jump, location: Span) -> bool {
+    fn told_otherwise(&mut self, name: &str, jump: &Jump, location: Span) -> bool {
         if let Some(label) = self.known.labels.bare(name) {
             let jumps = self.bare.entry(label).or_default();
             // A jump without its colon is another mistake.

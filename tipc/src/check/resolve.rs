@@ -433,7 +433,7 @@ impl<'a> Resolver<'a> {
 
     /// Adds the first word of this statement to the fault of the line before, if it goes on there: `PTP F1` and
     /// `391 201 -150` are one mistake.
-    pub(super) fn goes_on(&mut self, name: &Word) -> bool {
+    pub(super) fn add_to_line_before(&mut self, name: &Word) -> bool {
         let starts = |c: char| c.is_ascii_digit() || c == '-';
         let Some((before, fault)) = self.last_wrong.filter(|_| name.node.starts_with(starts))
         else {
