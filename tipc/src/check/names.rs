@@ -18,7 +18,7 @@ use crate::syntax::{
 use smol_str::SmolStr;
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
-use tip_runtime::command::{CONSTANT, READING, Reading, Target, Teach};
+use tip_runtime::command::{CONSTANT, READING, Reading, Target};
 
 /// The most unknown names that are compared with declared ones.
 const COMPARED: usize = MOST;
@@ -401,7 +401,7 @@ impl Names {
     /// Returns the type of what a name stands for; a constant is of VAR's.
     pub(crate) fn kind_of(&self, name: &str) -> Option<VariableKind> {
         if name.starts_with(READING) {
-            return reserved::reading(name, self.edition).map(kind_of);
+            return reserved::reading(name, self.edition).map(VariableKind::of_reading);
         }
         let constant = || self.find_constant(name).map(|_| VariableKind::Var);
         let variable = self.find(name).map(|id| self.variables[id].kind);
@@ -518,7 +518,7 @@ impl Names {
         if let Some(fault) = self.not_sensed(reading, operand.span) {
             return Err(fault);
         }
-        let kind = kind_of(reading);
+        let kind = VariableKind::of_reading(reading);
         let index = match member {
             None => None,
             Some(member) => match self.member_of(kind, member) {
@@ -585,7 +585,7 @@ impl Names {
     pub(crate) fn size_of(&self, whole: StructOperand) -> usize {
         match whole {
             StructOperand::Variable(variable) => self.variables[variable].size(),
-            StructOperand::Reading(reading) => match kind_of(reading) {
+            StructOperand::Reading(reading) => match VariableKind::of_reading(reading) {
                 VariableKind::Var => 1,
                 VariableKind::Pos => POSITION.len(),
                 VariableKind::Joint => self.joints,
@@ -714,17 +714,6 @@ pub(super) fn inventory(robot: Robot) -> Inventory {
     Inventory::Has {
         robot: robot.name(),
         targets: List(robot.inventory()),
-    }
-}
-
-/// Returns the type of a special variable.
-pub(crate) fn kind_of(reading: Reading) -> VariableKind {
-    match reading {
-        Reading::Measured(Teach::Position | Teach::Force, _) => VariableKind::Pos,
-        Reading::Measured(Teach::Angle | Teach::Torque, Target::Joint(..)) | Reading::Timer(_) => {
-            VariableKind::Var
-        }
-        Reading::Measured(Teach::Angle | Teach::Torque, _) => VariableKind::Joint,
     }
 }
 

@@ -10,7 +10,7 @@ use tipc::language::Edition;
 use tipc::language::reserved::{JOINT, POSITION, reading};
 use tipc::message::phrase::Type;
 use tipc::parse::narrow;
-use tipc::program::{Reading, Target, Teach, Variable, VariableId, VariableKind};
+use tipc::program::{Variable, VariableId, VariableKind};
 use tipc::source::Span;
 use tipc::suggest::nearest;
 use tipc::symbols::{Access, DefinitionId, DefinitionKind};
@@ -68,7 +68,7 @@ impl<'a> Names<'a> {
         let name = parts.next().unwrap_or_default();
         let kind = match (self.find(name), reading(name, self.edition)) {
             (Some(variable), _) => variable.kind,
-            (None, Some(reading)) => kind_of(reading),
+            (None, Some(reading)) => VariableKind::of_reading(reading),
             (None, None) if self.constants.contains(name) => VariableKind::Var,
             (None, None) => return false,
         };
@@ -283,15 +283,6 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     };
     let starts = name.starts_with(|first: char| first == '_' || first.is_ascii_alphabetic());
     (starts && is_word(name) && rest.is_none_or(is_word)).then_some((name, rest))
-}
-
-/// Returns the type of a special variable.
-fn kind_of(reading: Reading) -> VariableKind {
-    match reading {
-        Reading::Measured(Teach::Position | Teach::Force, _) => VariableKind::Pos,
-        Reading::Measured(_, Target::Foot(_)) => VariableKind::Joint,
-        Reading::Measured(..) | Reading::Timer(_) => VariableKind::Var,
-    }
 }
 
 /// A text that looks like a placeholder and stands for nothing.
