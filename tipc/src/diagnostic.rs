@@ -4,7 +4,7 @@ use crate::code::{Code, Level};
 use crate::language::Edition;
 use crate::message::{Cut, Lang, Message, Naming, Reading, Structuring};
 use crate::source::{Span, Undecodable};
-pub use collection::{Diagnostics, MOST, Omitted};
+pub use collection::{Diagnostics, MAX_DIAGNOSTICS, Omitted};
 pub(crate) use collection::{Handle, by_location};
 pub(crate) use mistake::MistakeId;
 

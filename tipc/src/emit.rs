@@ -183,7 +183,7 @@ impl<'a> Emitter<'a> {
             runtime: &options.runtime,
             name: options.name_for(&program.source_name),
             assignment: Assignment::of(program),
-            // A place among those of threads has it in any case.
+            // The place of each thread holds the flag, even if no step reads it.
             has_taken_state: !program.threads.is_empty() || { program.steps.iter() }
                 .any(|step| step.action.passed_to().is_some()),
             labels: ident::label_constants(&program.labels),

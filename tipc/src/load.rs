@@ -5,7 +5,7 @@
 use crate::analysis::assignment::Ways;
 use crate::check::{Checked, DeclaredLabel, ResolvedModule, check};
 use crate::code::{Code, Level};
-pub use crate::diagnostic::MOST;
+pub use crate::diagnostic::MAX_DIAGNOSTICS;
 use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, by_location};
 use crate::language::Edition;
 use crate::message::phrase::Assign;
@@ -42,7 +42,7 @@ pub struct Loaded {
     pub program: Option<Program>,
     /// The robot that the program was checked for; none if it is no program.
     pub robot: Option<Robot>,
-    /// The diagnostics, in order of their locations: no more than [`MOST`], of many the first errors.
+    /// The diagnostics, in order of their locations: no more than [`MAX_DIAGNOSTICS`], of many the first errors.
     pub diagnostics: Vec<Diagnostic>,
     /// The diagnostics beyond that.
     pub omitted: Omitted,
@@ -290,10 +290,10 @@ fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) 
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
         later.span == first.span && is_mistake(later) && is_mistake(first)
     });
-    if diagnostics.len() > MOST {
+    if diagnostics.len() > MAX_DIAGNOSTICS {
         diagnostics.sort_by_key(|one| one.level() != Level::Error);
         diagnostics
-            .drain(MOST..)
+            .drain(MAX_DIAGNOSTICS..)
             .for_each(|one| omitted.add(one.code));
         by_location(&mut diagnostics);
     }

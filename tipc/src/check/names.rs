@@ -1,7 +1,7 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics, MOST, MistakeId};
+use crate::diagnostic::{Diagnostic, Diagnostics, MAX_DIAGNOSTICS, MistakeId};
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, keywords, names};
@@ -21,7 +21,7 @@ use std::collections::{HashMap, HashSet};
 use tip_runtime::command::{CONSTANT, READING, Reading, Target};
 
 /// The most unknown names that are compared with declared ones.
-const COMPARED: usize = MOST;
+const COMPARED: usize = MAX_DIAGNOSTICS;
 
 /// `VAR_KEY` is the first of all variables.
 pub(super) const VAR_KEY_ID: VariableId = 0;
@@ -309,7 +309,9 @@ impl Names {
         match (number, own) {
             (Ok(number), Some(own)) => self.constants[own].value = number,
             (Ok(_), None) => {}
-            (Err(fault), _) => found.push(*fault),
+            (Err(fault), _) => {
+                found.push(*fault);
+            }
         }
     }
 
@@ -426,14 +428,14 @@ impl Names {
         self.find(name).is_some() || self.find_constant(name).is_some()
     }
 
-    /// Resolves an operand. `shape` is the code of a member that the variable lacks, `guess` the type that an
+    /// Resolves an operand. `mistake` is the code of a member that the variable lacks, `guess` the type that an
     /// unknown variable is used as.
     ///
     /// `None` if the name's declaration was refused, which is reported already.
     pub(crate) fn operand(
         &self,
         operand: &Operand,
-        shape: Code,
+        mistake: Code,
         guess: Option<VariableKind>,
     ) -> Result<Option<ResolvedOperand>, Box<Diagnostic>> {
         let (name, member) = match &operand.kind {
@@ -451,7 +453,7 @@ impl Names {
             return Ok(None);
         }
         if name.starts_with(READING) {
-            return self.reading(operand, name, member, shape).map(Some);
+            return self.reading(operand, name, member, mistake).map(Some);
         }
         if let Some(constant) = self.find_constant(name) {
             return match (member, self.constants[constant].value) {
@@ -462,7 +464,7 @@ impl Names {
                     };
                     let help = Naming::ConstantMembers { name: name.clone() };
                     Err(Box::new(
-                        Diagnostic::new(shape, operand.span, reason).help(help),
+                        Diagnostic::new(mistake, operand.span, reason).help(help),
                     ))
                 }
                 (None, value) => {
@@ -494,7 +496,7 @@ impl Names {
                 variable,
                 member,
                 operand.span,
-                shape,
+                mistake,
             ))),
         }
     }
@@ -505,7 +507,7 @@ impl Names {
         operand: &Operand,
         name: &SmolStr,
         member: Option<&str>,
-        shape: Code,
+        mistake: Code,
     ) -> Result<ResolvedOperand, Box<Diagnostic>> {
         let Some(reading) = reserved::reading(name, self.edition) else {
             let reason = Naming::NoReading { word: name.clone() };
@@ -530,7 +532,7 @@ impl Names {
                     };
                     let help = Naming::ReadingMembers { word: name.clone() };
                     return Err(Box::new(
-                        Diagnostic::new(shape, operand.span, reason).help(help),
+                        Diagnostic::new(mistake, operand.span, reason).help(help),
                     ));
                 }
             },
@@ -604,7 +606,7 @@ impl Names {
         }
     }
 
-    fn no_member(&self, id: VariableId, member: &str, span: Span, shape: Code) -> Diagnostic {
+    fn no_member(&self, id: VariableId, member: &str, span: Span, code: Code) -> Diagnostic {
         let variable = &self.variables[id];
         let name: SmolStr = variable.name.as_str().into();
         let reason = Naming::NoMember {
@@ -620,13 +622,11 @@ impl Names {
             },
         };
         let mistake = MistakeId::Member {
-            code: shape,
+            code,
             variable: variable.name.as_str().into(),
             member: member.into(),
         };
-        Diagnostic::new(shape, span, reason)
-            .once(mistake)
-            .help(help)
+        Diagnostic::new(code, span, reason).once(mistake).help(help)
     }
 
     /// Returns what to write in place of a word of the language where a number belongs.

@@ -399,10 +399,10 @@ impl<'a> Resolver<'a> {
     pub(super) fn resolve_operand_as(
         &mut self,
         operand: &Operand,
-        shape: Code,
+        mistake: Code,
         guess: Option<VariableKind>,
     ) -> Result<ResolvedOperand, Refused> {
-        match self.names.operand(operand, shape, guess) {
+        match self.names.operand(operand, mistake, guess) {
             Ok(meant) => meant.ok_or(None),
             Err(fault) => {
                 let fault = match fault.code {
@@ -468,20 +468,20 @@ impl<'a> Resolver<'a> {
         self.jumps.bare.get(&self.at).map(Vec::as_slice)
     }
 
-    /// Resolves a number that the statement reads. `shape` is the code of a struct in its place.
+    /// Resolves a number that the statement reads. `mistake` is the code of a struct in its place.
     pub(super) fn number(
         &mut self,
         operand: &Operand,
-        shape: Code,
+        mistake: Code,
     ) -> Result<program::Operand, Refused> {
-        let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, mistake, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         if let Some(number) = meant.number() {
             return Ok(number);
         }
         let reason = Commanding::StructForNumber;
         let statement = self.known.module.statement_at(operand.span.start);
-        let fault = Diagnostic::new(shape, operand.span, reason);
+        let fault = Diagnostic::new(mistake, operand.span, reason);
         let fault = fault.once(MistakeId::StructForNumber(statement));
         Err(self.report(fault.help(Commanding::NameMember)))
     }
@@ -518,7 +518,7 @@ impl<'a> Resolver<'a> {
 
     /// Reports, and returns the diagnostic unless another one tells of the mistake.
     pub(super) fn report(&mut self, diagnostic: Diagnostic) -> Refused {
-        self.found.report(diagnostic)
+        self.found.push(diagnostic)
     }
 
     /// Reports, and answers that there is nothing.

@@ -246,14 +246,14 @@ impl Resolver<'_> {
     pub(super) fn variable_or_constant(
         &mut self,
         operand: &Operand,
-        shape: Code,
+        mistake: Code,
     ) -> Result<program::Operand, Refused> {
-        let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
+        let meant = self.resolve_operand_as(operand, mistake, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         match meant.number().filter(|_| !meant.is_member()) {
             Some(number) => Ok(number),
             None => {
-                let fault = Diagnostic::new(shape, operand.span, Commanding::ConstantOrVar);
+                let fault = Diagnostic::new(mistake, operand.span, Commanding::ConstantOrVar);
                 Err(self.report(fault.help(Commanding::CopyIntoVar)))
             }
         }

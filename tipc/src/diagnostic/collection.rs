@@ -8,15 +8,15 @@ use std::collections::{BTreeMap, HashMap};
 use std::ops::Deref;
 
 /// Maximum number of diagnostics of a file that are reported: nobody reads more, and each takes time to show and to fix.
-pub const MOST: usize = 1_000;
+pub const MAX_DIAGNOSTICS: usize = 1_000;
 
 /// Maximum number of diagnostics that the passes keep: of a hostile file there may be one for each byte, and each takes
 /// hundreds of bytes.
-const KEPT: usize = 10_000;
+const MAX_KEPT: usize = 10_000;
 
 /// A diagnostic among those that were reported, or the place of the next one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Handle(usize);
+pub struct Handle(usize);
 
 /// Diagnostics; those beyond the most that are kept are counted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,13 +28,9 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// Adds a diagnostic. One of a mistake that is reported already becomes a label of that one.
-    pub fn push(&mut self, diagnostic: Diagnostic) {
-        self.report(diagnostic);
-    }
-
-    /// Adds a diagnostic as [`Diagnostics::push`] does; returns `None` if it is omitted or became a label.
-    pub(crate) fn report(&mut self, diagnostic: Diagnostic) -> Option<Handle> {
+    /// Adds a diagnostic and returns it. One of a mistake that is reported already becomes a label of that one; `None` if
+    /// so, or if there are too many.
+    pub fn push(&mut self, diagnostic: Diagnostic) -> Option<Handle> {
         let handle = Handle(self.kept.len());
         if let Some(mistake) = &diagnostic.once {
             if let Some(first) = self.of_mistake(mistake) {
@@ -43,7 +39,7 @@ impl Diagnostics {
             }
             self.once.insert(mistake.clone(), handle);
         }
-        if self.kept.len() >= KEPT {
+        if self.kept.len() >= MAX_KEPT {
             self.omitted.add(diagnostic.code);
             return None;
         }
@@ -93,7 +89,7 @@ impl Diagnostics {
 
     /// Returns true if more diagnostics are kept than are shown. No suggestion is searched for further ones.
     pub(crate) fn are_many(&self) -> bool {
-        self.kept.len() >= MOST
+        self.kept.len() >= MAX_DIAGNOSTICS
     }
 
     /// Adds those of another pass, the omitted ones among them.
@@ -134,7 +130,7 @@ impl Extend<Diagnostic> for Diagnostics {
     fn extend<T: IntoIterator<Item = Diagnostic>>(&mut self, diagnostics: T) {
         diagnostics
             .into_iter()
-            .for_each(|diagnostic| self.push(diagnostic));
+            .for_each(|diagnostic| _ = self.push(diagnostic));
     }
 }
 
@@ -201,7 +197,7 @@ fn also_here(first: &mut Diagnostic, mut other: Diagnostic) {
         std::mem::swap(first, &mut other);
         first.labels.append(&mut other.labels);
     }
-    if first.labels.len() < KEPT && first.span != other.span {
+    if first.labels.len() < MAX_KEPT && first.span != other.span {
         let text = other.again.unwrap_or(Naming::AlsoHere.into());
         first.labels.push(Label {
             span: other.span,

@@ -195,7 +195,7 @@ impl Matcher<'_> {
             (None, Some(last)) => fault.label(last.span, Structuring::EndsBefore { closer }),
             (None, None) => fault,
         };
-        let fault = self.found.report(fault);
+        let fault = self.found.push(fault);
         if met.is_some() {
             self.owes(open.kind, fault, true);
         }

@@ -252,8 +252,8 @@ fn is_stuck(
     reads(program, action(end), |scalar| {
         compared.insert(scalar);
     });
-    let own = walk.from(&[turn], Some(end), Into::Itself)?;
-    let all = walk.from(&[turn], Some(end), Into::Calls)?;
+    let own = walk.from(&[turn], Some(end), Calls::Passed)?;
+    let all = walk.from(&[turn], Some(end), Calls::Entered)?;
     let returns = own.iter().any(|id| flow.nodes()[*id].returns);
     let ends = all
         .iter()
@@ -274,7 +274,7 @@ fn is_stuck(
 pub(super) struct Unreachable(Vec<StepId>);
 
 impl Unreachable {
-    /// Creates each branch of the steps `open`, which have to be in order, counts as taken.
+    /// Finds the steps. Both branches of the steps `open`, which have to be in order, count as taken.
     pub(super) fn of(context: &LintContext<'_>, open: &[StepId]) -> Self {
         Unreachable(dead(context.program, context.flow, open))
     }
@@ -479,7 +479,7 @@ fn one_way(program: &Program, flow: &Flow) -> Vec<(StepId, StepId)> {
 /// never returns;
 /// `None` if it is too long to say.
 fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
-    let path = walk.from(&[call.entry], None, Into::Itself)?;
+    let path = walk.from(&[call.entry], None, Calls::Passed)?;
     let nodes = || path.iter().map(|id| &flow.nodes()[*id]);
     let actions = || nodes().map(|node| &program.steps()[node.step as usize].action);
     if nodes().any(|node| node.returns) {
@@ -493,13 +493,13 @@ fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -
 /// Maximum number of nodes on a path that is followed: the time stays in proportion to the program.
 const FARTHEST: usize = 1_000;
 
-/// Nodes of a path that count.
+/// The way of a path at a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Into {
-    /// Nodes of its own routine: a call is passed.
-    Itself,
-    /// Nodes of called routines too.
-    Calls,
+enum Calls {
+    /// It goes on behind the call.
+    Passed,
+    /// It goes on behind the call and in the called routine.
+    Entered,
 }
 
 /// Follows paths from nodes, one search after the other.
@@ -522,7 +522,12 @@ impl<'a> Walk<'a> {
     /// Returns the nodes that paths from `starts` come to, themselves among them, without those behind `end`, where
     /// paths end;
     /// `None` if there are very many.
-    fn from(&mut self, starts: &[NodeId], end: Option<NodeId>, into: Into) -> Option<Vec<NodeId>> {
+    fn from(
+        &mut self,
+        starts: &[NodeId],
+        end: Option<NodeId>,
+        calls: Calls,
+    ) -> Option<Vec<NodeId>> {
         self.search += 1;
         let mut found = Vec::new();
         let mut open = starts.to_vec();
@@ -543,7 +548,7 @@ impl<'a> Walk<'a> {
             open.extend(node.next.iter());
             if let Some(call) = node.call {
                 open.push(call.back);
-                open.extend((into == Into::Calls).then_some(call.entry));
+                open.extend((calls == Calls::Entered).then_some(call.entry));
             }
         }
         Some(found)
