@@ -24,7 +24,7 @@ pub enum Robot {
 /// Properties of a robot that a program can meet: all that checking needs of a model or a description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facts {
-    /// Robot statement that its programs need.
+    /// Shape of the robot that its programs are made for.
     pub signature: Signature,
     /// The sampling time that programs begin with: ms.
     pub period: f64,
@@ -137,7 +137,7 @@ impl Robot {
         self.signature().robot
     }
 
-    /// Returns the robot statement that its programs need.
+    /// Returns the shape of the robot that its programs are made for.
     pub const fn signature(self) -> Signature {
         self.facts().signature
     }
