@@ -5,6 +5,7 @@
 //! tables are not used here, so that a wrong address or scale of the master shows.
 
 mod ax_mx;
+mod firmware;
 mod lx;
 mod moteus;
 mod servo;
@@ -17,7 +18,7 @@ pub use servo::Servo;
 
 use crate::bus::{Port, Timing};
 use core::convert::Infallible;
-use servo::{Registers, Reply};
+use firmware::{Registers, Reply};
 use std::vec::Vec;
 use wire::{Reader, Request, Wire};
 

@@ -59,7 +59,7 @@ pub(crate) struct Scan {
     #[command(flatten)]
     port: PortArguments,
 
-    /// The servos' family: ax, x, sts, lx or moteus; else all are tried
+    /// The family: ax, x, sts, lx or moteus; else all
     #[arg(long, value_parser = family)]
     family: Option<&'static dyn Family>,
 

@@ -6,7 +6,7 @@
 //!
 //! That a goal switches the torque on is not in the manual. Users of both series report it, and libraries for them rely on it.
 
-use super::servo::{Drive, Firmware, Registers, Reply, Shaft};
+use super::firmware::{Drive, Firmware, Registers, Reply, Shaft};
 use super::table::{Coding, Item, Refusal, Table, read_only, writable};
 use super::wire::Wire;
 use std::boxed::Box;

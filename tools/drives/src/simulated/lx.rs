@@ -5,7 +5,7 @@
 //!
 //! The document does not say whether a move loads the motor. This one does, so that a master which sends a goal too many is noticed.
 
-use super::servo::{Drive, Firmware, Shaft};
+use super::firmware::{Drive, Firmware, Shaft};
 use super::wire::Wire;
 use std::boxed::Box;
 use std::vec;

@@ -4,7 +4,7 @@
 //! Mode, 0x001 to 0x00f, 0x020 to 0x028, 0x110 Multiplex ID); "Configurable values" (`servo.default_timeout_s`,
 //! `servo.timeout_mode`); "moteus reports mode 11 - Timeout". Lines of an fdcanusb are those of `wire`.
 
-use super::servo::{Drive, Firmware, Shaft};
+use super::firmware::{Drive, Firmware, Shaft};
 use super::wire::Wire;
 use std::boxed::Box;
 use std::vec::Vec;

@@ -7,7 +7,7 @@
 //!
 //! That a goal switches the torque on is not in the table; users report it.
 
-use super::servo::{Drive, Firmware, Registers, Reply, Shaft};
+use super::firmware::{Drive, Firmware, Registers, Reply, Shaft};
 use super::table::{Coding, Item, Table, read_only, writable};
 use super::wire::Wire;
 use std::boxed::Box;

@@ -5,7 +5,7 @@
 //! Mode(10)", "Homing Offset(20)", "Min/Max Position Limit(48, 52)", "Shutdown(63)", "Torque Enable(64)", "Bus Watchdog(98)"; and
 //! "DYNAMIXEL Protocol 2.0", section "Error".
 
-use super::servo::{Drive, Firmware, Registers, Reply, Shaft};
+use super::firmware::{Drive, Firmware, Registers, Reply, Shaft};
 use super::table::{Coding, Item, Refusal, Table, read_only, writable};
 use super::wire::Wire;
 use std::boxed::Box;
