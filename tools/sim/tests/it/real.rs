@@ -14,7 +14,7 @@ type Outcome = Result<(), Box<dyn Error>>;
 struct Servos(Vec<f64>);
 
 impl Joints for Servos {
-    fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault> {
+    fn read(&mut self, angles: &mut [f64], _: &mut [u32]) -> Result<(), HardwareFault> {
         angles.copy_from_slice(&self.0);
         Ok(())
     }
