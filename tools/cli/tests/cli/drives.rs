@@ -155,6 +155,11 @@ fn each_fault_has_its_outcome() {
 
 fn each_fault_has_its_outcome_on(robot: &str) {
     let folder = crate_for(robot);
+    // An AX says its load in units of about 0.1 %, 1000 of 1023 at most.
+    let blocked = match robot {
+        "phantomx" => "J31 (servo 7) needs 0.98 of its torque for too long",
+        _ => "J31 (servo 7) needs 1.00 of its torque for too long",
+    };
     for (mishap, status, reason) in [
         ("", 0, "answers 0 of "),
         ("corrupt=0.01", 0, " missing, "),
@@ -174,11 +179,7 @@ fn each_fault_has_its_outcome_on(robot: &str) {
             3,
             "J31 (servo 7) has 66 °C, and 65 at most is allowed",
         ),
-        (
-            "block=7@3",
-            3,
-            "J31 (servo 7) needs 1.00 of its torque for too long",
-        ),
+        ("block=7@3", 3, blocked),
         (
             "sag=7@3",
             3,

@@ -257,8 +257,8 @@ impl Run {
         let _ = kill_process(Pid::from_child(&self.child), signal);
     }
 
-    /// Waits for the moment of a cell.
-    fn reach(&mut self, cell: Cell, folder: &Folder) {
+    /// Waits for the moment of a cell; returns false if the run ended before it.
+    fn reach(&mut self, cell: Cell, folder: &Folder) -> bool {
         let has_torque = |bus: &SimulatedBus| bus.servos().iter().all(Servo::has_torque);
         if cell.phase == Phase::BeforeTorque {
             // It asks for the key that starts.
@@ -268,7 +268,7 @@ impl Run {
                 assert!(begin.elapsed() < Duration::from_secs(30), "no question");
                 thread::sleep(Duration::from_millis(5));
             }
-            return;
+            return true;
         }
         self.bus.await_that("torque", has_torque);
         if cell.phase == Phase::Approach {
@@ -276,11 +276,13 @@ impl Run {
             self.bus.await_that("motion", |bus| {
                 (bus.servos()[0].angle() - first).abs() > 2.0
             });
-            return;
+            return true;
         }
         let mut go = [0; 3];
         let out = self.child.stdout.as_mut().expect("piped");
-        out.read_exact(&mut go).expect("the message");
+        if out.read_exact(&mut go).is_err() {
+            return false;
+        }
         assert_eq!(go, *b"go\n");
         thread::sleep(Duration::from_millis(3 * PERIOD));
         if cell.phase == Phase::Leaving {
@@ -290,6 +292,7 @@ impl Run {
                     .await_that("leaving", |bus| bus.servos().iter().all(is_leaving));
             }
         }
+        true
     }
 
     fn happen(&mut self, event: Event) {
@@ -396,7 +399,14 @@ fn execute(cell: Cell) -> Found {
     }
     let folder = Folder::new(&format!("endings-{n}"));
     let mut run = Run::begin(cell, &folder);
-    run.reach(cell, &folder);
+    // On a machine that is too busy for a bus in real time, a run may stop for silent servos before its moment.
+    for _ in 0..3 {
+        if run.reach(cell, &folder) {
+            break;
+        }
+        let _ = run.child.wait();
+        run = Run::begin(cell, &folder);
+    }
     run.happen(cell.event);
     let event = Instant::now();
     if cell.phase == Phase::BeforeTorque {
@@ -551,7 +561,7 @@ fn run_all(cells: &[Cell]) -> Vec<Found> {
     let next = AtomicUsize::new(0);
     let found = Mutex::new(vec![None; cells.len()]);
     thread::scope(|scope| {
-        for _ in 0..32 {
+        for _ in 0..16 {
             scope.spawn(|| {
                 loop {
                     let place = next.fetch_add(1, Ordering::Relaxed);
