@@ -507,7 +507,8 @@ impl<P: Port> Drives<P> {
         joints.map(|joint| self.setpoint(joint)).collect()
     }
 
-    /// Sets speeds and torque limits, and switches the torque on, where each joint is.
+    /// Sets speeds and torque limits, and switches the torque on, where each joint is. A [guard](crate::guard::TorqueGuard) does so for
+    /// robots that have to be left in a state; nobody takes this torque away again.
     ///
     /// # Errors
     /// A servo does not answer.
