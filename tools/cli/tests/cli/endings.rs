@@ -556,7 +556,19 @@ fn host(model: &'static Model, port: &str, cell: Cell) {
     robot.leave();
 }
 
-/// Executes all cells, many at a time: most of them wait.
+/// Returns true if the servos were left as expected, in time.
+fn is_right(cell: Cell, found: &Found) -> bool {
+    expected(cell).contains(&found.left) && found.after <= limit(cell, found.left)
+}
+
+/// Returns true if a host that got no processor time explains an ending: it was late, or the servos' own watchdogs ended the run.
+fn may_be_starved(cell: Cell, found: &Found) -> bool {
+    let is_late = found.after > limit(cell, found.left);
+    is_late || matches!(found.left, Left::Watchdog | Left::Damped)
+}
+
+/// Executes all cells, many at a time: most of them wait. One whose host was starved on a busy machine is executed again, without the
+/// others, and counts then. Any other wrong state counts the first time.
 fn run_all(cells: &[Cell]) -> Vec<Found> {
     let next = AtomicUsize::new(0);
     let found = Mutex::new(vec![None; cells.len()]);
@@ -573,10 +585,16 @@ fn run_all(cells: &[Cell]) -> Vec<Found> {
         }
     });
     let found = found.into_inner().expect("no panic");
-    found
-        .into_iter()
-        .map(|end| end.expect("executed"))
-        .collect()
+    let ends = cells.iter().zip(found).map(|(cell, end)| {
+        let mut end = end.expect("executed");
+        for _ in 0..2 {
+            if !is_right(*cell, &end) && may_be_starved(*cell, &end) {
+                end = execute(*cell);
+            }
+        }
+        end
+    });
+    ends.collect()
 }
 
 fn cells() -> Vec<Cell> {
@@ -687,8 +705,8 @@ fn every_ending_leaves_the_servos_as_the_file_says() {
     let found = run_all(&cells);
     let mut wrong = String::new();
     for (cell, found) in cells.iter().zip(&found) {
-        let expected = expected(*cell);
-        if !expected.contains(&found.left) || found.after > limit(*cell, found.left) {
+        if !is_right(*cell, found) {
+            let expected = expected(*cell);
             let Cell {
                 event,
                 phase,
