@@ -113,8 +113,20 @@ tipc::message_table! {
         "{file} is where the specification of the sweep goes, and has something else: move it, or choose another name with -o",
         "{file} にはスイープの仕様を書きますが、別の内容があります。移動するか、-oで別の名前を指定してください";
     OtherSweep { file: Text }
-        "{file} belongs to another sweep, with another program, robot, scene or options: use its options, or another file",
-        "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプションのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+        "{file} belongs to another sweep, with another program, robot, scene, options or version of tip: use its options, or another file",
+        "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプション、tipのバージョンのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+    NotATableName { file: Text }
+        "{file} is not the name of a table: write a name that ends in .csv, or '-o -' for standard output",
+        "{file} は表の名前ではありません。.csvで終わる名前か、標準出力を表す '-o -' を指定してください";
+    NotAPart { part: Text }
+        "{part}, where an unfinished table goes, is not a regular file: remove it, or choose another name with -o",
+        "書きかけの表を置く {part} は通常のファイルではありません。削除するか、-oで別の名前を指定してください";
+    IsLocked { part: Text }
+        "another process is writing {part}: wait for its end, or choose another name with -o",
+        "別のプロセスが {part} に書いています。終わるのを待つか、-oで別の名前を指定してください";
+    ForeignLines { part: Text }
+        "{part} has a byte order mark or CR LF line ends, so another program has saved it: restore it, or remove it to start again",
+        "{part} にBOMまたはCR LFの改行があります。別のプログラムで保存されたものです。元に戻すか、削除して最初から実行してください";
     OneTable
         "a table is not compared with another file: give it alone",
         "表はほかのファイルと比べられません。表だけを指定してください";
@@ -367,8 +379,11 @@ tipc::message_table! {
         "{file}: {runs} runs, {size} kB",
         "{file}: {runs}回の実行、{size} kB";
     NoTable { file: Text }
-        "{file} is not a table of `tip sweep`: its first line must begin with `case,`",
-        "{file} は `tip sweep` の表ではありません。先頭の行が `case,` で始まっていません";
+        "{file} is not the table of its specification: its first line has other columns",
+        "{file} は仕様に対応する表ではありません。先頭の行の列が違います";
+    OtherRow { file: Text, line: String, specification: Text }
+        "line {line} of {file} is not a row of the sweep in {specification}: it was changed, or is of another sweep or version of tip; run the sweep again",
+        "{file} の{line}行目は {specification} のスイープの行ではありません。変更されたか、別のスイープまたは別のバージョンのtipのものです。スイープを実行し直してください";
 }
 
 tipc::message_table! {

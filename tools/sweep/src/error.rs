@@ -1,6 +1,7 @@
 //! Errors of a specification, found before the first run, and of cases; and their messages: reasons why a sweep cannot run, each
 //! with a way out.
 
+use serde::Serialize;
 use std::fmt;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::say::Say;
@@ -106,10 +107,12 @@ tipc::message_table! {
         "{text}";
 }
 
-/// A text of another crate in each language.
-#[derive(Clone, Debug, PartialEq)]
+/// A text in each language.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Texts {
+    #[serde(rename = "en")]
     english: String,
+    #[serde(rename = "ja")]
     japanese: String,
 }
 
@@ -121,6 +124,11 @@ impl Texts {
             english: of(Lang::English),
             japanese: of(Lang::Japanese),
         }
+    }
+
+    /// Returns the text in a language.
+    pub fn text(&self, lang: Lang) -> &str {
+        lang.pick(&self.english, &self.japanese)
     }
 
     /// Returns the errors of a file, one line each.
@@ -150,7 +158,7 @@ impl Texts {
 
 impl Say for Texts {
     fn say(&self, lang: Lang, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(lang.pick(&self.english, &self.japanese))
+        f.write_str(self.text(lang))
     }
 }
 
