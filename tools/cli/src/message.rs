@@ -52,9 +52,12 @@ tipc::message_table! {
     NoFile { command: String }
         "which program? `tip {command}` needs a file, as in `tip {command} walk.prg`",
         "どのプログラムですか? `tip {command} walk.prg` のようにファイルを指定してください";
-    NoCode { code: String, codes: Each }
-        "there is no code {code}; the codes are {codes}",
-        "{code}というコードはありません。コードは{codes}です";
+    NoCode { code: String }
+        "there is no code {code}: messages show a code in brackets, such as E205, E205-03 or W109",
+        "{code}というコードはありません。コードは E205、E205-03、W109 のように、メッセージの角括弧の中にあります";
+    NearCodes { code: String, near: Each }
+        "there is no code {code}; near it are {near}",
+        "{code}というコードはありません。近いコードは{near}です";
     NotACount { text: String }
         "`{text}` is not a count: write a whole number, 0 or more",
         "`{text}` は数えられません。0以上の整数を指定してください";
@@ -769,6 +772,24 @@ tipc::message_table! {
     /// Messages of `tip drives` and of runs on a real robot.
     Driving;
 
+    LateFrom "late", "遅れ";
+    CycleShare "share", "割合";
+    CycleCount "cycles", "周期数";
+    JitterFigures { p50: usize, p99: usize, p999: usize, worst: String, missed: String, cycles: String }
+        "half of the cycles start at most {p50} µs late, 99 % {p99} µs, 99.9 % {p999} µs, all {worst} µs; {missed} of {cycles} missed",
+        "遅れは周期の半数で{p50} µs以下、99%で{p99} µs、99.9%で{p999} µs、最大{worst} µs。{cycles}周期のうち{missed}周期は間に合わず";
+    KeepsPeriod { period: String, share: String }
+        "a period of {period} ms is kept: cycles start late by {share} % of it at most",
+        "周期{period} msは守られます: 遅れは最大で周期の{share}%です";
+    KeepsPeriodUnevenly { period: String, share: String }
+        "a period of {period} ms is kept unevenly: a cycle starts late by {share} % of it; try --fifo, a longer period or a less busy machine",
+        "周期{period} msは守られますが不均一です: 遅れが周期の{share}%に達します。--fifo、長い周期、負荷の低いマシンを試してください";
+    MissesPeriod { period: String, missed: String, cycles: String }
+        "a period of {period} ms is not kept: {missed} of {cycles} cycles are missed; try --fifo, a longer period or a less busy machine",
+        "周期{period} msは守られません: {cycles}周期のうち{missed}周期が間に合いません。--fifo、長い周期、負荷の低いマシンを試してください";
+    NoCycles
+        "no cycle was measured",
+        "1周期も測定できませんでした";
     NoBus { file: Text }
         "{file} has no [bus]: docs/drives.md shows how to describe the servos",
         "{file}に[bus]がありません。サーボの書き方はdocs/drives.mdにあります";

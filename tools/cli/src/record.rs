@@ -405,6 +405,8 @@ pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
     output::refuse_inputs(out, &arguments.run.files())?;
     let recorded = arguments.run.record(kind.pace(arguments.every), "log")?;
     let recording = &recorded.recording;
+    // A long log takes seconds, during which a signal ends the command. Nothing is written until all of it is there.
+    interrupt::release();
     let mut bytes = Vec::new();
     let written: io::Result<()> = match kind {
         LogFormat::Mcap => tip_log::mcap(
@@ -415,10 +417,10 @@ pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
         LogFormat::Csv => tip_log::csv(recording, &mut bytes),
     };
     written.map_err(|reason| Error::cannot_write(out, reason))?;
-    output::replace(out, &bytes)?;
+    output::replace_unless_interrupted(out, &bytes)?;
     let (cycles, frames) = (recording.cycles, recording.frames.len());
     report::complain(&format!(
-        "{}: {cycles} cycles, the motion of {frames} of them, {}\n",
+        "{}: {cycles} cycles, poses and forces of {frames} cycles, {}\n",
         output::name(out),
         recording.outcome
     ));

@@ -26,9 +26,7 @@ use table::Table;
 pub(super) use table::{is_table, specification};
 use tip_runtime::plant::Simulation;
 use tip_runtime::printable::Printable;
-use tip_sweep::{
-    Axis, AxisError, PlantSpec, RobotSpec, Row, Sampling, Spec, SweepError, Text,
-};
+use tip_sweep::{Axis, AxisError, PlantSpec, RobotSpec, Row, Sampling, Spec, SweepError, Text};
 use tip_view::{Extent, MAX_RUNS, Pace, Recording, SweepTable};
 use tipc::message::Lang;
 
@@ -205,7 +203,10 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
         let kept = Sweeping::Kept {
             runs: summary.runs.to_string(),
             all: work.cases.to_string(),
-            part: table::with_part(&arguments.out).display().to_string().into(),
+            part: table::with_part(&arguments.out)
+                .display()
+                .to_string()
+                .into(),
         };
         report::say(kept, lang);
     }
@@ -372,7 +373,8 @@ impl Work {
                     break Ok(());
                 };
                 waiting.insert(chunk.index, chunk);
-                if let Some(ended) = self.write(&mut waiting, &mut next, sweep, table, summary, bar) {
+                if let Some(ended) = self.write(&mut waiting, &mut next, sweep, table, summary, bar)
+                {
                     break ended;
                 }
             };
@@ -478,7 +480,7 @@ pub(super) fn page(file: &Path, lang: Lang) -> Result<(String, u64), Error> {
         runs += 1;
         if rows.len() > MAX_RUNS {
             every *= 2;
-            rows.retain(|row| row.case() % every == 0);
+            rows = std::mem::take(&mut rows).into_iter().step_by(2).collect();
         }
     })?;
     rows.sort_by(|one, other| one.outcome().order(&other.outcome()));

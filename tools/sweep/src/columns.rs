@@ -399,7 +399,9 @@ impl fmt::Display for Table {
     /// Writes a CSV file.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&header(&self.columns))?;
-        self.rows.iter().try_for_each(|row| f.write_str(&row.line()))
+        self.rows
+            .iter()
+            .try_for_each(|row| f.write_str(&row.line()))
     }
 }
 

@@ -25,8 +25,8 @@ tipc::message_table! {
         "case {case} ({values}): {reason}",
         "ケース{case} ({values}): {reason}";
     UnknownQuantity
-        "this is neither a variable of the program nor a quantity of robot, scene, push, noise or sensor",
-        "プログラムの変数でも、robot・scene・push・noise・sensor の量でもありません";
+        "this is neither a variable of the program nor one of friction, scene.KEY, robot.KEY, push.x, push.y, push.z, push.at, push.for, noise.angle, noise.sole and sensor.NAME",
+        "プログラムの変数でも、friction、scene.キー、robot.キー、push.x、push.y、push.z、push.at、push.for、noise.angle、noise.sole、sensor.名前 のどれでもありません";
     UnknownVariable { name: String }
         "cannot record '{name}': this is not a variable of the program",
         "'{name}' を記録できません: プログラムの変数ではありません";
@@ -200,6 +200,12 @@ impl SweepError {
     pub(crate) fn found(loaded: &Loaded) -> Self {
         let text = Texts::found(loaded);
         Sweeping::Says { text }.into()
+    }
+
+    /// Adds the name that was probably meant.
+    pub(crate) fn near(mut self, name: String) -> Self {
+        self.0.near = Some(name);
+        self
     }
 
     /// Adds the nearest of the known names, if one is near.

@@ -33,7 +33,12 @@ impl Schema {
 
     /// Adds the columns of a sweep whose runs are like this one. `axes` are the columns of its axes; `record` are the scalars that
     /// are recorded, and their names.
-    pub(crate) fn with_columns(self, run: &Run, axes: Vec<Column>, record: &[(usize, String)]) -> Self {
+    pub(crate) fn with_columns(
+        self,
+        run: &Run,
+        axes: Vec<Column>,
+        record: &[(usize, String)],
+    ) -> Self {
         let mut measures = vec![Measure::End, Measure::Line, Measure::Cycles, Measure::Time];
         if run.travel().is_some() {
             measures.extend([Measure::Forward, Measure::Right, Measure::Up, Measure::Turn]);
@@ -64,7 +69,14 @@ impl Schema {
     }
 
     /// Returns the row of a case whose run has ended.
-    pub(crate) fn row(&self, run: &Run, case: u64, values: &[f64], end: &str, figures: &Figures) -> Row {
+    pub(crate) fn row(
+        &self,
+        run: &Run,
+        case: u64,
+        values: &[f64],
+        end: &str,
+        figures: &Figures,
+    ) -> Row {
         let finished = Finished {
             schema: self,
             run,
@@ -104,8 +116,8 @@ struct Finished<'a> {
 impl Finished<'_> {
     fn cell(&self, measure: Measure) -> Cell {
         let (run, figures) = (self.run, self.figures);
-        let travel = |of: fn(Travel) -> f64| Cell::Number(self.travel.map_or(f64::NAN, of));
-        let motion = |of: fn(Motion) -> f64| Cell::Number(self.motion.map_or(f64::NAN, of));
+        let travel = |of: fn(Travel) -> f64| measured(self.travel.map_or(f64::NAN, of));
+        let motion = |of: fn(Motion) -> f64| measured(self.motion.map_or(f64::NAN, of));
         let falls = |of: fn(Motion) -> u32| Cell::Count(self.motion.map_or(0, of).into());
         match measure {
             Measure::Case => Cell::Count(self.case),
@@ -130,14 +142,14 @@ impl Finished<'_> {
             }
             Measure::Slip => motion(|motion| motion.slip),
             Measure::LeastMargin => motion(|motion| motion.least_margin),
-            Measure::Tilt => Cell::Number(figures.tilt),
-            Measure::PeakSpeed => Cell::Number(figures.speed),
-            Measure::PeakTorque => Cell::Number(figures.torque / self.schema.torque_unit),
-            Measure::Energy => Cell::Number(figures.energy / self.schema.torque_unit),
+            Measure::Tilt => measured(figures.tilt),
+            Measure::PeakSpeed => measured(figures.speed),
+            Measure::PeakTorque => measured(figures.torque / self.schema.torque_unit),
+            Measure::Energy => measured(figures.energy / self.schema.torque_unit),
             Measure::Object(index, of) => {
                 let objects = self.grasp.as_ref().map(|grasp| &grasp.objects);
                 let object = objects.and_then(|objects| objects.get(index));
-                Cell::Number(object.map_or(f64::NAN, |object| match of {
+                measured(object.map_or(f64::NAN, |object| match of {
                     ObjectMeasure::X => object.position[0],
                     ObjectMeasure::Y => object.position[1],
                     ObjectMeasure::Angle => object.angle,
@@ -154,6 +166,18 @@ impl Finished<'_> {
             Measure::Check => Cell::Text(String::new()),
         }
     }
+}
+
+/// Least size of a measured number, in mm, deg, s, N·m or J. What is smaller is an error of rounding.
+const LEAST: f64 = 1e-9;
+
+/// Returns the cell of a measured number.
+fn measured(number: f64) -> Cell {
+    Cell::Number(if libm::fabs(number) < LEAST {
+        0.0
+    } else {
+        number
+    })
 }
 
 /// Figures that are gathered cycle by cycle.

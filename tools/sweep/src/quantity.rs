@@ -105,6 +105,18 @@ impl Quantity {
             .map(String::as_str)
             .chain(NAMES.iter().map(|(known, _)| *known))
             .chain(["friction"]);
+        // A key of a file that lacks the file's name.
+        if name == "floor.friction" {
+            let near = SweepError::from(Sweeping::UnknownQuantity).near("friction".to_owned());
+            return Err(SweepError::axis(name, near));
+        }
+        for (file, parts) in [("scene", Part::SCENE), ("robot", Part::ALL)] {
+            if name.contains('.') && key(parts, &keys(name)).is_some() {
+                let near =
+                    SweepError::from(Sweeping::UnknownQuantity).near(format!("{file}.{name}"));
+                return Err(SweepError::axis(name, near));
+            }
+        }
         let unknown = SweepError::from(Sweeping::UnknownQuantity).suggest(name, known);
         Err(SweepError::axis(name, unknown))
     }
@@ -257,7 +269,9 @@ impl Settings {
 /// Returns the default of the list at a path; `None` if the key is required or no list.
 fn default_list(parts: &[Part], path: &[String]) -> Option<Value> {
     let text = key(parts, path)?.default?;
-    let list: Value = toml::from_str::<Table>(&format!("list = {text}")).ok()?.remove("list")?;
+    let list: Value = toml::from_str::<Table>(&format!("list = {text}"))
+        .ok()?
+        .remove("list")?;
     list.is_array().then_some(list)
 }
 
@@ -277,10 +291,14 @@ fn put(
             let new = match in_list.filter(|_| !table.contains_key(key)) {
                 None => Value::Table(Table::new()),
                 Some(index) if rest.len() > 1 => {
-                    return Err(Sweeping::NoElement { index: index.clone() });
+                    return Err(Sweeping::NoElement {
+                        index: index.clone(),
+                    });
                 }
                 Some(index) => {
-                    let missing = || Sweeping::NoElement { index: index.clone() };
+                    let missing = || Sweeping::NoElement {
+                        index: index.clone(),
+                    };
                     default().ok_or_else(missing)?
                 }
             };

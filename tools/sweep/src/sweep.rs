@@ -180,7 +180,10 @@ impl Sweep {
         let run = sweep.start(&first)?;
         let axes = sweep.axes.iter().enumerate();
         let axes = axes.map(|(index, axis)| axis.quantity.column(index, &axis.name));
-        sweep.schema = sweep.schema.clone().with_columns(&run, axes.collect(), &record);
+        sweep.schema = sweep
+            .schema
+            .clone()
+            .with_columns(&run, axes.collect(), &record);
         let motion = run.motion();
         sweep.is_massless = motion.is_some_and(|motion| motion.unmodelled.is_some());
         sweep.try_bounds(&first.values)?;

@@ -35,7 +35,8 @@ impl Summary {
         if outcome == Outcome::Ended {
             return;
         }
-        let compared = |other: &Option<Row>| other.as_ref().map(|other| outcome.order(&other.outcome()));
+        let compared =
+            |other: &Option<Row>| other.as_ref().map(|other| outcome.order(&other.outcome()));
         if compared(&self.worst).is_none_or(|order| order.is_lt()) {
             self.worst = Some(row.clone());
         }
@@ -92,7 +93,9 @@ impl Summary {
         let best = best.map(|row| (Figure::Best, row));
         for (figure, row) in best.chain(self.worst.iter().map(|row| (Figure::Worst, row))) {
             let case = row.case().to_string();
-            let values = row.values().map(|(name, value)| format!(", {name}={value}"));
+            let values = row
+                .values()
+                .map(|(name, value)| format!(", {name}={value}"));
             let outstanding = Sweeping::Outstanding {
                 result: result(row.outcome()).in_lang(lang).to_string().into(),
                 case: case.clone(),
@@ -115,6 +118,8 @@ fn result(outcome: Outcome) -> Sweeping {
         Outcome::Stopped(after) => Sweeping::StoppedAfter { time: time(after) },
         Outcome::Lifted(by) => Sweeping::Lifted { length: length(by) },
         Outcome::Walked(by) => Sweeping::Walked { length: length(by) },
-        Outcome::Ended => Sweeping::Walked { length: length(0.0) },
+        Outcome::Ended => Sweeping::Walked {
+            length: length(0.0),
+        },
     }
 }

@@ -74,9 +74,12 @@ pub(super) fn rows(
     let cannot_read = |reason: String| Error::Failed(format!("{}: {reason}", path.display()));
     let file = embed::open_file(path);
     let file = file.map_err(|reason| cannot_read(reason.in_lang(lang).to_string()))?;
-    let mut lines = Lines::of(&file, sweep);
+    let mut lines = Lines::of(&file, sweep, false);
     loop {
-        match lines.next().map_err(|error| cannot_read(error.to_string()))? {
+        match lines
+            .next()
+            .map_err(|error| cannot_read(error.to_string()))?
+        {
             Line::Header => {}
             Line::Row(row) => found(row),
             Line::End => return Ok(()),
@@ -111,10 +114,11 @@ enum Line {
     End,
 }
 
-/// The lines of a table, as the sweep has written them.
+/// The lines of a table that the sweep has written; with `in_order` those of all cases from the first one on.
 struct Lines<'a> {
     reader: BufReader<&'a File>,
     sweep: &'a Sweep,
+    in_order: bool,
     line: Vec<u8>,
     /// Number of lines that the sweep has written, and their end.
     count: u64,
@@ -122,10 +126,11 @@ struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    fn of(file: &'a File, sweep: &'a Sweep) -> Self {
+    fn of(file: &'a File, sweep: &'a Sweep, in_order: bool) -> Self {
         Lines {
             reader: BufReader::new(file),
             sweep,
+            in_order,
             line: Vec::new(),
             count: 0,
             end: 0,
@@ -143,7 +148,7 @@ impl<'a> Lines<'a> {
             None if text == self.sweep.header() => Line::Header,
             None => Line::Other { number: 1 },
             Some(case) => match self.sweep.read_row(&text) {
-                Some(row) if row.case() == case => Line::Row(row),
+                Some(row) if !self.in_order || row.case() == case => Line::Row(row),
                 _ => Line::Other {
                     number: self.count + 1,
                 },
@@ -378,7 +383,7 @@ fn resumed(file: &mut File, paths: &Paths, sweep: &Sweep, lang: Lang) -> Result<
         return Err(other_sweep(&paths.table, lang));
     }
     let mut summary = Summary::default();
-    let mut lines = Lines::of(file, sweep);
+    let mut lines = Lines::of(file, sweep, true);
     loop {
         match lines.next().map_err(failed)? {
             Line::Header => {}
