@@ -2,6 +2,7 @@
 
 use crate::arguments::SourceArguments;
 use crate::choices::{Format, OutputOptions};
+use crate::commands::Action;
 use crate::error::Error;
 use crate::loader;
 use crate::message::{Checking, Using};
@@ -80,8 +81,14 @@ impl Check {
     }
 }
 
+impl Action for Check {
+    fn execute(&self) -> Result<Status, Error> {
+        check(self)
+    }
+}
+
 /// Checks each file, once or whenever one changes.
-pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
+fn check(arguments: &Check) -> Result<Status, Error> {
     match arguments.watch {
         true => watch(arguments),
         false => check_once(arguments),

@@ -4,6 +4,7 @@ pub(crate) mod realtime;
 pub(crate) mod robot;
 
 use crate::choices::LangName;
+use crate::commands::Action;
 use crate::error::Error;
 use crate::input;
 use crate::message::Driving;
@@ -22,9 +23,16 @@ use tip_runtime::hardware::JointCommand;
 use tipc::message::Lang;
 use tipc::{description, embed};
 
+/// The command `tip drives`.
+#[derive(Debug, Args)]
+pub(crate) struct DrivesArguments {
+    #[command(subcommand)]
+    verb: DrivesVerb,
+}
+
 /// The commands of `tip drives`.
 #[derive(Debug, Subcommand)]
-pub(crate) enum DrivesVerb {
+enum DrivesVerb {
     /// List the servos that answer on a bus
     Scan(Scan),
     /// Give a servo another identity
@@ -248,14 +256,16 @@ pub(crate) struct Simulate {
     lang: Option<LangName>,
 }
 
-pub(crate) fn drives(verb: &DrivesVerb) -> Result<Status, Error> {
-    match verb {
-        DrivesVerb::Scan(arguments) => scan(arguments),
-        DrivesVerb::Id(arguments) => id(arguments),
-        DrivesVerb::Zero(arguments) => zero(arguments),
-        DrivesVerb::Jog(arguments) => jog(arguments),
-        DrivesVerb::Monitor(arguments) => monitor(arguments),
-        DrivesVerb::Simulate(arguments) => simulate(arguments),
+impl Action for DrivesArguments {
+    fn execute(&self) -> Result<Status, Error> {
+        match &self.verb {
+            DrivesVerb::Scan(arguments) => scan(arguments),
+            DrivesVerb::Id(arguments) => id(arguments),
+            DrivesVerb::Zero(arguments) => zero(arguments),
+            DrivesVerb::Jog(arguments) => jog(arguments),
+            DrivesVerb::Monitor(arguments) => monitor(arguments),
+            DrivesVerb::Simulate(arguments) => simulate(arguments),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! `tip explain`: the page of a code, with a wrong and a right program. A code without a page does not compile.
 
 use crate::choices::LangName;
+use crate::commands::Action;
 use crate::error::Error;
 use crate::message::Using;
 use crate::{Status, choices, output};
@@ -27,8 +28,14 @@ pub(super) struct Explain {
     lang: Option<LangName>,
 }
 
+impl Action for Explain {
+    fn execute(&self) -> Result<Status, Error> {
+        explain(self)
+    }
+}
+
 /// Prints the page of a code.
-pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
+fn explain(arguments: &Explain) -> Result<Status, Error> {
     let code = arguments.code.to_ascii_uppercase();
     let lang = choices::lang(arguments.lang);
     let Some(text) = page(&code, lang) else {

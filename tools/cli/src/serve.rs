@@ -5,6 +5,7 @@ mod connections;
 mod hub;
 
 use crate::arguments::RunArguments;
+use crate::commands::Action;
 use crate::error::Error;
 use crate::loader::Subject;
 use crate::message::Using;
@@ -57,8 +58,18 @@ pub(super) struct Serve {
     quiet: bool,
 }
 
+impl Action for Serve {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        serve(self)
+    }
+}
+
 /// Serves the page until Ctrl-C.
-pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
+fn serve(arguments: &Serve) -> Result<Status, Error> {
     let path = arguments.run.file.as_path();
     let lang = arguments.run.source.output_options.lang();
     if input::is_stream(path) {

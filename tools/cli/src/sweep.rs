@@ -6,6 +6,8 @@
 mod table;
 
 use crate::arguments::RunArguments;
+use crate::choices::Format;
+use crate::commands::Action;
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Sweeping, Using};
@@ -140,8 +142,22 @@ const CHUNK: u64 = 32;
 /// Largest number of chunks per thread that wait for one before them to be written.
 const AHEAD: u64 = 16;
 
+impl Action for Sweep {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn format(&self) -> Option<Format> {
+        Some(self.run.source.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        sweep(self)
+    }
+}
+
 /// Runs the cases and writes the table.
-pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
+fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     interrupt::catch();
     let run = &arguments.run;
     let lang = run.source.output_options.lang();
