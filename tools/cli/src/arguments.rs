@@ -1,9 +1,9 @@
 //! The option groups that several commands share: the program with its robot, and the inputs of a run.
 
-use super::choices::{EncodingName, LAST, OutputOptions};
+use super::choices::{EncodingName, LAST, OutputOptions, count};
 use super::error::Error;
 use super::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
-use super::usage::count;
+
 use crate::message::Using;
 use clap::Args;
 use std::path::{Path, PathBuf};

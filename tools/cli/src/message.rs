@@ -199,6 +199,9 @@ tipc::message_table! {
         "`tip help {command}` で使用例を見られます";
 }
 
+/// An option's value can be refused with these texts.
+impl std::error::Error for Using {}
+
 tipc::message_table! {
     /// Results of checks.
     Checking;

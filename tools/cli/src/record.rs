@@ -1,12 +1,13 @@
 //! Commands that record a run and write what it did: `tip view`, `tip log` and `tip plot`. `tip serve` loads programs in the same way.
 
+use crate::Action;
 use crate::arguments::RunArguments;
+use crate::choices::count;
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Running, Sweeping, Using};
 use crate::report::plural;
 use crate::run::{LONG_WAIT, wait_message};
-use crate::usage::count;
 use crate::{Status, input, interrupt, output, report, sweep};
 use clap::{Args, ValueEnum};
 use std::io::{self, Cursor};
@@ -157,8 +158,19 @@ pub(super) struct View {
     quiet: bool,
 }
 
+impl Action for View {
+    fn complete(&mut self) -> Result<(), Error> {
+        let program = self.program(&self.run.file);
+        self.run.complete(&program).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        view(self)
+    }
+}
+
 /// Records a run, or reads the trace of one, and writes the page that replays it.
-pub(super) fn view(arguments: &View) -> Result<Status, Error> {
+fn view(arguments: &View) -> Result<Status, Error> {
     let run = &arguments.run;
     if sweep::is_table(&run.file) {
         return arguments.table();
@@ -399,8 +411,18 @@ impl LogFormat {
     }
 }
 
+impl Action for Log {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        log(self)
+    }
+}
+
 /// Runs the program and writes the log.
-pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
+fn log(arguments: &Log) -> Result<Status, Error> {
     let (out, kind) = (&arguments.out, LogFormat::of(&arguments.out)?);
     output::refuse_inputs(out, &arguments.run.files())?;
     let recorded = arguments.run.record(kind.pace(arguments.every), "log")?;
@@ -482,8 +504,18 @@ impl DiagramName {
     }
 }
 
+impl Action for Plot {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        plot(self)
+    }
+}
+
 /// Runs the program and writes the diagrams.
-pub(super) fn plot(arguments: &Plot) -> Result<Status, Error> {
+fn plot(arguments: &Plot) -> Result<Status, Error> {
     let out = arguments.out.clone();
     let out = &out.unwrap_or_else(|| beside(&arguments.run.file, "svg"));
     output::refuse_inputs(out, &arguments.run.files())?;

@@ -6,13 +6,15 @@
 mod summary;
 mod table;
 
+use crate::Action;
 use crate::arguments::RunArguments;
+use crate::choices::Format;
+use crate::choices::{count, positive, quoted};
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Sweeping, Using};
 use crate::report::{Deny, RATE, progress_style};
 use crate::setup::{PlantChoice, RobotChoice, SceneChoice};
-use crate::usage::{count, positive, quoted};
 use crate::{Status, input, interrupt, output, report};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState};
@@ -146,8 +148,22 @@ const MAX_THREADS: u64 = 1024;
 /// Largest number of chunks per thread that wait for one before them to be written.
 const AHEAD: u64 = 16;
 
+impl Action for Sweep {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn format(&self) -> Option<Format> {
+        Some(self.run.source.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        sweep(self)
+    }
+}
+
 /// Runs the cases and writes the table.
-pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
+fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     interrupt::catch();
     let run = &arguments.run;
     let lang = run.source.output_options.lang();

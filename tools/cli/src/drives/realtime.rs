@@ -1,5 +1,6 @@
 //! Time on this machine: waiting for a deadline, priority, and a histogram of how late cycles start; `tip jitter`.
 
+use crate::Action;
 use crate::choices::LangName;
 use crate::error::Error;
 use crate::message::{Driving, Using, Weight};
@@ -182,8 +183,14 @@ fn positive(text: &str) -> Result<f64, Using> {
     })
 }
 
+impl Action for Jitter {
+    fn execute(&self) -> Result<Status, Error> {
+        jitter(self)
+    }
+}
+
 /// Measures how late cycles start.
-pub(crate) fn jitter(arguments: &Jitter) -> Result<Status, Error> {
+fn jitter(arguments: &Jitter) -> Result<Status, Error> {
     interrupt::catch();
     if arguments.fifo {
         warn(&prioritise(), choices::lang(arguments.lang));

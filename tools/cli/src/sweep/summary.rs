@@ -1,8 +1,8 @@
 //! The summary of a table, gathered row by row.
 
+use crate::choices::quoted;
 use crate::message::{Figure, Sweeping};
 use crate::run::line;
-use crate::usage::quoted;
 use std::time::Duration;
 use tip_sweep::{Outcome, Row};
 use tipc::message::Lang;
