@@ -796,6 +796,9 @@ tipc::message_table! {
     NoBus { file: Text }
         "{file} has no [bus]: docs/drives.md shows how to describe the servos",
         "{file}に[bus]がありません。サーボの書き方はdocs/drives.mdにあります";
+    NotOnBus { file: Text, table: &'static str }
+        "{file}: [{table}] cannot be on a bus: its servos measure and move joints only, so that the robot would stop in its first cycle. Run it without --hardware, leave [{table}] out of the file, or implement `Hardware` (docs/drives.md)",
+        "{file}: [{table}]はバス上のサーボでは実現できません(サーボは関節の計測と駆動だけで、最初の周期で停止します)。--hardwareなしで実行するか、ファイルから[{table}]を除くか、`Hardware` を実装してください(docs/drives.md)";
     NoPort { file: Text }
         "which port? Give --port /dev/ttyUSB0, or `port` under [bus] of {file}",
         "ポートを指定してください(--port /dev/ttyUSB0、または{file}の[bus]の `port`)";

@@ -1,5 +1,5 @@
-//! The joints of a robot as servos on a bus, and the checks that keep a robot whole. Torque belongs to the
-//! [guard](crate::guard).
+//! The joints of a robot as servos on a bus, and the checks that keep a robot whole. Whoever has only these measures: torque and
+//! commands belong to the [guard](crate::guard).
 //!
 //! Angles of this module are those of joints, in deg; counts are those of servos. Every command is limited here, before it leaves.
 
@@ -507,20 +507,12 @@ impl<P: Port> Drives<P> {
         joints.map(|joint| self.setpoint(joint)).collect()
     }
 
-    /// Sets speeds and torque limits, and switches the torque on, where each joint is. A [guard](crate::guard::TorqueGuard) does so for
-    /// robots that have to be left in a state; nobody takes this torque away again.
+    /// Sets speeds and torque limits, and switches the torque on, where each joint is, as long as `goes_on` returns true, which is
+    /// asked before each servo.
     ///
     /// # Errors
     /// A servo does not answer.
-    pub fn hold(&mut self) -> Result<(), Failure> {
-        self.hold_while(|| true)
-    }
-
-    /// Does the same as long as `goes_on` returns true, which is asked before each servo.
-    ///
-    /// # Errors
-    /// A servo does not answer.
-    pub fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
+    pub(crate) fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
         self.check_period()?;
         (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         for number in 0..self.joints.len() {
@@ -555,7 +547,7 @@ impl<P: Port> Drives<P> {
     ///
     /// # Errors
     /// Any failure that would stop a run.
-    pub fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
+    pub(crate) fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
         self.read_cycle()?;
         let mut commands: Vec<JointCommand, MAX_SERVOS> = Vec::new();
         let mut left: f64 = 0.0;
@@ -587,7 +579,7 @@ impl<P: Port> Drives<P> {
     ///
     /// # Errors
     /// The port is gone, a joint is commanded a torque, or the bus or the watchdogs cannot have this sampling time.
-    pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
+    pub(crate) fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
         let begin = self.bus.now();
         if period != self.period {
             self.period = period;
@@ -622,7 +614,7 @@ impl<P: Port> Drives<P> {
     ///
     /// # Errors
     /// The commands could not be sent.
-    pub fn rest(&mut self, policy: Policy) -> Result<bool, Failure> {
+    pub(crate) fn rest(&mut self, policy: Policy) -> Result<bool, Failure> {
         let Some(family) = self.family().filter(|_| self.is_held) else {
             return Ok(true);
         };
@@ -675,12 +667,20 @@ impl<P: Port> Drives<P> {
         answers.all(|measured| measured.is_some_and(|measured| measured.at >= time))
     }
 
+    /// Switches the torque of one servo off; returns true if the servo confirms it. It is tried once.
+    ///
+    /// # Errors
+    /// The port is gone, or the servo does not answer.
+    pub fn relax(&mut self, number: usize) -> Result<bool, BusError> {
+        self.confirm(number, Policy::Relax)
+    }
+
     /// Brings one servo into the state in which the robot is left, without watchdog; returns true if the servo confirms it, and
     /// false if it reports the other state. It is tried once.
     ///
     /// # Errors
     /// The port is gone, or the servo does not answer.
-    pub fn confirm(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
+    pub(crate) fn confirm(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
         let tries = self.bus.tries();
         self.bus.set_tries(1);
         let left = self.leave_one(number, policy);

@@ -1,6 +1,6 @@
 //! What is checked before a robot moves: its description, the settings of its servos, the load of its bus, and the sampling time.
 
-use crate::drives::{START, bus_of, held, joint, robot, robot_with, timing, write};
+use crate::drives::{Robot, START, bus_of, held, joint, robot, robot_with, timing, write};
 use tip_drives::bus::{Bus, Timing, Wire};
 use tip_drives::drives::{Drives, Invalid, Joint, Problem, Settings};
 use tip_drives::lx;
@@ -116,6 +116,34 @@ fn settings_of_an_lx_are_compared() {
     }
 }
 
+/// Register 0x00c: 0 is the position since the start, 1 that within a turn of the rotor, 2 that of the output. A qdd100 has a reducer
+/// of 6, so that a turn of its rotor is 60 deg.
+#[test]
+fn a_moteus_must_know_where_it_is() {
+    for (name, state, expected) in [
+        ("moteus-mj5208", 0, Some((0x00C, 0, 2))),
+        ("moteus-mj5208", 1, None),
+        ("moteus-mj5208", 2, None),
+        ("moteus-qdd100", 0, Some((0x00C, 0, 2))),
+        ("moteus-qdd100", 1, Some((0x00C, 1, 2))),
+        ("moteus-qdd100", 2, None),
+    ] {
+        let model = Model::named(name).expect("a model");
+        let servo = Servo::of(name, 1, model.middle).with(0x00C, state);
+        assert_eq!(mismatch(&mut one(model, servo)), expected, "{name} {state}");
+    }
+    // Beyond half a turn, where the position after a start is another one.
+    let model = Model::named("moteus-mj5208").expect("a model");
+    for (most, expected) in [(180.0, None), (181.0, Some((0x00C, 1, 2)))] {
+        let limits = Range::new(-90.0, most);
+        let joint = Joint { limits, ..joint(1, model) };
+        let servo = Servo::of("moteus-mj5208", 1, model.middle).with(0x00C, 1);
+        let bus = bus_of(SimulatedBus::new(vec![servo], timing(model)), model);
+        let drives = Drives::new(bus, &[joint], Settings::default());
+        assert_eq!(mismatch(&mut drives.expect("a robot")), expected, "{most}");
+    }
+}
+
 #[test]
 fn a_robot_that_is_only_measured_may_be_anywhere() {
     let model = Model::named("STS3215").expect("a model");
@@ -134,7 +162,7 @@ fn a_robot_that_is_only_measured_may_be_anywhere() {
 
 #[test]
 fn the_first_failure_ends_with_the_next_connect() {
-    let mut drives = robot("STS3215", 2, Faults::default());
+    let mut drives = Robot::new(robot("STS3215", 2, Faults::default()), 20.0);
     write(&mut drives, 2, 33, &[1]);
     let first = drives.connect().expect_err("a wheel");
     assert_eq!(drives.failure(), Some(first));
@@ -145,7 +173,7 @@ fn the_first_failure_ends_with_the_next_connect() {
 }
 
 /// Runs cycles of a period from a time on; returns the time after them.
-fn cycles(drives: &mut Drives<MemoryPort>, from: u64, period: f64, count: u64) -> u64 {
+fn cycles(drives: &mut Robot, from: u64, period: f64, count: u64) -> u64 {
     let commands = vec![JointCommand::at(0.0); drives.joints().count()];
     let step = (period * 1000.0) as u64;
     for number in 0..count {
@@ -191,9 +219,8 @@ fn the_watchdog_is_ten_cycles_of_the_period_in_force() {
 /// A watchdog of 2540 ms is three cycles of 846 ms.
 #[test]
 fn a_period_beyond_the_watchdog_is_refused() {
-    let mut drives = robot("XL430-W250", 2, Faults::default());
+    let mut drives = Robot::new(robot("XL430-W250", 2, Faults::default()), 847.0);
     drives.connect().expect("well");
-    drives.set_period(847.0);
     let refused = drives.hold().map_err(|it| it.problem);
     assert!(matches!(refused, Err(Problem::Period(most)) if (most - 846.67).abs() < 0.01));
     assert!(!drives.bus().port().bus.servos()[0].has_torque());
@@ -215,9 +242,8 @@ fn a_period_beyond_the_watchdog_is_refused() {
 #[test]
 fn a_bus_that_cannot_carry_a_cycle_is_refused() {
     let robot_at = |name: &str, servos: u8, period: f64| {
-        let mut drives = robot(name, servos, Faults::default());
-        drives.connect().expect("well");
-        drives.set_period(period);
+        let mut drives = Robot::new(robot(name, servos, Faults::default()), period);
+        drives.0.connect().expect("well");
         drives
     };
     let mut drives = robot_at("LX-16A", 18, 20.0);
@@ -267,14 +293,15 @@ fn silence_is_in_cycles() {
     let rest = |joint: &Joint| Servo::of("AX-12", joint.id, 512.0);
     let bus = SimulatedBus::new(joints.iter().map(rest).collect(), slow);
     let bus = Bus::new(MemoryPort::new(bus), slow);
-    let mut drives = Drives::new(bus, &joints, Settings::default()).expect("a robot");
+    let drives = Drives::new(bus, &joints, Settings::default()).expect("a robot");
+    let mut drives = Robot::new(drives, 20.0);
     drives.connect().expect("well");
     drives.hold().expect("well");
     let cycles_of_each = drives.load().cycles;
     assert!((2..=3).contains(&cycles_of_each), "{cycles_of_each}");
     let mut ages = [0; 12];
     let commands = [JointCommand::at(0.0); 12];
-    let mut cycle = |drives: &mut Drives<MemoryPort>, number: u64| {
+    let mut cycle = |drives: &mut Robot, number: u64| {
         let begin = (START + number) * 20_000;
         drives.bus_mut().port_mut().pass(begin);
         let read = drives.read_cycle();
