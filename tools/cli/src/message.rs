@@ -942,6 +942,9 @@ tipc::message_table! {
     Silent { joint: String, id: u32, cycles: u32 }
         "{joint} (servo {id}) has not answered for more than {cycles} cycles: look at its cables and its power",
         "{joint}(サーボ{id})が{cycles}周期を超えて応答しません。ケーブルと電源を確かめてください";
+    NotRead { joint: String, id: u32, cycles: u32 }
+        "{joint} (servo {id}) was not asked for {cycles} cycles, because this machine was late in each: end other programs, use --fifo, or give `period` more time",
+        "{joint}(サーボ{id})に{cycles}周期のあいだ問い合わせできませんでした(この計算機の処理が毎周期遅れました)。ほかのプログラムを終了するか、--fifoを使うか、`period` を長くしてください";
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";

@@ -123,7 +123,11 @@ fn run(
     let mut robot = TorqueGuard::new(drives, Nobody, period as f64);
     robot.connect()?;
     // Not long before the first cycle, because of watchdogs.
-    robot.drives_mut().bus_mut().port_mut().pass(START - 100_000);
+    robot
+        .drives_mut()
+        .bus_mut()
+        .port_mut()
+        .pass(START - 100_000);
     robot.hold()?;
     let bus = robot.drives().bus().port().bus.clone();
     robot.drives_mut().bus_mut().port_mut().bus = bus.with_faults(faults, 3);

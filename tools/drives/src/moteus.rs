@@ -17,8 +17,8 @@ use moteus_protocol::fdcanusb::{
 };
 use moteus_protocol::query::QueryFormat;
 use moteus_protocol::{
-    CanFdFrame, Mode, NOP, READ_INT8, READ_INT16, READ_INT32, REPLY_INT8, Register, Resolution, WriteCanData,
-    calculate_arbitration_id, parse_arbitration_id,
+    CanFdFrame, Mode, NOP, READ_INT8, READ_INT16, READ_INT32, REPLY_INT8, Register, Resolution,
+    WriteCanData, calculate_arbitration_id, parse_arbitration_id,
 };
 
 /// Counts of a turn: those of 32-bit positions of the protocol.
@@ -368,8 +368,7 @@ impl Family for Moteus {
         (min, max): (i32, i32),
     ) -> Result<Option<Mismatch>, BusError> {
         let request = |sender| home_query(id, sender);
-        let state =
-            wire.repeat(|wire| Self::exchange(wire, id, request, u64::MAX, home_state))?;
+        let state = wire.repeat(|wire| Self::exchange(wire, id, request, u64::MAX, home_state))?;
         // A qdd100 has a reducer of 6 between its rotor and its output.
         let turn = match model.name {
             "moteus-qdd100" => TURN / 6.0,

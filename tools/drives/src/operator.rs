@@ -61,10 +61,7 @@ pub fn open(
 ///
 /// # Errors
 /// A text that names the servos that did not confirm the state in which they were to be left.
-pub fn leave(
-    guard: &mut TorqueGuard<AnyPort, Operator>,
-    robot: &Described,
-) -> Result<(), String> {
+pub fn leave(guard: &mut TorqueGuard<AnyPort, Operator>, robot: &Described) -> Result<(), String> {
     guard.host_mut().take_keys();
     guard.leave();
     guard.host_mut().give_keys();
@@ -75,13 +72,20 @@ pub fn leave(
         let id = robot.joints.get(*joint).map_or(0, |joint| joint.id);
         format!("{} (servo {id})", robot.name(*joint))
     };
-    let servos: Vec<String> = outcome.other.iter().chain(&outcome.unknown).map(servo).collect();
+    let servos: Vec<String> = outcome
+        .other
+        .iter()
+        .chain(&outcome.unknown)
+        .map(servo)
+        .collect();
     let state = match outcome.policy {
         Policy::Hold => "hold",
         Policy::Relax => "relax",
     };
     let servos = servos.join(", ");
-    Err(format!("these were to {state}, and perhaps do not: {servos}. Switch their power off"))
+    Err(format!(
+        "these were to {state}, and perhaps do not: {servos}. Switch their power off"
+    ))
 }
 
 /// The operator of a robot.

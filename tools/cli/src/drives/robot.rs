@@ -88,7 +88,9 @@ impl Setup {
             }
             None => (open_serial(&port, self.bus.baud, lang)?, None),
         };
-        let drives = self.drives(opened).map_err(|error| Error::Failed(error.to_string()))?;
+        let drives = self
+            .drives(opened)
+            .map_err(|error| Error::Failed(error.to_string()))?;
         let (is_simulated, period) = (mishaps.is_some(), self.period);
         let operator = Operator {
             mishaps,
@@ -418,6 +420,7 @@ impl Connection {
                 id,
                 cycles: bus.silence,
             },
+            Problem::NotRead(cycles) => Driving::NotRead { joint, id, cycles },
             Problem::Model(number) => Driving::OtherModel {
                 joint,
                 id,

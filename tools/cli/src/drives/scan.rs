@@ -9,8 +9,8 @@ use clap::Args;
 use std::fmt::Write as _;
 use tip_drives::bus::{Bus, BusError, Timing, Wire};
 use tip_drives::family::{Family, Query, Reading};
-use tip_drives::port::AnyPort;
 use tip_drives::model::{self, FAMILIES, Model};
+use tip_drives::port::AnyPort;
 use tip_runtime::model::Range;
 use tipc::message::Lang;
 

@@ -1,7 +1,7 @@
 //! Drives on a simulated bus that fails.
 
-use tip_drives::bus::{Bus, BusError, Timing, Wire};
 use std::ops::{Deref, DerefMut};
+use tip_drives::bus::{Bus, BusError, Timing, Wire};
 use tip_drives::drives::{Drives, Failure, Joint, Policy, Problem, Settings};
 use tip_drives::dynamixel1::Protocol1;
 use tip_drives::dynamixel2::Protocol2;
@@ -166,11 +166,7 @@ fn wave(cycle: u64) -> f64 {
 }
 
 /// Runs one cycle on the time grid; returns the problem.
-pub(crate) fn cycle(
-    drives: &mut Robot,
-    number: u64,
-    angle: f64,
-) -> Result<(), Problem> {
+pub(crate) fn cycle(drives: &mut Robot, number: u64, angle: f64) -> Result<(), Problem> {
     let begin = number * (PERIOD * 1000.0) as u64;
     drives.bus_mut().port_mut().pass(begin);
     let commands = vec![JointCommand::at(angle); drives.joints().count()];

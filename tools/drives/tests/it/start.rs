@@ -1,7 +1,9 @@
 //! What is checked before a robot moves: its description, the settings of its servos, the load of its bus, and the sampling time.
 
 use crate::drives::{Robot, START, bus_of, held, joint, robot, robot_with, timing, write};
-use tip_drives::bus::{Bus, Timing, Wire};
+use embedded_io::{ErrorType, Read, Write};
+use std::convert::Infallible;
+use tip_drives::bus::{Bus, Port, Timing, Wire};
 use tip_drives::drives::{Drives, Invalid, Joint, Problem, Settings};
 use tip_drives::lx;
 use tip_drives::model::Model;
@@ -136,7 +138,10 @@ fn a_moteus_must_know_where_it_is() {
     let model = Model::named("moteus-mj5208").expect("a model");
     for (most, expected) in [(180.0, None), (181.0, Some((0x00C, 1, 2)))] {
         let limits = Range::new(-90.0, most);
-        let joint = Joint { limits, ..joint(1, model) };
+        let joint = Joint {
+            limits,
+            ..joint(1, model)
+        };
         let servo = Servo::of("moteus-mj5208", 1, model.middle).with(0x00C, 1);
         let bus = bus_of(SimulatedBus::new(vec![servo], timing(model)), model);
         let drives = Drives::new(bus, &[joint], Settings::default());
@@ -490,5 +495,89 @@ fn a_damaged_answer_at_the_start_refuses_no_servo() {
             let connected = drives.expect("six").connect();
             assert_eq!(connected, Ok(()), "{name}, {seed}");
         }
+    }
+}
+
+/// A port whose host is taken away for some µs after each request.
+struct Starved(MemoryPort, u64);
+
+impl ErrorType for Starved {
+    type Error = Infallible;
+}
+
+impl Read for Starved {
+    fn read(&mut self, into: &mut [u8]) -> Result<usize, Infallible> {
+        self.0.read(into)
+    }
+}
+
+impl Write for Starved {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        let written = self.0.write(bytes);
+        let now = self.0.now();
+        self.0.pass(now + self.1);
+        written
+    }
+
+    fn flush(&mut self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+impl Port for Starved {
+    fn now(&mut self) -> u64 {
+        self.0.now()
+    }
+
+    fn wait(&mut self, until: u64) -> Result<bool, Infallible> {
+        self.0.wait(until)
+    }
+}
+
+/// Returns the drives of a robot whose host is starved after each request, as soon as it is connected.
+fn starved(name: &str, servos: u8, delay: u64) -> Drives<Starved> {
+    let model = Model::named(name).expect("a model");
+    let joints: Vec<Joint> = (1..=servos).map(|id| joint(id, model)).collect();
+    let rest = |joint: &Joint| Servo::of(name, joint.id, model.middle);
+    let bus = SimulatedBus::new(joints.iter().map(rest).collect(), timing(model));
+    let bus = Bus::new(Starved(MemoryPort::new(bus), 0), timing(model));
+    let mut drives = Drives::new(bus, &joints, Settings::default()).expect("a robot");
+    drives.connect().expect("well");
+    drives.bus_mut().port_mut().1 = delay;
+    drives
+}
+
+/// All answers came while the host slept, 1.7 times as long as a cycle: more than one read of the port gives.
+#[test]
+fn answers_that_came_while_the_host_slept_count() {
+    for name in ["XL430-W250", "STS3215"] {
+        let mut drives = starved(name, 12, 34_000);
+        for number in START..START + 20 {
+            drives.bus_mut().port_mut().0.pass(number * 20_000);
+            drives.read_cycle().expect("well");
+            let ages: Vec<u32> = (0..12).filter_map(|joint| drives.age(joint)).collect();
+            assert_eq!(ages, [0; 12], "{name}");
+        }
+        assert_eq!(drives.counts().missing, 0, "{name}");
+    }
+}
+
+/// One of 18 servos is asked in each cycle, and all answer: none is silent, but the robot cannot go on with angles of 16 cycles
+/// ago. With two in each cycle it goes on.
+#[test]
+fn a_host_that_is_late_does_not_call_its_servos_silent() {
+    for (delay, expected) in [(13_000, Some(15)), (7_000, None)] {
+        let mut drives = starved("AX-12", 18, delay);
+        let stopped = (0..60).find_map(|number| {
+            drives
+                .bus_mut()
+                .port_mut()
+                .0
+                .pass((START + number) * 20_000);
+            Some((number, drives.read_cycle().err()?.problem))
+        });
+        assert_eq!(drives.counts().missing, 0);
+        let age = expected.map(|cycle| (cycle, Problem::NotRead(16)));
+        assert_eq!(stopped, age, "{delay}");
     }
 }
