@@ -356,8 +356,8 @@ impl Origin {
             String::from_utf8(read_file(&folder.join("Cargo.toml"), LIMIT).ok()?).ok()?;
         let version = format!("version = \"{VERSION}\"");
         let has = |name: &&str| folder.join(name).join("Cargo.toml").is_file();
-        let is_ours = manifest.lines().any(|line| line == version)
-            && [MACROS, RUNTIME, SIM, DRIVES].iter().all(has);
+        let is_ours =
+            manifest.lines().any(|line| line == version) && [MACROS, RUNTIME, SIM].iter().all(has);
         is_ours.then(|| Origin::Checkout {
             folder: folder.to_owned(),
             named,
