@@ -69,7 +69,7 @@ pub fn servos() -> Vec<description::Servo> {
 pub fn read(name: &str, bytes: &[u8]) -> Result<Description, String> {
     description::parse_for_servos(name, bytes, &servos()).map_err(|refused| {
         let lines = refused.diagnostics.iter().map(|fault| {
-            let (line, column) = refused.source.line_column(fault.span.start as usize);
+            let (line, column) = refused.source.line_column(fault.span.start);
             format!("{name}:{line}:{column}: {}\n", fault.message())
         });
         lines.collect()
