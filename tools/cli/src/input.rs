@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf, absolute};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 use std::{env, fs, io, thread};
-use tip_drives::model::{MODELS, Model};
+use tip_drives::described;
 use tip_lint::migrate::Migration;
-use tip_runtime::model::Range;
 use tip_runtime::plant::Scene;
 use tip_sim::urdf;
 use tipc::code::Code;
@@ -112,7 +111,7 @@ pub(super) fn description_text(path: &Path) -> Result<(String, Vec<u8>), Box<Loa
 /// Reads the description of a robot at `path`, or imports a URDF file.
 pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     let (name, bytes) = description_text(path)?;
-    description::parse_for_servos(&name, &bytes, &servos())
+    description::parse_for_servos(&name, &bytes, &described::servos())
 }
 
 /// Reads the `tip.toml` at `path`; `is_there` says whether there is a file that it names.
@@ -131,16 +130,6 @@ pub(super) fn project(
 pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
     let (name, bytes) = bytes(path)?;
     description::parse_scene(&name, &bytes)
-}
-
-/// Returns the servos that a description can name.
-pub(super) fn servos() -> Vec<description::Servo> {
-    let servo = |model: &Model| description::Servo {
-        name: model.name,
-        family: model.family.name(),
-        travel: Range::new(model.angle(0.0), model.angle(model.largest.into())),
-    };
-    MODELS.iter().map(servo).collect()
 }
 
 /// Returns true if the path names standard input or output.

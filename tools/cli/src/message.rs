@@ -799,6 +799,9 @@ tipc::message_table! {
     NoBus { file: Text }
         "{file} has no [bus]: docs/drives.md shows how to describe the servos",
         "{file}に[bus]がありません。サーボの書き方はdocs/drives.mdにあります";
+    NotOnBus { file: Text, table: &'static str }
+        "{file}: [{table}] cannot be on a bus: its servos measure and move joints only, so that the robot would stop in its first cycle. Run it without --hardware, leave [{table}] out of the file, or implement `Hardware` (docs/drives.md)",
+        "{file}: [{table}]はバス上のサーボでは実現できません(サーボは関節の計測と駆動だけで、最初の周期で停止します)。--hardwareなしで実行するか、ファイルから[{table}]を除くか、`Hardware` を実装してください(docs/drives.md)";
     NoPort { file: Text }
         "which port? Give --port /dev/ttyUSB0, or `port` under [bus] of {file}",
         "ポートを指定してください(--port /dev/ttyUSB0、または{file}の[bus]の `port`)";
@@ -942,6 +945,9 @@ tipc::message_table! {
     Silent { joint: String, id: u32, cycles: u32 }
         "{joint} (servo {id}) has not answered for more than {cycles} cycles: look at its cables and its power",
         "{joint}(サーボ{id})が{cycles}周期を超えて応答しません。ケーブルと電源を確かめてください";
+    NotRead { joint: String, id: u32, cycles: u32 }
+        "{joint} (servo {id}) was not asked for {cycles} cycles, because this machine was late in each: end other programs, use --fifo, or give `period` more time",
+        "{joint}(サーボ{id})に{cycles}周期のあいだ問い合わせできませんでした(この計算機の処理が毎周期遅れました)。ほかのプログラムを終了するか、--fifoを使うか、`period` を長くしてください";
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";

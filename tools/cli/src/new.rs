@@ -12,10 +12,11 @@ use crate::choices::Format;
 use crate::message::{Making, Using};
 use clap::Args;
 use clap::builder::ValueParserFactory;
-use files::{CratePath, File, Origin};
+use files::{CratePath, Drives, File, Origin};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::str::FromStr;
+use tip_drives::described::{self as buses, Described};
 use tip_runtime::model::{Model as RobotModel, Range, hand, titan8};
 use tip_runtime::printable::Printable;
 use tip_sim::Robot;
@@ -50,9 +51,9 @@ pub(super) struct New {
     #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = edition)]
     edition: Edition,
 
-    /// Add a skeleton for drives of your own
+    /// Add a program for the real robot
     ///
-    /// An implementation of the trait Hardware. A described robot gets a bus of servos too
+    /// A described robot gets a bus of servos; others an implementation of Hardware to fill in
     #[arg(long)]
     hardware: bool,
 
@@ -94,10 +95,14 @@ fn new(arguments: &New) -> Result<Status, Error> {
     let refused = Error::refused(arguments.output_options);
     let template = arguments.robot.template().map_err(refused)?;
     let mut template = template.in_edition(arguments.edition);
-    if arguments.hardware {
-        template.description = template.description.take().map(with_bus);
+    let mut hardware = arguments.hardware.then_some(Drives::Own);
+    if let Some(text) = template.description.as_mut().filter(|_| hardware.is_some())
+        && let Some(with_bus) = with_bus(text)
+    {
+        *text = with_bus;
+        hardware = Some(Drives::Bus);
     }
-    let files = files::crate_files(place, &template, &origin, arguments.hardware);
+    let files = files::crate_files(place, &template, &origin, hardware);
     files::write_crate(place, &files).map_err(failed)?;
     output::print(made(place, &template, &files, lang))?;
     Ok(Status::Success)
@@ -343,23 +348,26 @@ const SERVO: &str = "STS3215";
 /// Published robots with other servos.
 const KNOWN: [(&str, &str); 1] = [("phantomx", "AX-12")];
 
-/// Returns a description with a bus, if it has none.
-fn with_bus(mut text: Vec<u8>) -> Vec<u8> {
-    let Some(robot) = description::parse("robot.toml", &text)
-        .ok()
-        .filter(|description| description.bus().is_none())
-        .map(|description| Robot::described(&description))
-    else {
-        return text;
+/// Returns a description with a bus, its own or a new one; `None` if the robot cannot be on one.
+fn with_bus(text: &[u8]) -> Option<Vec<u8>> {
+    let is_on_bus = |text: &[u8]| {
+        let read = description::parse_for_servos("robot.toml", text, &buses::servos());
+        read.is_ok_and(|description| Described::new(&description).is_ok())
     };
+    let description = description::parse("robot.toml", text).ok()?;
+    if description.bus().is_some() {
+        return is_on_bus(text).then(|| text.to_owned());
+    }
+    let robot = Robot::described(&description);
     let known = KNOWN.iter().find(|(name, _)| *name == robot.name());
     let name = known.map_or(SERVO, |(_, servo)| *servo);
-    let travel = input::servos()
+    let travel = buses::servos()
         .iter()
         .find(|servo| servo.name == name)
         .map(|servo| servo.travel);
-    text.extend(bus(&robot, name, travel.unwrap_or(Range::new(-180.0, 180.0))).into_bytes());
-    text
+    let travel = travel.unwrap_or(Range::new(-180.0, 180.0));
+    let text = [text, bus(&robot, name, travel).as_bytes()].concat();
+    is_on_bus(&text).then_some(text)
 }
 
 fn bus(robot: &Robot, servo: &str, travel: Range) -> String {

@@ -60,7 +60,8 @@ const ARROWS: &[(&str, &[&str])] = &[
         "tip-log",
         &["tip-runtime", "tip-compiler", "tip-sim", "tip-view"],
     ),
-    ("tip-drives", &["tip-runtime"]),
+    // Where there is a file, it reads the bus of a description.
+    ("tip-drives", &["tip-runtime", "tip-compiler"]),
     // Its tests compare compiled code.
     (
         "tip-sweep",

@@ -30,10 +30,10 @@ pub(super) fn crate_files(
     place: &CratePath,
     template: &Template,
     origin: &Origin,
-    with_hardware: bool,
+    hardware: Option<Drives>,
 ) -> Vec<File> {
     let stem = template.motion.stem;
-    let placeholders = placeholders(place, template, origin, with_hardware);
+    let placeholders = placeholders(place, template, origin, hardware);
     let placeholders: Vec<_> = placeholders
         .iter()
         .map(|(name, value)| (*name, &**value))
@@ -61,16 +61,23 @@ pub(super) fn crate_files(
         (format!("tests/{stem}.rs"), template.motion.test),
         ("tip.toml".to_owned(), template_text!("project.toml")),
     ];
-    if with_hardware {
-        files.extend([
-            ("src/bin/drive.rs".to_owned(), template_text!("drive.rs")),
-            ("src/hardware.rs".to_owned(), template_text!("hardware.rs")),
-            (
-                "tests/hardware.rs".to_owned(),
-                template_text!("test_hardware.rs"),
-            ),
-        ]);
-    }
+    let drives: &[(&str, &str)] = match hardware {
+        None => &[],
+        Some(Drives::Own) => &[
+            ("src/bin/drive.rs", template_text!("drive.rs")),
+            ("src/hardware.rs", template_text!("hardware.rs")),
+            ("tests/hardware.rs", template_text!("test_hardware.rs")),
+        ],
+        Some(Drives::Bus) => &[
+            ("src/bin/drive.rs", template_text!("drive_bus.rs")),
+            ("tests/hardware.rs", template_text!("test_bus.rs")),
+        ],
+    };
+    files.extend(
+        drives
+            .iter()
+            .map(|(name, text)| ((*name).to_owned(), *text)),
+    );
     files.extend(template.scene.map(|text| ("scene.toml".to_owned(), text)));
     let filled = |(name, text): (String, &str)| File {
         name,
@@ -87,6 +94,15 @@ pub(super) fn crate_files(
     files
 }
 
+/// The drives for which a crate has code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Drives {
+    /// A skeleton to be filled in.
+    Own,
+    /// The servos of the description.
+    Bus,
+}
+
 /// The name of a described robot in code.
 const DESCRIBED: &str = "ROBOT";
 
@@ -97,7 +113,7 @@ fn placeholders(
     place: &CratePath,
     template: &Template,
     origin: &Origin,
-    with_hardware: bool,
+    hardware: Option<Drives>,
 ) -> Vec<Placeholder> {
     let is_inside = is_inside_a_workspace(place.folder());
     let default_run = format!("default-run = \"{}\"\n", place.name());
@@ -105,16 +121,31 @@ fn placeholders(
     let mut placeholders = vec![
         // These have placeholders themselves.
         ("lib_scene", when(has_scene, template_text!("lib_scene.rs"))),
-        ("lib_hardware", when(with_hardware, "\npub mod hardware;\n")),
+        (
+            "lib_hardware",
+            when(hardware == Some(Drives::Own), "\npub mod hardware;\n"),
+        ),
         (
             "readme_hardware",
-            when(with_hardware, template_text!("README_hardware.md")),
+            match hardware {
+                None => String::new(),
+                Some(Drives::Own) => template_text!("README_hardware.md").to_owned(),
+                Some(Drives::Bus) => template_text!("README_bus.md").to_owned(),
+            },
         ),
+        (
+            "bus",
+            when(
+                hardware == Some(Drives::Bus),
+                "tip-drives = { <<drives>>, features = [\"std\"] }\n",
+            ),
+        ),
+        ("drives", origin.dependency(DRIVES)),
         (
             "workspace",
             when(is_inside, template_text!("manifest_workspace.toml")),
         ),
-        ("default_run", when(with_hardware, &default_run)),
+        ("default_run", when(hardware.is_some(), &default_run)),
         ("macros", origin.dependency(MACROS)),
         ("runtime", origin.dependency(RUNTIME)),
         ("sim", origin.dependency(SIM)),
@@ -274,6 +305,7 @@ const BUILT_FROM: &str = env!("CARGO_MANIFEST_DIR");
 const MACROS: &str = "tip-macros";
 const RUNTIME: &str = "tip-runtime";
 const SIM: &str = "tools/sim";
+const DRIVES: &str = "tools/drives";
 
 /// The source of the dependencies.
 #[derive(Debug)]
@@ -388,7 +420,7 @@ const TAKEN: [&str; 5] = [
     // Devices of Windows.
     "aux com1 com2 com3 com4 com5 com6 com7 com8 com9 con lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 nul prn",
     // What the crate depends on, and its other executable.
-    "drive tip-macros tip-runtime tip-sim tip_macros tip_runtime tip_sim tipc",
+    "drive tip-drives tip-macros tip-runtime tip-sim tip_drives tip_macros tip_runtime tip_sim tipc",
 ];
 
 fn is_taken(name: &str) -> bool {
