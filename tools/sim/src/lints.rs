@@ -3,7 +3,8 @@
 //!
 //! A target is checked if the program gives every number of it as a constant, and none of them relative. A program that
 //! says EMG_OFF is left alone: there a joint stops at its limit, and the program goes on. A straight path to a target
-//! within reach is checked where the start of the foot is known: on the first pass, up to the first question.
+//! within reach, and a target of REL_PTP, are checked where the start of the foot is known: on the first pass, up to the
+//! first question.
 //!
 //! SPECIAL is not checked on a robot whose owner has native code that may answer it.
 
@@ -96,7 +97,7 @@ fn warning(
     start: Option<Point>,
 ) -> Option<Diagnostic> {
     let Action::Command {
-        op: op @ (Op::Ptp | Op::PtpAngle),
+        op: op @ (Op::Ptp | Op::PtpAngle | Op::RelPtp),
         target,
         arguments,
         ..
@@ -105,10 +106,23 @@ fn warning(
         return None;
     };
     let values = constants(arguments)?;
+    if *op == Op::RelPtp {
+        let (start, by): (Point, Point) = (start?, values.try_into().ok()?);
+        let end = [0, 1, 2].map(|k| start[k] + by[k]);
+        let miss = misses.of_target(Op::Ptp, *target, &end);
+        return miss
+            .filter(|miss| is_clear(*miss))
+            .map(|miss| out_of_reach(statement, *target, miss));
+    }
     let Some(miss) = misses.of_target(*op, *target, &values) else {
         let end: Point = values.try_into().ok().filter(|_| *op == Op::Ptp)?;
         return on_the_path(statement, misses.robot, *target, start?, end);
     };
+    Some(out_of_reach(statement, *target, miss))
+}
+
+/// Returns the warning on a target that is missed.
+fn out_of_reach(statement: &Statement, target: Target, miss: Miss) -> Diagnostic {
     let place = place(statement, miss);
     let (reason, help) = match miss {
         Miss::Turns {
@@ -125,7 +139,6 @@ fn warning(
         }
         Miss::Ends { by } => {
             let by = tenths(by).max(0.1);
-            let target = *target;
             (Linting::ComesNoNearer { target, by }, Linting::ChooseNearer)
         }
         Miss::Slides { axis, travel } => {
@@ -136,7 +149,7 @@ fn warning(
             )
         }
     };
-    Some(Diagnostic::new(Code::OutOfReach, place, reason).help(help))
+    Diagnostic::new(Code::OutOfReach, place, reason).help(help)
 }
 
 /// Number of pieces in which a straight path is checked.
@@ -263,6 +276,11 @@ impl Starts {
                 let start = foot.rests.take();
                 foot.goes = constants(arguments).and_then(|to| to.try_into().ok());
                 start
+            }
+            // Its end is not followed: only the feet that it does not move are still known.
+            (Op::RelPtp, Target::Foot(leg)) => {
+                let foot = feet.get_mut(usize::from(*leg).checked_sub(1)?)?;
+                std::mem::take(foot).rests
             }
             (Op::WaitInpos, Target::Foot(leg)) => {
                 let foot = feet.get_mut(usize::from(*leg).checked_sub(1)?)?;
