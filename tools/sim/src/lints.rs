@@ -13,10 +13,11 @@ use crate::message::Linting;
 use crate::model::Miss;
 use std::collections::HashMap;
 use tip_runtime::command::{Op, Target};
-use tip_runtime::model::Point;
+use tip_runtime::model::{Point, Range};
 use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
+use tipc::message::Message;
 use tipc::message::list::List;
 use tipc::program::{Action, Argument, Mark, Operand, Program, Step};
 use tipc::source::Span;
@@ -85,7 +86,7 @@ impl Misses<'_> {
     fn of_target(&mut self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
         let bits = values.iter().map(|value| value.to_bits()).collect();
         let known = self.known.entry((op, target, bits));
-        *known.or_insert_with(|| self.robot.miss(op, target, values))
+        *known.or_insert_with(|| self.robot.miss(op, target, values, &[]))
     }
 }
 
@@ -124,7 +125,13 @@ fn warning(
 /// Returns the warning on a target that is missed.
 fn out_of_reach(statement: &Statement, target: Target, miss: Miss) -> Diagnostic {
     let place = place(statement, miss);
-    let (reason, help) = match miss {
+    let (reason, help) = reason(target, miss);
+    Diagnostic::new(Code::OutOfReach, place, reason).help(help)
+}
+
+/// Returns the reason and the help of a target that is missed.
+fn reason(target: Target, miss: Miss) -> (Linting, Linting) {
+    match miss {
         Miss::Turns {
             joint, by, limits, ..
         } => {
@@ -148,8 +155,28 @@ fn out_of_reach(statement: &Statement, target: Target, miss: Miss) -> Diagnostic
                 Linting::SlidesFromTo { axis, min, max },
             )
         }
-    };
-    Diagnostic::new(Code::OutOfReach, place, reason).help(help)
+    }
+}
+
+impl Robot {
+    /// Returns why PTP, or PTP_ANGLE, to these numbers (mm or deg) is out of reach within the working limits of all joints, leg by leg,
+    /// and a way out: in the words of the warning. Returns `None` if the end is within reach.
+    pub fn reason_out_of_reach(
+        &self,
+        op: Op,
+        target: Target,
+        values: &[f64],
+        limits: &[Range],
+    ) -> Option<(Message, Message)> {
+        let miss = self.miss(op, target, values, limits)?;
+        Some(match reason(target, miss) {
+            // The warning stands below the place that it is about.
+            (Linting::ComesNoNearer { target, by }, help) => {
+                (Linting::CannotReach { target, by }.into(), help.into())
+            }
+            (reason, help) => (reason.into(), help.into()),
+        })
+    }
 }
 
 /// Number of pieces in which a straight path is checked.
@@ -166,7 +193,7 @@ fn on_the_path(
     let parts = (1..PIECES).map(|piece| f64::from(piece) / f64::from(PIECES));
     let mut places = parts.map(|part| [0, 1, 2].map(|k| start[k] + (end[k] - start[k]) * part));
     let bad = places.find(|place| {
-        let miss = robot.miss(Op::Ptp, target, place);
+        let miss = robot.miss(Op::Ptp, target, place, &[]);
         miss.is_some_and(is_clear)
     })?;
     let [x, y, z] = bad.map(tenths);
