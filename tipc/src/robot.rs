@@ -93,7 +93,7 @@ impl fmt::Debug for Limits {
 }
 
 impl Facts {
-    /// Returns the facts of a model.
+    /// Returns the facts of a model that is a `static` or a constant; those of another model are [`copied`](Self::copied).
     pub const fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
         Self::with(model, Limits(model))
     }

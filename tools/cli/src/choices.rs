@@ -1,5 +1,6 @@
 //! Values of options that have names, and the options of the output: format, language and colours.
 
+use crate::message::Using;
 use clap::{Args, ValueEnum};
 use std::env;
 use std::io::{self, IsTerminal};
@@ -101,23 +102,26 @@ pub(super) enum Format {
     Sarif,
 }
 
+/// The place in help of options that many commands share: after those of the command.
+pub(super) const LAST: usize = 900;
+
 /// The options of the output.
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct OutputOptions {
     /// Diagnostics: human, short, json or sarif
     ///
     /// Snippets for people, or lines for tools
-    #[arg(long, value_name = "FORMAT", value_enum, default_value = "human")]
+    #[arg(long, value_name = "FORMAT", value_enum, default_value = "human", display_order = LAST)]
     pub(super) message_format: Format,
 
     /// The language of messages; else the locale's
-    #[arg(long, value_enum, value_name = "en|ja")]
+    #[arg(long, value_enum, value_name = "en|ja", display_order = LAST)]
     lang: Option<LangName>,
 
     /// Colours: auto, always or never
     ///
     /// For people; auto: on a terminal, unless NO_COLOR is set
-    #[arg(long, value_enum, value_name = "WHEN", default_value = "auto")]
+    #[arg(long, value_enum, value_name = "WHEN", default_value = "auto", display_order = LAST)]
     color: ColourName,
 }
 
@@ -177,4 +181,32 @@ fn wants_colour() -> bool {
         env::var_os("CLICOLOR_FORCE").is_some_and(|value| !value.is_empty() && value != "0");
     let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
     !is_set("NO_COLOR") && (insists || io::stderr().is_terminal() && !dumb)
+}
+
+/// Parses a whole number.
+pub(super) fn count(text: &str) -> Result<u64, Using> {
+    let wrong = |_| Using::NotACount {
+        text: text.to_owned(),
+    };
+    text.parse().map_err(wrong)
+}
+
+/// Parses a whole number above 0.
+pub(super) fn positive(text: &str) -> Result<u64, Using> {
+    match count(text)? {
+        0 => Err(Using::NotPositive {
+            text: text.to_owned(),
+        }),
+        count => Ok(count),
+    }
+}
+
+/// Quotes a word for a shell.
+pub(super) fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-=".contains(c);
+    if word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
 }

@@ -52,9 +52,12 @@ tipc::message_table! {
     NoFile { command: String }
         "which program? `tip {command}` needs a file, as in `tip {command} walk.prg`",
         "どのプログラムですか? `tip {command} walk.prg` のようにファイルを指定してください";
-    NoCode { code: String, codes: Each }
-        "there is no code {code}; the codes are {codes}",
-        "{code}というコードはありません。コードは{codes}です";
+    NoCode { code: String }
+        "there is no code {code}: messages show a code in brackets, such as E205, E205-03 or W109",
+        "{code}というコードはありません。コードは E205、E205-03、W109 のように、メッセージの角括弧の中にあります";
+    NearCodes { code: String, near: Each }
+        "there is no code {code}; near it are {near}",
+        "{code}というコードはありません。近いコードは{near}です";
     NotACount { text: String }
         "`{text}` is not a count: write a whole number, 0 or more",
         "`{text}` は数えられません。0以上の整数を指定してください";
@@ -113,8 +116,20 @@ tipc::message_table! {
         "{file} is where the specification of the sweep goes, and has something else: move it, or choose another name with -o",
         "{file} にはスイープの仕様を書きますが、別の内容があります。移動するか、-oで別の名前を指定してください";
     OtherSweep { file: Text }
-        "{file} belongs to another sweep, with another program, robot, scene or options: use its options, or another file",
-        "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプションのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+        "{file} belongs to another sweep, with another program, robot, scene, options or version of tip: use its options, or another file",
+        "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプション、tipのバージョンのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+    NotATableName { file: Text }
+        "{file} is not the name of a table: write a name that ends in .csv, or '-o -' for standard output",
+        "{file} は表の名前ではありません。.csvで終わる名前か、標準出力を表す '-o -' を指定してください";
+    NotAPart { part: Text }
+        "{part}, where an unfinished table goes, is not a regular file: remove it, or choose another name with -o",
+        "書きかけの表を置く {part} は通常のファイルではありません。削除するか、-oで別の名前を指定してください";
+    IsLocked { part: Text }
+        "another process is writing {part}: wait for its end, or choose another name with -o",
+        "別のプロセスが {part} に書いています。終わるのを待つか、-oで別の名前を指定してください";
+    ForeignLines { part: Text }
+        "{part} has a byte order mark or CR LF line ends, so another program has saved it: restore it, or remove it to start again",
+        "{part} にBOMまたはCR LFの改行があります。別のプログラムで保存されたものです。元に戻すか、削除して最初から実行してください";
     OneTable
         "a table is not compared with another file: give it alone",
         "表はほかのファイルと比べられません。表だけを指定してください";
@@ -183,6 +198,9 @@ tipc::message_table! {
         "`tip help {command}` shows examples",
         "`tip help {command}` で使用例を見られます";
 }
+
+/// An option's value can be refused with these texts.
+impl std::error::Error for Using {}
 
 tipc::message_table! {
     /// Results of checks.
@@ -367,8 +385,11 @@ tipc::message_table! {
         "{file}: {runs} runs, {size} kB",
         "{file}: {runs}回の実行、{size} kB";
     NoTable { file: Text }
-        "{file} is not a table of `tip sweep`: its first line must begin with `case,`",
-        "{file} は `tip sweep` の表ではありません。先頭の行が `case,` で始まっていません";
+        "{file} is not the table of its specification: its first line has other columns",
+        "{file} は仕様に対応する表ではありません。先頭の行の列が違います";
+    OtherRow { file: Text, line: String, specification: Text }
+        "line {line} of {file} is not a row of the sweep in {specification}: it was changed, or is of another sweep or version of tip; run the sweep again",
+        "{file} の{line}行目は {specification} のスイープの行ではありません。変更されたか、別のスイープまたは別のバージョンのtipのものです。スイープを実行し直してください";
 }
 
 tipc::message_table! {
@@ -784,6 +805,24 @@ tipc::message_table! {
     /// Messages of `tip drives` and of runs on a real robot.
     Driving;
 
+    LateFrom "late", "遅れ";
+    CycleShare "share", "割合";
+    CycleCount "cycles", "周期数";
+    JitterFigures { p50: usize, p99: usize, p999: usize, worst: String, missed: String, cycles: String }
+        "half of the cycles start at most {p50} µs late, 99 % {p99} µs, 99.9 % {p999} µs, all {worst} µs; {missed} of {cycles} missed",
+        "遅れは周期の半数で{p50} µs以下、99%で{p99} µs、99.9%で{p999} µs、最大{worst} µs。{cycles}周期のうち{missed}周期は間に合わず";
+    KeepsPeriod { period: String, share: String }
+        "a period of {period} ms is kept: cycles start late by {share} % of it at most",
+        "周期{period} msは守られます: 遅れは最大で周期の{share}%です";
+    KeepsPeriodUnevenly { period: String, share: String }
+        "a period of {period} ms is kept unevenly: a cycle starts late by {share} % of it; try --fifo, a longer period or a less busy machine",
+        "周期{period} msは守られますが不均一です: 遅れが周期の{share}%に達します。--fifo、長い周期、負荷の低いマシンを試してください";
+    MissesPeriod { period: String, missed: String, cycles: String }
+        "a period of {period} ms is not kept: {missed} of {cycles} cycles are missed; try --fifo, a longer period or a less busy machine",
+        "周期{period} msは守られません: {cycles}周期のうち{missed}周期が間に合いません。--fifo、長い周期、負荷の低いマシンを試してください";
+    NoCycles
+        "no cycle was measured",
+        "1周期も測定できませんでした";
     NoBus { file: Text }
         "{file} has no [bus]: docs/drives.md shows how to describe the servos",
         "{file}に[bus]がありません。サーボの書き方はdocs/drives.mdにあります";

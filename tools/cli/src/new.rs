@@ -7,6 +7,8 @@ use super::choices::OutputOptions;
 use super::error::Error;
 use super::setup::{RobotChoice, RobotParser, unknown_robot};
 use super::{Status, input, output};
+use crate::Action;
+use crate::choices::Format;
 use crate::message::{Making, Using};
 use clap::Args;
 use clap::builder::ValueParserFactory;
@@ -75,7 +77,17 @@ fn edition(text: &str) -> Result<Edition, Using> {
     })
 }
 
-pub(super) fn new(arguments: &New) -> Result<Status, Error> {
+impl Action for New {
+    fn format(&self) -> Option<Format> {
+        Some(self.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        new(self)
+    }
+}
+
+fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let failed = |reason: Making| Error::failed(reason, lang);
     let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(failed)?;

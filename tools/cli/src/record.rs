@@ -1,12 +1,13 @@
 //! Commands that record a run and write what it did: `tip view`, `tip log` and `tip plot`. `tip serve` loads programs in the same way.
 
+use crate::Action;
 use crate::arguments::RunArguments;
+use crate::choices::count;
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Running, Sweeping, Using};
 use crate::report::plural;
 use crate::run::{LONG_WAIT, wait_message};
-use crate::usage::{count, quoted};
 use crate::{Status, input, interrupt, output, report, sweep};
 use clap::{Args, ValueEnum};
 use std::io::{self, Cursor};
@@ -157,8 +158,19 @@ pub(super) struct View {
     quiet: bool,
 }
 
+impl Action for View {
+    fn complete(&mut self) -> Result<(), Error> {
+        let program = self.program(&self.run.file);
+        self.run.complete(&program).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        view(self)
+    }
+}
+
 /// Records a run, or reads the trace of one, and writes the page that replays it.
-pub(super) fn view(arguments: &View) -> Result<Status, Error> {
+fn view(arguments: &View) -> Result<Status, Error> {
     let run = &arguments.run;
     if sweep::is_table(&run.file) {
         return arguments.table();
@@ -247,17 +259,12 @@ impl View {
             }
             return Ok(Status::Success);
         }
-        let (name, table) = self.text(file)?;
-        if !table.starts_with("case,") {
-            let file = name.into();
-            return Err(Error::failed(Sweeping::NoTable { file }, lang));
-        }
-        let page = tip_view::sweep_page(&name, &table, &format!("tip view {}", quoted(&name)));
+        let (page, runs) = sweep::page(file, lang)?;
         output::replace(&out, &page)?;
         if !self.quiet {
             let page = Sweeping::Page {
                 file: Printable::line(out.display()).to_string().into(),
-                runs: (table.lines().count() - 1).to_string(),
+                runs: runs.to_string(),
                 size: (page.len() / 1000).to_string(),
             };
             report::say(page, lang);
@@ -404,12 +411,24 @@ impl LogFormat {
     }
 }
 
+impl Action for Log {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        log(self)
+    }
+}
+
 /// Runs the program and writes the log.
-pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
+fn log(arguments: &Log) -> Result<Status, Error> {
     let (out, kind) = (&arguments.out, LogFormat::of(&arguments.out)?);
     output::refuse_inputs(out, &arguments.run.files())?;
     let recorded = arguments.run.record(kind.pace(arguments.every), "log")?;
     let recording = &recorded.recording;
+    // A long log takes seconds, during which a signal ends the command. Nothing is written until all of it is there.
+    interrupt::release();
     let mut bytes = Vec::new();
     let written: io::Result<()> = match kind {
         LogFormat::Mcap => tip_log::mcap(
@@ -420,10 +439,10 @@ pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
         LogFormat::Csv => tip_log::csv(recording, &mut bytes),
     };
     written.map_err(|reason| Error::cannot_write(out, reason))?;
-    output::replace(out, &bytes)?;
+    output::replace_unless_interrupted(out, &bytes)?;
     let (cycles, frames) = (recording.cycles, recording.frames.len());
     report::complain(&format!(
-        "{}: {cycles} cycles, the motion of {frames} of them, {}\n",
+        "{}: {cycles} cycles, poses and forces of {frames} cycles, {}\n",
         output::name(out),
         recording.outcome
     ));
@@ -485,8 +504,18 @@ impl DiagramName {
     }
 }
 
+impl Action for Plot {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        plot(self)
+    }
+}
+
 /// Runs the program and writes the diagrams.
-pub(super) fn plot(arguments: &Plot) -> Result<Status, Error> {
+fn plot(arguments: &Plot) -> Result<Status, Error> {
     let out = arguments.out.clone();
     let out = &out.unwrap_or_else(|| beside(&arguments.run.file, "svg"));
     output::refuse_inputs(out, &arguments.run.files())?;

@@ -1,5 +1,6 @@
 //! `tip robot`: lists, shows, checks, imports and exports robots.
 
+use crate::Action;
 use crate::choices::{Format, LangName, OutputOptions};
 use crate::error::Error;
 use crate::message::{Using, Weight};
@@ -15,9 +16,16 @@ use tipc::embed::LIMIT;
 use tipc::message::Lang;
 use tipc::published;
 
+/// The command `tip robot`.
+#[derive(Debug, Args)]
+pub(super) struct RobotArguments {
+    #[command(subcommand)]
+    verb: RobotVerb,
+}
+
 /// The commands of `tip robot`.
 #[derive(Debug, Subcommand)]
-pub(super) enum RobotVerb {
+enum RobotVerb {
     /// List the robots that have a name
     List(List),
     /// Show what a robot has, and the sources of a published one
@@ -44,13 +52,23 @@ pub(super) struct CheckRobot {
     pub(super) output_options: OutputOptions,
 }
 
-pub(super) fn robot(verb: &RobotVerb) -> Result<Status, Error> {
-    match verb {
-        RobotVerb::List(_) => list(),
-        RobotVerb::Show(arguments) => show(arguments),
-        RobotVerb::Check(arguments) => check(arguments),
-        RobotVerb::Import(arguments) => import(arguments),
-        RobotVerb::Export(arguments) => export(arguments),
+impl Action for RobotArguments {
+    fn format(&self) -> Option<Format> {
+        match &self.verb {
+            RobotVerb::Check(arguments) => Some(arguments.output_options.message_format),
+            RobotVerb::Show(arguments) => Some(arguments.output_options.message_format),
+            RobotVerb::List(_) | RobotVerb::Import(_) | RobotVerb::Export(_) => None,
+        }
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        match &self.verb {
+            RobotVerb::List(_) => list(),
+            RobotVerb::Show(arguments) => show(arguments),
+            RobotVerb::Check(arguments) => check(arguments),
+            RobotVerb::Import(arguments) => import(arguments),
+            RobotVerb::Export(arguments) => export(arguments),
+        }
     }
 }
 

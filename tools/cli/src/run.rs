@@ -14,6 +14,8 @@ use super::loader::{self, Subject};
 use super::report::Deny;
 use super::setup::{ChosenRobot, PlantChoice};
 use super::{Status, input, interrupt, report};
+use crate::Action;
+use crate::choices::Format;
 use crate::message::{Driving, Running, Using, Weight};
 use clap::Args;
 use console::{Live, Progress, Screen};
@@ -130,8 +132,29 @@ impl Run {
     }
 }
 
+impl Action for Run {
+    fn complete(&mut self) -> Result<(), Error> {
+        if let Some(file) = &self.hardware {
+            self.run.source.robot = Some(crate::setup::RobotChoice::File(file.clone()));
+        }
+        let given = self.run.complete(&self.run.file.clone())?;
+        if let Some(given) = given.filter(|_| !self.quiet) {
+            report::complain(&format!("{given}\n"));
+        }
+        Ok(())
+    }
+
+    fn format(&self) -> Option<Format> {
+        Some(self.run.source.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        run(self)
+    }
+}
+
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
-pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
+fn run(arguments: &Run) -> Result<Status, Error> {
     interrupt::catch();
     let plant = arguments.run.inputs.plant.as_ref();
     let process = plant.and_then(PlantChoice::process);

@@ -38,7 +38,7 @@ fn other_words_lead_to_commands() {
         check(&folder, &[word, "walk.prg"], &expected);
     }
     let outcome = folder.tip(&["dance"]).expect(2);
-    let start = "error: `dance` is not a command of tip; the commands are new, check, run, ";
+    let start = "error: `dance` is not a command of tip; the commands are new, check, fmt, ";
     assert!(outcome.err.starts_with(start), "{outcome:#?}");
 }
 
