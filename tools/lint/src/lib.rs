@@ -36,10 +36,14 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         &mut loaded.diagnostics,
         words::fixer,
     );
-    if let Some(robot) = other_robot(&loaded, bytes, options) {
-        report_robot(&mut loaded, robot, options.robot.name());
-    }
     loaded
+}
+
+/// Replaces all errors of a program by one if they are many, and a built-in robot exists for which it has none.
+pub fn recognize_robot(loaded: &mut Loaded, bytes: &[u8], options: &Options) {
+    if let Some(robot) = other_robot(loaded, bytes, options) {
+        report_robot(loaded, robot, options.robot.name());
+    }
 }
 
 /// Number of errors from which on other robots are tried.
