@@ -347,16 +347,14 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
             *used = true;
         }
     }
+    // What is wrong with its definition is reported.
+    let line = |span: Span| source.line_number(span.start);
+    let mut reported: HashSet<u32> = match names.constants.is_empty() {
+        true => HashSet::new(),
+        false => found.iter().flat_map(reported_at).map(line).collect(),
+    };
     for (constant, used) in names.constants.iter().zip(used) {
-        // What is wrong with its definition is reported.
-        let line = |location: Span| source.line_column(location.start).0;
-        let also = Message::from(Naming::AlsoHere);
-        let is_wrong = |it: &Diagnostic| {
-            let more = it.labels.iter().filter(|label| label.text == also);
-            let mut spans = iter::once(it.span).chain(more.map(|label| label.span));
-            spans.any(|span| line(span) == line(constant.span))
-        };
-        if !used && !is_meant(&constant.name) && !found.iter().any(is_wrong) {
+        if !used && !is_meant(&constant.name) && reported.insert(line(constant.span)) {
             let reason = Naming::NothingUsesConstant;
             let warning = Diagnostic::new(Code::UnusedConstant, constant.span, reason);
             found.push(warning.about(constant.name.as_str()));
@@ -391,6 +389,14 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         };
         found.extend(diagnostic);
     }
+}
+
+/// Returns the places that a diagnostic names as wrong: its own, and those where it occurs again.
+fn reported_at(diagnostic: &Diagnostic) -> impl Iterator<Item = Span> {
+    let also = Message::from(Naming::AlsoHere);
+    let more = diagnostic.labels.iter();
+    let more = more.filter(move |label| label.text == also);
+    iter::once(diagnostic.span).chain(more.map(|label| label.span))
 }
 
 /// Use of a variable by a program.

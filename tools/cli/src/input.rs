@@ -61,7 +61,11 @@ pub(super) fn load_file(path: &Path, options: &Options) -> Loaded {
 
 fn loaded(name: String, read: Result<Vec<u8>, Reading>, options: &Options) -> Loaded {
     match read {
-        Ok(bytes) => tip_lint::load(&name, &bytes, options),
+        Ok(bytes) => {
+            let mut loaded = tip_lint::load(&name, &bytes, options);
+            tip_lint::recognize_robot(&mut loaded, &bytes, options);
+            loaded
+        }
         Err(reason) => unreadable(name, reason),
     }
 }

@@ -515,6 +515,30 @@ tipc::message_table! {
     OtherMode
         "the target is not in the control mode that this command needs",
         "対象の制御モードがこのコマンドに合いません";
+    Running { name: SmolStr, line: u32 }
+        "thread {name} runs already: it is at line {line}",
+        "スレッド{name}はすでに実行中です({line}行目)";
+    WaitFirst { name: SmolStr }
+        "put WAIT_THREAD {name}: before it, or STOP_THREAD {name}:",
+        "手前にWAIT_THREAD {name}:かSTOP_THREAD {name}:を入れてください";
+    WaitsForItself
+        "a thread cannot wait for its own end",
+        "スレッドは自分自身の終了を待てません";
+    Locked { joint: Target, lines: List }
+        "{joint} is locked by LOCK in line {lines}",
+        "{joint}は{lines}行目のLOCKでロックされています";
+    LockedBy { joint: Target, lines: List, name: SmolStr }
+        "{joint} is locked by LOCK in line {lines}, in thread {name}",
+        "{joint}はスレッド{name}の{lines}行目のLOCKでロックされています";
+    Unlock { joint: Target }
+        "put UNLOCK {joint} before it: a lock stays when its thread ends or is stopped",
+        "手前にUNLOCK {joint}を入れてください。ロックはスレッドが終了・停止しても残ります";
+    Occupied { word: &'static str, line: u32 }
+        "the main program stands in {word} in line {line}, and one such command runs at a time",
+        "メインプログラムが{line}行目の{word}を実行中です。この種のコマンドは同時に一つしか実行できません";
+    OccupiedBy { word: &'static str, line: u32, name: SmolStr }
+        "thread {name} stands in {word} in line {line}, and one such command runs at a time",
+        "スレッド{name}が{line}行目の{word}を実行中です。この種のコマンドは同時に一つしか実行できません";
     TooDeep
         "more than ten calls are open at once",
         "呼び出しの入れ子が10段を超えました";
@@ -532,6 +556,9 @@ tipc::message_table! {
     OutOfReach { target: Target }
         "{target} cannot reach its target, or a point on the way there",
         "{target}が目標か、その途中の位置に届きません";
+    OnTheWay { target: Target, joint: Target, by: f64, limit: f64 }
+        "{target} leaves its reach on the way to its target: {joint} is {by} deg from its limit of {limit} deg",
+        "{target}が目標へ向かう途中で可動範囲を外れます。{joint}は限界の{limit} degまで{by} degです";
     JointsAre { joints: List }
         "the joints and their limits in deg: {joints}",
         "関節の角度と動作範囲(deg): {joints}";

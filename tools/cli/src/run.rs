@@ -3,6 +3,7 @@
 mod console;
 mod emergency;
 mod files;
+mod refusal;
 mod summary;
 
 use super::arguments::RunArguments;
@@ -330,6 +331,7 @@ impl Job<'_> {
                 program,
                 loaded: self.loaded,
                 options,
+                robot,
                 anatomy: &anatomy,
             };
             report::write_stderr(&stopped.report(source.output_options));

@@ -38,6 +38,9 @@ tipc::message_table! {
     Touch "a contact", "接触";
     Native "its native code", "ネイティブコードの完了";
     Thread { name: Text } "the end of thread {name}", "スレッド{name}の終了";
+    EachOther { names: Text }
+        "the end of threads that wait for each other: {names}",
+        "互いに待ち合うスレッド{names}の終了";
 }
 
 tipc::message_table! {
@@ -133,6 +136,9 @@ tipc::message_table! {
     ComesNoNearer { target: Target, by: f64 }
         "{target} ends about {by} mm before it",
         "{target}は約{by} mm届きません";
+    CannotReach { target: Target, by: f64 }
+        "{target} cannot reach its target: it ends about {by} mm before it",
+        "{target}が目標に約{by} mm届きません";
     LeavesReach { target: Target, x: f64, y: f64, z: f64 }
         "the straight path of {target} leaves its reach near {x} {y} {z}",
         "{target}の直線経路が{x} {y} {z}付近で可動範囲を外れます";

@@ -10,7 +10,7 @@ use std::fmt;
 use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::machine::Mismatch;
-use tip_runtime::model::{Model, generic, hand, titan8};
+use tip_runtime::model::{Model, Range, generic, hand, titan8};
 use tip_runtime::plant::{self, Scene, SimulatedHand, Simulation};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::{HandSpecials, NUMBERS};
@@ -184,8 +184,14 @@ impl Robot {
     }
 
     /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it misses.
-    pub(crate) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        self.model.miss(op, target, values)
+    pub(crate) fn miss(
+        &self,
+        op: Op,
+        target: Target,
+        values: &[f64],
+        limits: &[Range],
+    ) -> Option<Miss> {
+        self.model.miss(op, target, values, limits)
     }
 
     /// Puts a program on it.

@@ -448,3 +448,30 @@ fn a_wait_is_told_whatever_the_number_of_steps_in_a_cycle() -> Outcome {
     assert_eq!(waits(run, 9), Some(expected));
     Ok(())
 }
+
+// clauses: 15.1
+#[test]
+fn threads_that_wait_for_each_other_are_told() -> Outcome {
+    let threads = |waits: &str| {
+        format!(
+            "START_THREAD A:\nSTART_THREAD B:\nWAIT_THREAD A:\nEXIT\n\
+             THREAD A:\nWAIT_THREAD B:\nTHREADEND\nTHREAD B:\nSLEEP 200\n{waits}\nTHREADEND\nEND"
+        )
+    };
+    let waiting = |name: &str| Awaited::Thread {
+        name: name.to_owned().into(),
+    };
+    let names = "A, B".to_owned().into();
+    for (of_b, cycles, expected) in [
+        // B sleeps for ten cycles, and then waits for A, which waits for B.
+        ("WAIT_THREAD A:", 9, waiting("A")),
+        ("WAIT_THREAD A:", 30, Awaited::EachOther { names }),
+        // It waits for a key: the others go on after that.
+        ("KEY_IN", 30, waiting("A")),
+    ] {
+        let run = later(&threads(of_b))?;
+        let expected = ([5, 5], Some(expected));
+        assert_eq!(waits(run, cycles), Some(expected), "{of_b} {cycles}");
+    }
+    Ok(())
+}
