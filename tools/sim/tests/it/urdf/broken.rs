@@ -1,6 +1,6 @@
 //! Files that are not URDF: place, reason and way out. Each is tested with a similar file that is sound.
 
-use tip_sim::urdf::import;
+use tip_sim::import::import;
 
 /// A leg of one joint, which takes a line for each element.
 const SOUND: &str = r#"<robot name="leg" VERSION>

@@ -1,7 +1,7 @@
 //! Which chains become legs, in which order, and where they end.
 
 use crate::urdf::robots::{Joint, PLAIN, TIP, fixed, quadruped, revolute, urdf};
-use tip_sim::urdf::{Foot, Import, ImportOptions, Up, import_with};
+use tip_sim::import::{Foot, Import, ImportOptions, Up, import_with};
 
 fn words(words: &[&str]) -> Vec<String> {
     words.iter().copied().map(str::to_owned).collect()

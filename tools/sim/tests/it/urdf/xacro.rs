@@ -1,7 +1,7 @@
 //! Xacro, and what only looks like it.
 
 use crate::urdf::robots::{ARM, urdf};
-use tip_sim::urdf::import;
+use tip_sim::import::import;
 
 const NAMESPACE: &str = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
 
