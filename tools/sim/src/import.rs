@@ -141,7 +141,8 @@ pub fn import_with(
     check_sizes(&legs)?;
     let extents = rigid_links::body_extents(&base);
     let is_bolted_down = tree.is_bolted_down();
-    let walks = !is_bolted_down && (legs.len() >= 3 || extents.is_some());
+    let is_free = file.is_free || legs.len() >= 3 || extents.is_some();
+    let walks = !is_bolted_down && is_free;
     if let (true, None, Some(up)) = (walks, options.up, chains::on_its_side(&legs)) {
         return Err(ImportError::new(Importing::OnItsSide { up }));
     }

@@ -13,6 +13,8 @@ pub(super) struct RobotFile {
     pub(super) name: String,
     pub(super) links: Vec<Link>,
     pub(super) joints: Vec<Joint>,
+    /// True if the file says that the base moves freely.
+    pub(super) is_free: bool,
     /// The initial posture, if the file has one.
     pub(super) posture: Option<Posture>,
     /// Axis that is forward, if the file says so.

@@ -60,6 +60,7 @@ pub(super) fn robot(document: &Document<'_>) -> Result<RobotFile, ImportError> {
         name: node.attribute("name").unwrap_or_default().to_owned(),
         links,
         joints,
+        is_free: false,
         posture: None,
         forward: None,
         omega_max: None,

@@ -565,6 +565,7 @@ impl<'a, 'c> Bodies<'a, 'c> {
                 other: other.child.clone(),
             }));
         }
+        let is_free = free.is_some();
         let scenery = self.joints.iter().filter(|(_, top)| !kept[*top]);
         let scenery: Vec<String> = scenery
             .filter(|(joint, _)| is_first(joint))
@@ -599,6 +600,7 @@ impl<'a, 'c> Bodies<'a, 'c> {
             name: String::new(),
             links,
             joints,
+            is_free,
             posture: None,
             forward: None,
             omega_max: None,

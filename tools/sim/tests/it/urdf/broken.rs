@@ -385,7 +385,7 @@ fn what_is_not_xml_is_refused_at_its_place() {
     let error = import("test.urdf", &text).expect_err("it is refused");
     assert_eq!(
         error.to_string(),
-        "this is not URDF: expected 'robot' tag, not 'rabot' at 18:1"
+        "this is neither URDF nor MJCF: expected 'robot' tag, not 'rabot' at 18:1"
     );
 }
 
