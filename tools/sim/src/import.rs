@@ -191,9 +191,13 @@ pub fn import_with(
         }
     }
     import.report.extend(falls);
-    import
-        .report
-        .extend(walks.then(|| names::contradiction(&legs, &root)).flatten());
+    if walks {
+        let hips = legs.iter();
+        let hips: Vec<(&str, [f64; 3])> = hips
+            .filter_map(|leg| Some((leg.name(), leg.joints.first()?.at)))
+            .collect();
+        import.report.extend(names::contradiction(&hips, &root));
+    }
     import.report.extend(left_out);
     import.report.extend(order);
     import.report.extend(file.notes);

@@ -1,6 +1,5 @@
 //! Words in the names of links and joints, and names of legs that contradict their places.
 
-use super::chains::Chain;
 use super::transform::{Forward, Transform, cross, dot};
 use super::xml::printed;
 use crate::message::Importing;
@@ -61,13 +60,12 @@ impl Sides {
     }
 }
 
-/// Returns a remark if the names of legs state other sides than their places; with the axis of the
-/// file that is forward by the names, if there is one. `root` is the pose of the file's root link.
-pub(super) fn contradiction(legs: &[Chain<'_>], root: &Transform) -> Option<Importing> {
-    let hips: Vec<(Sides, [f64; 3])> = legs
-        .iter()
-        .filter_map(|leg| Some((Sides::of(leg.name()), leg.joints.first()?.at)))
-        .collect();
+/// Returns a remark if the names of legs state other sides than the places of their first joints; with
+/// the axis of the file that is forward by the names, if there is one. `root` is the pose of the file's
+/// root link.
+pub(super) fn contradiction(legs: &[(&str, [f64; 3])], root: &Transform) -> Option<Importing> {
+    let hips = legs.iter().map(|(name, at)| (Sides::of(name), *at));
+    let hips: Vec<(Sides, [f64; 3])> = hips.collect();
     let count = hips.len().max(1) as f64;
     let middle = [0, 1, 2].map(|axis| hips.iter().map(|(_, at)| at[axis]).sum::<f64>() / count);
     let away: Vec<(Sides, [f64; 3])> = hips
@@ -94,7 +92,7 @@ pub(super) fn contradiction(legs: &[Chain<'_>], root: &Transform) -> Option<Impo
     }
     let pairs = legs.iter().zip(&away);
     let joints = pairs.filter(|(_, away)| contradicts(AHEAD, away));
-    let joints = List(joints.map(|(leg, _)| printed(leg.name())).collect());
+    let joints = List(joints.map(|((name, _), _)| printed(name)).collect());
     let others = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]];
     Some(match others.into_iter().find(agrees) {
         Some(forward) => Importing::NamesTurned {

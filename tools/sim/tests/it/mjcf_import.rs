@@ -350,7 +350,10 @@ fn a_free_body_walks_on_any_number_of_legs() {
         skip: vec!["RL".to_owned(), "RR".to_owned()],
         ..ImportOptions::default()
     };
-    let text = text.replace("<geom type=\"box\" size=\"0.2 0.1 0.05\"/>", "<geom size=\"0.1\"/>");
+    let text = text.replace(
+        "<geom type=\"box\" size=\"0.2 0.1 0.05\"/>",
+        "<geom size=\"0.1\"/>",
+    );
     let import = import_with("test.xml", &text, &options).expect("two legs");
     assert!(import.toml.contains("\n[body]\n"), "{}", import.toml);
 }

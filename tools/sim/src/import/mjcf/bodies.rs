@@ -260,6 +260,8 @@ impl<'a, 'c> Bodies<'a, 'c> {
         let (step, width) = (turn.moved(offset), count.to_string().len());
         let mut frame = scope.frame;
         for copy in 0..count {
+            // Copies of nothing take time as well.
+            self.count(element)?;
             let suffix = format!("{separator}{copy:0width$}{}", scope.suffix);
             let suffix = suffix.as_str();
             let inner = Scope {

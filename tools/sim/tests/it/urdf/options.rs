@@ -15,6 +15,7 @@ fn options([feet, skip, order]: [&[&str]; 3]) -> ImportOptions {
         order: words(order),
         up: None,
         stand: None,
+        ..ImportOptions::default()
     }
 }
 
