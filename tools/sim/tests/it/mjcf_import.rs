@@ -4,7 +4,7 @@ mod hostile;
 
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::{Leg, Model};
-use tip_sim::import::{Forward, Import, ImportOptions, import, import_with};
+use tip_sim::import::{Foot, Forward, Import, ImportOptions, import, import_with};
 use tip_sim::{Robot, mjcf};
 use tipc::description::{Description, parse};
 
@@ -392,15 +392,19 @@ fn a_wheel_is_no_foot() {
     let text = finger("", wheel);
     let error = import("test.xml", &text).expect_err("a wheel").to_string();
     assert!(error.contains("`--foot finger=X,Y,Z`"), "{error}");
-    let with = |foot: &str| {
+    let with = |link: &str, at: [f64; 3]| {
+        let foot = Foot {
+            link: link.to_owned(),
+            at,
+        };
         let options = ImportOptions {
-            feet: vec![foot.into()],
+            feet: vec![foot],
             ..ImportOptions::default()
         };
         told(&import_with("test.xml", &text, &options).expect("a leg"))
     };
-    assert!(with("finger").contains("weighs 0.5 kg: joints wheel_joint"));
-    assert!(with("wheel").contains("the hub of a wheel"));
+    assert!(with("finger", [0.3, 0.0, 0.0]).contains("weighs 0.5 kg: joints wheel_joint"));
+    assert!(with("wheel", [0.0; 3]).contains("the hub of a wheel"));
 }
 
 #[test]
