@@ -69,7 +69,7 @@ pub struct Import {
 /// The reason why a file is not a robot with legs; it names the link, the joint or the place,
 /// and a way out.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ImportError(Importing);
+pub struct ImportError(Box<Importing>);
 
 impl fmt::Display for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -81,7 +81,7 @@ impl std::error::Error for ImportError {}
 
 impl ImportError {
     fn new(message: Importing) -> Self {
-        ImportError(message)
+        ImportError(Box::new(message))
     }
 
     /// Returns the reason as data; [`Importing::in_lang`] gives its text in a language.
