@@ -9,8 +9,9 @@ use super::elements::{Classes, Element, Files, Merged, Spot};
 use super::geoms::{self, Geom, Shape};
 use super::{Compiler, Ignored, SHAPE_CLASS, motors};
 use crate::message::Importing;
-use crate::urdf::frame::{BODY, WORLD};
+use crate::urdf::frame::{self, BODY, WORLD};
 use std::collections::BTreeMap;
+use tip_runtime::command::MAX;
 use tipc::message::list::List;
 
 /// Maximum number of bodies, geometries, sites and joints, copies among them.
@@ -656,8 +657,7 @@ fn tip(geom: &Geom) -> Option<Tip> {
 
 /// Returns true if a site is called foot, toe or tip, or F1 as those of this project's export are.
 fn is_foot(name: &str) -> bool {
-    let number = name.strip_prefix('F').unwrap_or_default();
-    let is_ours = number.len() == 1 && number.bytes().all(|digit| digit.is_ascii_digit());
+    let is_ours = (1..=MAX as u8).any(|leg| name == frame::foot(leg));
     is_ours
         || super::super::names::words(name)
             .iter()
