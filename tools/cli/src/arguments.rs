@@ -19,7 +19,7 @@ static TITAN: RobotChoice = RobotChoice::Named(Robot::Titan8);
 pub(super) struct SourceArguments {
     /// The robot; else that of tip.toml, or titan8
     ///
-    /// A name that 'tip robot list' shows, a description in a file, or a URDF file
+    /// A name that 'tip robot list' shows, a description in a file, or a URDF or MJCF file
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 

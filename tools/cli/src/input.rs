@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::interrupt;
+use std::ffi::OsStr;
 use std::fs::File;
 use std::path::{Path, PathBuf, absolute};
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -10,7 +11,7 @@ use std::{env, fs, io, thread};
 use tip_drives::described;
 use tip_lint::migrate::Migration;
 use tip_runtime::plant::Scene;
-use tip_sim::urdf;
+use tip_sim::import::{self, ImportOptions};
 use tipc::code::Code;
 use tipc::description::{self, Description, Project};
 use tipc::diagnostic::Diagnostic;
@@ -89,19 +90,34 @@ pub(super) fn migrate(
     tip_lint::migrate::migrate_to(edition, &name, &bytes, encoding)
 }
 
-/// Returns true if a file is called URDF by its extension.
-pub(super) fn is_urdf(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending == "urdf")
+/// Returns true if a file is called URDF or MJCF by its extension.
+pub(super) fn is_model(path: &Path) -> bool {
+    let ending = path.extension().and_then(OsStr::to_str);
+    ending.is_some_and(|ending| ["urdf", "xml", "mjcf"].contains(&ending))
 }
 
-/// Reads the text of a description at `path`, or imports a URDF file; returns its name in diagnostics, too.
+/// Returns the folder of a file, below which it may include others; a stream has none.
+pub(super) fn folder(path: &Path) -> Option<PathBuf> {
+    let folder = path.parent().filter(|_| !is_stream(path))?;
+    Some(match folder.as_os_str().is_empty() {
+        true => PathBuf::from("."),
+        false => folder.to_owned(),
+    })
+}
+
+/// Reads the text of a description at `path`, or imports a URDF or MJCF file; returns its name in diagnostics, too.
 pub(super) fn description_text(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
     let (name, bytes) = bytes(path)?;
-    if !is_urdf(path) {
+    if !is_model(path) {
         return Ok((name, bytes));
     }
     let file = path.file_name().unwrap_or_default().to_string_lossy();
-    let imported = urdf::decode(&bytes).and_then(|text| urdf::import(&file, &text));
+    let options = ImportOptions {
+        folder: folder(path),
+        ..ImportOptions::default()
+    };
+    let text = import::decode(&bytes);
+    let imported = text.and_then(|text| import::import_with(&file, &text, &options));
     imported
         .map(|import| (name.clone(), import.toml.into_bytes()))
         .map_err(|refused| {
@@ -112,7 +128,7 @@ pub(super) fn description_text(path: &Path) -> Result<(String, Vec<u8>), Box<Loa
         })
 }
 
-/// Reads the description of a robot at `path`, or imports a URDF file.
+/// Reads the description of a robot at `path`, or imports a URDF or MJCF file.
 pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     let (name, bytes) = description_text(path)?;
     description::parse_for_servos(&name, &bytes, &described::servos())

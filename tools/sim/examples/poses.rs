@@ -9,7 +9,7 @@ use std::path::Path;
 use std::{env, fs};
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::{Leg, Range};
-use tip_sim::{Anatomy, Limb, Robot, mjcf, urdf};
+use tip_sim::{Anatomy, Limb, Robot, import, mjcf, urdf};
 
 const POSES: usize = 1000;
 
@@ -32,7 +32,7 @@ fn load(robot: &Path) -> Result<Robot, Box<dyn Error>> {
     let ending = robot.extension().and_then(|ending| ending.to_str());
     Ok(match ending {
         Some("toml") => Robot::description(&text()?)?,
-        Some("urdf") => Robot::description(&urdf::import("robot.urdf", &text()?)?.toml)?,
+        Some("urdf") => Robot::description(&import::import("robot.urdf", &text()?)?.toml)?,
         _ => Robot::named(&robot.to_string_lossy())?,
     })
 }

@@ -10,6 +10,7 @@ pub mod event;
 mod event_console;
 pub mod external;
 mod ideal_joints;
+pub mod import;
 mod interp;
 mod lints;
 mod load;

@@ -1,7 +1,6 @@
 //! Export of robots as URDF text.
 
-use super::frame::{self, BASE, BODY, FLOOR, WORLD, length};
-use super::transform::rpy_of_axes;
+use super::frame::{self, BASE, BODY, FLOOR, WORLD, length, rpy_of_axes};
 use super::xml;
 use crate::model::{Anatomy, Limb};
 use crate::robot::Robot;

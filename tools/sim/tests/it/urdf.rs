@@ -18,7 +18,7 @@ use frames::place;
 use robots::{ARM, Joint, PLAIN, TIP, fixed, quadruped, revolute, urdf};
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::{Leg, Model};
-use tip_sim::urdf::{Import, import};
+use tip_sim::import::{Import, import};
 use tipc::description::{Description, parse};
 
 /// The report, a line each.

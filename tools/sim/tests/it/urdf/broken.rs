@@ -1,6 +1,6 @@
 //! Files that are not URDF: place, reason and way out. Each is tested with a similar file that is sound.
 
-use tip_sim::urdf::import;
+use tip_sim::import::import;
 
 /// A leg of one joint, which takes a line for each element.
 const SOUND: &str = r#"<robot name="leg" VERSION>
@@ -385,7 +385,7 @@ fn what_is_not_xml_is_refused_at_its_place() {
     let error = import("test.urdf", &text).expect_err("it is refused");
     assert_eq!(
         error.to_string(),
-        "this is not URDF: expected 'robot' tag, not 'rabot' at 18:1"
+        "this is neither URDF nor MJCF: expected 'robot' tag, not 'rabot' at 18:1"
     );
 }
 

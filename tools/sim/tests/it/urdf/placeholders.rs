@@ -231,6 +231,6 @@ fn masses_and_inertias_of_nothing_are_doubted() {
     );
     doubted(
         &sound.replacen("iyy=\"0.01\"", "iyy=\"0\"", 1),
-        "an inertia of 0 about some axis; what moves with them is taken to be a uniform rod or box: one",
+        "an inertia of 0 about some axis; they count as point masses, and where they are most of the mass that moves as one, its inertia is that of a uniform rod or box: one",
     );
 }

@@ -308,15 +308,17 @@ fn in_mujoco_shapes_are_drawn_and_feet_touch_as_before() {
     let plain = plain.collect::<String>();
     let plain = mjcf::export(&Robot::description(&plain).expect("it is a robot"));
     let others = |text: &str| -> Vec<String> {
-        let lines = text
-            .lines()
-            .filter(|line| !line.contains("class=\"drawn\""));
+        let lines = text.lines().filter(|line| {
+            !["drawn", "tip_shape"]
+                .iter()
+                .any(|class| line.contains(&format!("class=\"{class}\"")))
+        });
         lines.map(|line| line.replace(" group=\"3\"", "")).collect()
     };
     assert_eq!(others(&shaped), others(&plain));
     let drawn: Vec<&str> = shaped
         .lines()
-        .filter(|line| line.contains("class=\"drawn\""))
+        .filter(|line| line.contains("class=\"tip_shape\""))
         .collect();
     assert_eq!(
         drawn.len(),
@@ -324,7 +326,7 @@ fn in_mujoco_shapes_are_drawn_and_feet_touch_as_before() {
         "with the line of the class itself"
     );
     // Half of its sides, in m; along its x and y.
-    let sphere = "<geom class=\"drawn\" type=\"sphere\" size=\"0.012\" pos=\"0 0 -0.09\" xyaxes=\"1 0 0 0 1 0\"/>";
+    let sphere = "<geom class=\"tip_shape\" type=\"sphere\" size=\"0.012\" pos=\"0 0 -0.09\" xyaxes=\"1 0 0 0 1 0\"/>";
     assert!(drawn.iter().any(|line| line.trim() == sphere), "{drawn:?}");
     assert!(
         drawn.iter().any(|line| line.contains(

@@ -1,6 +1,7 @@
 //! Robots that stand as high as they are asked to, by trigonometry of their figures.
 
-use tip_sim::urdf::{ImportOptions, export, import_with};
+use tip_sim::import::{ImportOptions, import_with};
+use tip_sim::urdf::export;
 use tip_sim::{Anatomy, Robot};
 
 /// Exports a robot, and imports it to stand at a height, mm.

@@ -91,10 +91,45 @@ fn inertias_that_only_fill_places_are_doubted_and_left_out() {
     }
     for doubtful in [[0.33, 0.33, 0.33], [0.1, 0.1, 0.201]] {
         let said = told(&imported(&robot(doubtful)).0);
-        let line = "that of no rigid body, or of one larger than the robot; what moves with them is taken to be a uniform rod or box: rod";
+        let line = "that of no rigid body, or of one larger than the robot; they count as point masses, and where they are most of the mass that moves as one, its inertia is that of a uniform rod or box: rod";
         assert!(said.contains(line), "{said}");
         let joint = leg(&robot(doubtful)).joints[0];
-        assert_eq!((joint.mass, joint.spread), (2.0, None));
+        assert_eq!(joint.mass, 2.0);
+        // The centre is kept; the tensor is that of a uniform rod along y.
+        let spread = joint.spread.expect("its centre is known");
+        assert_eq!(spread.centre, [0.0; 3]);
+        assert!(
+            (spread.inertia[0] - 2.0 * 0.09 / 12.0).abs() < 1e-3,
+            "{spread:?}"
+        );
+    }
+}
+
+/// Of a light fixed link without a tensor of its own only the tensor is lost: 2 kg with theirs, and a
+/// point of 0.1 kg, 0.3 m ahead.
+#[test]
+fn a_small_doubtful_link_is_a_point_mass() {
+    let main = format!("<origin xyz=\"0.02 0 -0.1\"/><mass value=\"2\"/>{INERTIA}");
+    for doubtful in ["0", "900", "-1"] {
+        let foot = format!(
+            "<inertial><mass value=\"0.1\"/><inertia ixx=\"{doubtful}\" iyy=\"{doubtful}\" izz=\"{doubtful}\" \
+             ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
+        );
+        let (x, z) = (0.28, 0.1);
+        // Two points apart by x ahead and z up, with their reduced mass.
+        let reduced = 2.0 * 0.1 / 2.1;
+        near(
+            spread_of(&rod(&main, &foot)),
+            [0.0, (2.0 * 20.0 + 0.1 * 300.0) / 2.1, -2.0 * 100.0 / 2.1],
+            [
+                0.002 + reduced * (x * x + z * z),
+                0.001 + reduced * z * z,
+                0.0025 + reduced * x * x,
+                -0.0001,
+                -0.0003,
+                -0.0002 - reduced * x * z,
+            ],
+        );
     }
 }
 
