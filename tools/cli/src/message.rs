@@ -284,7 +284,7 @@ tipc::message_table! {
         "{count}回、最初は{time} sに{line}行目で(うち{upright}回は胴体が倒れていません)";
     Speed { value: String, along: Along }
         "{value} mm/s {along}",
-        "{along}{value} mm/s";
+        "平均で{along}{value} mm/s";
     Least { value: String, unit: &'static str, time: String, cycle: String, line: u32 }
         "{value} {unit} at least, after {time} s (cycle {cycle}, line {line})",
         "最小{value} {unit}、{time} s(周期{cycle}、{line}行目)";
@@ -296,7 +296,7 @@ tipc::message_table! {
         "最大{value} {unit}(上限{limit})、{of}、{time} s(周期{cycle}、{line}行目)";
     Work { value: String }
         "{value} J",
-        "{value} J";
+        "合計{value} J";
     WorkAndCost { value: String, cost: String }
         "{value} J, cost of transport {cost}",
         "{value} J、輸送コスト{cost}";
@@ -315,9 +315,6 @@ tipc::message_table! {
     AtMost { value: String }
         "{value} mm at most",
         "最大{value} mm";
-    AtLeast { value: String }
-        "{value} mm at least",
-        "最小{value} mm";
     ZmpOutside { cycles: Cycles, by: String }
         "the zero moment point outside the feet in {cycles}, by {by} mm at most",
         "{cycles}でZMPが支持多角形の外、最大{by} mm";
