@@ -55,7 +55,7 @@ pub struct Motion {
     pub margin: f64,
     /// The least margin so far, mm.
     pub least_margin: f64,
-    /// The greatest slip of a foot in one stance so far, mm.
+    /// The greatest slip of a foot in one stance at the end of a cycle so far, mm.
     pub slip: f64,
     /// Commands that joints and feet could not follow.
     pub tracking_errors: TrackingErrors,
@@ -75,6 +75,8 @@ pub struct Limbs<const L: usize, const J: usize> {
     /// The force of the ground on each foot, friction included, in the world, N; `None` where only
     /// loads are known. Those of a hand are in [`Grasp`].
     pub forces: Option<[[f64; 3]; L]>,
+    /// The slip of each foot since its touchdown, mm; `None` unless the robot walks.
+    pub slips: Option<[f64; L]>,
     /// Motor torques, in the robot's torque unit, or in N·m if it has none.
     pub torques: [[f64; J]; L],
 }

@@ -376,6 +376,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
             angles: self.angles(),
             loads: is_loose.then_some(loads),
             forces: is_loose.then_some(forces),
+            slips: is_loose.then(|| self.feet().map(|foot| foot.slip)),
             torques: self.torques(),
         })
     }

@@ -183,6 +183,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
             angles: self.angles(),
             loads: Some(self.fingertips().map(|tip| tip.force())),
             forces: None,
+            slips: None,
             torques: self.torques(),
         })
     }

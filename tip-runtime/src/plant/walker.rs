@@ -299,6 +299,10 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
             angles: self.angles(),
             loads: self.ground.is_loose().then_some(self.ground.loads.feet),
             forces: None,
+            slips: self
+                .ground
+                .is_loose()
+                .then(|| self.feet().map(|foot| foot.slip)),
             torques: self.torques(),
         })
     }

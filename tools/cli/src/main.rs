@@ -5,6 +5,7 @@ mod arguments;
 mod check;
 mod choices;
 mod commands;
+mod compare;
 mod debug;
 mod drives;
 mod embedded;
@@ -55,6 +56,7 @@ use std::process::ExitCode;
   tip sweep walk.prg --vary STRIDE=160..240/20 -o runs.csv
                                      run it with each of these strides
   tip view walk.prg                  write walk.html, a page that replays the run
+  tip compare walk.prg faster.prg    compare the figures of two runs
   tip serve walk.prg                 run it live in a web page, with keys, knobs and an editor
   tip verify walk.prg                compare its compiled code with the interpreter
   tip migrate old.prg -o walk.prg    migrate an older program to version 3.1
@@ -64,7 +66,7 @@ use std::process::ExitCode;
 
 'tip help COMMAND' shows examples of each command.
 Exit status: 0 done, 1 the program does not load, does not verify or has a denied warning, or a file cannot be written,
-2 wrong usage, 3 emergency stop, 4 a fall with --deny falls, 130 interrupted (by SIGTERM 143,
+2 wrong usage, 3 emergency stop, 4 a fall with --deny falls or a condition of --fail-if, 130 interrupted (by SIGTERM 143,
 by SIGHUP 129)."
 )]
 struct Arguments {}
@@ -80,7 +82,7 @@ enum Status {
     Usage = 2,
     /// Emergency stop.
     Emergency = 3,
-    /// The robot fell, which `--deny falls` forbids.
+    /// The robot fell, which `--deny falls` forbids, or a condition of `--fail-if` holds.
     Fell = 4,
     /// Ctrl-C; other signals have statuses of their own.
     Interrupted = 130,

@@ -94,6 +94,15 @@ tipc::message_table! {
     SceneIsElsewhere
         "--scene is for the built-in plants; a process has surroundings of its own: pass the scene to the process",
         "--scene は内蔵のプラントの周囲を決めるもので、プロセスの周囲はプロセス自身が決めます。シーンはプロセスに渡してください";
+    NotACondition { text: String }
+        "`{text}` is not a condition: write one of forward, speed, falls, margin, slip, rate, torque, energy, cost and lift, then < <= > >= or =, and a number, as in `speed<100`",
+        "`{text}` は条件ではありません。forward、speed、falls、margin、slip、rate、torque、energy、cost、liftのどれか、< <= > >= = のどれか、数を `speed<100` のように書いてください";
+    NoFigure { name: String }
+        "the second run has no figure `{name}`: `tip compare` without --fail-if lists the figures that it has",
+        "2番目の実行には `{name}` の値がありません。--fail-ifを付けない `tip compare` で値の一覧を見られます";
+    OneOutput
+        "--format json and --trace - both write to standard output: give the trace a file",
+        "--format json と --trace - はどちらも標準出力に書きます。トレースにはファイルを指定してください";
     FallsAreElsewhere
         "--deny falls needs a built-in plant: the falls of a process's robot are not counted",
         "--deny falls を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒は数えられません";
@@ -109,6 +118,9 @@ tipc::message_table! {
     HasPart { part: Text }
         "{part} holds an unfinished table: add --resume to go on with it, or remove the file",
         "{part} に書きかけの表があります。--resumeを付けて続きを実行するか、ファイルを削除してください";
+    HasTable { file: Text }
+        "{file} exists: --force replaces it, --resume shows it again if it is of this sweep, -o takes another name",
+        "{file} はすでにあります。置き換えるには --force、同じスイープの結果をもう一度表示するには --resume を付けるか、-oで別の名前を指定してください";
     NotAFile { file: Text }
         "{file} is not a file: '-o -' writes the table to standard output",
         "{file} はファイルではありません。標準出力に書くには '-o -' を指定してください";
@@ -270,12 +282,39 @@ tipc::message_table! {
     UprightFalls { count: String, upright: String, time: String, line: u32 }
         "{count}, the first after {time} s at line {line}; the body stays upright in {upright}",
         "{count}回、最初は{time} sに{line}行目で(うち{upright}回は胴体が倒れていません)";
+    Speed { value: String, along: Along }
+        "{value} mm/s {along}",
+        "平均で{along}{value} mm/s";
+    Least { value: String, unit: &'static str, time: String, cycle: String, line: u32 }
+        "{value} {unit} at least, after {time} s (cycle {cycle}, line {line})",
+        "最小{value} {unit}、{time} s(周期{cycle}、{line}行目)";
+    Largest { value: String, unit: &'static str, of: Text, time: String, cycle: String, line: u32 }
+        "{value} {unit} at most, {of} after {time} s (cycle {cycle}, line {line})",
+        "最大{value} {unit}、{of}、{time} s(周期{cycle}、{line}行目)";
+    LargestOf { value: String, unit: &'static str, limit: String, of: Text, time: String, cycle: String, line: u32 }
+        "{value} of {limit} {unit} at most, {of} after {time} s (cycle {cycle}, line {line})",
+        "最大{value} {unit}(上限{limit})、{of}、{time} s(周期{cycle}、{line}行目)";
+    Work { value: String }
+        "{value} J",
+        "合計{value} J";
+    WorkAndCost { value: String, cost: String }
+        "{value} J, cost of transport {cost}",
+        "{value} J、輸送コスト{cost}";
+    WaitedAt { length: String, line: u32, time: String, cycle: String }
+        "{length} s at line {line}, from {time} s on (cycle {cycle})",
+        "{line}行目で{length} s、{time} sから(周期{cycle})";
+    WaitedAtFor { length: String, line: u32, until: Message, time: String, cycle: String }
+        "{length} s at line {line} for {until}, from {time} s on (cycle {cycle})",
+        "{line}行目で{until}を{length} s、{time} sから(周期{cycle})";
+    WaitedIn { length: String, first: u32, last: u32, time: String, cycle: String }
+        "{length} s in lines {first} to {last}, from {time} s on (cycle {cycle})",
+        "{first}~{last}行目で{length} s、{time} sから(周期{cycle})";
+    WaitedInFor { length: String, first: u32, last: u32, until: Message, time: String, cycle: String }
+        "{length} s in lines {first} to {last} for {until}, from {time} s on (cycle {cycle})",
+        "{first}~{last}行目で{until}を{length} s、{time} sから(周期{cycle})";
     AtMost { value: String }
         "{value} mm at most",
         "最大{value} mm";
-    AtLeast { value: String }
-        "{value} mm at least",
-        "最小{value} mm";
     ZmpOutside { cycles: Cycles, by: String }
         "the zero moment point outside the feet in {cycles}, by {by} mm at most",
         "{cycles}でZMPが支持多角形の外、最大{by} mm";
@@ -339,6 +378,20 @@ tipc::message_table! {
     Unsupported { time: String, cycle: String }
         "the robot lost its support after {time} s, in cycle {cycle}",
         "ロボットが{time} s、周期{cycle}で支えを失いました";
+}
+
+tipc::message_table! {
+    /// Comparisons of two runs.
+    Comparing;
+
+    Difference "difference", "差";
+    BetterByMore "better (more is better)", "良い(大きいほど良い)";
+    BetterByLess "better (less is better)", "良い(小さいほど良い)";
+    WorseByMore "worse (less is better)", "悪い(小さいほど良い)";
+    WorseByLess "worse (more is better)", "悪い(大きいほど良い)";
+    Fails { condition: String }
+        "the second run has {condition}",
+        "2番目の実行は条件 {condition} を満たします";
 }
 
 tipc::message_table! {
@@ -421,6 +474,11 @@ tipc::message_table! {
     Falls "falls", "転倒";
     Slip "slip", "滑り";
     Margin "margin", "余裕";
+    Speed "speed", "速度";
+    Rate "rate", "角速度";
+    Torque "torque", "トルク";
+    Energy "energy", "仕事";
+    Waited "waited", "待ち";
     Zmp "zmp", "動余裕";
     Grip "grip", "摩擦";
     Contact "contact", "干渉";

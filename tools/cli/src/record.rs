@@ -147,7 +147,7 @@ pub(super) struct View {
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     case: Option<u64>,
 
-    /// The page; else FILE.html or FILE-OTHER.html
+    /// The page; else FILE.html or FILE-OTHER.html in this folder
     ///
     /// '-' is standard output
     #[arg(short, long, value_name = "OUT.html")]
@@ -183,9 +183,10 @@ fn view(arguments: &View) -> Result<Status, Error> {
     read.extend(arguments.program.as_deref());
     read.extend(arguments.other.as_deref());
     output::refuse_inputs(&out, &read)?;
-    let recording = arguments.recording(&run.file)?;
+    let reading = arguments.reading();
+    let recording = reading.recording(&run.file)?;
     let other = arguments.other.as_ref();
-    let other = other.map(|other| arguments.recording(other)).transpose()?;
+    let other = other.map(|other| reading.recording(other)).transpose()?;
     interrupt::hold();
     let page = match &other {
         Some(other) => recording.to_comparison(other),
@@ -197,7 +198,7 @@ fn view(arguments: &View) -> Result<Status, Error> {
             Some(other) => comparison(&recording, other, &out, page.len()),
             None => summary(&recording, &out, page.len()),
         });
-        if !arguments.is_trace(&run.file) {
+        if !reading.is_trace(&run.file) {
             run.report_wait(&recording);
         }
     }
@@ -207,12 +208,10 @@ fn view(arguments: &View) -> Result<Status, Error> {
     })
 }
 
-/// Returns the path of a file next to the program, or in this folder if that is a stream.
-fn beside(program: &Path, ending: &str) -> PathBuf {
-    match input::is_stream(program) {
-        true => PathBuf::from("run").with_extension(ending),
-        false => program.with_extension(ending),
-    }
+/// Returns the path of a file in this folder, named after the program; `run` if that is a stream.
+fn named_after(program: &Path, ending: &str) -> PathBuf {
+    let name = program.file_name().filter(|_| !input::is_stream(program));
+    PathBuf::from(name.unwrap_or("run".as_ref())).with_extension(ending)
 }
 
 /// Maximum size of a trace, MiB: some hours of robot time.
@@ -225,7 +224,7 @@ impl View {
 
     /// Returns the path of the page.
     fn out(&self) -> PathBuf {
-        let page = beside(&self.run.file, "html");
+        let page = named_after(&self.run.file, "html");
         match (&self.out, &self.other) {
             (Some(out), _) => out.clone(),
             (None, None) => page,
@@ -233,7 +232,7 @@ impl View {
             (None, Some(other)) => {
                 let mut name = page.file_stem().unwrap_or_default().to_owned();
                 name.push("-");
-                name.push(beside(other, "html").file_name().unwrap_or_default());
+                name.push(named_after(other, "html").file_name().unwrap_or_default());
                 page.with_file_name(name)
             }
         }
@@ -243,7 +242,7 @@ impl View {
     fn table(&self) -> Result<Status, Error> {
         let (file, lang) = (&self.run.file, self.lang());
         let out = match (&self.out, self.case) {
-            (None, Some(case)) => file.with_extension(format!("{case}.html")),
+            (None, Some(case)) => named_after(file, &format!("{case}.html")),
             _ => self.out(),
         };
         if self.other.is_some() {
@@ -272,23 +271,55 @@ impl View {
         Ok(Status::Success)
     }
 
+    /// Returns the program of a file: itself, or that of a trace, which is next to it by default.
+    pub(super) fn program(&self, file: &Path) -> PathBuf {
+        self.reading().program(file)
+    }
+
+    fn reading(&self) -> Reading<'_> {
+        Reading {
+            run: &self.run,
+            program: self.program.as_deref(),
+            is_alone: self.other.is_none(),
+            quiet: self.quiet,
+            command: "view",
+        }
+    }
+}
+
+/// The way in which files become recordings.
+pub(super) struct Reading<'a> {
+    pub(super) run: &'a RunArguments,
+    /// The program of traces.
+    pub(super) program: Option<&'a Path>,
+    /// There is one file, so that `program` says that it is a trace.
+    pub(super) is_alone: bool,
+    pub(super) quiet: bool,
+    pub(super) command: &'static str,
+}
+
+impl Reading<'_> {
+    fn lang(&self) -> Lang {
+        self.run.source.output_options.lang()
+    }
+
     /// Returns true if a file is a trace, not a program.
     fn is_trace(&self, file: &Path) -> bool {
         let is_trace = file.extension().is_some_and(|ending| ending == "jsonl");
-        is_trace || self.program.is_some() && self.other.is_none()
+        is_trace || self.program.is_some() && self.is_alone
     }
 
     /// Returns the program of a file: itself, or that of a trace, which is next to it by default.
     pub(super) fn program(&self, file: &Path) -> PathBuf {
-        match &self.program {
-            Some(program) if self.is_trace(file) => program.clone(),
+        match self.program {
+            Some(program) if self.is_trace(file) => program.to_owned(),
             None if self.is_trace(file) => file.with_extension("prg"),
             _ => file.to_owned(),
         }
     }
 
     /// Runs a program, or reads a trace.
-    fn recording(&self, file: &Path) -> Result<Recording, Error> {
+    pub(super) fn recording(&self, file: &Path) -> Result<Recording, Error> {
         let (is_trace, program) = (self.is_trace(file), self.program(file));
         if self.program.is_none() && is_trace && !program.exists() {
             let file = file.display().to_string().into();
@@ -297,7 +328,9 @@ impl View {
                 self.lang(),
             ));
         }
-        let refusal = Using::ProcessIsRun { command: "view" };
+        let refusal = Using::ProcessIsRun {
+            command: self.command,
+        };
         let Subject { loaded, robot, .. } = self.run.load(&program, self.quiet, refusal)?;
         if !is_trace {
             return self.run.recording(&loaded, &robot, Pace::Smooth);
@@ -357,7 +390,7 @@ fn kilobytes(bytes: usize) -> String {
 flags, messages, variables. Foxglove and Rerun show it. run.csv has a row for each cycle. docs/logs.md lists topics and columns.
 
 Examples:
-  tip log walk.prg -o walk.mcap
+  tip log walk.prg           walk.mcap in this folder
   tip log grasp.prg --robot hand --scene scene.toml -o grasp.csv --every 10
   tip log walk.prg -o -      the table on standard output
 
@@ -372,9 +405,9 @@ pub(super) struct Log {
 
     /// The file; '-' is a table on standard output
     ///
-    /// Its extension selects the format
+    /// Its extension selects the format; by default FILE.mcap in this folder
     #[arg(short, long, value_name = "OUT.mcap|OUT.csv")]
-    out: PathBuf,
+    out: Option<PathBuf>,
 
     /// Keep the motion of every Nth cycle
     ///
@@ -423,7 +456,9 @@ impl Action for Log {
 
 /// Runs the program and writes the log.
 fn log(arguments: &Log) -> Result<Status, Error> {
-    let (out, kind) = (&arguments.out, LogFormat::of(&arguments.out)?);
+    let out = arguments.out.clone();
+    let out = &out.unwrap_or_else(|| named_after(&arguments.run.file, "mcap"));
+    let kind = LogFormat::of(out)?;
     output::refuse_inputs(out, &arguments.run.files())?;
     let recorded = arguments.run.record(kind.pace(arguments.every), "log")?;
     let recording = &recorded.recording;
@@ -464,7 +499,7 @@ pub(super) struct Plot {
     #[command(flatten)]
     pub(super) run: RunArguments,
 
-    /// The file; else FILE.svg next to FILE
+    /// The file; else FILE.svg in this folder
     ///
     /// '-' is standard output
     #[arg(short, long, value_name = "OUT.svg")]
@@ -517,7 +552,7 @@ impl Action for Plot {
 /// Runs the program and writes the diagrams.
 fn plot(arguments: &Plot) -> Result<Status, Error> {
     let out = arguments.out.clone();
-    let out = &out.unwrap_or_else(|| beside(&arguments.run.file, "svg"));
+    let out = &out.unwrap_or_else(|| named_after(&arguments.run.file, "svg"));
     output::refuse_inputs(out, &arguments.run.files())?;
     let recorded = arguments.run.record(Pace::Smooth, "plot")?;
     let diagrams: Vec<Diagram> = match arguments.of.as_slice() {

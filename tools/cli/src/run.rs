@@ -13,20 +13,22 @@ use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;
 use super::setup::{ChosenRobot, PlantChoice};
-use super::{Status, input, interrupt, report};
+use super::{Status, input, interrupt, output, report};
 use crate::Action;
 use crate::choices::Format;
 use crate::message::{Driving, Running, Using, Weight};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use console::{Live, Progress, Screen};
 use emergency::Stopped;
 use files::Trace;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
-use summary::{driven, fall, summary};
+use summary::{driven, fall, json, summary};
 use tip_runtime::console::{LogFiles, Terminal};
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, WaitDetector};
+use tip_sim::{
+    ExternalPlant, FallKind, Inputs, Interpreter, Observer, Robot, SummaryBuilder, WaitDetector,
+};
 use tipc::Loaded;
 use tipc::description::Description;
 use tipc::message::Lang;
@@ -121,9 +123,30 @@ pub(super) struct Run {
     #[command(flatten)]
     pub(super) deny: Deny,
 
+    /// The summary: text, or json on standard output
+    ///
+    /// One object in place of the program's messages (docs/files.md)
+    #[arg(
+        long,
+        value_name = "FORMAT",
+        value_enum,
+        default_value = "text",
+        hide_short_help = true
+    )]
+    pub(super) format: SummaryFormat,
+
     /// Print only messages and errors that end a run
     #[arg(long, short)]
     pub(super) quiet: bool,
+}
+
+/// The values of `--format`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum SummaryFormat {
+    /// Lines on standard error
+    Text,
+    /// One JSON object on standard output
+    Json,
 }
 
 impl Run {
@@ -155,6 +178,10 @@ impl Action for Run {
 
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
 fn run(arguments: &Run) -> Result<Status, Error> {
+    let is_straight = arguments.trace.as_deref().is_some_and(input::is_standard);
+    if is_straight && arguments.format == SummaryFormat::Json {
+        return Err(Error::usage(Using::OneOutput, arguments.lang()));
+    }
     interrupt::catch();
     let plant = arguments.run.inputs.plant.as_ref();
     let process = plant.and_then(PlantChoice::process);
@@ -282,7 +309,8 @@ impl Job<'_> {
         mut trace: Option<Trace>,
         logs: Option<LogFiles<()>>,
     ) -> Result<Status, Error> {
-        let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
+        let is_traced = trace.as_ref().is_some_and(Trace::takes_standard_output);
+        let messages = !is_traced && self.arguments.format == SummaryFormat::Text;
         let keyboard = match &self.connection {
             Some(connection) => connection.keyboard(),
             None => terminal(),
@@ -301,12 +329,14 @@ impl Job<'_> {
             fell: false,
             waits: WaitDetector::default(),
             has_waited: false,
+            figures: SummaryBuilder::new(robot),
         };
         if is_live {
             watch.live = Some(Live::begin(self.arguments.quiet, lang));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
         let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
+        let figures = watch.figures;
         // From here on a signal ends nothing: neither the leaving of the robot nor the files.
         interrupt::hold();
         let is_stopped = connection.as_ref().is_some_and(|connection| {
@@ -342,7 +372,8 @@ impl Job<'_> {
                 let texts = dropped.to_string();
                 report::say(Running::LeftOut { texts }, lang);
             }
-            let summary = summary(&run, ending, wait.as_ref(), &self.loaded.source, lang);
+            let (source, figures) = (&self.loaded.source, figures.summary());
+            let summary = summary(&run, ending, wait.as_ref(), figures, source, lang);
             report::complain(&summary);
             if let Some(live) = &live {
                 report::complain(&live.pace(lang));
@@ -350,6 +381,10 @@ impl Job<'_> {
             if let Some(connection) = &connection {
                 report::complain(&driven(connection, live.as_ref().map(Live::jitter), lang));
             }
+        }
+        if self.arguments.format == SummaryFormat::Json {
+            let source = &self.loaded.source;
+            output::print(json(&run, ending, figures.summary(), source))?;
         }
         traced.and(logged)?;
         Ok(match is_stopped {
@@ -412,6 +447,7 @@ struct Watch<'a> {
     waits: WaitDetector,
     /// True if a long wait was reported.
     has_waited: bool,
+    figures: SummaryBuilder,
 }
 
 impl Watch<'_> {
@@ -428,18 +464,19 @@ impl Watch<'_> {
             true => Weight::Error,
             false => Weight::Warning,
         };
-        if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
+        if let (Some(program), Some(screen), Some(motion)) =
+            (run.engine(), run.console::<Screen>(), run.motion())
+        {
             let lang = self.job.arguments.lang();
-            let has_mass = (run.motion()).is_some_and(|motion| motion.unmodelled.is_none());
+            let kind = FallKind::of(&motion, found.is_upright);
             let source = &self.job.loaded.source;
-            let text = fall(&found, &weight, has_mass, source, program, lang);
+            let text = fall(&found, &weight, kind, source, program, lang);
             screen.progress.above(|| report::complain(&text));
         }
     }
 
     /// Reports what a run waits for: in the line of progress on a terminal, else once after a long wait.
     fn report_wait(&mut self, run: &mut tip_sim::Run, cycle: u64) {
-        self.waits.after(run);
         let is_long = self.waits.rest(run) >= LONG_WAIT;
         let lang = self.job.arguments.lang();
         let Some(screen) = run.console::<Screen>() else {
@@ -476,8 +513,11 @@ impl Observer for Watch<'_> {
         }
         self.report_fall(run);
         if run.ending().is_some() {
+            self.figures.after(run, None);
             return;
         }
+        self.waits.after(run);
+        self.figures.after(run, self.waits.now(run));
         if self.trace.as_ref().is_some_and(|trace| !trace.is_open()) {
             interrupt::request();
         }

@@ -98,6 +98,10 @@ pub(super) struct Sweep {
     #[arg(long)]
     resume: bool,
 
+    /// Replace a table that exists
+    #[arg(long, conflicts_with = "resume")]
+    force: bool,
+
     /// The number of threads; else that of cores
     #[arg(long, value_name = "N", value_parser = positive, allow_negative_numbers = true)]
     jobs: Option<u64>,
@@ -187,7 +191,13 @@ fn sweep(arguments: &Sweep) -> Result<Status, Error> {
         true => (Table::Stream, Summary::default()),
         false => {
             output::refuse_inputs(&arguments.out, &run.files())?;
-            Table::open(&arguments.out, &sweep, arguments.resume, lang)?
+            Table::open(
+                &arguments.out,
+                &sweep,
+                arguments.resume,
+                arguments.force,
+                lang,
+            )?
         }
     };
     let began = summary.runs;

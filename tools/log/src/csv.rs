@@ -92,6 +92,9 @@ impl<'a> Table<'a> {
         joints().for_each(|joint| add(&[&format!("_{unit}")], &joint));
         for leg in (1..).take(robot.legs.len()) {
             add(&["_x_mm", "_y_mm", "_z_mm", "_N"], &foot(leg));
+            if robot.body.is_some() {
+                add(&["_slip_mm"], &foot(leg));
+            }
         }
         if robot.slider.is_some() {
             add(&["x_mm", "y_mm", "z_mm"], "FLOOR_");
@@ -140,6 +143,10 @@ impl<'a> Table<'a> {
                     .map(|load| measured(*load))
                     .unwrap_or_default(),
             );
+            if recording.robot.body.is_some() {
+                let slip = frame.slips.get(leg).copied();
+                row.push(slip.map(measured).unwrap_or_default());
+            }
         }
         row.extend(frame.slider.iter().flatten().map(|at| measured(*at)));
         for thing in &frame.objects {

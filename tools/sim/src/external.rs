@@ -355,6 +355,7 @@ impl DynHardware for ExternalHardware {
             angles: legs(&self.measured.angles),
             loads: self.measured.loads.clone(),
             forces: Vec::new(),
+            slips: Vec::new(),
             torques: legs(&torques),
         })
     }

@@ -26,6 +26,7 @@ mod robot;
 mod run;
 pub mod search;
 mod sim_hardware;
+mod summary;
 mod timeline;
 mod trace;
 pub mod urdf;
@@ -38,12 +39,15 @@ pub use external::ExternalPlant;
 pub use interp::Interpreter;
 pub use load::{LoadError, load};
 pub use model::{Anatomy, Limb};
-pub use motion::{Fall, Grasp, Limbs};
+pub use motion::{Fall, FallKind, Grasp, Limbs};
 pub use process_group::end_processes;
 pub use program_runner::{ProgramRunner, Replacement, StepTaken};
 pub use real_hardware::Joints;
 pub use robot::{GraspsNothing, Plant, Robot, UnknownRobot};
 pub use run::{Limit, Observer, Run, Snapshot};
+pub use summary::{
+    Energy, FallFigures, Moment, Peak, Sample, Summary, SummaryBuilder, TravelFigures, WaitFigure,
+};
 pub use timeline::Timeline;
 pub use tipc;
 pub use wait_detector::{Wait, WaitDetector};

@@ -13,8 +13,8 @@ mod updates;
 pub use page::{MAX_RUNS, SweepTable, sweep_page};
 pub use recorder::{Extent, RecordError};
 pub use recording::{
-    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Skeleton, Slip, Stop, Tick,
-    robot_frame,
+    Assigned, At, Fallen, Frame, ObjectPose, Outcome, Pace, Recording, Script, Skeleton, Slip,
+    Stop, Tick, robot_frame,
 };
 pub use tip_sim;
 pub use trace::TraceError;

@@ -164,7 +164,6 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
             law,
             drives,
             total,
-            detector,
             legs,
             ..
         } = self;
@@ -179,7 +178,6 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
         for (i, leg) in legs.iter_mut().enumerate() {
             share.add(leg.place(&context));
             leg.aim(&context, commands.get(i), left);
-            detector.slipped(leg.foot.slip);
         }
         push_legs_apart(legs, &frame, law, clearance);
         *total = share.inertia;

@@ -280,10 +280,15 @@ impl Table {
         path: &Path,
         sweep: &Sweep,
         resume: bool,
+        force: bool,
         lang: Lang,
     ) -> Result<(Self, Summary), Error> {
         let paths = Paths::of(path, lang)?;
         let length = |path: &Path| fs::metadata(path).map(|found| found.len()).ok();
+        if !resume && !force && length(&paths.table).unwrap_or(0) > 0 {
+            let file = path.display().to_string().into();
+            return Err(Error::failed(Using::HasTable { file }, lang));
+        }
         let part = length(&paths.part);
         if resume && part.unwrap_or(0) == 0 && paths.table.exists() {
             let other_sweep = || other_sweep(&paths.table, lang);

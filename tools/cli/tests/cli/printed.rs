@@ -64,6 +64,7 @@ fn provide(folder: &Folder, line: &str) {
         ("motions/walk.prg", &walk),
         ("turn.prg", "3.1\nturn\nSTAND_UP 60\nEND\n"),
         ("step.prg", &walk),
+        ("faster.prg", &walk),
         ("ask.prg", "3.1\nask\nDEF_VAR K\nKEY_IN K\nKEY_IN K\nEND\n"),
         (
             "sense.prg",
@@ -107,6 +108,12 @@ fn provide(folder: &Folder, line: &str) {
         // Another test may make the same one.
         let _ = std::os::unix::fs::symlink(target, &link);
         assert!(link.exists(), "{name}");
+    }
+    if !folder.has("walk.jsonl") {
+        let run =
+            "run examples/walk/motions/walk.prg --cycles 100 -q --trace walk.jsonl --trace-motion";
+        let words: Vec<&str> = run.split(' ').collect();
+        folder.tip(&words).expect(0);
     }
     if !folder.has("runs.csv") {
         let sweep = "sweep examples/walk/motions/walk.prg --vary STRIDE=160..240/20 --cycles 1 -q -o runs.csv";
@@ -208,6 +215,11 @@ fn prepared(line: &str) -> String {
     let line = line.split(" && cd ").next().unwrap_or_default();
     let line = line.replace("0.0.0.0:8000", "127.0.0.1:0");
     let line = line.replace("--realtime", "--realtime --cycles 20");
+    // The table of another line may be there.
+    let line = match line.contains("--resume") {
+        true => line,
+        false => line.replace("tip sweep ", "tip sweep --force "),
+    };
     // The process is asked to end, not the shell.
     match goes_on(&line) {
         true => format!("exec {line}"),

@@ -192,6 +192,7 @@ fn each_topic_has_its_schema_and_as_many_messages_as_the_run() {
             ("/tip/loads", "tip.Loads", frames),
             ("/tip/margin", "tip.Margin", frames),
             ("/tip/messages", "foxglove.Log", said),
+            ("/tip/slips", "tip.Slips", frames),
             ("/tip/state", "tip.State", frames + recording.steps.len()),
             ("/tip/variables", "tip.Variables", assigning.len()),
         ]

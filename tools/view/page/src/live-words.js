@@ -19,6 +19,7 @@ export const LIVE_WORDS = {
   input: ['Input {0} in volts', '入力 {0} (V)'],
   otherInputs: ['Other inputs', 'その他の入力'],
   controls: ['Controls', '操作'],
+  runAgain: ['Run again', 'もう一度実行'],
   restart: ['Run from start', '最初から実行'],
   save: ['Save', '保存'],
   reload: ['Reload', '再読み込み'],
