@@ -15,6 +15,7 @@ use super::terrain::StepContext;
 use crate::hardware::JointCommand;
 use crate::kinematics::Chain;
 use crate::model::{Joint, Leg};
+use crate::plant::self_collision::Capsules;
 use crate::plant::walker::events::Path;
 use crate::plant::{Effort, GRAVITY};
 use nalgebra::{Rotation3, Unit};
@@ -54,6 +55,7 @@ pub(super) struct LegBody<const J: usize> {
     /// The joints that are commanded torques: bit j of joint j.
     by_torque: u16,
     path: Path,
+    pub(super) capsules: Capsules<J>,
 }
 
 impl<const J: usize> LegBody<J> {
@@ -75,6 +77,7 @@ impl<const J: usize> LegBody<J> {
             saturated: 0,
             by_torque: 0,
             path: Path::NONE,
+            capsules: Capsules::NONE,
         }
     }
 
