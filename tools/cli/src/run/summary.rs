@@ -13,7 +13,7 @@ use tip_runtime::plant::{Motion, Travel, Unmodelled};
 use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Fall, Grasp, Interpreter, Run, Wait};
+use tip_sim::{Approach, Fall, Grasp, Interpreter, Run, Wait};
 use tipc::language::Keyword;
 use tipc::message::Lang;
 use tipc::program::Action;
@@ -63,6 +63,7 @@ pub(super) fn summary(
     if let Some(moved) = run.motion() {
         lines.motion(&moved, run.first_fall(), run);
     }
+    lines.clearance(run);
     if let Some(held) = run.grasp() {
         lines.grasp(&held);
     }
@@ -193,6 +194,34 @@ impl Lines {
         }
     }
 
+    /// Adds a line about the least distance of two parts, or about collisions.
+    fn clearance(&mut self, run: &Run) {
+        let Some((clearance, nearest)) = run.clearance().zip(run.nearest_approach()) else {
+            return;
+        };
+        let [one, other] = nearest.gap.parts;
+        let (time, line) = (seconds(nearest.time), run.program().line(nearest.step));
+        let distance = nearest.gap.distance;
+        let text = match clearance.collisions {
+            0 => Running::Clearance {
+                value: tenths(distance),
+                one,
+                other,
+                time,
+                line,
+            },
+            collisions => Running::Collisions {
+                cycles: (collisions as usize).into(),
+                by: tenths(-distance),
+                one,
+                other,
+                time,
+                line,
+            },
+        };
+        self.add(Figure::Gap, &text);
+    }
+
     /// Adds a line about something that was counted, unless the count is 0.
     fn counted(&mut self, count: u32, figure: Figure, text: &Running) {
         if count > 0 {
@@ -313,6 +342,30 @@ pub(super) fn fall(
         "{}: {}\n{location}",
         weight.in_lang(lang),
         fell.in_lang(lang)
+    )
+}
+
+/// Returns the report of a collision, with its statement.
+pub(super) fn collision(
+    found: &Approach,
+    weight: &Weight,
+    source: &Source,
+    program: &Interpreter,
+    lang: Lang,
+) -> String {
+    let [one, other] = found.gap.parts;
+    let collided = Running::Collided {
+        one,
+        other,
+        by: tenths(-found.gap.distance),
+        time: seconds(found.time),
+        cycle: found.cycle.to_string(),
+    };
+    let location = step_location(source, program.program(), found.step);
+    format!(
+        "{}: {}\n{location}",
+        weight.in_lang(lang),
+        collided.in_lang(lang)
     )
 }
 
