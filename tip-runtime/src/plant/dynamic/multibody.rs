@@ -20,7 +20,7 @@ use crate::plant::{ContactLaw, GRAVITY, TrackingErrors, are_sane};
 const LONGEST: f64 = 5e-4;
 /// Maximum number of steps in a cycle.
 const MOST: f64 = 4000.0;
-/// Maximum number of repetitions of a step because another motor saturates.
+/// Maximum number of repetitions of a step because a motor saturates or is released.
 const ANEW: u32 = 4;
 /// Height above the lowest contact up to which contacts carry the robot at first, m.
 const LEVEL: f64 = 1e-3;
@@ -206,11 +206,11 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
             if is_loose {
                 body = acceleration(&share, legs, &context);
             }
-            let mut yields = false;
+            let mut changes = false;
             for (leg, turns) in legs.iter_mut().zip(&mut turns) {
-                yields |= leg.overload(&context, &body, turns);
+                changes |= leg.saturate(&context, &body, turns);
             }
-            if !yields {
+            if !changes {
                 break;
             }
         }
