@@ -67,6 +67,14 @@ impl<const J: usize> LegPlant<J> {
         let push = -gravity * load;
         let torques = self.links.load_torques(&self.model, push, gravity);
         let is_torque = |command: &JointCommand| matches!(command, JointCommand::Torque(_));
+        let is_returning = self.servos.iter().any(Servo::is_returning);
+        let lifts = if is_returning {
+            self.links
+                .levers(-gravity)
+                .map(|lever| (GRAVITY * 1000.0 / lever).to_degrees())
+        } else {
+            [f64::INFINITY; J]
+        };
         let stiffness = if load > 0.0 && commands.iter().any(is_torque) {
             self.links.stiffness(-gravity, support::STIFFNESS)
         } else {
@@ -74,14 +82,20 @@ impl<const J: usize> LegPlant<J> {
         };
         let is_free = load <= 0.0;
         let mut turned = false;
-        let loads = torques.into_iter().zip(stiffness);
+        let loads = torques.into_iter().zip(stiffness).zip(lifts);
         let joints = self.servos.iter_mut().zip(&self.model.joints);
-        for (((servo, joint), command), (torque, stiffness)) in joints.zip(commands).zip(loads) {
+        for (((servo, joint), command), ((torque, stiffness), lift)) in
+            joints.zip(commands).zip(loads)
+        {
             if servo.gave_way && has_lost_hold && is_free {
                 continue;
             }
             let before = servo.angle;
-            let load = JointLoad { torque, stiffness };
+            let load = JointLoad {
+                torque,
+                stiffness,
+                lift,
+            };
             servo.advance(joint, *command, load, step);
             turned |= servo.angle != before;
         }

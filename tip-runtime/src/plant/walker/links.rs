@@ -90,12 +90,18 @@ impl<const J: usize> LegLinks<J> {
     /// that it shares with the others: row sums, which are no less than the stiffness of any motion
     /// of the leg.
     pub(super) fn stiffness(&self, normal: Vector, stiffness: f64) -> [f64; J] {
+        let levers = self.levers(normal);
+        let sum: f64 = levers.iter().sum();
+        levers.map(|lever| stiffness * lever * sum / 1000.0)
+    }
+
+    /// Returns the motion of the foot along `normal` for each joint's turn, mm/rad.
+    pub(super) fn levers(&self, normal: Vector) -> [f64; J] {
         let mut levers = [0.0; J];
         for (lever, (joint, axis)) in levers.iter_mut().zip(self.joints.iter().zip(&self.axes)) {
             *lever = libm::fabs(axis.cross(&(self.foot - joint)).dot(&normal));
         }
-        let sum: f64 = levers.iter().sum();
-        levers.map(|lever| stiffness * lever * sum / 1000.0)
+        levers
     }
 
     /// Returns the torque about each joint axis of the floor's `push` at the foot (N) and the
