@@ -369,7 +369,9 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
     }
 
     fn first_fall(&self) -> Option<Fall> {
-        self.robot.detector.falls.first
+        // A robot that is bolted down does not fall, whatever holds its feet.
+        let falls = &self.robot.detector.falls;
+        falls.first.filter(|_| self.can_be_pushed())
     }
 
     fn clearance(&self) -> Option<Clearance> {
