@@ -274,9 +274,6 @@ tipc::message_table! {
     AtLeast { value: String }
         "{value} mm at least",
         "最小{value} mm";
-    Clearance { value: String, one: Part, other: Part, time: String, line: u32 }
-        "{value} mm at least, between {one} and {other}, after {time} s at line {line}",
-        "{one}と{other}の間が最小{value} mm、{time} sに{line}行目で";
     Collisions { cycles: Cycles, by: String, one: Part, other: Part, time: String, line: u32 }
         "links overlap in {cycles}, {one} and {other} by {by} mm after {time} s at line {line}",
         "{cycles}でリンクが重なり、{one}と{other}は{time} sに{line}行目で{by} mm";

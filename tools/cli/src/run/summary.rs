@@ -63,7 +63,7 @@ pub(super) fn summary(
     if let Some(moved) = run.motion() {
         lines.motion(&moved, run.first_fall(), run);
     }
-    lines.clearance(run);
+    lines.collisions(run);
     if let Some(held) = run.grasp() {
         lines.grasp(&held);
     }
@@ -194,32 +194,21 @@ impl Lines {
         }
     }
 
-    /// Adds a line about the least distance of two parts, or about collisions.
-    fn clearance(&mut self, run: &Run) {
+    /// Adds a line about collisions, if there were any.
+    fn collisions(&mut self, run: &Run) {
         let Some((clearance, nearest)) = run.clearance().zip(run.nearest_approach()) else {
             return;
         };
         let [one, other] = nearest.gap.parts;
-        let (time, line) = (seconds(nearest.time), run.program().line(nearest.step));
-        let distance = nearest.gap.distance;
-        let text = match clearance.collisions {
-            0 => Running::Clearance {
-                value: tenths(distance),
-                one,
-                other,
-                time,
-                line,
-            },
-            collisions => Running::Collisions {
-                cycles: (collisions as usize).into(),
-                by: tenths(-distance),
-                one,
-                other,
-                time,
-                line,
-            },
+        let collisions = Running::Collisions {
+            cycles: (clearance.collisions as usize).into(),
+            by: tenths(-nearest.gap.distance),
+            one,
+            other,
+            time: seconds(nearest.time),
+            line: run.program().line(nearest.step),
         };
-        self.add(Figure::Gap, &text);
+        self.counted(clearance.collisions, Figure::Gap, &collisions);
     }
 
     /// Adds a line about something that was counted, unless the count is 0.
