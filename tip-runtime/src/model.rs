@@ -123,6 +123,8 @@ pub struct Joint {
     pub spread: Option<Spread>,
     /// Maximum torque of its motor, N·m.
     pub torque: f64,
+    /// Radius of the link, a capsule, where it may meet other links and the body, mm; `None`: 5 % of its length.
+    pub radius: Option<f64>,
 }
 
 /// A leg or finger: a serial chain of joints.
@@ -332,7 +334,44 @@ pub struct Model<const L: usize, const J: usize> {
     pub slider: Option<Slider>,
     /// Vibration of its joints, if they vibrate.
     pub vibration: Option<VibrationGain>,
+    /// Pairs of parts that may touch or overlap: no collisions of them are reported.
+    pub may_touch: [Option<[Part; 2]>; TOUCHING],
 }
+
+/// Maximum number of pairs that a model allows to touch.
+pub const TOUCHING: usize = 32;
+
+/// A rigid part of a robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The body.
+    Body,
+    /// The link after a joint, by leg and joint.
+    Link(u8, u8),
+}
+
+impl Part {
+    /// Returns a link, by leg and joint from 0.
+    #[cfg(feature = "control")]
+    pub(crate) fn link(leg: usize, joint: usize) -> Self {
+        let number = |from_0: usize| u8::try_from(from_0 + 1).unwrap_or(u8::MAX);
+        Part::Link(number(leg), number(joint))
+    }
+}
+
+impl fmt::Display for Part {
+    /// Writes `body`, or the name of a link in exported files, such as `link12`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Part::Body => f.write_str("body"),
+            Part::Link(leg, joint) => write!(f, "link{leg}{joint}"),
+        }
+    }
+}
+
+/// Radius of a link, as a share of its length.
+#[cfg(feature = "control")]
+const SLENDER: f64 = 0.05;
 
 /// Margin by which the potentiometers measure beyond the working limits, deg.
 const OUTER: f64 = 5.0;
@@ -351,7 +390,16 @@ impl Joint {
             mass: 0.1,
             spread: None,
             torque: 10.0,
+            radius: None,
         }
+    }
+
+    /// Returns the radius of the link, mm.
+    #[cfg(feature = "control")]
+    pub(crate) fn thickness(&self) -> f64 {
+        let [x, y, z] = self.link;
+        self.radius
+            .unwrap_or_else(|| SLENDER * libm::sqrt(x * x + y * y + z * z))
     }
 
     /// Sets the working limits, deg; the potentiometers measure 5 deg beyond.
@@ -424,6 +472,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
             forces: None,
             slider: None,
             vibration: None,
+            may_touch: generic::MODEL.may_touch,
         }
     }
 
@@ -443,6 +492,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
             forces: self.forces,
             slider: self.slider,
             vibration: self.vibration,
+            may_touch: self.may_touch,
         }
     }
 }

@@ -21,6 +21,7 @@
 mod cuboid;
 pub mod dynamic;
 pub mod hand;
+pub mod self_collision;
 mod sensors;
 pub mod walker;
 
@@ -30,6 +31,7 @@ pub use crate::scene::{
 };
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
+pub use self_collision::{Clearance, Gap, SelfCollision};
 pub use walker::{
     Fall, Foot, Pose, ServoDynamics, SimulatedPlant, TrackingErrors, Travel, Unmodelled,
 };
@@ -226,6 +228,11 @@ pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
 
     /// Returns the first fall, if any.
     fn first_fall(&self) -> Option<Fall> {
+        None
+    }
+
+    /// Returns the distances between the parts of the robot; `None` where they are not measured, or no pair is compared.
+    fn clearance(&self) -> Option<Clearance> {
         None
     }
 

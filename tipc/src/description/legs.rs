@@ -108,6 +108,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     let spread = read_spread(section, even, found);
     let torque = section.number("torque", Sign::Positive, found);
     let shapes = read_shapes(section, found);
+    let radius = section.number("radius", Sign::Size, found);
     let joint = Joint {
         axis: axis?,
         link: link?,
@@ -116,8 +117,33 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
         mass,
         spread,
         torque: torque.unwrap_or(10.0),
+        radius: radius.or_else(|| radius_of(&shapes, link?)),
     };
     Some(Drawn { joint, shapes })
+}
+
+/// Cosine of the greatest angle between a link and a shape along it: 30 deg.
+const ALONG: f64 = 0.866_025_403_784_438_6;
+
+/// Returns the radius of the longest shape along a link, mm: of a block half of its smaller side across.
+fn radius_of(shapes: &[Shape], link: [f64; 3]) -> Option<f64> {
+    let length = libm::sqrt(link.iter().map(|part| part * part).sum());
+    let rods = shapes.iter().filter_map(|shape| {
+        let (axis, long, radius) = match shape.form {
+            Form::Cylinder { radius, length } => (2, length, radius),
+            Form::Block(sides) => {
+                let axis = (0..3).max_by(|a, b| sides[*a].total_cmp(&sides[*b]))?;
+                let across = (0..3).filter(|other| *other != axis);
+                let least = across.fold(f64::INFINITY, |least, other| least.min(sides[other]));
+                (axis, sides[axis], least / 2.0)
+            }
+            Form::Sphere { .. } => return None,
+        };
+        let along: f64 = shape.axes[axis].iter().zip(link).map(|(a, b)| a * b).sum();
+        (libm::fabs(along) >= ALONG * length && length > 0.0).then_some((long, radius))
+    });
+    let longest = rods.max_by(|(one, _), (other, _)| one.total_cmp(other));
+    longest.map(|(_, radius)| radius)
 }
 
 /// Reads a unit vector: `"z"`, `"-y"` or any direction.

@@ -250,6 +250,33 @@ impl<'a> Section<'a> {
         None
     }
 
+    /// Reads a list of pairs of texts, each with its location.
+    pub(super) fn pairs(self, key: &str, found: &mut Found) -> Option<Vec<(Span, [&'a str; 2])>> {
+        let (location, value) = self.value(key)?;
+        let DeValue::Array(items) = value else {
+            return self.wrong_type(key, location, value, found);
+        };
+        let mut pairs = Vec::new();
+        for item in items.iter() {
+            let (location, value) = (span(item), item.get_ref());
+            let DeValue::Array(texts) = value else {
+                return self.wrong_type(key, location, value, found);
+            };
+            let mut words = Vec::new();
+            for text in texts.iter() {
+                match text.get_ref() {
+                    DeValue::String(word) => words.push(word.as_ref()),
+                    other => return self.wrong_type(key, span(text), other, found),
+                }
+            }
+            match words.try_into() {
+                Ok(pair) => pairs.push((location, pair)),
+                Err(_) => return self.refuse(key, location, Describing::NoPair, found),
+            }
+        }
+        Some(pairs)
+    }
+
     /// Returns true if the key is there at all.
     pub(super) fn has(self, key: &str) -> bool {
         self.table.contains_key(key)

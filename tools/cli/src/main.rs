@@ -66,8 +66,8 @@ use std::process::ExitCode;
 
 'tip help COMMAND' shows examples of each command.
 Exit status: 0 done, 1 the program does not load, does not verify or has a denied warning, or a file cannot be written,
-2 wrong usage, 3 emergency stop, 4 a fall with --deny falls or a condition of --fail-if, 130 interrupted (by SIGTERM 143,
-by SIGHUP 129)."
+2 wrong usage, 3 emergency stop, 4 a fall or a collision that --deny names, or a condition of --fail-if, 130 interrupted
+(by SIGTERM 143, by SIGHUP 129)."
 )]
 struct Arguments {}
 
@@ -82,7 +82,7 @@ enum Status {
     Usage = 2,
     /// Emergency stop.
     Emergency = 3,
-    /// The robot fell, which `--deny falls` forbids, or a condition of `--fail-if` holds.
+    /// The robot fell or two of its parts met, which `--deny` forbids, or a condition of `--fail-if` holds.
     Fell = 4,
     /// Ctrl-C; other signals have statuses of their own.
     Interrupted = 130,

@@ -3,6 +3,7 @@
 use count::{Cycles, Errors, Files, Steps, Warnings};
 use smol_str::SmolStr;
 use tip_runtime::command::Target;
+use tip_runtime::model::Part;
 use tip_sim::message::Awaited;
 use tipc::language::Keyword;
 use tipc::message::list::{Each, List};
@@ -104,8 +105,8 @@ tipc::message_table! {
         "--format json and --trace - both write to standard output: give the trace a file",
         "--format json と --trace - はどちらも標準出力に書きます。トレースにはファイルを指定してください";
     FallsAreElsewhere
-        "--deny falls needs a built-in plant: the falls of a process's robot are not counted",
-        "--deny falls を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒は数えられません";
+        "--deny falls and --deny collisions need a built-in plant: falls and collisions of a process's robot are not counted",
+        "--deny falls と --deny collisions を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒や干渉は数えられません";
     NotAnAxis { reason: Message }
         "{reason}",
         "{reason}";
@@ -315,6 +316,9 @@ tipc::message_table! {
     AtMost { value: String }
         "{value} mm at most",
         "最大{value} mm";
+    Collisions { cycles: Cycles, by: String, one: Part, other: Part, time: String, line: u32 }
+        "links overlap in {cycles}, {one} and {other} by {by} mm after {time} s at line {line}",
+        "{cycles}でリンクが重なり、{one}と{other}は{time} sに{line}行目で{by} mm";
     ZmpOutside { cycles: Cycles, by: String }
         "the zero moment point outside the feet in {cycles}, by {by} mm at most",
         "{cycles}でZMPが支持多角形の外、最大{by} mm";
@@ -322,8 +326,8 @@ tipc::message_table! {
         "the feet would slip in {cycles}",
         "{cycles}で足が滑るはず";
     Crosses { cycles: Cycles }
-        "legs or body in the floor, in a block or in each other in {cycles}",
-        "{cycles}で脚か胴体が床や障害物の中、または脚どうしが重なり";
+        "legs or body in the floor or in a block in {cycles}",
+        "{cycles}で脚か胴体が床や障害物の中";
     Hurries { cycles: Cycles }
         "commanded to turn faster than its servo can in {cycles}",
         "{cycles}でサーボの最高速度を超える指令";
@@ -375,6 +379,9 @@ tipc::message_table! {
     WouldHaveFallen { time: String, cycle: String }
         "the robot would fall after {time} s, in cycle {cycle}: its feet do not hold its centre of mass",
         "ロボットは{time} s、周期{cycle}で転倒するおそれがあります: 足が重心を支えていません";
+    Collided { one: Part, other: Part, by: String, time: String, cycle: String }
+        "{one} and {other} overlap by {by} mm after {time} s, in cycle {cycle}",
+        "{one}と{other}が{time} s、周期{cycle}で{by} mm重なりました";
     Unsupported { time: String, cycle: String }
         "the robot lost its support after {time} s, in cycle {cycle}",
         "ロボットが{time} s、周期{cycle}で支えを失いました";
@@ -479,6 +486,7 @@ tipc::message_table! {
     Torque "torque", "トルク";
     Energy "energy", "仕事";
     Waited "waited", "待ち";
+    Gap "gap", "間隔";
     Zmp "zmp", "動余裕";
     Grip "grip", "摩擦";
     Contact "contact", "干渉";

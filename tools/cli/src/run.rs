@@ -23,7 +23,7 @@ use emergency::Stopped;
 use files::Trace;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
-use summary::{driven, fall, json, summary};
+use summary::{collision, driven, fall, json, summary};
 use tip_runtime::console::{LogFiles, Terminal};
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{
@@ -66,7 +66,7 @@ Exit status; the first that applies:
   1    the program does not load or has a denied warning, or a file cannot be written
   130  interrupted
   3    emergency stop
-  4    the robot fell, with --deny falls; the run goes on to its end
+  4    the robot fell, with --deny falls, or two of its parts met, with --deny collisions; the run goes on to its end
   0    END, EXIT or --cycles used up")]
 pub(super) struct Run {
     #[command(flatten)]
@@ -327,6 +327,7 @@ impl Job<'_> {
             trace: trace.as_mut(),
             live: None,
             fell: false,
+            collided: false,
             waits: WaitDetector::default(),
             has_waited: false,
             figures: SummaryBuilder::new(robot),
@@ -335,7 +336,9 @@ impl Job<'_> {
             watch.live = Some(Live::begin(self.arguments.quiet, lang));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
-        let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
+        let deny = &self.arguments.deny;
+        let is_denied = watch.fell && deny.falls() || watch.collided && deny.collisions();
+        let (live, wait) = (watch.live, watch.waits.now(&run));
         let figures = watch.figures;
         // From here on a signal ends nothing: neither the leaving of the robot nor the files.
         interrupt::hold();
@@ -389,7 +392,7 @@ impl Job<'_> {
         traced.and(logged)?;
         Ok(match is_stopped {
             true => Status::Emergency,
-            false => self.status(&ending, fell),
+            false => self.status(&ending, is_denied),
         })
     }
 
@@ -426,13 +429,11 @@ impl Job<'_> {
     }
 
     /// Returns the exit status of an ending.
-    fn status(&self, ending: &Ending, fell: bool) -> Status {
+    fn status(&self, ending: &Ending, is_denied: bool) -> Status {
         match ending {
             Ending::Interrupted => Status::Interrupted,
             Ending::Emergency(_) => Status::Emergency,
-            Ending::Program(_) | Ending::Limit if fell && self.arguments.deny.falls() => {
-                Status::Fell
-            }
+            Ending::Program(_) | Ending::Limit if is_denied => Status::Fell,
             Ending::Program(_) | Ending::Limit => Status::Success,
         }
     }
@@ -444,6 +445,7 @@ struct Watch<'a> {
     trace: Option<&'a mut Trace>,
     live: Option<Live>,
     fell: bool,
+    collided: bool,
     waits: WaitDetector,
     /// True if a long wait was reported.
     has_waited: bool,
@@ -471,6 +473,27 @@ impl Watch<'_> {
             let kind = FallKind::of(&motion, found.is_upright);
             let source = &self.job.loaded.source;
             let text = fall(&found, &weight, kind, source, program, lang);
+            screen.progress.above(|| report::complain(&text));
+        }
+    }
+
+    /// Reports the first collision in its cycle.
+    fn report_collision(&mut self, run: &tip_sim::Run) {
+        let Some(found) = run.first_collision().filter(|_| !self.collided) else {
+            return;
+        };
+        self.collided = true;
+        if self.job.arguments.quiet {
+            return;
+        }
+        let weight = match self.job.arguments.deny.collisions() {
+            true => Weight::Error,
+            false => Weight::Warning,
+        };
+        if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
+            let lang = self.job.arguments.lang();
+            let source = &self.job.loaded.source;
+            let text = collision(&found, &weight, source, program, lang);
             screen.progress.above(|| report::complain(&text));
         }
     }
@@ -512,6 +535,7 @@ impl Observer for Watch<'_> {
             trace.after(run);
         }
         self.report_fall(run);
+        self.report_collision(run);
         if run.ending().is_some() {
             self.figures.after(run, None);
             return;
@@ -536,7 +560,7 @@ impl Observer for Watch<'_> {
 fn reject_built_in_options(arguments: &Run) -> Result<(), Error> {
     let refused = if arguments.run.inputs.scene.is_some() {
         Using::SceneIsElsewhere
-    } else if arguments.deny.falls() {
+    } else if arguments.deny.falls() || arguments.deny.collisions() {
         Using::FallsAreElsewhere
     } else {
         return Ok(());

@@ -56,7 +56,7 @@ any number of threads. The table grows in OUT.csv.part and is renamed when it is
 OUT.sweep.json. Ctrl-C and kill keep finished runs, --resume goes on.
 
 Exit status: 0 complete, 1 the program does not load or has a denied warning, or a file cannot be written, 2 wrong usage,
-4 a robot fell, with --deny falls, 130 interrupted.")]
+4 a robot fell, with --deny falls, or its parts met, with --deny collisions, 130 interrupted.")]
 pub(super) struct Sweep {
     #[command(flatten)]
     pub(super) run: RunArguments,
@@ -220,7 +220,9 @@ fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     }
     if complete {
         ended?;
-        return Ok(match arguments.deny.falls() && summary.fell() > 0 {
+        let has_fallen = arguments.deny.falls() && summary.fell() > 0;
+        let has_collided = arguments.deny.collisions() && summary.collided() > 0;
+        return Ok(match has_fallen || has_collided {
             true => Status::Fell,
             false => Status::Success,
         });

@@ -39,7 +39,7 @@ pub use external::ExternalPlant;
 pub use interp::Interpreter;
 pub use load::{LoadError, load};
 pub use model::{Anatomy, Limb};
-pub use motion::{Fall, FallKind, Grasp, Limbs};
+pub use motion::{Approach, Fall, FallKind, Grasp, Limbs};
 pub use process_group::end_processes;
 pub use program_runner::{ProgramRunner, Replacement, StepTaken};
 pub use real_hardware::Joints;

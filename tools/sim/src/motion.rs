@@ -3,7 +3,7 @@
 use serde::Serialize;
 use std::fmt;
 use tip_runtime::model::Point;
-use tip_runtime::plant::{self, Fingertip, Motion, ObjectState};
+use tip_runtime::plant::{self, Fingertip, Gap, Motion, ObjectState};
 
 /// The legs or fingers of a robot after a cycle, whatever its sensors say.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,6 +103,31 @@ impl fmt::Display for FallKind {
             FallKind::LostSupport => "the robot lost its support",
         })
     }
+}
+
+/// Two parts of a robot near each other, and the step that ran then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Approach {
+    /// The parts, and the distance between them.
+    pub gap: Gap,
+    /// The control cycle, from 0.
+    pub cycle: u64,
+    /// Time at which that cycle began, ms.
+    pub time: f64,
+    /// The step that ran in it.
+    pub step: u32,
+}
+
+/// What a run has met so far, with the steps that ran then.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Incidents {
+    /// The first fall.
+    pub(crate) fall: Option<Fall>,
+    /// The least distance of two parts.
+    pub(crate) nearest: Option<Approach>,
+    /// The first collision of two parts.
+    pub(crate) collision: Option<Approach>,
 }
 
 // Out of line, or it would be copied for each number of legs.

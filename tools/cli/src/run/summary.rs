@@ -15,7 +15,7 @@ use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{
-    Fall, FallKind, Grasp, Interpreter, Peak, Run, Summary, TravelFigures, Wait, WaitFigure,
+    Approach, Fall, FallKind, Grasp, Interpreter, Peak, Run, Summary, TravelFigures, Wait, WaitFigure,
 };
 use tipc::language::Keyword;
 use tipc::message::{Lang, Message};
@@ -68,6 +68,7 @@ pub(super) fn summary(
     if run.motion().is_none() {
         lines.effort(figures);
     }
+    lines.collisions(run);
     if let Some(held) = run.grasp() {
         lines.grasp(&held);
     }
@@ -350,6 +351,23 @@ impl Lines {
         self.add(Figure::Waited, &waited);
     }
 
+    /// Adds a line about collisions, if there were any.
+    fn collisions(&mut self, run: &Run) {
+        let Some((clearance, nearest)) = run.clearance().zip(run.nearest_approach()) else {
+            return;
+        };
+        let [one, other] = nearest.gap.parts;
+        let collisions = Running::Collisions {
+            cycles: (clearance.collisions as usize).into(),
+            by: tenths(-nearest.gap.distance),
+            one,
+            other,
+            time: seconds(nearest.time),
+            line: run.program().line(nearest.step),
+        };
+        self.counted(clearance.collisions, Figure::Gap, &collisions);
+    }
+
     /// Adds a line about something that was counted, unless the count is 0.
     fn counted(&mut self, count: u32, figure: Figure, text: &Running) {
         if count > 0 {
@@ -470,6 +488,30 @@ pub(super) fn fall(
         "{}: {}\n{location}",
         weight.in_lang(lang),
         fell.in_lang(lang)
+    )
+}
+
+/// Returns the report of a collision, with its statement.
+pub(super) fn collision(
+    found: &Approach,
+    weight: &Weight,
+    source: &Source,
+    program: &Interpreter,
+    lang: Lang,
+) -> String {
+    let [one, other] = found.gap.parts;
+    let collided = Running::Collided {
+        one,
+        other,
+        by: tenths(-found.gap.distance),
+        time: seconds(found.time),
+        cycle: found.cycle.to_string(),
+    };
+    let location = step_location(source, program.program(), found.step);
+    format!(
+        "{}: {}\n{location}",
+        weight.in_lang(lang),
+        collided.in_lang(lang)
     )
 }
 

@@ -55,6 +55,7 @@ fn trace(text: &str, robot: &Robot, events: &str) -> String {
             joints_per_leg: limbs.angles[0].len(),
             angles: &limbs.angles.concat(),
             loads: &limbs.loads,
+            clearance: run.clearance(),
         });
     }
     lines.end(run.ending().expect("it ended"), run.cycles());
