@@ -562,6 +562,12 @@ tipc::message_table! {
     Made { folder: Text, robot: String }
         "made {folder}, a crate for {robot}:",
         "{robot}用のクレート {folder} を作成しました:";
+    DependsOnCheckout { folder: Text }
+        "Cargo.toml depends on the crates of the checkout `{folder}`",
+        "Cargo.tomlの依存先はチェックアウト `{folder}` のクレートです";
+    DependsOnPublished { version: String }
+        "Cargo.toml depends on the published crates of version {version}",
+        "Cargo.tomlの依存先は公開されているバージョン{version}のクレートです";
     Next
         "next:",
         "次のコマンド:";
