@@ -182,6 +182,9 @@ tipc::message_table! {
     ServeEnds
         "press Ctrl-C to stop",
         "Ctrl-Cで終了します";
+    NoPlayground
+        "this command was built without the page: take a released command, or run `site/build` in a clone of the project",
+        "このコマンドにはページが入っていません。公開版のコマンドを使うか、クローンで `site/build` を実行してください";
     TraceWithoutProgram { file: Text }
         "{file} is a trace: name the program that it is of by --program FILE.prg",
         "{file} はトレースです。--program FILE.prg で元のプログラムを指定してください";
