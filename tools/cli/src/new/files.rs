@@ -512,8 +512,11 @@ mod tests {
     fn published_crates_are_those_of_this_version() {
         let expected = format!("version = \"={VERSION}\"");
         assert_eq!(Origin::Published.dependency(SIM), expected);
-        let said = Origin::Published.message().in_lang(Lang::English);
-        assert!(said.to_string().contains(VERSION), "{said}");
+        let said = Origin::Published
+            .message()
+            .in_lang(Lang::English)
+            .to_string();
+        assert!(said.contains(VERSION), "{said}");
     }
 
     #[test]
