@@ -21,18 +21,16 @@ pub(crate) enum Group {
     Write,
     Run,
     See,
-    Embed,
     Robots,
     EditorsAndShells,
 }
 
 impl Group {
     /// The groups in their order.
-    pub(crate) const ALL: [Group; 6] = [
+    pub(crate) const ALL: [Group; 5] = [
         Group::Write,
         Group::Run,
         Group::See,
-        Group::Embed,
         Group::Robots,
         Group::EditorsAndShells,
     ];
@@ -43,7 +41,6 @@ impl Group {
             Group::Write => lang.pick("Write", "書く"),
             Group::Run => lang.pick("Run", "実行する"),
             Group::See => lang.pick("See", "見る"),
-            Group::Embed => lang.pick("Embed", "組み込む"),
             Group::Robots => lang.pick("Robots", "ロボット"),
             Group::EditorsAndShells => lang.pick("Editors and shells", "エディタとシェル"),
         }
@@ -95,6 +92,7 @@ static ROWS: &[Row] = &[
         "migrate",
         "Migrate a program of an older version to version 3.1",
     ),
+    Row::of::<translate::Emit>(Group::Write, "emit", "Write a program in another form"),
     Row::of::<run::Run>(Group::Run, "run", "Run a program on the simulated robot"),
     Row::of::<debug::Debug>(
         Group::Run,
@@ -137,7 +135,6 @@ static ROWS: &[Row] = &[
         "log",
         "Write the log of a run for other tools: MCAP or CSV",
     ),
-    Row::of::<translate::Emit>(Group::Embed, "emit", "Write a program in another form"),
     Row::of::<robot::RobotArguments>(
         Group::Robots,
         "robot",

@@ -158,7 +158,6 @@ fn help_fits_a_screen_and_groups_the_commands() {
         "Write:",
         "Run:",
         "See:",
-        "Embed:",
         "Robots:",
         "Editors and shells:",
     ];
