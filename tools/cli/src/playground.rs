@@ -1,8 +1,9 @@
 //! `tip playground`: writes the page with compiler, simulated robots and lessons, if this command was built with it.
 
+use crate::choices::LangName;
 use crate::error::Error;
 use crate::message::Using;
-use crate::{Action, Status, output, usage};
+use crate::{Action, Status, choices, output};
 use clap::Args;
 use miniz_oxide::inflate::decompress_to_vec;
 use std::path::PathBuf;
@@ -28,11 +29,16 @@ pub(super) struct Playground {
         default_value = "playground.html"
     )]
     out: PathBuf,
+
+    /// The language of messages; else the locale's
+    #[arg(long, value_enum, value_name = "en|ja")]
+    lang: Option<LangName>,
 }
 
 impl Action for Playground {
     fn execute(&self) -> Result<Status, Error> {
-        let page = unpack(PAGE).ok_or_else(|| Error::failed(Using::NoPlayground, usage::lang()))?;
+        let lang = choices::lang(self.lang);
+        let page = unpack(PAGE).ok_or_else(|| Error::failed(Using::NoPlayground, lang))?;
         output::replace(&self.out, page)?;
         Ok(Status::Success)
     }

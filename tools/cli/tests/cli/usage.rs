@@ -154,13 +154,7 @@ fn help_fits_a_screen_and_groups_the_commands() {
         .into_iter()
         .filter(|line| line.ends_with(':'))
         .collect();
-    let groups = [
-        "Write:",
-        "Run:",
-        "See:",
-        "Robots:",
-        "Editors and shells:",
-    ];
+    let groups = ["Write:", "Run:", "See:", "Robots:", "Editors and shells:"];
     assert_eq!(headings, [&groups[..], &["Options:"]].concat());
 }
 
