@@ -5,7 +5,8 @@ use crate::Action;
 use crate::choices::{Format, LangName, robot_names};
 use crate::error::Error;
 use crate::{
-    Arguments, Status, check, compare, debug, drives, explain, new, output, record, robot, run,
+    Arguments, Status, check, compare, debug, drives, explain, new, output, playground, record,
+    robot, run,
     serve, servers, sweep, translate, verify,
 };
 use clap::builder::EnumValueParser;
@@ -123,6 +124,11 @@ static ROWS: &[Row] = &[
         Group::See,
         "serve",
         "Run a program live in a web page, with controls and an editor",
+    ),
+    Row::of::<playground::Playground>(
+        Group::See,
+        "playground",
+        "Write a page with compiler, simulator and lessons",
     ),
     Row::of::<record::Plot>(Group::See, "plot", "Draw diagrams of a run: SVG"),
     Row::of::<compare::Compare>(Group::See, "compare", "Compare the figures of two runs"),

@@ -18,6 +18,7 @@ mod loader;
 mod message;
 mod new;
 mod output;
+mod playground;
 mod record;
 mod report;
 mod robot;

@@ -195,6 +195,9 @@ tipc::message_table! {
     ServeEnds
         "press Ctrl-C to stop",
         "Ctrl-Cで終了します";
+    NoPlayground
+        "this command was built without the page: take a released command, or run `site/build` in a clone of the project",
+        "このコマンドにはページが入っていません。公開版のコマンドを使うか、クローンで `site/build` を実行してください";
     TraceWithoutProgram { file: Text }
         "{file} is a trace: name the program that it is of by --program FILE.prg",
         "{file} はトレースです。--program FILE.prg で元のプログラムを指定してください";
@@ -655,6 +658,12 @@ tipc::message_table! {
     Made { folder: Text, robot: String }
         "made {folder}, a crate for {robot}:",
         "{robot}用のクレート {folder} を作成しました:";
+    DependsOnCheckout { folder: Text }
+        "Cargo.toml depends on the crates of the checkout `{folder}`",
+        "Cargo.tomlの依存先はチェックアウト `{folder}` のクレートです";
+    DependsOnPublished { version: String }
+        "Cargo.toml depends on the published crates of version {version}",
+        "Cargo.tomlの依存先は公開されているバージョン{version}のクレートです";
     Next
         "next:",
         "次のコマンド:";

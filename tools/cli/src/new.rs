@@ -104,12 +104,18 @@ fn new(arguments: &New) -> Result<Status, Error> {
     }
     let files = files::crate_files(place, &template, &origin, hardware);
     files::write_crate(place, &files).map_err(failed)?;
-    output::print(made(place, &template, &files, lang))?;
+    output::print(made(place, &template, &files, &origin, lang))?;
     Ok(Status::Success)
 }
 
-/// Returns the report: files, results of trying the motion, and the next commands.
-fn made(place: &CratePath, template: &Template, files: &[File], lang: Lang) -> String {
+/// Returns the report: files, their dependencies, results of trying the motion, and the next commands.
+fn made(
+    place: &CratePath,
+    template: &Template,
+    files: &[File],
+    origin: &Origin,
+    lang: Lang,
+) -> String {
     let folder = Printable::line(place.folder().display()).to_string();
     let robot = Printable::line(&template.robot).to_string();
     let made = Making::Made {
@@ -121,6 +127,7 @@ fn made(place: &CratePath, template: &Template, files: &[File], lang: Lang) -> S
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  {}", file.name);
     }
+    let _ = writeln!(text, "{}", origin.message().in_lang(lang));
     for tried in &template.motion.tried {
         let _ = writeln!(text, "{}", tried.in_lang(lang));
     }

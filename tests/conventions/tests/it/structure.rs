@@ -101,7 +101,7 @@ fn dependencies_point_one_way() {
 }
 
 /// Allowed entries of the root folder.
-const ROOT: [&str; 17] = [
+const ROOT: [&str; 18] = [
     "ARCHITECTURE.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
@@ -110,6 +110,7 @@ const ROOT: [&str; 17] = [
     "LICENSE",
     "README.ja.md",
     "README.md",
+    "SECURITY.md",
     "benches",
     "clippy.toml",
     "docs",

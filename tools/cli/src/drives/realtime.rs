@@ -7,6 +7,7 @@ use crate::message::{Driving, Using, Weight};
 use crate::{Status, choices, interrupt, output, report};
 use clap::Args;
 use std::fmt::Write as _;
+use std::io;
 use std::time::{Duration, Instant};
 use tip_runtime::realtime::Pacer;
 use tipc::message::Lang;
@@ -47,43 +48,51 @@ pub(super) fn sleep(time: Duration) {
 }
 
 /// Priority of the control loop among real-time threads, 1 to 99.
+#[cfg(unix)]
 const PRIORITY: u8 = 50;
 
 /// Gives this thread real-time priority and keeps its memory in place; returns messages about what was not possible.
 pub(crate) fn prioritise() -> Vec<Driving> {
-    let mut refused = Vec::new();
-    #[cfg(unix)]
-    {
-        use thread_priority::{
-            RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy,
-            set_thread_priority_and_policy, thread_native_id,
-        };
-        let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
-        let priority = PRIORITY
-            .try_into()
-            .map_or(ThreadPriority::Max, ThreadPriority::Crossplatform);
-        if let Err(error) = set_thread_priority_and_policy(thread_native_id(), priority, policy) {
-            let error = match error {
-                thread_priority::Error::OS(code) => {
-                    std::io::Error::from_raw_os_error(code).to_string()
-                }
-                other => format!("{other:?}"),
-            };
-            refused.push(Driving::NoFifo {
-                error: error.into(),
-            });
-        }
-    }
-    #[cfg(target_os = "linux")]
-    {
-        use rustix::mm::{MlockAllFlags, mlockall};
-        let all = MlockAllFlags::CURRENT | MlockAllFlags::FUTURE;
-        if let Err(error) = mlockall(all) {
-            let error = std::io::Error::from(error).to_string().into();
-            refused.push(Driving::NoLock { error });
-        }
-    }
-    refused
+    let priority = set_priority().err().map(|error| Driving::NoFifo {
+        error: error.to_string().into(),
+    });
+    let memory = lock_memory().err().map(|error| Driving::NoLock {
+        error: error.to_string().into(),
+    });
+    priority.into_iter().chain(memory).collect()
+}
+
+#[cfg(unix)]
+fn set_priority() -> io::Result<()> {
+    use thread_priority::{
+        Error, RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy,
+        set_thread_priority_and_policy, thread_native_id,
+    };
+    let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
+    let priority = PRIORITY
+        .try_into()
+        .map_or(ThreadPriority::Max, ThreadPriority::Crossplatform);
+    let set = set_thread_priority_and_policy(thread_native_id(), priority, policy);
+    set.map_err(|error| match error {
+        Error::OS(code) => io::Error::from_raw_os_error(code),
+        other => io::Error::other(format!("{other:?}")),
+    })
+}
+
+#[cfg(not(unix))]
+fn set_priority() -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+#[cfg(target_os = "linux")]
+fn lock_memory() -> io::Result<()> {
+    use rustix::mm::{MlockAllFlags, mlockall};
+    Ok(mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE)?)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn lock_memory() -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
 }
 
 /// The longest lateness that is counted by itself, µs.

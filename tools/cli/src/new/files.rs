@@ -298,8 +298,12 @@ impl Drop for TemporaryFolder {
 /// The version of this command and of the crates.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The folder that this command was built from, if it still exists.
-const BUILT_FROM: &str = env!("CARGO_MANIFEST_DIR");
+/// The folder that this command was built from, which may no longer exist. A release, which `.ci/release` builds, has none: its crates
+/// depend on the registry, and no path of the machine that built it is in the executable.
+const BUILT_FROM: Option<&str> = match option_env!("TIP_RELEASE") {
+    Some(_) => None,
+    None => Some(env!("CARGO_MANIFEST_DIR")),
+};
 
 /// Folders of a checkout.
 const MACROS: &str = "tip-macros";
@@ -331,7 +335,7 @@ impl Origin {
             let checkout = Self::checkout(folder, named);
             return checkout.ok_or_else(refused)?.nameable();
         }
-        let built_from = Path::new(BUILT_FROM).ancestors().nth(2);
+        let built_from = BUILT_FROM.and_then(|folder| Path::new(folder).ancestors().nth(2));
         let found = built_from.and_then(|folder| Self::checkout(folder, folder.to_owned()));
         found.unwrap_or(Origin::Published).nameable()
     }
@@ -373,6 +377,18 @@ impl Origin {
                 format!("path = {}", serde_json::Value::from(path))
             }
             Origin::Published => format!("version = \"={VERSION}\""),
+        }
+    }
+
+    /// Returns the line of the report that names the source.
+    pub(super) fn message(&self) -> Making {
+        match self {
+            Origin::Checkout { named, .. } => Making::DependsOnCheckout {
+                folder: named.display().to_string().into(),
+            },
+            Origin::Published => Making::DependsOnPublished {
+                version: VERSION.to_owned(),
+            },
         }
     }
 
@@ -501,6 +517,7 @@ fn near(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tipc::message::Lang;
 
     #[test]
     fn a_checkout_keeps_its_place_beside_the_crate() {
@@ -527,6 +544,11 @@ mod tests {
     fn published_crates_are_those_of_this_version() {
         let expected = format!("version = \"={VERSION}\"");
         assert_eq!(Origin::Published.dependency(SIM), expected);
+        let said = Origin::Published
+            .message()
+            .in_lang(Lang::English)
+            .to_string();
+        assert!(said.contains(VERSION), "{said}");
     }
 
     #[test]

@@ -48,8 +48,13 @@ fn a_crate_has_all_that_it_says() {
     let outcome = folder.tip(&["new", "first-walk"]).expect(0);
     assert_eq!(tree(&folder, "first-walk"), PLAIN);
     let listed: String = PLAIN.map(|name| format!("  {name}\n")).concat();
+    let checkout = Path::new(TIP).canonicalize().expect("it exists");
+    let depends = format!(
+        "Cargo.toml depends on the crates of the checkout `{}`\n",
+        checkout.display()
+    );
     let said = format!(
-        "made first-walk, a crate for titan8:\n{listed}next:\n  cd first-walk\n  cargo run\n"
+        "made first-walk, a crate for titan8:\n{listed}{depends}next:\n  cd first-walk\n  cargo run\n"
     );
     assert_eq!(outcome.out, said);
     assert_eq!(outcome.err, "");

@@ -198,6 +198,8 @@ fn statuses(line: &str) -> &'static [i32] {
         _ if line == "tip lsp" => &[0, 1],
         // There is no such port, or no keyboard.
         _ if line.contains("/dev/tty") || line.contains("tip drives jog") => &[1],
+        // Only a release has the page.
+        _ if line.contains("tip playground") => &[1],
         // It needs a terminal.
         _ if line.contains("tip debug") => &[1, 2],
         _ => &[0],
