@@ -6,8 +6,7 @@ use crate::choices::{Format, LangName, robot_names};
 use crate::error::Error;
 use crate::{
     Arguments, Status, check, compare, debug, drives, explain, new, output, playground, record,
-    robot, run,
-    serve, servers, sweep, translate, verify,
+    robot, run, serve, servers, sweep, translate, verify,
 };
 use clap::builder::EnumValueParser;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, CommandFactory};

@@ -15,7 +15,8 @@ use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{
-    Approach, Fall, FallKind, Grasp, Interpreter, Peak, Run, Summary, TravelFigures, Wait, WaitFigure,
+    Approach, Fall, FallKind, Grasp, Interpreter, Peak, Run, Summary, TravelFigures, Wait,
+    WaitFigure,
 };
 use tipc::language::Keyword;
 use tipc::message::{Lang, Message};
