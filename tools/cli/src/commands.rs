@@ -197,12 +197,11 @@ fn add_to(tip: Command) -> Command {
     })
 }
 
-/// Returns the names of the commands of a group, in the order of the help.
+/// Returns the names of the commands of a group, in the order of the help. The last line of the help names `help`, the command
+/// of clap.
 pub(crate) fn of_group(group: Group) -> impl Iterator<Item = &'static str> {
     let rows = ROWS.iter().filter(move |row| row.group == group);
-    // clap adds the command for help.
-    let help = (group == Group::EditorsAndShells).then_some("help");
-    rows.map(|row| row.name).chain(help)
+    rows.map(|row| row.name)
 }
 
 /// Executes the command of a command line that has been read.
