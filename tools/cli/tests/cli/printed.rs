@@ -22,18 +22,19 @@ const FOLLOWED: [&str; 4] = [
 
 /// A simulator of a robot that replaces Python.
 const SIMULATOR: &str = r#"#!/bin/sh
-while read -r kind rest; do
-  for word in $rest; do
-    case $word in
-      n=*) n=${word#n=} ;;
-      initial=*) initial=${word#initial=} ;;
-      targets=*) targets=${word#targets=} ;;
-    esac
-  done
-  case $kind in
-    hello) echo "ready version=1 angles=$initial loads=10,20,30,40 pose=0,0,200,0,0,0" ;;
-    cycle) echo "state n=$n angles=$targets loads=10,20,30,40 pose=0,$n,200,0,0,0" ;;
-    bye) exit 0 ;;
+readings='"loads":[10,20,30,40],"pose":[0,0,200,0,0,0]'
+# The value of a field that is a list.
+list() { value=${line#*"\"$1\":"}; value="${value%%]*}]"; }
+while read -r line; do
+  case $line in
+    *'"type":"hello"'*)
+      list initial
+      echo "{\"version\":2,\"angles\":$value,$readings}" ;;
+    *'"type":"cycle"'*)
+      n=${line#*'"n":'}
+      list targets
+      echo "{\"n\":${n%%[,\}]*},\"angles\":$value,$readings}" ;;
+    *'"type":"bye"'*) exit 0 ;;
   esac
 done
 "#;
