@@ -283,7 +283,7 @@ pub(super) fn plural(count: usize, what: &str) -> String {
 /// The option `--deny`.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Deny {
-    /// Fail on warnings by code, on 'falls', or on 'collisions'
+    /// Fail on codes, 'falls' or 'collisions'
     ///
     /// Codes of warnings such as W112, 'warnings' for all of them, 'falls' for falls of the robot in a run, 'collisions' for links
     /// that meet each other or the body

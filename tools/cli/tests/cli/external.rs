@@ -221,7 +221,7 @@ fn what_a_process_cannot_do_is_refused_with_a_way_out() {
         ),
         (
             &["run", "nod.prg", "--deny", "falls"],
-            "needs a built-in plant",
+            "need a built-in plant",
         ),
     ];
     for (command, way_out) in cases {
