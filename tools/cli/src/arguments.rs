@@ -26,7 +26,7 @@ pub(super) struct SourceArguments {
     /// The version in line 1
     ///
     /// The version of the language that line 1 must name; by default that of any edition, 3.1 or 3.2
-    #[arg(long, value_name = "NUMBER", value_parser = version_number, display_order = LAST)]
+    #[arg(long, value_name = "NUMBER", value_parser = version_number, display_order = LAST, hide_short_help = true)]
     pub(super) tip_version: Option<f64>,
 
     /// The encoding: auto, utf-8 or shift_jis
