@@ -147,7 +147,7 @@ pub(super) struct View {
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     case: Option<u64>,
 
-    /// The page; else FILE.html or FILE-OTHER.html in this folder
+    /// The page; else FILE.html, FILE-OTHER.html here
     ///
     /// '-' is standard output
     #[arg(short, long, value_name = "OUT.html")]

@@ -285,7 +285,7 @@ pub(super) struct Import {
     #[arg(long, value_enum, value_name = "x|y|z")]
     up: Option<Up>,
 
-    /// The axis of the file that points forward, if not x
+    /// The axis that points forward, if not x
     ///
     /// Where names of legs contradict their places, the report names the axis that agrees
     #[arg(
