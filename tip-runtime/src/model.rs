@@ -120,7 +120,7 @@ pub struct Joint {
     pub mass: f64,
     /// Distribution of the mass; `None`: evenly along the link. The simulated hand takes all its
     /// links to be so.
-    pub spread: Option<Spread>,
+    pub spread: Option<InertialProperties>,
     /// Maximum torque of its motor, N·m.
     pub torque: f64,
     /// Radius of the link, a capsule, where it may meet other links and the body, mm; `None`: 5 % of its length.
@@ -150,7 +150,7 @@ pub struct Body {
     /// Mass without legs, kg.
     pub mass: f64,
     /// Distribution of the mass; `None`: evenly in the box, its centre in the origin.
-    pub spread: Option<Spread>,
+    pub spread: Option<InertialProperties>,
 }
 
 /// Standard values of the parameters that commands set.
@@ -421,7 +421,7 @@ impl Joint {
 
     /// Sets the distribution of the mass.
     #[must_use]
-    pub const fn spread(self, spread: Spread) -> Self {
+    pub const fn spread(self, spread: InertialProperties) -> Self {
         Joint {
             spread: Some(spread),
             ..self
@@ -499,7 +499,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
 
 /// Centre of mass and inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
+pub struct InertialProperties {
     /// Centre of mass, mm: of a link from its joint on, of a body in the robot frame.
     pub centre: Point,
     /// The elements xx, yy, zz, xy, xz and yz of the tensor of inertia about that centre: kg·m². Its axes are those of the link's
@@ -510,13 +510,13 @@ pub struct Spread {
 /// Relative rounding error of a tensor.
 const SLIGHT: f64 = 1e-9;
 
-impl Spread {
+impl InertialProperties {
     /// Spreads a mass evenly along a rod from the joint to the end of `link` (mm).
     #[must_use]
     pub const fn rod(link: [f64; 3], mass: f64) -> Self {
         let [x, y, z] = link;
         let share = mass / 12.0 * 1e-6;
-        Spread {
+        InertialProperties {
             centre: [x / 2.0, y / 2.0, z / 2.0],
             inertia: [
                 share * (y * y + z * z),
@@ -535,7 +535,7 @@ impl Spread {
     pub const fn block([x, y, z]: [Range; 3], mass: f64) -> Self {
         let (x, y, z) = (x.max - x.min, y.max - y.min, z.max - z.min);
         let share = mass / 12.0 * 1e-6;
-        Spread {
+        InertialProperties {
             centre: [0.0; 3],
             inertia: [
                 share * (y * y + z * z),

@@ -1,7 +1,8 @@
 //! Checks that a model makes sense.
 
 use super::{
-    Body, Forces, Inverse, Joint, Leg, Model, Part, Range, Slider, Spread, Standards, VibrationGain,
+    Body, Forces, InertialProperties, Inverse, Joint, Leg, Model, Part, Range, Slider, Standards,
+    VibrationGain,
 };
 use crate::command::{MAX, Target};
 use core::fmt;
@@ -208,7 +209,7 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
     require(is_sound(body.spread), Place::Body, "spread", A_BODY)
 }
 
-fn is_sound(spread: Option<Spread>) -> bool {
+fn is_sound(spread: Option<InertialProperties>) -> bool {
     spread.is_none_or(|spread| spread.is_sound())
 }
 

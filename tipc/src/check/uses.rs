@@ -28,19 +28,19 @@ pub(super) struct Uses<'a> {
     first: usize,
     /// The next variable and the next label to be defined.
     next: (VariableId, usize),
-    excused: Vec<bool>,
+    suppressed: Vec<bool>,
     to_be_shown: Vec<bool>,
     dumped: bool,
     may_assign: Vec<VariableKind>,
 }
 
 /// The names of a whole program, and what each is used for.
-pub(super) struct Named {
+pub(super) struct NameUses {
     pub(super) symbols: Symbols,
     /// Number of labels.
     pub(super) labels: usize,
     /// The variables that a broken statement names: nothing can be said of them.
-    excused: Vec<bool>,
+    suppressed: Vec<bool>,
     /// The variables that a MESSAGE was to show, and does not: that nothing reads them follows from it.
     to_be_shown: Vec<bool>,
     /// OUTPUT_VARIABLES reads them all.
@@ -57,7 +57,7 @@ impl<'a> Uses<'a> {
             all: Vec::new(),
             first: 0,
             next: (names.predeclared(), 0),
-            excused: vec![false; names.variables.len()],
+            suppressed: vec![false; names.variables.len()],
             to_be_shown: vec![false; names.variables.len()],
             dumped: false,
             may_assign: Vec::new(),
@@ -70,11 +70,11 @@ impl<'a> Uses<'a> {
     }
 
     /// Returns all uses.
-    pub(super) fn finish(self) -> Named {
-        Named {
+    pub(super) fn finish(self) -> NameUses {
+        NameUses {
             labels: self.labels.all.len(),
             symbols: Symbols::new(definitions(self.names, self.labels), self.all),
-            excused: self.excused,
+            suppressed: self.suppressed,
             to_be_shown: self.to_be_shown,
             dumped: self.dumped,
             may_assign: self.may_assign,
@@ -274,8 +274,8 @@ impl<'a> Uses<'a> {
     }
 
     fn excuse_one(&mut self, definition: DefinitionId) {
-        if let Some(excused) = self.excused.get_mut(definition.index()) {
-            *excused = true;
+        if let Some(suppressed) = self.suppressed.get_mut(definition.index()) {
+            *suppressed = true;
         }
     }
 
@@ -329,7 +329,7 @@ fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
 }
 
 /// Reports reads that nothing assigned, and variables that serve nothing.
-pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Diagnostics) {
+pub(super) fn report(source: &Source, names: &Names, named: &NameUses, found: &mut Diagnostics) {
     let mut serves = vec![Service::default(); names.variables.len()];
     for used in named.symbols.all_uses() {
         if let Some(service) = serves.get_mut(used.definition.index()) {
@@ -363,7 +363,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
     for (id, variable) in names.variables.iter().enumerate() {
         let is_refused = variable.name.len() > LIMIT;
         let is_shared = variable.special.is_some();
-        if named.excused[id] || is_refused || is_shared || is_meant(&variable.name) {
+        if named.suppressed[id] || is_refused || is_shared || is_meant(&variable.name) {
             continue;
         }
         let name = &variable.name;

@@ -7,7 +7,7 @@ use super::section::{Found, SMALLEST, Section, Sign, fault};
 use crate::message::{Describing, Letter};
 use crate::source::Span;
 use tip_runtime::command::MAX;
-use tip_runtime::model::{Joint, Point, Range, Spread};
+use tip_runtime::model::{InertialProperties, Joint, Point, Range};
 
 /// Distance from the working limits to those of the potentiometers, unless the file says so: deg.
 const OUTER: f64 = 5.0;
@@ -104,7 +104,7 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     }
     let mass = section.number("mass", Sign::NotNegative, found);
     let mass = mass.unwrap_or(0.1);
-    let even = Spread::rod(link.unwrap_or_default(), mass);
+    let even = InertialProperties::rod(link.unwrap_or_default(), mass);
     let spread = read_spread(section, even, found);
     let torque = section.number("torque", Sign::Positive, found);
     let shapes = read_shapes(section, found);
@@ -414,13 +414,17 @@ impl Shape {
 
 /// Reads the keys `centre` and `inertia` of a table, with a default for the one that it leaves out; `None` if it has
 /// neither.
-pub(super) fn read_spread(section: Section<'_>, even: Spread, found: &mut Found) -> Option<Spread> {
+pub(super) fn read_spread(
+    section: Section<'_>,
+    even: InertialProperties,
+    found: &mut Found,
+) -> Option<InertialProperties> {
     let centre = section.numbers("centre", Sign::Any, found);
     let inertia = section.numbers("inertia", Sign::Any, found);
     if centre.is_none() && inertia.is_none() {
         return None;
     }
-    let spread = Spread {
+    let spread = InertialProperties {
         centre: centre.unwrap_or(even.centre),
         inertia: inertia.unwrap_or(even.inertia),
     };
@@ -434,10 +438,10 @@ pub(super) fn read_spread(section: Section<'_>, even: Spread, found: &mut Found)
 /// Returns the distribution for a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror`
 /// the sign of each coordinate.
 fn placed_spread(
-    spread: &Spread,
+    spread: &InertialProperties,
     turned: impl Fn([f64; 3]) -> [f64; 3],
     mirror: [f64; 3],
-) -> Spread {
+) -> InertialProperties {
     let [xx, yy, zz, xy, xz, yz] = spread.inertia;
     // Rows are turned, and then, since the tensor is symmetric, columns.
     let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(&turned);
@@ -445,7 +449,7 @@ fn placed_spread(
     let columns = [column(0), column(1), column(2)];
     let at = |i: usize, j: usize| mirror[i] * mirror[j] * columns[i][j];
     let centre = turned(spread.centre);
-    Spread {
+    InertialProperties {
         centre: [0, 1, 2].map(|axis| mirror[axis] * centre[axis]),
         inertia: [at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)],
     }

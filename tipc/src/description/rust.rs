@@ -8,8 +8,8 @@ use crate::robot::Facts;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 use tip_runtime::model::{
-    Body, Forces, Inverse, Joint, Part, Range, Slider, Spread, Standards, TOUCHING, TorqueUnit,
-    generic,
+    Body, Forces, InertialProperties, Inverse, Joint, Part, Range, Slider, Standards, TOUCHING,
+    TorqueUnit, generic,
 };
 
 impl Description {
@@ -214,10 +214,10 @@ fn body_to_rust(body: Body, runtime: &TokenStream) -> TokenStream {
     quote!(#runtime::model::Body { x: #x, y: #y, z: #z, mass: #mass, spread: #spread })
 }
 
-fn spread_to_rust(spread: Option<Spread>, runtime: &TokenStream) -> TokenStream {
-    optional(spread.map(|Spread { centre, inertia }| {
+fn spread_to_rust(spread: Option<InertialProperties>, runtime: &TokenStream) -> TokenStream {
+    optional(spread.map(|InertialProperties { centre, inertia }| {
         let (centre, inertia) = (numbers(&centre), numbers(&inertia));
-        quote!(#runtime::model::Spread { centre: #centre, inertia: #inertia })
+        quote!(#runtime::model::InertialProperties { centre: #centre, inertia: #inertia })
     }))
 }
 

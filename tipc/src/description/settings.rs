@@ -7,7 +7,8 @@ use super::section::{Found, Section, Sign};
 use crate::message::{Describing, Letter};
 use crate::robot::Robot;
 use tip_runtime::model::{
-    Body, Forces, Inverse, Part, Range, Slider, Spread, Standards, TOUCHING, TorqueUnit, generic,
+    Body, Forces, InertialProperties, Inverse, Part, Range, Slider, Standards, TOUCHING,
+    TorqueUnit, generic,
 };
 
 /// Speeds, tolerances and sampling time; what the file leaves out is that of the generic robot.
@@ -119,7 +120,7 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<S
     let mass = section.number("mass", Sign::Positive, found);
     let mass = mass.unwrap_or(1.0);
     let point = Range::new(0.0, 0.0);
-    let even = Spread::block([x, y, z].map(|range| range.unwrap_or(point)), mass);
+    let even = InertialProperties::block([x, y, z].map(|range| range.unwrap_or(point)), mass);
     let spread = read_spread(section, even, found);
     let shapes = read_shapes(section, found);
     let body = Body {
@@ -182,7 +183,7 @@ pub(super) fn inverse(robot: Section<'_>, found: &mut Found) -> Option<Inverse> 
 }
 
 /// The longest name, in characters.
-const LONGEST: usize = 40;
+const MAX_NAME_CHARS: usize = 40;
 
 /// Reads the robot's name, if it is one.
 pub(super) fn name<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str> {
@@ -192,8 +193,10 @@ pub(super) fn name<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str>
         Describing::NeedsName
     } else if name.trim() != name {
         Describing::BlankAtEnd
-    } else if name.chars().count() > LONGEST {
-        Describing::NameTooLong { most: LONGEST }
+    } else if name.chars().count() > MAX_NAME_CHARS {
+        Describing::NameTooLong {
+            most: MAX_NAME_CHARS,
+        }
     } else if let Some(character) = name.chars().find(|c| !allowed(*c)) {
         Describing::NotInName {
             character: Letter(character),

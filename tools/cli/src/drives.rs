@@ -16,7 +16,7 @@ use crate::{Status, choices, interrupt, output, report};
 use clap::{Args, Subcommand};
 use robot::{Connection, Setup};
 use scan::{Id, Scan};
-use simulated::Mishaps;
+use simulated::FaultInjection;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
@@ -299,7 +299,7 @@ fn simulate(arguments: &Simulate) -> Result<Status, Error> {
         lang: arguments.lang,
     };
     let setup = robot.setup()?;
-    let mishaps = Mishaps::new(&arguments.mishaps, &setup.ids());
+    let mishaps = FaultInjection::new(&arguments.mishaps, &setup.ids());
     let mishaps = mishaps.map_err(|wrong| Error::usage(wrong, lang))?;
     let bus = setup.simulated(&mishaps);
     simulated::serve(bus, mishaps, lang, |port| {

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use tip_log::Diagram;
 use tip_runtime::printable::Printable;
 use tip_sim::{Robot, urdf};
-use tip_view::{Extent, Outcome, Pace, Recording};
+use tip_view::{DurationLimit, FrameRate, Outcome, Recording};
 use tipc::Loaded;
 use tipc::message::Lang;
 
@@ -41,7 +41,7 @@ impl Recorded {
 
 impl RunArguments {
     /// Runs the program until it ends, the time is over, or someone presses Ctrl-C.
-    fn record(&self, pace: Pace, command: &'static str) -> Result<Recorded, Error> {
+    fn record(&self, pace: FrameRate, command: &'static str) -> Result<Recorded, Error> {
         let refusal = Using::ProcessIsRun { command };
         let Subject { loaded, robot, .. } = self.load(&self.file, false, refusal)?;
         let recording = self.recording(&loaded, &robot, pace)?;
@@ -68,11 +68,16 @@ impl RunArguments {
     }
 
     /// Runs a loaded program.
-    fn recording(&self, loaded: &Loaded, robot: &Robot, pace: Pace) -> Result<Recording, Error> {
+    fn recording(
+        &self,
+        loaded: &Loaded,
+        robot: &Robot,
+        pace: FrameRate,
+    ) -> Result<Recording, Error> {
         let inputs = self.inputs.inputs();
         let extent = inputs
             .cycles
-            .map_or(Extent::minutes(MAX_MINUTES), Extent::cycles);
+            .map_or(DurationLimit::minutes(MAX_MINUTES), DurationLimit::cycles);
         let goes_on = || !interrupt::is_requested();
         let recording = Recording::paced(loaded, robot, &inputs.events, extent, pace, goes_on);
         recording.map_err(|reason| Error::Usage(reason.to_string()))
@@ -333,7 +338,7 @@ impl Reading<'_> {
         };
         let Subject { loaded, robot, .. } = self.run.load(&program, self.quiet, refusal)?;
         if !is_trace {
-            return self.run.recording(&loaded, &robot, Pace::Smooth);
+            return self.run.recording(&loaded, &robot, FrameRate::Smooth);
         }
         let (name, trace) = self.text(file)?;
         let read = Recording::from_trace(&trace, &loaded, &robot);
@@ -435,11 +440,11 @@ impl LogFormat {
         }
     }
 
-    fn pace(self, every: Option<u64>) -> Pace {
+    fn pace(self, every: Option<u64>) -> FrameRate {
         match (self, every) {
-            (_, Some(cycles)) => Pace::Every(cycles),
-            (LogFormat::Mcap, None) => Pace::Smooth,
-            (LogFormat::Csv, None) => Pace::Every(1),
+            (_, Some(cycles)) => FrameRate::Every(cycles),
+            (LogFormat::Mcap, None) => FrameRate::Smooth,
+            (LogFormat::Csv, None) => FrameRate::Every(1),
         }
     }
 }
@@ -554,7 +559,7 @@ fn plot(arguments: &Plot) -> Result<Status, Error> {
     let out = arguments.out.clone();
     let out = &out.unwrap_or_else(|| named_after(&arguments.run.file, "svg"));
     output::refuse_inputs(out, &arguments.run.files())?;
-    let recorded = arguments.run.record(Pace::Smooth, "plot")?;
+    let recorded = arguments.run.record(FrameRate::Smooth, "plot")?;
     let diagrams: Vec<Diagram> = match arguments.of.as_slice() {
         [] => Diagram::ALL.into(),
         some => some.iter().map(|what| what.diagram()).collect(),

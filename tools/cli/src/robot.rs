@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
 use tip_sim::import::{self, Foot, Forward};
-use tip_sim::{Anatomy, Robot, mjcf, urdf};
+use tip_sim::{Robot, RobotDescription, mjcf, urdf};
 use tipc::embed::LIMIT;
 use tipc::message::Lang;
 use tipc::published;
@@ -91,7 +91,7 @@ fn check(arguments: &CheckRobot) -> Result<Status, Error> {
 
 /// Returns the properties of a robot.
 fn summary(robot: &Robot) -> String {
-    let Anatomy {
+    let RobotDescription {
         body,
         forces,
         inverse,

@@ -29,7 +29,7 @@ pub(super) use table::{is_table, specification};
 use tip_runtime::plant::Simulation;
 use tip_runtime::printable::Printable;
 use tip_sweep::{Axis, AxisError, PlantSpec, RobotSpec, Row, Sampling, Spec, SweepError, Text};
-use tip_view::{Extent, MAX_RUNS, Pace, Recording, SweepTable};
+use tip_view::{DurationLimit, FrameRate, MAX_RUNS, Recording, SweepTable};
 use tipc::message::Lang;
 
 #[derive(Debug, Args)]
@@ -535,8 +535,8 @@ pub(super) fn record(file: &Path, number: u64, lang: Lang) -> Result<Recording, 
     let spec = sweep.spec();
     let usage = |error: SweepError| Error::Usage(error.text(lang));
     let extent = match spec.cycles {
-        Some(cycles) => Extent::cycles(cycles),
-        None => Extent::Time {
+        Some(cycles) => DurationLimit::cycles(cycles),
+        None => DurationLimit::Time {
             most: spec.until * 1000.0,
             wait: f64::INFINITY,
         },
@@ -546,6 +546,13 @@ pub(super) fn record(file: &Path, number: u64, lang: Lang) -> Result<Recording, 
     let run = sweep.start(&case).map_err(usage)?;
     let loaded = tip_lint::load(name, program, &case.robot.options());
     let goes_on = || !interrupt::is_requested();
-    Recording::of_run(run, &loaded, &case.robot, extent, Pace::Smooth, goes_on)
-        .map_err(|reason| Error::Usage(reason.to_string()))
+    Recording::of_run(
+        run,
+        &loaded,
+        &case.robot,
+        extent,
+        FrameRate::Smooth,
+        goes_on,
+    )
+    .map_err(|reason| Error::Usage(reason.to_string()))
 }

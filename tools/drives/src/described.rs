@@ -1,5 +1,5 @@
 //! A described robot on a bus of servos: from `[bus]` and `[[drive]]` of its description to joints, limits and
-//! [`Drives`](crate::Drives), and to simulated servos in its place.
+//! [`Drives`], and to simulated servos in its place.
 
 use crate::bus::{Bus, Port, Timing};
 use crate::drives::{Drives, Invalid, Joint, Policy, Settings};

@@ -7,7 +7,7 @@ use tip_runtime::model::TorqueUnit;
 use tip_sim::urdf::frame::{foot, joint};
 use tip_view::{Frame, Recording};
 
-/// Writes the frames of a recording as CSV: [`Pace`](tip_view::Pace) says which cycles have one.
+/// Writes the frames of a recording as CSV: [`FrameRate`](tip_view::FrameRate) says which cycles have one.
 ///
 /// # Errors
 /// It cannot be written there.
@@ -219,11 +219,15 @@ fn shown(text: &str) -> String {
 }
 
 /// Least size of a measured number, in mm, deg, N, N·m or mN·m. What is smaller is an error of rounding.
-const LEAST: f64 = 1e-9;
+const MIN_MEASURED: f64 = 1e-9;
 
 /// Returns a measured number.
 fn measured(value: f64) -> String {
-    number(if value.abs() < LEAST { 0.0 } else { value })
+    number(if value.abs() < MIN_MEASURED {
+        0.0
+    } else {
+        value
+    })
 }
 
 /// Returns a number that reads back to the same bits; −0 is 0. What is no number is an empty field.

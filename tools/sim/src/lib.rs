@@ -38,7 +38,7 @@ pub use event::{Event, Events, Inputs, Refused, Timed};
 pub use external::ExternalPlant;
 pub use interp::Interpreter;
 pub use load::{LoadError, load};
-pub use model::{Anatomy, Limb};
+pub use model::{Limb, RobotDescription};
 pub use motion::{Approach, Fall, FallKind, Grasp, Limbs};
 pub use process_group::end_processes;
 pub use program_runner::{ProgramRunner, Replacement, StepTaken};

@@ -20,7 +20,7 @@
 //! ```
 
 use crate::import::mjcf::{EXPORTED, OMEGA_MAX, SHAPE_CLASS};
-use crate::model::{Anatomy, Limb};
+use crate::model::{Limb, RobotDescription};
 use crate::robot::{InitialState, Robot};
 use crate::urdf::frame::{self, BASE, BODY, FLOOR};
 use crate::urdf::xml::{self, vector};
@@ -183,7 +183,12 @@ const REACH: f64 = 2.0 * SKIN;
 const SHORTEST: f64 = 1e-5;
 
 /// Begins the body that carries all legs.
-fn open_base(parts: &mut Parts, anatomy: &Anatomy, initial_state: &InitialState, shapes: &[Shape]) {
+fn open_base(
+    parts: &mut Parts,
+    anatomy: &RobotDescription,
+    initial_state: &InitialState,
+    shapes: &[Shape],
+) {
     let world = &mut parts.world;
     if let (Some(pose), Some(body)) = (&initial_state.pose, &anatomy.body) {
         let [x, y, z] = metres(pose.position);
@@ -209,7 +214,7 @@ fn open_base(parts: &mut Parts, anatomy: &Anatomy, initial_state: &InitialState,
 /// group that viewers hide at first.
 fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     let ranges = [body.x, body.y, body.z];
-    let half = ranges.map(|range| (range.max - range.min).abs().max(frame::LEAST) / 2000.0);
+    let half = ranges.map(|range| (range.max - range.min).abs().max(frame::MIN_SIZE) / 2000.0);
     let middle = ranges.map(|range| (range.max + range.min) / 2000.0);
     let [xx, yy, zz] = half.map(|half| half * half);
     let inertia = [yy + zz, xx + zz, xx + yy].map(|squares| body.mass * squares / 3.0);
@@ -267,7 +272,7 @@ fn add_leg(
     parts: &mut Parts,
     number: u8,
     leg: &Limb,
-    anatomy: &Anatomy,
+    anatomy: &RobotDescription,
     shapes: &Shapes,
     hand: bool,
 ) {
@@ -448,7 +453,7 @@ fn metres_of(range: [f64; 2]) -> [f64; 2] {
 }
 
 /// Writes a slider: it hangs on joints that are at 0 in its initial position, as in URDF.
-fn add_slider(parts: &mut Parts, slider: &Slider, anatomy: &Anatomy, scene: &Scene) {
+fn add_slider(parts: &mut Parts, slider: &Slider, anatomy: &RobotDescription, scene: &Scene) {
     let at = vector(metres(slider.initial));
     parts.world.open(&format!(
         "body name=\"{FLOOR}\" pos=\"{at}\" gravcomp=\"1\""
@@ -501,7 +506,12 @@ fn plate(parts: &mut Parts, is_planar: bool, scene: &Scene) {
 
 /// Writes the objects under a hand, which move in its plane, and the palm above them. Where two of
 /// these touch, the smaller friction counts.
-fn add_objects(parts: &mut Parts, anatomy: &Anatomy, scene: &Scene, states: &[ObjectState]) {
+fn add_objects(
+    parts: &mut Parts,
+    anatomy: &RobotDescription,
+    scene: &Scene,
+    states: &[ObjectState],
+) {
     let [x, y, z] = frame::around(&anatomy.legs, 0.0);
     let (middle, half) = ((z.min + z.max) / 2000.0, (z.max - z.min) / 2000.0 + BESIDE);
     let thick = PALM.1 / 2.0;

@@ -17,7 +17,7 @@ use tip_runtime::plant::{DynamicPlant, Scene, SimulatedPlant, Simulation};
 /// The parts of a robot, whatever its size.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Anatomy {
+pub struct RobotDescription {
     /// Its body, if it walks.
     pub body: Option<Body>,
     /// Parameters of torques and forces, if it has any.
@@ -74,7 +74,7 @@ impl Limb {
 
 /// A model of any size. Each size has its own; logic is outside.
 pub(crate) trait DynModel: Send + Sync {
-    fn anatomy(&self) -> Anatomy;
+    fn anatomy(&self) -> RobotDescription;
     /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it does, within working limits of all joints, leg by leg; without
     /// them within those of the model.
     fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss>;
@@ -90,9 +90,9 @@ pub(crate) trait DynModel: Send + Sync {
 }
 
 impl<const L: usize, const J: usize> DynModel for Model<L, J> {
-    fn anatomy(&self) -> Anatomy {
+    fn anatomy(&self) -> RobotDescription {
         let (legs, feet) = limbs(&self.legs);
-        Anatomy {
+        RobotDescription {
             body: self.body,
             forces: self.forces,
             inverse: self.inverse,

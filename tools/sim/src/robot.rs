@@ -3,7 +3,7 @@
 use crate::dyn_machine::{DynMachine, NativeCommands};
 
 use crate::ideal_joints::IdealJoints;
-use crate::model::{Anatomy, DynModel, Miss};
+use crate::model::{DynModel, Miss, RobotDescription};
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
 use std::fmt;
@@ -147,7 +147,7 @@ impl Robot {
     }
 
     /// Returns its parts.
-    pub fn anatomy(&self) -> Anatomy {
+    pub fn anatomy(&self) -> RobotDescription {
         self.model.anatomy()
     }
 

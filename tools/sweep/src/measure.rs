@@ -182,11 +182,11 @@ impl Finished<'_> {
 }
 
 /// Least size of a measured number, in mm, deg, s, N·m or J. What is smaller is an error of rounding.
-const LEAST: f64 = 1e-9;
+const MIN_MEASURED: f64 = 1e-9;
 
 /// Returns the cell of a measured number.
 fn measured(number: f64) -> Cell {
-    Cell::Number(if libm::fabs(number) < LEAST {
+    Cell::Number(if libm::fabs(number) < MIN_MEASURED {
         0.0
     } else {
         number

@@ -1,7 +1,7 @@
 //! Recordings of runs: a recorder, which can be taken back and can forget.
 
 use crate::recording::{
-    Assigned, At, Fallen, Frame, ObjectPose, Outcome, Pace, Recording, Script, Skeleton, Slip,
+    Assigned, At, Fallen, Frame, FrameRate, ObjectPose, Outcome, Recording, Script, Skeleton, Slip,
     Stop, Tick, Timer, robot_frame,
 };
 use std::collections::HashSet;
@@ -29,7 +29,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// Maximum length of a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Extent {
+pub enum DurationLimit {
     /// A number of cycles.
     Cycles(u64),
     /// Limit in time of the robot, and in time that it waits without a motion, ms.
@@ -41,15 +41,15 @@ pub enum Extent {
     },
 }
 
-impl Extent {
+impl DurationLimit {
     /// Limits a recording to a number of cycles.
     pub const fn cycles(cycles: u64) -> Self {
-        Extent::Cycles(cycles)
+        DurationLimit::Cycles(cycles)
     }
 
     /// Limits a recording to minutes of the robot's time; a minute without a motion ends it too.
     pub const fn minutes(minutes: f64) -> Self {
-        Extent::Time {
+        DurationLimit::Time {
             most: minutes * 60_000.0,
             wait: 60_000.0,
         }
@@ -57,8 +57,8 @@ impl Extent {
 
     fn is_over(self, run: &Run, waits: &WaitDetector) -> bool {
         match self {
-            Extent::Cycles(cycles) => run.cycles() >= cycles,
-            Extent::Time { most, wait } => run.time() >= most || waits.rest(run) >= wait,
+            DurationLimit::Cycles(cycles) => run.cycles() >= cycles,
+            DurationLimit::Time { most, wait } => run.time() >= most || waits.rest(run) >= wait,
         }
     }
 }
@@ -95,10 +95,10 @@ impl Recording {
         loaded: &Loaded,
         robot: &Robot,
         events: &Events,
-        extent: Extent,
+        extent: DurationLimit,
         goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
-        Self::paced(loaded, robot, events, extent, Pace::Smooth, goes_on)
+        Self::paced(loaded, robot, events, extent, FrameRate::Smooth, goes_on)
     }
 
     /// Records a program, with the motion kept as often as asked.
@@ -109,8 +109,8 @@ impl Recording {
         loaded: &Loaded,
         robot: &Robot,
         events: &Events,
-        extent: Extent,
-        pace: Pace,
+        extent: DurationLimit,
+        pace: FrameRate,
         goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
         let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
@@ -130,8 +130,8 @@ impl Recording {
         run: Run,
         loaded: &Loaded,
         robot: &Robot,
-        extent: Extent,
-        pace: Pace,
+        extent: DurationLimit,
+        pace: FrameRate,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
         let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
@@ -215,7 +215,7 @@ pub(crate) struct Recorder {
     falls: u32,
     upright_falls: u32,
     tasks: Tasks,
-    pub(crate) pace: Pace,
+    pub(crate) pace: FrameRate,
     /// The last frame, if it is not among those of the recording.
     pub(crate) pending: Option<Frame>,
 }
@@ -254,7 +254,7 @@ impl Recorder {
             falls: 0,
             upright_falls: 0,
             tasks: Tasks::default(),
-            pace: Pace::Smooth,
+            pace: FrameRate::Smooth,
             pending: None,
         }
     }
@@ -442,8 +442,8 @@ impl Recorder {
         note_change(&mut recording.contacts, cycle, &touch);
         self.slips.note(&mut recording.slips, cycle, &frame.slips);
         let is_due = |last: &Frame| match self.pace {
-            Pace::Smooth => frame.time - last.time > APART - ROUNDING,
-            Pace::Every(cycles) => frame.cycle - last.cycle >= cycles,
+            FrameRate::Smooth => frame.time - last.time > APART - ROUNDING,
+            FrameRate::Every(cycles) => frame.cycle - last.cycle >= cycles,
         };
         self.pending = match recording.frames.last().is_none_or(is_due) {
             true => {

@@ -234,7 +234,7 @@ impl fmt::Display for Outcome {
 
 /// Rate at which the motion is kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Pace {
+pub enum FrameRate {
     /// At 50 Hz at most, and in the last cycle.
     #[default]
     Smooth,

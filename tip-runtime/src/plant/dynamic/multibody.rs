@@ -17,9 +17,9 @@ use crate::plant::walker::events::hurries;
 use crate::plant::{ContactLaw, GRAVITY, TrackingErrors, are_sane};
 
 /// The longest step: s.
-const LONGEST: f64 = 5e-4;
+const MAX_STEP: f64 = 5e-4;
 /// Maximum number of steps in a cycle.
-const MOST: f64 = 4000.0;
+const MAX_STEPS: f64 = 4000.0;
 /// Maximum number of repetitions of a step because a motor saturates or is released.
 const ANEW: u32 = 4;
 /// Height above the lowest contact up to which contacts carry the robot at first, m.
@@ -61,7 +61,7 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
     pub(super) fn stand(&mut self) {
         let mass = self.base.mass() + self.legs.iter().map(LegBody::mass).sum::<f64>();
         let feet = self.legs.iter().map(|leg| leg.foot_mass(&self.drives));
-        self.law = ContactLaw::of_robot(mass, feet.fold(f64::INFINITY, f64::min), LONGEST);
+        self.law = ContactLaw::of_robot(mass, feet.fold(f64::INFINITY, f64::min), MAX_STEP);
         let normal = self.terrain.normal;
         self.base = BodyDynamics::new(self.base.model);
         self.base.frame.rotation = self.terrain.tilt();
@@ -144,7 +144,7 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
     /// Simulates a control cycle; legs without commands are held.
     fn cycle(&mut self, commands: &[[JointCommand; J]]) {
         let time = self.period / 1000.0;
-        let steps = libm::ceil(time / LONGEST).clamp(1.0, MOST) as u32;
+        let steps = libm::ceil(time / MAX_STEP).clamp(1.0, MAX_STEPS) as u32;
         let step = TimeStep::of(time / f64::from(steps), &self.drives.servos);
         for left in (1..=steps).rev() {
             self.step(&step, commands, f64::from(left));

@@ -96,7 +96,7 @@ fn lock_memory() -> io::Result<()> {
 }
 
 /// The longest lateness that is counted by itself, µs.
-const LONGEST: usize = 20_000;
+const MAX_LATENESS: usize = 20_000;
 
 /// Number of cycles that started so many µs late.
 #[derive(Debug)]
@@ -108,7 +108,7 @@ pub(crate) struct Histogram {
 impl Default for Histogram {
     fn default() -> Self {
         Histogram {
-            counts: vec![0; LONGEST + 1],
+            counts: vec![0; MAX_LATENESS + 1],
             worst: Duration::ZERO,
         }
     }
@@ -116,8 +116,8 @@ impl Default for Histogram {
 
 impl Histogram {
     pub(crate) fn add(&mut self, late: Duration) {
-        let place = usize::try_from(late.as_micros()).unwrap_or(LONGEST);
-        self.counts[place.min(LONGEST)] += 1;
+        let place = usize::try_from(late.as_micros()).unwrap_or(MAX_LATENESS);
+        self.counts[place.min(MAX_LATENESS)] += 1;
         self.worst = self.worst.max(late);
     }
 
@@ -133,7 +133,7 @@ impl Histogram {
             sum += count;
             sum >= wanted
         };
-        self.counts.iter().position(within).unwrap_or(LONGEST)
+        self.counts.iter().position(within).unwrap_or(MAX_LATENESS)
     }
 
     /// Returns the greatest lateness, µs.
@@ -146,7 +146,18 @@ impl Histogram {
         let mut text = String::new();
         let total = self.total().max(1);
         let mut from = 0;
-        for to in [10, 20, 50, 100, 200, 500, 1000, 2000, 5000, LONGEST + 1] {
+        for to in [
+            10,
+            20,
+            50,
+            100,
+            200,
+            500,
+            1000,
+            2000,
+            5000,
+            MAX_LATENESS + 1,
+        ] {
             let count: u64 = self.counts[from..to].iter().sum();
             if count > 0 {
                 let share = count as f64 / total as f64;
@@ -302,7 +313,7 @@ mod tests {
         histogram.add(Duration::from_secs(3));
         assert_eq!(histogram.quantile(0.5), 500);
         assert_eq!(histogram.quantile(0.99), 990);
-        assert_eq!(histogram.quantile(1.0), LONGEST);
+        assert_eq!(histogram.quantile(1.0), MAX_LATENESS);
         assert_eq!(histogram.worst(), 3_000_000);
     }
 

@@ -2,7 +2,7 @@
 
 use super::port::open_serial;
 use super::realtime;
-use super::simulated::Mishaps;
+use super::simulated::FaultInjection;
 use crate::error::Error;
 use crate::message::{Driving, Stopping};
 use crate::{Status, interrupt, report};
@@ -54,7 +54,7 @@ impl Setup {
     }
 
     /// Returns simulated servos a little beside the initial posture.
-    pub(crate) fn simulated(&self, mishaps: &Mishaps) -> SimulatedBus {
+    pub(crate) fn simulated(&self, mishaps: &FaultInjection) -> SimulatedBus {
         self.0.simulated().with_faults(mishaps.faults, 1)
     }
 
@@ -78,7 +78,7 @@ impl Setup {
         };
         let (opened, mishaps) = match simulated {
             Some(mishaps) => {
-                let mut mishaps = Mishaps::new(mishaps, &self.ids()).map_err(fail)?;
+                let mut mishaps = FaultInjection::new(mishaps, &self.ids()).map_err(fail)?;
                 let mut bus = self.simulated(&mishaps);
                 mishaps.happen(&mut bus, 0);
                 (
@@ -153,7 +153,7 @@ const ESCAPE: u8 = 0x1B;
 #[derive(Debug)]
 pub(crate) struct Operator {
     /// Faults to inject; `None` on a real bus.
-    mishaps: Option<Mishaps>,
+    mishaps: Option<FaultInjection>,
     /// Reads keys from the first torque to the last.
     keyboard: Option<Terminal<io::Sink>>,
     /// Other keys than those that end.

@@ -421,7 +421,7 @@ fn seen_from(place: &Path, path: &Path) -> PathBuf {
 }
 
 /// Maximum length of a name in registries.
-const LONGEST: usize = 64;
+const MAX_NAME_CHARS: usize = 64;
 
 /// Names that mean something else: to Rust, to cargo, to Windows, or in the crate that is made.
 const TAKEN: [&str; 5] = [
@@ -496,7 +496,7 @@ fn is_plain_name(name: &str) -> bool {
                 .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit())
     };
     name.starts_with(|first: char| first.is_ascii_lowercase())
-        && name.len() <= LONGEST
+        && name.len() <= MAX_NAME_CHARS
         && name.split(['-', '_']).all(is_word)
 }
 
@@ -505,7 +505,7 @@ fn near(name: &str) -> String {
     let small = name.to_lowercase();
     let words = small.split(|c: char| !c.is_ascii_alphanumeric());
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let near: String = words.join("-").chars().take(LONGEST / 2).collect();
+    let near: String = words.join("-").chars().take(MAX_NAME_CHARS / 2).collect();
     let near = near.trim_end_matches('-');
     match near.chars().next() {
         None => "demo".to_owned(),
@@ -553,7 +553,7 @@ mod tests {
 
     #[test]
     fn names_that_cargo_and_rust_take_are_taken() {
-        let longest = "a".repeat(LONGEST);
+        let longest = "a".repeat(MAX_NAME_CHARS);
         for name in [
             "demo",
             "first-walk",
@@ -581,7 +581,7 @@ mod tests {
 
     #[test]
     fn other_names_are_refused_with_one_that_is_taken() {
-        let too_long = "a".repeat(LONGEST + 1);
+        let too_long = "a".repeat(MAX_NAME_CHARS + 1);
         for (name, better) in [
             ("", "demo"),
             (".", "demo"),
@@ -603,7 +603,7 @@ mod tests {
             ("nul", "my-nul"),
             ("tip-runtime", "my-tip-runtime"),
             ("tip_runtime", "my-tip_runtime"),
-            (&too_long, &"a".repeat(LONGEST / 2)),
+            (&too_long, &"a".repeat(MAX_NAME_CHARS / 2)),
         ] {
             let refused = name.parse::<CratePath>().expect_err(name);
             let (Using::NotACrateName { near, .. } | Using::CrateNameTaken { near, .. }) = refused

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use tip_lint::format::format;
 use tip_runtime::command::Target;
 use tip_runtime::model::Point;
-use tip_sim::{Anatomy, Limb, Limit, Plant, Robot, Run, load};
+use tip_sim::{Limb, Limit, Plant, Robot, RobotDescription, Run, load};
 
 /// Strides that are tried, relative to the longest leg.
 const STRIDES: [f64; 3] = [0.2, 0.12, 0.06];
@@ -19,7 +19,7 @@ const AHEAD: f64 = 4.0;
 /// Minimum travel of a robot that walks, relative to the commanded way.
 const COMES: f64 = 0.9;
 /// Maximum number of control cycles of a gait.
-const LONGEST: u64 = 20_000;
+const MAX_CYCLES: u64 = 20_000;
 /// Number of gaits that work without mass and are tried with it.
 const WITH_MASS: usize = 3;
 
@@ -98,7 +98,7 @@ struct Plan {
 }
 
 impl Plan {
-    fn new(anatomy: &Anatomy, stride: f64, lift: f64, height: f64) -> Self {
+    fn new(anatomy: &RobotDescription, stride: f64, lift: f64, height: f64) -> Self {
         let floor = anatomy
             .feet
             .iter()
@@ -143,7 +143,7 @@ impl Plan {
         let fails = |_| Making::OutOfReach;
         let loaded = load("walk.prg", program, robot).map_err(|_| Making::OutOfReach)?;
         let mut run = Run::new(loaded, robot.clone()).map_err(fails)?;
-        run.to_end(Limit::cycles(LONGEST));
+        run.to_end(Limit::cycles(MAX_CYCLES));
         let Some(motion) = run.motion().filter(|_| run.emergency().is_none()) else {
             return Err(Making::OutOfReach);
         };
@@ -152,7 +152,7 @@ impl Plan {
             && aside <= (1.0 - COMES) * self.way() + self.offset[0].abs();
         // A robot that lies on its belly does not fall.
         let stays_up = motion.falls == 0 && motion.least_margin >= 0.0;
-        match (stays_up, comes && run.cycles() < LONGEST) {
+        match (stays_up, comes && run.cycles() < MAX_CYCLES) {
             (true, true) => Ok(ahead),
             (true, false) => Err(Making::OutOfReach),
             (false, _) => Err(Making::Falls),
@@ -238,7 +238,7 @@ impl Plan {
 }
 
 /// Returns x and y of the centre of mass in the initial posture, in the robot frame, mm.
-fn centre_of_mass(anatomy: &Anatomy) -> [f64; 2] {
+fn centre_of_mass(anatomy: &RobotDescription) -> [f64; 2] {
     let mut all = Vec::new();
     if let Some(body) = &anatomy.body {
         let centre = body.spread.map_or([0.0; 3], |spread| spread.centre);
@@ -274,7 +274,7 @@ pub(super) const BEND_ANGLES: [f64; 3] = [BEND_ANGLE, 6.0, 3.0];
 const SHARE: f64 = 0.8;
 
 /// Returns a program that turns each joint by an angle, deg.
-pub(super) fn bend_program(anatomy: &Anatomy, turn: f64) -> String {
+pub(super) fn bend_program(anatomy: &RobotDescription, turn: f64) -> String {
     let numbered = (1..).zip(&anatomy.legs);
     let legs = numbered.map(|(number, limb)| bend_leg(Target::Foot(number), limb, turn));
     let begin = include_str!("../../templates/motions/bend.prg");
@@ -285,14 +285,14 @@ pub(super) fn bend_program(anatomy: &Anatomy, turn: f64) -> String {
 /// Runs the program; returns the number of falls.
 pub(super) fn count_falls(program: &str, robot: &Robot) -> u32 {
     /// Maximum number of control cycles.
-    const LONGEST: u64 = 20_000;
+    const MAX_CYCLES: u64 = 20_000;
     let Ok(loaded) = load("bend.prg", program, robot) else {
         return 0;
     };
     let Ok(mut run) = Run::new(loaded, robot.clone()) else {
         return 0;
     };
-    run.to_end(Limit::cycles(LONGEST));
+    run.to_end(Limit::cycles(MAX_CYCLES));
     run.motion().map_or(0, |motion| motion.falls)
 }
 
@@ -347,7 +347,7 @@ fn bent_angles(limb: &Limb, turn: f64) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    fn anatomy(joints: &str, initial: &str) -> Anatomy {
+    fn anatomy(joints: &str, initial: &str) -> RobotDescription {
         let text = format!(
             "name = \"ours\"\njoint = [{joints}]\nleg = [{{ base = [0, 100, 0] }}]\ninitial = [{initial}]\n"
         );

@@ -10,7 +10,7 @@ use tip_runtime::command::Target;
 use tip_runtime::fault::Fault;
 use tip_runtime::machine::Emergency;
 use tip_runtime::program::Program as _;
-use tip_sim::{Anatomy, Interpreter, Robot, Run};
+use tip_sim::{Interpreter, Robot, RobotDescription, Run};
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::list::List;
@@ -28,7 +28,7 @@ pub(super) struct Stopped<'a> {
     pub(super) loaded: &'a Loaded,
     pub(super) options: Options,
     pub(super) robot: &'a Robot,
-    pub(super) anatomy: &'a Anatomy,
+    pub(super) anatomy: &'a RobotDescription,
 }
 
 /// The last measured state of a joint, deg.

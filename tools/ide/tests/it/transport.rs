@@ -198,10 +198,10 @@ fn a_defect_in_one_program_leaves_the_others_their_diagnostics() {
         )
     });
     let published = |uri: &str| ("textDocument/publishDiagnostics".to_owned(), uri.to_owned());
-    let told = "file:///panic.prg: tip failed; this is a defect of tip, please report it";
+    let reported = "file:///panic.prg: tip failed; this is a defect of tip, please report it";
     let expected = [
         published("file:///a.prg"),
-        ("window/logMessage".to_owned(), told.to_owned()),
+        ("window/logMessage".to_owned(), reported.to_owned()),
         published("file:///z.prg"),
     ];
     // Documents that arrive later may be in a later round; each round keeps this order, and none repeats the defect.

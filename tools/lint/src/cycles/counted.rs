@@ -8,7 +8,7 @@ use tipc::analysis::flow::{Flow, NodeId};
 use tipc::program::{Action, Operand, Program, StepId};
 
 /// The most turns that are counted. At 20 ms they take more than five hours.
-const TURNS: u64 = 1_000_000;
+const MAX_TURNS: u64 = 1_000_000;
 
 /// Maximum nesting depth of counted loops. Those inside count as loops without a bound.
 const DEPTH: usize = 32;
@@ -33,7 +33,7 @@ impl Counted {
 /// the work is bounded.
 pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counted> {
     let work = Work::of(flow.nodes().len());
-    let additions = Work::new(TURNS as usize, flow.nodes().len());
+    let additions = Work::new(MAX_TURNS as usize, flow.nodes().len());
     let before = flow.before();
     let entries: BTreeSet<NodeId> = flow.calls().map(|call| call.entry).collect();
     // Something else leads or calls into the body.
@@ -98,7 +98,7 @@ fn turns([from, to, by]: [f64; 3], additions: &Work) -> Option<u64> {
     };
     if [from, to, by].iter().all(|number| is_whole(*number)) && goes_on(from) {
         let turns = ((to - from) / by).floor() + 1.0;
-        return (turns <= TURNS as f64).then_some(turns as u64);
+        return (turns <= MAX_TURNS as f64).then_some(turns as u64);
     }
     let mut value = from;
     let mut turns = 0;
@@ -106,7 +106,7 @@ fn turns([from, to, by]: [f64; 3], additions: &Work) -> Option<u64> {
         additions.take(1)?;
         value += by;
         turns += 1;
-        if turns > TURNS || !value.is_finite() {
+        if turns > MAX_TURNS || !value.is_finite() {
             return None;
         }
     }

@@ -1,7 +1,7 @@
 //! The protocol of external plants: JSON lines to the process, JSON lines from it, and what may be wrong with an answer.
 
 use crate::message::Simulating;
-use crate::model::Anatomy;
+use crate::model::RobotDescription;
 use crate::sim_hardware::Commands;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -214,7 +214,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub(super) fn of(robot: &str, anatomy: &Anatomy) -> Self {
+    pub(super) fn of(robot: &str, anatomy: &RobotDescription) -> Self {
         let legs = anatomy.legs.len();
         let unit = anatomy.forces.map(|forces| forces.unit.per_newton_metre());
         Layout {

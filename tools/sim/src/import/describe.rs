@@ -17,7 +17,7 @@ use tipc::description::{Form, Shape};
 use tipc::message::list::List;
 
 /// Maximum length of a robot's name, characters.
-const LONGEST: usize = 40;
+const MAX_NAME_CHARS: usize = 40;
 /// Extent of the assumed body above and below the first joints, mm.
 const HALF_HEIGHT: f64 = 50.0;
 
@@ -327,7 +327,7 @@ fn robot_name(name: &str) -> String {
         .chars()
         .map(|c| if allowed(c) { c } else { ' ' })
         .collect();
-    let name: String = name.trim().chars().take(LONGEST).collect();
+    let name: String = name.trim().chars().take(MAX_NAME_CHARS).collect();
     match name.trim() {
         "" => "robot".to_owned(),
         known if Robot::from_name(known).is_some() => format!("{known} robot"),

@@ -8,7 +8,7 @@ use super::tree::{Geometry, Joint, JointType, Link, Piece};
 use super::xml::printed;
 use crate::message::Importing;
 use crate::urdf::frame::{self, FLOOR};
-use tip_runtime::model::{Point, Range, Slider, Spread};
+use tip_runtime::model::{InertialProperties, Point, Range, Slider};
 use tipc::description::{Form, Shape};
 use tipc::message::list::List;
 
@@ -159,7 +159,7 @@ pub(super) fn weight(links: &[(&Link, Transform)], at: Point, reach: f64) -> Opt
         std::array::from_fn(|element| sum[element] + turned[element] + moved[element])
     });
     let inertia = rounded(inertia);
-    let is_sound = Spread { centre, inertia }.is_sound();
+    let is_sound = InertialProperties { centre, inertia }.is_sound();
     Some(Weight {
         centre: [0, 1, 2].map(|axis| centre[axis] - at[axis]),
         inertia: (2.0 * known >= total && is_sound).then_some(inertia),
@@ -175,7 +175,7 @@ pub(super) fn is_flat(link: &Link) -> bool {
 /// Returns true if a link has mass, and an inertia of no rigid body, or of one that is larger than
 /// the robot.
 pub(super) fn is_doubtful(link: &Link, reach: f64) -> bool {
-    let own = Spread {
+    let own = InertialProperties {
         centre: [0.0; 3],
         inertia: link.inertia,
     };
@@ -196,8 +196,8 @@ fn rounded(tensor: [f64; 6]) -> [f64; 6] {
 }
 
 /// Limits of sizes and positions in descriptions, mm.
-const LEAST: f64 = frame::LEAST;
-const MOST: f64 = 1e6;
+const MIN_SIZE: f64 = frame::MIN_SIZE;
+const MAX_SIZE: f64 = 1e6;
 
 /// Returns the collision shapes of links that move as one, seen from `at` (mm), in a frame that is
 /// parallel to the robot frame.
@@ -289,8 +289,8 @@ fn is_possible(shape: &Shape) -> bool {
         Form::Cylinder { radius, length } => vec![radius, length],
         Form::Sphere { radius } => vec![radius],
     };
-    let is_size = |size: &f64| (LEAST..=MOST).contains(size);
-    let is_near = |part: &f64| (-MOST..=MOST).contains(part);
+    let is_size = |size: &f64| (MIN_SIZE..=MAX_SIZE).contains(size);
+    let is_near = |part: &f64| (-MAX_SIZE..=MAX_SIZE).contains(part);
     sizes.iter().all(is_size) && shape.at.iter().all(is_near)
 }
 

@@ -15,7 +15,7 @@ use tip_runtime::model::{Point, Range, Slider};
 /// The link to which robots are bolted down.
 pub const WORLD: &str = "world";
 /// Minimum size that is written, mm: readers refuse sizes of 0.
-pub(crate) const LEAST: f64 = 1e-6;
+pub(crate) const MIN_SIZE: f64 = 1e-6;
 /// Radius of drawn links, relative to the mean length of all links.
 const THICKNESS: f64 = 0.1;
 
@@ -102,9 +102,9 @@ pub(crate) fn thickness(legs: &[Limb]) -> f64 {
     let joints = legs.iter().flat_map(|leg| &leg.joints);
     let lengths: Vec<f64> = joints
         .map(|joint| length(joint.link))
-        .filter(|length| *length >= LEAST)
+        .filter(|length| *length >= MIN_SIZE)
         .collect();
-    (THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64).max(LEAST)
+    (THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64).max(MIN_SIZE)
 }
 
 /// Returns roll, pitch and yaw (rad) of the axes x, y and z.

@@ -8,7 +8,7 @@ use tip_sim::import::{Foot, Forward, Import, ImportOptions, import, import_with}
 use tip_sim::{Robot, mjcf};
 use tipc::description::{Description, parse};
 
-fn told(import: &Import) -> String {
+fn reported(import: &Import) -> String {
     let lines: Vec<String> = import.report.iter().map(ToString::to_string).collect();
     lines.join("\n")
 }
@@ -64,7 +64,7 @@ fn a_hinge_turns_about_its_axis_and_ends_at_the_last_sphere() {
         &[leg.joints[0].limits.min, leg.joints[0].limits.max],
         &[-90.0, 90.0],
     );
-    let said = told(&imported(&text).0);
+    let said = reported(&imported(&text).0);
     assert!(
         said.contains("F1: joint a to link finger=0.3,0,0"),
         "{said}"
@@ -88,7 +88,7 @@ fn angles_are_degrees_unless_the_compiler_says_radian() {
 fn a_range_limits_only_where_it_is_to() {
     let free = |settings: &str, joint: &str| {
         let text = finger(settings, &HINGE.replace("range", &format!("{joint} range")));
-        told(&imported(&text).0).contains("limits of -180 and 180 deg")
+        reported(&imported(&text).0).contains("limits of -180 and 180 deg")
     };
     assert!(!free("", ""));
     assert!(free("", "limited=\"false\""));
@@ -188,7 +188,7 @@ fn frames_and_copies_place_what_is_in_them() {
         bases.as_flattened(),
         &[0.0, 100.0, 0.0, -100.0, 0.0, 0.0, 0.0, -100.0, 0.0],
     );
-    assert!(told(&import).contains("F2: joint j_1 to link f_1=0.1,0,0"));
+    assert!(reported(&import).contains("F2: joint j_1 to link f_1=0.1,0,0"));
 }
 
 #[test]
@@ -201,7 +201,7 @@ fn the_foot_is_a_site_else_a_sphere_else_the_end_of_a_capsule() {
             "",
             &format!("<joint name=\"a\" range=\"-9 9\"/>{}", parts.concat()),
         );
-        told(&imported(&text).0)
+        reported(&imported(&text).0)
             .lines()
             .find(|line| line.starts_with("F1: "))
             .map(str::to_owned)
@@ -296,7 +296,7 @@ fn a_keyframe_is_the_initial_posture() {
     let (import, description) = imported(&text.replace("</mujoco>", keys));
     let model: Model<1, 1> = description.model().expect("one leg");
     near(&model.legs[0].initial, &[0.5_f64.to_degrees()]);
-    assert!(told(&import).contains("keyframe home"));
+    assert!(reported(&import).contains("keyframe home"));
 }
 
 /// Four legs whose names say that −x is forward.
@@ -320,7 +320,7 @@ fn backwards() -> String {
 #[test]
 fn names_that_contradict_places_are_doubtful() {
     let text = backwards();
-    let said = told(&imported(&text).0);
+    let said = reported(&imported(&text).0);
     assert!(
         said.contains("`--forward -x` turns the model: RR_hip, RL_hip, FR_hip, FL_hip"),
         "{said}"
@@ -330,7 +330,7 @@ fn names_that_contradict_places_are_doubtful() {
         ..ImportOptions::default()
     };
     let turned = import_with("test.xml", &text, &options).expect("it is turned");
-    let said = told(&turned);
+    let said = reported(&turned);
     assert!(!said.contains("contradict"), "{said}");
     assert!(said.contains("F1: joint FL_hip"), "{said}");
     // Mirrored, no turn helps.
@@ -338,7 +338,7 @@ fn names_that_contradict_places_are_doubtful() {
         .replace("\"FL", "\"XX")
         .replace("\"FR", "\"FL")
         .replace("\"XX", "\"FR");
-    let said = told(&imported(&mirrored).0);
+    let said = reported(&imported(&mirrored).0);
     assert!(said.contains("whatever axis is forward"), "{said}");
 }
 
@@ -378,7 +378,7 @@ fn what_is_left_out_is_weighed() {
         skip: vec!["arm".to_owned()],
         ..ImportOptions::default()
     };
-    let said = told(&import_with("test.xml", &text, &options).expect("four legs"));
+    let said = reported(&import_with("test.xml", &text, &options).expect("four legs"));
     assert!(
         said.contains("the chains of arm_yaw, which weigh 1.75 kg"),
         "{said}"
@@ -401,7 +401,7 @@ fn a_wheel_is_no_foot() {
             feet: vec![foot],
             ..ImportOptions::default()
         };
-        told(&import_with("test.xml", &text, &options).expect("a leg"))
+        reported(&import_with("test.xml", &text, &options).expect("a leg"))
     };
     assert!(with("finger", [0.3, 0.0, 0.0]).contains("weighs 0.5 kg: joints wheel_joint"));
     assert!(with("wheel", [0.0; 3]).contains("the hub of a wheel"));
@@ -417,7 +417,7 @@ fn what_moves_nothing_is_ignored_and_listed() {
         "<worldbody>",
         "<worldbody><body name=\"ball\"><freejoint/><geom size=\"1\"/></body>",
     );
-    let said = told(&imported(&text).0);
+    let said = reported(&imported(&text).0);
     assert!(
         said.contains("not to move the robot: future, gadget"),
         "{said}"

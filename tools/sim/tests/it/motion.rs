@@ -137,10 +137,10 @@ fn a_scene_chooses_the_plant_unless_the_robot_does() -> Outcome {
 fn events_of_mass_are_refused_where_there_is_none() -> Outcome {
     for event in ["3:push 1 2 3 for 4", "3:noise 0.1 0 seed 1"] {
         let refused = titan8("")?.events(event).expect_err("it has no mass");
-        let told = refused.to_string();
+        let reported = refused.to_string();
         assert!(
-            told.ends_with("is for walking robots with mass: --plant dynamic"),
-            "{told}"
+            reported.ends_with("is for walking robots with mass: --plant dynamic"),
+            "{reported}"
         );
         let robot = Robot::named("titan8")?.with_plant(Plant::Dynamic);
         on(robot, "3.1\nt\nEND\n")?.events(event)?;

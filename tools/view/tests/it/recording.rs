@@ -7,7 +7,7 @@ use tip_runtime::controller::Mode;
 use tip_runtime::plant::{Scene, Simulation};
 use tip_runtime::record::{JsonLines, MotionRecord};
 use tip_sim::{Events, FallKind, Interpreter, Robot, Run, tipc};
-use tip_view::{At, Extent, Outcome, Recording};
+use tip_view::{At, DurationLimit, Outcome, Recording};
 use tipc::Loaded;
 
 fn example(path: &str) -> String {
@@ -33,12 +33,12 @@ fn hand() -> Robot {
         .expect("it grasps")
 }
 
-fn record(text: &str, robot: &Robot, events: &str, extent: Extent) -> Recording {
+fn record(text: &str, robot: &Robot, events: &str, extent: DurationLimit) -> Recording {
     let events: Events = events.parse().expect("events");
     Recording::of(&loaded(text, robot), robot, &events, extent, || true).expect("it runs")
 }
 
-const LONG: Extent = Extent::minutes(10.0);
+const LONG: DurationLimit = DurationLimit::minutes(10.0);
 
 /// The trace of the same run, with its motion.
 fn trace(text: &str, robot: &Robot, events: &str) -> String {
@@ -114,7 +114,7 @@ fn each_thing_is_kept_in_its_cycle() {
 #[test]
 fn motion_is_kept_at_50_hz_and_at_the_end() {
     let grasp = example("grasp/motions/grasp.prg");
-    let recording = record(&grasp, &hand(), "", Extent::cycles(505));
+    let recording = record(&grasp, &hand(), "", DurationLimit::cycles(505));
     let cycles: Vec<_> = recording.frames.iter().map(|frame| frame.cycle).collect();
     // 2 ms a cycle: every tenth of them, and the last one.
     assert_eq!(cycles[..3], [0, 10, 20]);
@@ -135,7 +135,7 @@ fn motion_is_kept_at_50_hz_and_at_the_end() {
 #[test]
 fn time_ends_a_recording_and_so_does_an_interruption() {
     let endless = "3.1\nEndless\nAGAIN:\nGOTO AGAIN:\nEND\n";
-    let recording = record(endless, &titan(), "", Extent::minutes(0.1));
+    let recording = record(endless, &titan(), "", DurationLimit::minutes(0.1));
     assert_eq!((recording.cycles, recording.outcome), (300, Outcome::Limit));
     let mut cycles = 0;
     let seven = || {
@@ -380,14 +380,14 @@ fn threads_timers_and_locks_are_kept_where_they_change() {
         (recording.threads.clone(), recording.steps.clone())
     );
     // Pages are told of them where there are any.
-    let told = recording.updates();
+    let reported = recording.updates();
     for part in [
         r#""threads":["SIDE"]"#,
         r#""threads":[[3,1,1,1],[1,1,1,1],[9,1,1,-11]]"#,
         r#""timers":[[0,2,true,0.0],[4,2,false,80.0]]"#,
         r#""locks":[[4,"J21"],[6,""]]"#,
     ] {
-        assert!(told.contains(part), "{part} is not in {told}");
+        assert!(reported.contains(part), "{part} is not in {reported}");
     }
     let old = record("3.1\nOld\nDEF_VAR N\nN = 1\nEND\n", &titan(), "", LONG).updates();
     for word in ["threads", "timers", "locks"] {

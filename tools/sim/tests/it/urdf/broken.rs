@@ -278,7 +278,7 @@ fn nan_is_no_number_in_any_version() {
 /// Returns the report of a file in a version.
 fn said(version: &str, from: &str, to: &str) -> String {
     let import = import("test.urdf", &file(version, from, to));
-    crate::urdf::told(&import.unwrap_or_else(|error| panic!("{error}")))
+    crate::urdf::reported(&import.unwrap_or_else(|error| panic!("{error}")))
 }
 
 #[test]

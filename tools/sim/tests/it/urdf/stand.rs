@@ -2,10 +2,10 @@
 
 use tip_sim::import::{ImportOptions, import_with};
 use tip_sim::urdf::export;
-use tip_sim::{Anatomy, Robot};
+use tip_sim::{Robot, RobotDescription};
 
 /// Exports a robot, and imports it to stand at a height, mm.
-fn standing(robot: &Robot, height: f64) -> Result<Anatomy, String> {
+fn standing(robot: &Robot, height: f64) -> Result<RobotDescription, String> {
     let options = ImportOptions {
         stand: Some(height),
         ..ImportOptions::default()

@@ -1,7 +1,7 @@
 //! Centres of mass and inertias, worked out by hand.
 
-use crate::urdf::{imported, told};
-use tip_runtime::model::{Leg, Model, Spread};
+use crate::urdf::{imported, reported};
+use tip_runtime::model::{InertialProperties, Leg, Model};
 
 /// A link `rod` on the joint `a`, 0.1 m in front of the base, with a foot 0.3 m farther on.
 fn rod(inertial: &str, foot: &str) -> String {
@@ -20,7 +20,7 @@ const INERTIA: &str =
     r#"<inertia ixx="0.001" iyy="0.002" izz="0.0025" ixy="0.0001" ixz="-0.0002" iyz="0.0003"/>"#;
 
 #[track_caller]
-fn near(ours: Spread, centre: [f64; 3], inertia: [f64; 6]) {
+fn near(ours: InertialProperties, centre: [f64; 3], inertia: [f64; 6]) {
     let centres = ours.centre.iter().zip(centre);
     let inertias = ours.inertia.iter().zip(inertia);
     assert!(
@@ -35,7 +35,7 @@ fn leg(text: &str) -> Leg<1> {
     model.legs[0]
 }
 
-fn spread_of(text: &str) -> Spread {
+fn spread_of(text: &str) -> InertialProperties {
     leg(text).joints[0].spread.expect("it is known")
 }
 
@@ -85,12 +85,12 @@ fn inertias_that_only_fill_places_are_doubted_and_left_out() {
     };
     // 400 mm from end to end: 2 kg · (0.4 m)².
     for sound in [[0.31, 0.31, 0.31], [0.1, 0.1, 0.2]] {
-        let said = told(&imported(&robot(sound)).0);
+        let said = reported(&imported(&robot(sound)).0);
         assert!(!said.contains("rigid body"), "{said}");
         assert!(leg(&robot(sound)).joints[0].spread.is_some());
     }
     for doubtful in [[0.33, 0.33, 0.33], [0.1, 0.1, 0.201]] {
-        let said = told(&imported(&robot(doubtful)).0);
+        let said = reported(&imported(&robot(doubtful)).0);
         let line = "that of no rigid body, or of one larger than the robot; they count as point masses, and where they are most of the mass that moves as one, its inertia is that of a uniform rod or box: rod";
         assert!(said.contains(line), "{said}");
         let joint = leg(&robot(doubtful)).joints[0];
