@@ -603,10 +603,10 @@ tipc::message_table! {
         "put UNLOCK {joint} before it: a lock stays when its thread ends or is stopped",
         "手前にUNLOCK {joint}を入れてください。ロックはスレッドが終了・停止しても残ります";
     Occupied { word: &'static str, line: u32 }
-        "the main program stands in {word} in line {line}, and one such command runs at a time",
+        "the main program is executing {word} in line {line}; only one such command can run at a time",
         "メインプログラムが{line}行目の{word}を実行中です。この種のコマンドは同時に一つしか実行できません";
     OccupiedBy { word: &'static str, line: u32, name: SmolStr }
-        "thread {name} stands in {word} in line {line}, and one such command runs at a time",
+        "thread {name} is executing {word} in line {line}; only one such command can run at a time",
         "スレッド{name}が{line}行目の{word}を実行中です。この種のコマンドは同時に一つしか実行できません";
     TooDeep
         "more than ten calls are open at once",

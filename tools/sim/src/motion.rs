@@ -119,7 +119,7 @@ pub struct Approach {
     pub step: u32,
 }
 
-/// What a run has met so far, with the steps that ran then.
+/// The falls and collisions of a run so far, with the steps that ran then.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Incidents {
     /// The first fall.

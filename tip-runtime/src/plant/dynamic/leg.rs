@@ -284,8 +284,8 @@ impl<const J: usize> LegBody<J> {
     /// Calculates the accelerations of the joints, and marks the motors as saturated of which they
     /// demand more than their torque, and no others; returns true if that changes any of them.
     ///
-    /// What is demanded falls as a joint accelerates, so that a motor at its limit is released
-    /// once the joint moves its way: the limit counts at the end of the step, as the demand does.
+    /// The demand falls as a joint accelerates, so that a motor at its limit is released once the
+    /// joint moves its way. Limit and demand are compared at the end of the step.
     pub(super) fn saturate(
         &mut self,
         context: &StepContext<'_>,

@@ -81,7 +81,7 @@ impl Stopped<'_> {
         Some((reason.into(), Some(Stopping::Unlock { joint }.into())))
     }
 
-    /// Returns the thread, or main program, that stands in a command of which one runs at a time.
+    /// Returns the thread or main program that is executing a command of which only one can run at a time.
     fn occupied(&self, action: &Action) -> Option<Reason> {
         whole(action)?;
         let own = self.thread_of(self.emergency.step);

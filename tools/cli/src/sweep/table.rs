@@ -1,4 +1,4 @@
-//! The files of a sweep: a table that grows and can be gone on with, and the specification next to it.
+//! The files of a sweep: a table that grows and can be resumed, and the specification next to it.
 //!
 //! Both grow under names with `.part`, and get their own names when the table is complete: the specification first. Each row has a check
 //! over its cells and the specification, so that a process that is killed at any point leaves files that belong together, or files whose

@@ -179,7 +179,7 @@ fn what_another_thread_prevents_is_explained_with_thread_and_line() {
         (
             "START_THREAD ARM:\nSLEEP 100\nINITIAL_POSTURE",
             "STAND_UP 20",
-            "p.prg:5:1: error[E304]: thread ARM stands in STAND_UP in line 8, and one such command runs at a time (",
+            "p.prg:5:1: error[E304]: thread ARM is executing STAND_UP in line 8; only one such command can run at a time (",
         ),
         // Nothing is locked, and nobody stands in the way: the mode is another one.
         (

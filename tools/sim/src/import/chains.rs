@@ -217,7 +217,7 @@ pub(super) struct Chain<'a> {
     pub(super) end: Foot,
     /// Position of the foot, mm.
     pub(super) foot: [f64; 3],
-    /// What a report says of the end.
+    /// The remark on the end in the report of the import.
     pub(super) remark: Option<Importing>,
 }
 

@@ -425,7 +425,7 @@ fn what_moves_nothing_is_ignored_and_listed() {
     assert!(said.contains("that carry no joint: ball"), "{said}");
 }
 
-/// What descriptions say of a robot, without the comments, which name the joints of another file.
+/// Returns a description without its comments, which name the joints of another file.
 fn keys(toml: &str) -> Vec<String> {
     let lines = toml
         .lines()

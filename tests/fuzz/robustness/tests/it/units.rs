@@ -1,4 +1,4 @@
-//! What programs are made of, taken from the tables of the language: every statement in each of its forms, right and wrong, every
+//! The units of programs, taken from the tables of the language: every statement in each of its forms, right and wrong, every
 //! label, declaration, operand, condition and placeholder. A new word of the tables is a unit without further ado.
 
 use std::collections::BTreeSet;

@@ -57,7 +57,7 @@ pub(super) struct Bodies<'a, 'c> {
 struct Scope<'s> {
     frame: Transform,
     class: usize,
-    /// What `<replicate>` adds to names.
+    /// The suffix that `<replicate>` adds to names.
     suffix: &'s str,
 }
 
