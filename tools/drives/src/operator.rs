@@ -103,13 +103,24 @@ impl Operator {
     /// # Errors
     /// The system does not tell of a signal.
     pub fn new() -> io::Result<Self> {
-        use signal_hook::consts::{SIGINT, SIGTERM};
+        use signal_hook::consts;
         let is_signalled = Arc::new(AtomicBool::new(false));
+        // Each of them would end the process, and leave stiff servos.
         #[cfg(unix)]
-        let more = [signal_hook::consts::SIGHUP, signal_hook::consts::SIGQUIT];
+        let more = [
+            consts::SIGALRM,
+            consts::SIGHUP,
+            consts::SIGIO,
+            consts::SIGPROF,
+            consts::SIGQUIT,
+            consts::SIGUSR1,
+            consts::SIGUSR2,
+            consts::SIGVTALRM,
+            consts::SIGXCPU,
+        ];
         #[cfg(not(unix))]
         let more = [];
-        for signal in [SIGINT, SIGTERM].into_iter().chain(more) {
+        for signal in [consts::SIGINT, consts::SIGTERM].into_iter().chain(more) {
             signal_hook::flag::register(signal, Arc::clone(&is_signalled))?;
         }
         Ok(Operator {
