@@ -1059,9 +1059,12 @@ tipc::message_table! {
     ShortTimeout { time: String, cycles: String }
         "without the host the servos stop after {time} ms, their longest time-out: {cycles} cycles",
         "ホストが止まると、サーボは最長のタイムアウトである{time} ms({cycles}周期)で停止します";
-    BusTooSlow { percent: String, cycles: u32, silence: u32 }
-        "the bus cannot carry a cycle: reading and commanding all servos takes {percent} % of it, each servo would be read in one of {cycles} cycles, and `silence` is {silence}. A longer sampling time, a faster bus, two of them or a larger `silence` help",
-        "バスの通信が制御周期に収まりません。全サーボの読み取りと指令に周期の{percent} %が必要で、各サーボの読み取りは{cycles}周期に1回になります(`silence` は{silence})。サンプリング時間を長くするか、バスを速くするか、2本に分けるか、`silence` を大きくしてください";
+    BusTooSlow { period: String, read: String, write: String, shortest: String }
+        "the bus cannot carry a cycle of {period} ms: reading all servos takes {read} ms, and commanding them {write} ms. Give it {shortest} ms or more (`period`, SET_SAMPLING_TIME), a faster bus or two of them",
+        "バスの通信が制御周期{period} msに収まりません。全サーボの読み取りに{read} ms、指令に{write} msが必要です。サンプリング時間(`period`、SET_SAMPLING_TIME)を{shortest} ms以上にするか、バスを速くするか、2本に分けてください";
+    BusTooSlowInTurn { period: String, read: String, write: String, shortest: String, cycles: u32, silence: u32 }
+        "the bus cannot carry a cycle of {period} ms: reading all servos takes {read} ms, and commanding them {write} ms. Each servo would be read in one of {cycles} cycles, and `silence` is {silence}. Give it {shortest} ms or more (`period`, SET_SAMPLING_TIME), a larger `silence`, a faster bus or two of them",
+        "バスの通信が制御周期{period} msに収まりません。全サーボの読み取りに{read} ms、指令に{write} msが必要です。各サーボの読み取りは{cycles}周期に1回になり、`silence` は{silence}です。サンプリング時間(`period`、SET_SAMPLING_TIME)を{shortest} ms以上にするか、`silence` を大きくするか、バスを速くするか、2本に分けてください";
     PeriodTooLong { most: String }
         "the servos' watchdogs would stop a healthy robot: with them the sampling time is {most} ms at most",
         "サーボのウォッチドッグが正常な動作を止めてしまいます。サンプリング時間は{most} ms以下にしてください";

@@ -133,10 +133,23 @@ pub struct Measured {
 /// The requests of a cycle on a bus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load {
-    /// Time that reading and commanding all servos takes, as a part of the sampling time.
-    pub part: f64,
+    /// Time of reading all servos, ms.
+    pub read: f64,
+    /// Time of commanding all servos, ms.
+    pub write: f64,
+    /// Sampling time, ms.
+    pub period: f64,
+    /// Shortest sampling time with which the bus can carry a cycle, ms.
+    pub shortest: f64,
     /// Number of cycles in which each servo is read once.
     pub cycles: u32,
+}
+
+impl Load {
+    /// Returns the time that reading and commanding all servos takes, as a part of the sampling time.
+    pub fn part(&self) -> f64 {
+        (self.read + self.write) / self.period
+    }
 }
 
 /// Counts of what the drives have done.
@@ -424,9 +437,14 @@ impl<P: Port> Drives<P> {
             }
         }
         times.sort_unstable();
-        // With the latency of the adapter, which is unknown before.
-        if let Some(median) = times.get(times.len() / 2) {
-            self.read_time = *median;
+        // With the latency of the adapter, which is unknown before. Each third reading is of the longest block, and all of its
+        // answers must come in one cycle where servos answer together: the median of the upper third counts then.
+        let place = match self.family().is_some_and(|family| family.reads_together()) {
+            true => times.len() * 5 / 6,
+            false => times.len() / 2,
+        };
+        if let Some(time) = times.get(place) {
+            self.read_time = *time;
         }
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
@@ -443,35 +461,46 @@ impl<P: Port> Drives<P> {
         self.check(0.0)
     }
 
-    /// Returns the requests of a cycle, as they were measured by the last `connect`, and the time in which servos are read, µs.
-    fn load_and_time(&self) -> (Load, u64) {
-        let servos = self.joints.len();
-        let Some(family) = self.family() else {
-            let none = Load {
-                part: 0.0,
-                cycles: 1,
-            };
-            return (none, 0);
-        };
-        let (_, write) = family.times(self.bus.timing(), servos);
-        let period = self.period * 1000.0;
-        let read = self.read_time as f64;
-        let allowed = (self.settings.reading * period)
-            .min(period - write as f64)
-            .max(0.0);
-        let in_a_cycle = match family.reads_together() {
-            true => servos,
-            // One is read in any case.
-            false => (allowed * servos as f64 / read.max(1.0)) as usize,
-        };
-        let cycles = servos.div_ceil(in_a_cycle.max(1)) as u32;
-        let part = (read + write as f64) / period;
-        (Load { part, cycles }, allowed as u64)
+    /// Returns the time of commanding all servos, ms.
+    fn write_time(&self) -> f64 {
+        let family = self.family();
+        let times = family.map(|family| family.times(self.bus.timing(), self.joints.len()));
+        times.map_or(0.0, |(_, write)| write as f64 / 1000.0)
+    }
+
+    /// Returns the time in which servos are read in a cycle, ms.
+    fn reading_time(&self) -> f64 {
+        let most = self.settings.reading * self.period;
+        most.min(self.period - self.write_time()).max(0.0)
+    }
+
+    /// Returns the most cycles in which each servo must be read once: one missing answer must not stop the robot.
+    fn most_cycles(&self) -> u32 {
+        (self.settings.silence.saturating_add(1) / 2).max(1)
     }
 
     /// Returns the requests of a cycle, as they were measured by the last `connect`.
     pub fn load(&self) -> Load {
-        self.load_and_time().0
+        let servos = self.joints.len();
+        let (read, write) = (self.read_time as f64 / 1000.0, self.write_time());
+        let together = self.family().is_none_or(|family| family.reads_together());
+        let (in_a_cycle, least) = match together {
+            true => (servos, servos),
+            false => (
+                (self.reading_time() * servos as f64 / read.max(0.001)) as usize,
+                servos.div_ceil(self.most_cycles() as usize),
+            ),
+        };
+        // One is read in any case.
+        let cycles = servos.div_ceil(in_a_cycle.max(1)) as u32;
+        let least = read * least as f64 / servos.max(1) as f64;
+        Load {
+            read,
+            write,
+            period: self.period,
+            shortest: (least / self.settings.reading.max(0.01)).max(least + write),
+            cycles,
+        }
     }
 
     /// Returns the time-out of the servos' watchdogs, ms; `None` if they have none. It is ten cycles, as far as they can have it.
@@ -482,17 +511,21 @@ impl<P: Port> Drives<P> {
     }
 
     /// Checks that the bus and the watchdogs can have the sampling time.
-    fn check_period(&mut self) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// They cannot.
+    pub(crate) fn check_period(&mut self) -> Result<(), Failure> {
         if let Some((_, longest)) = self.family().and_then(Family::timeouts)
             && longest < MIN_TIMEOUT * self.period
         {
             return self.fail(None, Problem::Period(longest / MIN_TIMEOUT));
         }
-        let (load, time) = self.load_and_time();
-        // One missing answer must not stop the robot.
-        let is_heard =
-            load.cycles == 1 || 2 * load.cycles <= self.settings.silence.saturating_add(1);
-        if time > 0 && is_heard || self.joints.is_empty() {
+        let (load, time) = (self.load(), self.reading_time());
+        let is_read = match self.family().is_none_or(|family| family.reads_together()) {
+            true => load.read <= time,
+            false => time > 0.0 && load.cycles <= self.most_cycles(),
+        };
+        if is_read || self.joints.is_empty() {
             return Ok(());
         }
         self.fail(None, Problem::Load(load))
@@ -578,9 +611,9 @@ impl<P: Port> Drives<P> {
     /// The reason to stop the robot.
     pub fn read_cycle(&mut self) -> Result<(), Failure> {
         let begin = self.bus.now();
-        let (_, allowed) = self.load_and_time();
+        let allowed = self.reading_time() * 1000.0;
         self.counts.cycles += 1;
-        self.measure(begin.saturating_add(allowed))?;
+        self.measure(begin.saturating_add(allowed as u64))?;
         self.reading = self.bus.now() - begin;
         self.check(self.period / 1000.0)
     }
@@ -596,10 +629,13 @@ impl<P: Port> Drives<P> {
     ) -> Result<(), Failure> {
         let begin = self.bus.now();
         if period != self.period {
+            let former = self.period;
             self.period = period;
             self.timeouts = TIMEOUT_REPEATS;
             if self.is_held {
-                self.check_period()?;
+                let checked = self.check_period();
+                // The robot is left with the one that the bus can carry.
+                checked.inspect_err(|_| self.period = former)?;
             }
         }
         for (number, command) in commands.iter().enumerate().take(self.joints.len()) {

@@ -191,10 +191,11 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// Finds and checks the servos. Nothing moves.
     ///
     /// # Errors
-    /// A servo is missing, is another one, or is not well.
+    /// A servo is missing, is another one, or is not well, or the bus or the watchdogs cannot have the sampling time.
     pub fn connect(&mut self) -> Result<(), Failure> {
         self.drives.set_period(self.period);
-        self.drives.connect()
+        self.drives.connect()?;
+        self.drives.check_period()
     }
 
     /// Switches the torque on, servo by servo, each where it is.
@@ -419,8 +420,9 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// The reason to stop the robot, or it is not held.
     pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
         self.require_torque()?;
+        self.drives.write_cycle(commands, period)?;
         self.period = period;
-        self.drives.write_cycle(commands, period)
+        Ok(())
     }
 
     /// Stops the robot, in place of a command: it is left as in an emergency from now on. Called in each cycle.

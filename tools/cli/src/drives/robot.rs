@@ -251,8 +251,8 @@ impl Connection {
             self.period(),
         );
         let mut warnings = Vec::new();
-        if load.part > 1.0 || load.cycles > 1 {
-            let percent = format!("{:.0}", load.part * 100.0);
+        if load.cycles > 1 {
+            let percent = format!("{:.0}", load.part() * 100.0);
             let cycles = load.cycles;
             warnings.push(Driving::BusLoad { percent, cycles });
         }
@@ -475,11 +475,27 @@ impl Connection {
                 max: own.limits.max,
             },
             Problem::Torque => Driving::NoTorques { joint },
-            Problem::Load(load) => Driving::BusTooSlow {
-                percent: format!("{:.0}", load.part * 100.0),
-                cycles: load.cycles,
-                silence: bus.silence,
-            },
+            Problem::Load(load) => {
+                let [period, read, write] =
+                    [load.period, load.read, load.write].map(|time| format!("{time:.1}"));
+                let shortest = format!("{:.0}", load.shortest.ceil());
+                match own.model.family.reads_together() {
+                    true => Driving::BusTooSlow {
+                        period,
+                        read,
+                        write,
+                        shortest,
+                    },
+                    false => Driving::BusTooSlowInTurn {
+                        period,
+                        read,
+                        write,
+                        shortest,
+                        cycles: load.cycles,
+                        silence: bus.silence,
+                    },
+                }
+            }
             Problem::Period(most) => Driving::PeriodTooLong {
                 most: format!("{most:.0}"),
             },

@@ -1,6 +1,7 @@
 //! Real robots whose servos are simulated: runs, faults, and `tip drives` on a pseudo-terminal.
 
 use crate::support::{Folder, Outcome};
+use crate::torque::leg;
 use crate::view::data;
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Write};
@@ -236,6 +237,33 @@ fn each_fault_has_its_outcome_on(robot: &str) {
             "{robot} {mishap}: {}",
             outcome.err
         );
+    }
+}
+
+/// Three answers of 30 bytes and their request take 1.0 ms at 1 Mbaud, and 60 % of a cycle are for reading.
+#[test]
+fn a_sampling_time_that_the_bus_cannot_carry_is_refused_with_a_way_out() {
+    let robot = |period| leg("relax", "hold", &format!("[standards]\nperiod = {period}"));
+    for (period, program, status) in [
+        (1, "END", 1),
+        (20, "SET_SAMPLING_TIME 1\nSLEEP 100\nEND", 3),
+    ] {
+        let folder = Folder::new(&format!("drives-period-{period}"))
+            .file("robot.toml", robot(period))
+            .program("p.prg", program);
+        let run = ["run", "p.prg", "--hardware", "robot.toml", "--port"];
+        let outcome = folder
+            .tip(&[&run[..], &["simulated"]].concat())
+            .expect(status);
+        for said in [
+            "the bus cannot carry a cycle of 1.0 ms: reading all servos takes 1.0 ms, and commanding them 0.2 ms",
+            "Give it 2 ms or more (`period`, SET_SAMPLING_TIME), a faster bus or two of them",
+        ] {
+            assert!(outcome.err.contains(said), "{period}: {}", outcome.err);
+        }
+        for other in ["has not answered", "one of 1 cycles"] {
+            assert!(!outcome.err.contains(other), "{period}: {}", outcome.err);
+        }
     }
 }
 

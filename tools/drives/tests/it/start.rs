@@ -225,9 +225,9 @@ fn the_watchdog_is_ten_cycles_of_the_period_in_force() {
 #[test]
 fn a_period_beyond_the_watchdog_is_refused() {
     let mut drives = Robot::new(robot("XL430-W250", 2, Faults::default()), 847.0);
-    drives.connect().expect("well");
-    let refused = drives.hold().map_err(|it| it.problem);
+    let refused = drives.0.connect().map_err(|it| it.problem);
     assert!(matches!(refused, Err(Problem::Period(most)) if (most - 846.67).abs() < 0.01));
+    drives.hold().expect_err("nobody has changed it");
     assert!(!drives.bus().port().bus.servos()[0].has_torque());
 
     let mut drives = held("XL430-W250", 2, Faults::default());
@@ -243,46 +243,98 @@ fn a_period_beyond_the_watchdog_is_refused() {
     assert_eq!(drives.timeout(), None);
 }
 
+/// Robots with a sampling time, ms, and the result of connecting them.
+fn connected(name: &str, servos: u8, period: f64) -> (Robot, Result<(), Problem>) {
+    let mut drives = Robot::new(robot(name, servos, Faults::default()), period);
+    let result = drives.0.connect().map_err(|failure| failure.problem);
+    (drives, result)
+}
+
 /// 18 frames of 10 bytes at 115200 bit/s are 15.6 ms, and 14 bytes for each reading 22 ms.
 #[test]
 fn a_bus_that_cannot_carry_a_cycle_is_refused() {
-    let robot_at = |name: &str, servos: u8, period: f64| {
-        let mut drives = Robot::new(robot(name, servos, Faults::default()), period);
-        drives.0.connect().expect("well");
-        drives
-    };
-    let mut drives = robot_at("LX-16A", 18, 20.0);
+    let (mut drives, refused) = connected("LX-16A", 18, 20.0);
     let load = drives.load();
-    assert!(load.part > 1.8 && load.cycles >= 5, "{load:?}");
-    assert_eq!(
-        drives.hold().map_err(|it| it.problem),
-        Err(Problem::Load(load))
-    );
+    assert!(load.part() > 1.8 && load.cycles >= 5, "{load:?}");
+    assert_eq!(refused, Err(Problem::Load(load)));
+    assert_eq!(drives.hold().map_err(|it| it.problem), refused);
     let servos = drives.bus().port().bus.servos();
     assert!(!servos.iter().any(Servo::has_torque));
     // Not even the commands fit.
-    let mut drives = robot_at("LX-16A", 18, 15.0);
-    assert!(matches!(
-        drives.hold().map_err(|it| it.problem),
-        Err(Problem::Load(_))
-    ));
+    let (_, refused) = connected("LX-16A", 18, 15.0);
+    assert!(matches!(refused, Err(Problem::Load(_))));
 
-    let mut drives = robot_at("LX-16A", 18, 35.0);
+    let (mut drives, result) = connected("LX-16A", 18, 35.0);
     let load = drives.load();
     assert!(
-        (1.05..1.5).contains(&load.part) && load.cycles == 2,
+        (1.05..1.5).contains(&load.part()) && load.cycles == 2,
         "{load:?}"
     );
+    assert_eq!(result, Ok(()));
     drives.hold().expect("it can be heard");
     cycles(&mut drives, START * 20_000, 35.0, 50);
-    let drives = robot_at("STS3215", 12, 20.0);
+    let (drives, _) = connected("STS3215", 12, 20.0);
     let load = drives.load();
-    assert!(load.part < 0.3 && load.cycles == 1, "{load:?}");
-    // A program may ask for it, too.
-    let mut drives = held("LX-16A", 6, Faults::default());
-    let commands = [JointCommand::at(0.0); 6];
-    let refused = drives.write_cycle(&commands, 5.0).map_err(|it| it.problem);
-    assert!(matches!(refused, Err(Problem::Load(load)) if load.part > 2.0));
+    assert!(load.part() < 0.3 && load.cycles == 1, "{load:?}");
+}
+
+/// Servos that are read by one request must all answer in the part of a cycle that is for reading: those that are left out would
+/// be the same ones in each cycle. At 1 Mbaud, the longest answers of 18 X, 36 bytes, take 6.5 ms, those of 12 STS, 30 bytes, 3.6 ms;
+/// 60 % of a cycle are for reading.
+#[test]
+fn a_cycle_is_refused_in_which_not_all_servos_can_answer_together() {
+    for (name, servos, refused, shortest) in [
+        ("XL430-W250", 18, [2.0, 5.0, 10.0], 10.8..12.0),
+        ("STS3215", 12, [1.0, 3.0, 5.0], 6.0..7.0),
+    ] {
+        for period in refused {
+            let (mut drives, result) = connected(name, servos, period);
+            let load = drives.load();
+            assert_eq!(result, Err(Problem::Load(load)), "{name} {period}");
+            assert!(load.period == period && load.read > 0.6 * period.min(load.read));
+            assert!(shortest.contains(&load.shortest), "{name}: {load:?}");
+            drives.hold().expect_err("it is no longer");
+            let on = drives.bus().port().bus.servos();
+            assert!(!on.iter().any(Servo::has_torque), "{name} {period}");
+        }
+        // With the shortest one, no answer is missing.
+        let (drives, _) = connected(name, servos, 20.0);
+        let period = drives.load().shortest.ceil() + 1.0;
+        let (mut drives, result) = connected(name, servos, period);
+        assert_eq!(result, Ok(()), "{name} {period}");
+        drives.hold().expect("it can be heard");
+        cycles(&mut drives, START * 20_000, period, 100);
+        assert_eq!(drives.counts().missing, 0, "{name} {period}");
+    }
+}
+
+/// A program that sets such a sampling time stops the robot, which is left with the one that it had.
+#[test]
+fn a_program_cannot_set_a_sampling_time_that_the_bus_cannot_carry() {
+    for (name, servos, period) in [
+        ("XL430-W250", 18, 5.0),
+        ("STS3215", 12, 2.0),
+        ("AX-12", 18, 2.0),
+        ("moteus-mj5208", 12, 3.0),
+        ("LX-16A", 6, 5.0),
+    ] {
+        let mut drives = held(name, servos, Faults::default());
+        let from = START * 20_000;
+        let last = cycles(&mut drives, from, 20.0, 5);
+        let commands = vec![JointCommand::at(5.0); servos.into()];
+        drives.bus_mut().port_mut().pass(last + 20_000);
+        drives.read_cycle().expect("well");
+        let refused = drives.write_cycle(&commands, period);
+        let Err(Problem::Load(load)) = refused.map_err(|it| it.problem) else {
+            panic!("{name}: {refused:?}");
+        };
+        assert!(load.period == period && load.shortest > period, "{load:?}");
+        // Every servo is heard on the way out.
+        drives.0.leave();
+        assert_eq!(drives.counts().missing, 0, "{name}");
+        let outcome = drives.0.outcome().expect("left");
+        assert!(outcome.is_certain(), "{name}: {outcome:?}");
+    }
 }
 
 /// With servos that are read in turn, `silence` is in cycles as well, and no old angle is a fresh one.
