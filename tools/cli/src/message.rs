@@ -1048,8 +1048,8 @@ tipc::message_table! {
         "{joint} (servo {id}) has not answered for more than {cycles} cycles: look at its cables and its power",
         "{joint}(サーボ{id})が{cycles}周期を超えて応答しません。ケーブルと電源を確かめてください";
     NotRead { joint: String, id: u32, cycles: u32 }
-        "{joint} (servo {id}) was not asked for {cycles} cycles, because this machine was late in each: end other programs, use --fifo, or give `period` more time",
-        "{joint}(サーボ{id})に{cycles}周期のあいだ問い合わせできませんでした(この計算機の処理が毎周期遅れました)。ほかのプログラムを終了するか、--fifoを使うか、`period` を長くしてください";
+        "{joint} (servo {id}) was not asked for {cycles} cycles, because this machine was late in each or suspended: end other programs, use --fifo, or give `period` more time",
+        "{joint}(サーボ{id})に{cycles}周期のあいだ問い合わせできませんでした(この計算機が一時停止したか、処理が毎周期遅れました)。ほかのプログラムを終了するか、--fifoを使うか、`period` を長くしてください";
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";
@@ -1086,6 +1086,9 @@ tipc::message_table! {
     Reset { joint: String, id: u32 }
         "{joint} (servo {id}) has lost its torque: it was reset, by a loose power connector perhaps",
         "{joint}(サーボ{id})のトルクがなくなりました。電源コネクタの緩みなどによるリセットです";
+    TimedOut { joint: String, id: u32, time: String }
+        "{joint} (servo {id}) was stopped by its watchdog, because it heard nothing for more than {time} ms: was this machine suspended or too busy, or a cable loose?",
+        "{joint}(サーボ{id})が{time} msを超えて通信を受けず、ウォッチドッグで停止しました。この計算機の一時停止や高負荷、ケーブルの緩みを確かめてください";
     Lags { joint: String, id: u32, angle: String, most: f64 }
         "{joint} (servo {id}) is {angle} deg away from its command, and {most} at most is allowed: is it blocked, weak or without torque?",
         "{joint}(サーボ{id})が指令から{angle}度離れ、上限{most}度を超えました。障害物、力不足、トルクなしを確かめてください";

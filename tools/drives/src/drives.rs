@@ -19,7 +19,7 @@ pub enum Problem {
     Port,
     /// A servo did not answer for longer than allowed.
     Silent,
-    /// A servo was not asked for so many cycles, because the host was late in each.
+    /// A servo was not asked for so many cycles, because the host was late in each, or away.
     NotRead(u32),
     /// A servo is of another model, whose number this is.
     Model(u16),
@@ -35,6 +35,8 @@ pub enum Problem {
     Alarm(u8),
     /// The servo has lost its torque and its settings.
     Reset,
+    /// The servo's watchdog has stopped it, because it heard nothing for so many ms.
+    TimedOut(f64),
     /// The joint is this far from its command, deg.
     Lags(f64),
     /// The joint is at this angle, outside of its limits, deg.
@@ -63,6 +65,7 @@ impl Problem {
             Problem::Overload(_) => "is overloaded",
             Problem::Alarm(_) => "has an alarm",
             Problem::Reset => "was reset",
+            Problem::TimedOut(_) => "was stopped by its watchdog",
             Problem::Lags(_) => "does not follow its command",
             Problem::Outside(_) => "is outside of its limits",
             Problem::Torque => "takes no torques",
@@ -195,6 +198,8 @@ struct State {
     other_error: Option<u8>,
     /// Answers in a row that say that the torque is off.
     off: u32,
+    /// Begin of the last cycle in which the servo answered and its watchdog had not stopped it, µs.
+    well: u64,
     /// Angle that was sent last, deg.
     sent: f64,
     /// Time with too much load, and too far away, s.
@@ -248,6 +253,8 @@ pub struct Drives<P> {
     is_resting: bool,
     /// Time of reading in this cycle, µs.
     reading: u64,
+    /// Begin of the last cycle, µs.
+    begin: u64,
     /// Sampling time, ms.
     period: f64,
     /// Number of cycles that still send the time-outs of watchdogs, because one may not arrive.
@@ -270,6 +277,8 @@ const TIMEOUT_REPEATS: u32 = 3;
 const MIN_UNANSWERED: u32 = 2;
 /// Number of times `silence` after which a robot is stopped whose host cannot read it.
 const MAX_NOT_READ: u32 = 3;
+/// Least time after which a robot is stopped whose host was away, ms.
+const MIN_AWAY: f64 = 1000.0;
 /// A difference of positions that noise explains, counts.
 const NOISE: f64 = 12.0;
 /// The farthest that a servo is beside the way to its goal, deg.
@@ -296,6 +305,7 @@ impl<P: Port> Drives<P> {
             error: 0,
             other_error: None,
             off: 0,
+            well: 0,
             sent: 0.0,
             overloaded: 0.0,
             lagging: 0.0,
@@ -312,6 +322,7 @@ impl<P: Port> Drives<P> {
             is_held: false,
             is_resting: false,
             reading: 0,
+            begin: 0,
             period: 20.0,
             timeouts: 0,
             read_time: 0,
@@ -474,6 +485,11 @@ impl<P: Port> Drives<P> {
         most.min(self.period - self.write_time()).max(0.0)
     }
 
+    /// Returns the most cycles for which a robot goes on whose host does not read it.
+    fn most_not_read(&self) -> u32 {
+        MAX_NOT_READ * self.settings.silence.max(1)
+    }
+
     /// Returns the most cycles in which each servo must be read once: one missing answer must not stop the robot.
     fn most_cycles(&self) -> u32 {
         (self.settings.silence.saturating_add(1) / 2).max(1)
@@ -575,14 +591,17 @@ impl<P: Port> Drives<P> {
                 time.clamp(shortest, longest)
             });
             self.request(number, |wire| family.hold(wire, &setpoint))?;
+            self.joints[number].well = self.bus.now();
         }
         self.timeouts = TIMEOUT_REPEATS;
+        self.begin = self.bus.now();
         Ok(())
     }
 
-    /// Sets the length of the cycles that follow, ms.
-    pub const fn set_period(&mut self, period: f64) {
+    /// Sets the length of the cycles that follow, ms. The first one begins now.
+    pub fn set_period(&mut self, period: f64) {
         self.period = period;
+        self.begin = self.bus.now();
     }
 
     /// Moves every joint one cycle of `period` ms towards an angle, at this many deg/s at most, and returns the largest angle
@@ -611,10 +630,18 @@ impl<P: Port> Drives<P> {
     /// The reason to stop the robot.
     pub fn read_cycle(&mut self) -> Result<(), Failure> {
         let begin = self.bus.now();
+        let away = begin.saturating_sub(self.begin) as f64 / 1000.0;
+        self.begin = begin;
         let allowed = self.reading_time() * 1000.0;
         self.counts.cycles += 1;
         self.measure(begin.saturating_add(allowed as u64))?;
         self.reading = self.bus.now() - begin;
+        // Angles are fresh again, but nobody expects a robot to go on after such a rest.
+        let longest = f64::from(self.most_not_read()) * self.period;
+        if self.is_held && away > longest.max(MIN_AWAY) {
+            let cycles = away / self.period;
+            return self.fail(Some(0), Problem::NotRead(cycles as u32));
+        }
         self.check(self.period / 1000.0)
     }
 
@@ -826,6 +853,7 @@ impl<P: Port> Drives<P> {
             return self.fail(None, Problem::Port);
         };
         let now = self.bus.now();
+        let timeout = self.timeout().filter(|_| self.is_held);
         for state in &mut self.joints {
             state.age = state.age.saturating_add(1);
         }
@@ -855,7 +883,23 @@ impl<P: Port> Drives<P> {
                 continue;
             }
             (state.age, state.unanswered) = (0, 0);
-            let (id, error) = (state.joint.id, state.error);
+            let (id, error, rest) = (state.joint.id, state.error, now.saturating_sub(state.well));
+            // A cycle more: it counts from the last command, which came before that cycle.
+            let rest = rest as f64 / 1000.0 + self.period;
+            // The host was away, or the line to the servo.
+            if let Some(timeout) = timeout.filter(|timeout| rest > *timeout) {
+                match family.has_timed_out(&mut self.bus, id) {
+                    Ok(true) => {
+                        return self.fail(Some(*number), Problem::TimedOut(timeout));
+                    }
+                    Ok(false) => self.joints[*number].well = self.begin,
+                    // It is asked again in the next cycle.
+                    Err(BusError::NoAnswer) => {}
+                    Err(_) => return self.fail(None, Problem::Port),
+                }
+            } else {
+                state.well = self.begin;
+            }
             if family.alarms(error) != 0 {
                 let bits = family.alarm(&mut self.bus, id, error);
                 let bits = bits.unwrap_or_else(|_| family.alarms(error));
@@ -876,6 +920,7 @@ impl<P: Port> Drives<P> {
     /// Checks everything that was measured, after a cycle of `time` s.
     fn check(&mut self, time: f64) -> Result<(), Failure> {
         let (settings, is_held) = (self.settings, self.is_held);
+        let most_not_read = self.most_not_read();
         let mut found = None;
         for (number, state) in self.joints.iter_mut().enumerate() {
             let Some(measured) = state.measured else {
@@ -895,7 +940,7 @@ impl<P: Port> Drives<P> {
             let is_silent = state.unanswered >= MIN_UNANSWERED.min(settings.silence + 1);
             let problem = if state.age > settings.silence && is_silent {
                 Problem::Silent
-            } else if state.age > MAX_NOT_READ * settings.silence.max(1) {
+            } else if state.age > most_not_read {
                 Problem::NotRead(state.age)
             } else if let Some(temperature) = hot {
                 Problem::Hot(temperature)

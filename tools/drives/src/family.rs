@@ -227,6 +227,15 @@ pub trait Family: fmt::Debug + Sync {
         Ok(())
     }
 
+    /// Asks a servo once for its watchdog; returns true if it has stopped the servo, which follows no goal then.
+    ///
+    /// # Errors
+    /// The port is gone, or the servo does not answer.
+    fn has_timed_out(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError> {
+        let _ = (wire, id);
+        Ok(false)
+    }
+
     /// Switches the torque of servos off. Nothing confirms it.
     ///
     /// # Errors

@@ -71,6 +71,8 @@ pub struct Answer {
     pub id: u8,
     /// True if it follows positions.
     pub is_on: bool,
+    /// True if no command came in the time-out of the last one: it follows positions after a stop only.
+    pub is_timed_out: bool,
     /// Position, counts.
     pub position: i32,
     /// Torque, 0.01 Nm.
@@ -121,6 +123,7 @@ fn contents(id: u8, payload: &[u8]) -> Option<Answer> {
     Some(Answer {
         id,
         is_on: mode == i32::from(i8::from(Mode::Position)),
+        is_timed_out: mode == i32::from(i8::from(Mode::Timeout)),
         position: position.saturating_add(MIDDLE),
         torque: torque as i16,
         voltage: voltage as i16,
@@ -444,6 +447,10 @@ impl Family for Moteus {
         self.write_goals(wire, servos)
     }
 
+    fn has_timed_out(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError> {
+        Ok(Self::query(wire, id, u64::MAX)?.is_timed_out)
+    }
+
     fn release(&self, wire: &mut dyn Wire, ids: &[u8]) -> Result<(), BusError> {
         for id in ids {
             wire.send(&stop(*id, sender(0), false))?;
@@ -461,7 +468,11 @@ impl Family for Moteus {
             Some(servo) => Self::command(wire, servo)?,
             None => Self::stop(wire, id)?,
         }
-        let answer = wire.repeat(|wire| Self::query(wire, id, u64::MAX))?;
+        let mut answer = wire.repeat(|wire| Self::query(wire, id, u64::MAX))?;
+        if let Some(servo) = hold.filter(|_| answer.is_timed_out) {
+            self.hold(wire, servo)?;
+            answer = wire.repeat(|wire| Self::query(wire, id, u64::MAX))?;
+        }
         Ok(answer.is_on == hold.is_some())
     }
 

@@ -210,6 +210,8 @@ pub struct Table {
 const WATCHDOG_UNIT: f64 = 20.0;
 /// Largest value of a watchdog.
 const WATCHDOG_MAX: f64 = 127.0;
+/// Value of a watchdog that has stopped its servo: -1 in one byte.
+const WATCHDOG_ERROR: i32 = 0xFF;
 /// Servos in one frame of a sync write: a frame of protocol 1 has 255 bytes at most.
 const IN_A_FRAME: usize = 40;
 
@@ -618,6 +620,13 @@ impl Family for Table {
         let units = servos.iter();
         let units = units.map(|servo| (servo.id, watchdog_units(servo.timeout)));
         self.sync_write(wire, watchdog, units)
+    }
+
+    fn has_timed_out(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError> {
+        let Some(watchdog) = self.watchdog else {
+            return Ok(false);
+        };
+        Ok(self.read_register(wire, id, watchdog)? == WATCHDOG_ERROR)
     }
 
     fn release(&self, wire: &mut dyn Wire, ids: &[u8]) -> Result<(), BusError> {

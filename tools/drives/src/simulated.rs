@@ -145,6 +145,11 @@ impl SimulatedBus {
         self.change(id, |servo| servo.is_gone = true);
     }
 
+    /// Connects a servo again.
+    pub fn plug(&mut self, id: u8) {
+        self.change(id, |servo| servo.is_gone = false);
+    }
+
     /// Lets a servo start anew, as after a loose power connector: without torque, at its own speed.
     pub fn reset(&mut self, id: u8) {
         self.change(id, Servo::reset);

@@ -461,6 +461,11 @@ impl Connection {
                 meaning: own.model.family.cause(bits),
             },
             Problem::Reset => Driving::Reset { joint, id },
+            Problem::TimedOut(time) => Driving::TimedOut {
+                joint,
+                id,
+                time: format!("{time:.0}"),
+            },
             Problem::Lags(angle) => Driving::Lags {
                 joint,
                 id,

@@ -244,6 +244,7 @@ fn an_answer_of_a_moteus_proves_itself() {
     let right = moteus::Answer {
         id: 1,
         is_on: true,
+        is_timed_out: false,
         // A half turn from the middle of ten.
         position: 550_000,
         torque: 100,

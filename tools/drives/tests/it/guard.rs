@@ -6,7 +6,7 @@ use std::convert::Infallible;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::rc::Rc;
 use tip_drives::bus::{Bus, Port, Timing, Wire};
-use tip_drives::drives::{Drives, Joint, Policy, Problem, Settings};
+use tip_drives::drives::{Drives, Failure, Joint, Policy, Problem, Settings};
 use tip_drives::guard::{Host, LEAVING_LIMIT, Request, Step, TorqueGuard};
 use tip_drives::model::Model;
 use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
@@ -79,6 +79,16 @@ type Robot = TorqueGuard<SharedPort, Operator>;
 
 /// Robots whose joints rest at 0 deg.
 fn robot(model: &str, policies: (Policy, Policy), presses: (usize, Request)) -> Robot {
+    robot_with(model, policies, presses, Settings::default())
+}
+
+/// Robots with these settings, but for their policies.
+fn robot_with(
+    model: &str,
+    policies: (Policy, Policy),
+    presses: (usize, Request),
+    settings: Settings,
+) -> Robot {
     let model = Model::named(model).expect("a model");
     let joints: Vec<Joint> = (1..=JOINTS as u8)
         .map(|id| Joint {
@@ -107,7 +117,7 @@ fn robot(model: &str, policies: (Policy, Policy), presses: (usize, Request)) -> 
     let settings = Settings {
         at_end: policies.0,
         in_emergency: policies.1,
-        ..Settings::default()
+        ..settings
     };
     let port = SharedPort(Rc::new(RefCell::new(MemoryPort::new(bus))));
     let bus = Bus::new(port, timing);
@@ -345,6 +355,108 @@ fn a_failure_on_the_way_leaves_the_robot_as_in_an_emergency() {
             assert!(failure.to_string().contains(problem), "{model}: {failure}");
             assert_eq!(stiff_of(&robot), wanted(policies.1), "{model} {policies:?}");
             assert!(!robot.has_torque());
+        }
+    }
+}
+
+/// Lets the host or a servo be away between two cycles, and returns the failure of the cycles that follow.
+fn away(robot: &mut Robot, absence: impl FnOnce(&mut Robot)) -> Option<Failure> {
+    let commands = [JointCommand::at(10.0); JOINTS];
+    let mut absence = Some(absence);
+    (0..60).find_map(|cycle| {
+        if cycle == 20 {
+            absence.take().expect("once")(robot);
+        }
+        let read = robot.read_cycle();
+        let done = read.and_then(|()| robot.write_cycle(&commands, PERIOD));
+        robot.wait();
+        done.err()
+    })
+}
+
+/// Servos with a watchdog refuse goals after ten cycles without their host, however soon it comes back. Those without one are
+/// commanded again, but not after three times `silence`: a robot that goes on then surprises.
+#[test]
+fn a_host_that_was_away_goes_on_only_with_servos_that_follow() {
+    for model in MODELS {
+        let is_watched = matches!(model, "XL430-W250" | "moteus-mj5208");
+        for policies in POLICIES {
+            for (silence, time) in [(5, 100), (20, 170), (20, 240), (20, 600), (20, 3000)] {
+                let what = format!("{model} {policies:?} {silence} {time}");
+                let settings = Settings {
+                    silence,
+                    ..Settings::default()
+                };
+                let mut robot = robot_with(model, policies, NEVER, settings);
+                robot.approach(&[10.0; JOINTS], 30.0).expect("well");
+                let failure = away(&mut robot, |robot| {
+                    let until = now(robot) + time * 1000;
+                    robot.drives().bus().port().0.borrow_mut().pass(until);
+                });
+                let expected = match (is_watched, time) {
+                    (_, ..200) => None,
+                    (true, _) => Some(Problem::TimedOut(200.0)),
+                    // 60 cycles are 1.2 s.
+                    (false, 3000) => Some(Problem::NotRead(150)),
+                    (false, _) => None,
+                };
+                let problem = failure.map(|failure| failure.problem);
+                match (problem, expected) {
+                    (Some(Problem::NotRead(cycles)), Some(Problem::NotRead(about))) => {
+                        assert!((about..about + 3).contains(&cycles), "{what}: {cycles}");
+                    }
+                    _ => assert_eq!(problem, expected, "{what}"),
+                }
+                if expected.is_some() {
+                    assert_eq!(failure.and_then(|it| it.servo), Some(1), "{what}");
+                    robot.emergency_stop();
+                    robot.leave();
+                    let outcome = robot.outcome().expect("left").clone();
+                    assert!(outcome.is_certain(), "{what}: {outcome:?}");
+                    assert_eq!(stiff_of(&robot), wanted(policies.1), "{what}");
+                    // No watchdog stops them any more.
+                    with_bus(&robot, |bus| {
+                        let servos = bus.servos().iter();
+                        let stopped = servos.filter(|servo| {
+                            let watchdog = servo.register(98, 1);
+                            model == "XL430-W250" && watchdog != Some(0) || servo.mode() == Some(11)
+                        });
+                        assert_eq!(stopped.count(), 0, "{what}");
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// The line to one servo is interrupted for longer than its time-out, and shorter than `silence`.
+#[test]
+fn a_servo_that_was_away_for_its_time_out_stops_the_robot() {
+    for model in MODELS {
+        for (time, is_stopped) in [(100, false), (400, true)] {
+            let settings = Settings {
+                silence: 40,
+                ..Settings::default()
+            };
+            let mut robot = robot_with(model, POLICIES[0], NEVER, settings);
+            robot.approach(&[10.0; JOINTS], 30.0).expect("well");
+            let commands = [JointCommand::at(10.0); JOINTS];
+            let failure = (0..80).find_map(|cycle| {
+                match cycle * 20 {
+                    200 => with_bus(&robot, |bus| bus.unplug(2)),
+                    at if at == 200 + time => with_bus(&robot, |bus| bus.plug(2)),
+                    _ => {}
+                }
+                let read = robot.read_cycle();
+                let done = read.and_then(|()| robot.write_cycle(&commands, PERIOD));
+                robot.wait();
+                done.err()
+            });
+            let is_watched = matches!(model, "XL430-W250" | "moteus-mj5208");
+            let expected =
+                (is_watched && is_stopped).then_some((Some(2), Problem::TimedOut(200.0)));
+            let found = failure.map(|failure| (failure.servo, failure.problem));
+            assert_eq!(found, expected, "{model} {time}");
         }
     }
 }

@@ -353,6 +353,7 @@ fn silence_is_in_cycles() {
     let drives = Drives::new(bus, &joints, Settings::default()).expect("a robot");
     let mut drives = Robot::new(drives, 20.0);
     drives.connect().expect("well");
+    drives.bus_mut().port_mut().pass((START - 5) * 20_000);
     drives.hold().expect("well");
     let cycles_of_each = drives.load().cycles;
     assert!((2..=3).contains(&cycles_of_each), "{cycles_of_each}");
