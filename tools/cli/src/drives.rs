@@ -177,7 +177,7 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
     let connection = arguments.robot.connect(setup)?;
     let joint = arguments.joint.clone();
     report::say(Driving::JogHow { joint }, lang);
-    connection.take_over();
+    connection.take_over(!connection.is_simulated());
     let mut step = connection.robot().hold();
     let mut to: Vec<f64> = connection.angles();
     let stopped = loop {
@@ -200,6 +200,8 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
             false => robot.step(&to, speed),
         };
         let angle = robot.drives().angle(place).unwrap_or_default();
+        // Nobody may read the status: the robot can be left then.
+        drop(robot);
         let status = format!(
             "\r{} {angle:7.1} -> {:7.1} deg ",
             arguments.joint, to[place]

@@ -3,11 +3,15 @@
 //!
 //! The first one is a request, which the command obeys. A second one, or time, ends a command that is stuck. Before the process
 //! ends so, a robot whose torque is on is left in the state that its file names.
+//!
+//! A robot whose control loop stands still, before an output that nobody takes for example, cannot hear its operator: the terminal
+//! gives no signals while keys are read one by one. It is left as in an emergency.
 
+use crate::Status;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
-use std::sync::{Mutex, MutexGuard, Once, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, Ordering};
+use std::sync::{Mutex, MutexGuard, Once, PoisonError, mpsc};
 use std::time::Duration;
 use std::{fs, process, thread};
 use tip_runtime::console::TerminalState;
@@ -23,14 +27,35 @@ const SIGINT: u8 = 2;
 /// The cleanup of a process that ends immediately; `None` while files are being completed.
 static LAST: Mutex<Option<Last>> = Mutex::new(None);
 
-/// Leaves the robot whose torque is on, and returns what its operator has to know.
-type Leave = Box<dyn FnMut() -> String + Send>;
+/// The cause for which a process ends although its command goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cause {
+    /// A second signal, or a command that does not obey the first one.
+    Signal,
+    /// The control loop of a robot stands still.
+    Stall,
+}
+
+/// Leaves the robot whose torque is on, and returns what its operator has to know; `None` if its control loop goes on.
+type Leave = Box<dyn FnMut(Cause) -> Option<String> + Send>;
 
 /// The robot whose torque is on, if there is one.
 static ROBOT: Mutex<Option<Leave>> = Mutex::new(None);
 
-/// Time after a signal until a command counts as stuck, in a full pipe or before one that nobody reads.
+/// Time after a signal, or after the last control cycle of a robot, until a command counts as stuck, in a full pipe or before one that
+/// nobody reads.
 const PATIENCE: Duration = Duration::from_secs(3);
+
+/// Naps until the control loop of a robot counts as standing still. Each cycle sets them anew. They are counted, because a host that is
+/// suspended does not nap.
+static NAPS: AtomicU32 = AtomicU32::new(0);
+const NAP: Duration = Duration::from_millis(100);
+
+/// True while the torque of a robot may be on.
+static HAS_TORQUE: AtomicBool = AtomicBool::new(false);
+
+/// Time in which the last words of a process are written: nobody may read them.
+const LAST_WORDS: Duration = Duration::from_millis(500);
 
 struct Last {
     terminal: TerminalState,
@@ -112,14 +137,14 @@ fn is_ignored(signal: i32) -> bool {
 
 fn signalled(signal: u8) {
     if REQUESTED.load(Ordering::Relaxed) {
-        return end();
+        return end(Cause::Signal);
     }
     SIGNAL.store(signal, Ordering::Relaxed);
     request();
     thread::spawn(|| {
         loop {
             thread::sleep(PATIENCE);
-            end();
+            end(Cause::Signal);
         }
     });
 }
@@ -131,8 +156,11 @@ pub(super) fn status() -> u8 {
 }
 
 /// Ends the process unless its files are being completed. A robot whose torque is on is left first.
-fn end() {
-    let left = lock(&ROBOT).as_mut().map(|leave| leave());
+fn end(cause: Cause) {
+    let left = lock(&ROBOT).as_mut().map(|leave| leave(cause));
+    let Some(words) = left.unwrap_or_else(|| Some(String::new())) else {
+        return;
+    };
     if let Some(last) = last().as_ref() {
         last.terminal.restore();
         if let Some(part) = &last.part {
@@ -140,10 +168,23 @@ fn end() {
             let _ = fs::remove_file(part);
         }
         tip_sim::end_processes();
-        // The process ends in any case.
-        let _ = io::stderr().write_all(left.unwrap_or_default().as_bytes());
-        process::exit(status().into());
+        complain_briefly(words);
+        process::exit(match cause {
+            Cause::Signal => status().into(),
+            Cause::Stall => Status::Emergency as i32,
+        });
     }
+}
+
+/// Writes to standard error, but not for long.
+fn complain_briefly(words: String) {
+    let (done, is_done) = mpsc::channel();
+    thread::spawn(move || {
+        // The process ends in any case.
+        let _ = io::stderr().write_all(words.as_bytes());
+        let _ = done.send(());
+    });
+    let _ = is_done.recv_timeout(LAST_WORDS);
 }
 
 /// Sets the unfinished file that a process removes when it ends immediately.
@@ -166,11 +207,54 @@ pub(super) fn release() {
     });
 }
 
-/// Sets the robot whose torque is on. It is left before the process ends for a signal, whatever the rest of the process waits for.
-pub(super) fn leaves_first(leave: impl FnMut() -> String + Send + 'static) {
+/// Sets the robot whose torque is on. It is left before the process ends for a signal, whatever the rest of the process waits for, and
+/// with `is_watched` when its control loop stands still.
+pub(super) fn leaves_first(
+    is_watched: bool,
+    leave: impl FnMut(Cause) -> Option<String> + Send + 'static,
+) {
     #[cfg(unix)]
     listen_for_robot();
     *lock(&ROBOT) = Some(Box::new(leave));
+    cycle(0.0);
+    HAS_TORQUE.store(true, Ordering::Relaxed);
+    if is_watched {
+        thread::spawn(watch);
+    }
+}
+
+/// Looks after the control loop until the robot was left.
+fn watch() {
+    while HAS_TORQUE.load(Ordering::Relaxed) {
+        thread::sleep(NAP);
+        let next = |naps: u32| naps.checked_sub(1);
+        if NAPS
+            .fetch_update(Ordering::Relaxed, Ordering::Relaxed, next)
+            .is_err()
+        {
+            // Who asked for the end wants the ordered one.
+            end(match is_requested() {
+                true => Cause::Signal,
+                false => Cause::Stall,
+            });
+        }
+    }
+}
+
+/// Tells of a control cycle of the robot, and when the next one comes, ms.
+pub(super) fn cycle(period: f64) {
+    let naps = (PATIENCE.as_secs_f64() * 1000.0 + period) / NAP.as_secs_f64() / 1000.0;
+    NAPS.store(naps.ceil() as u32, Ordering::Relaxed);
+}
+
+/// Returns true if the control loop of the robot stands still.
+pub(super) fn is_stalled() -> bool {
+    NAPS.load(Ordering::Relaxed) == 0
+}
+
+/// Tells that the robot was left.
+pub(super) fn is_left() {
+    HAS_TORQUE.store(false, Ordering::Relaxed);
 }
 
 /// Ends the run as Ctrl-C does.

@@ -640,6 +640,9 @@ tipc::message_table! {
     NotStopped { what: Text }
         "the robot could not be stopped ({what}): switch its power off",
         "ロボットを停止できませんでした({what})。電源を切ってください";
+    Stalled
+        "emergency stop: no control cycle for 3 s; does nobody read the output of this command?",
+        "非常停止: 制御周期が3秒間実行されませんでした。このコマンドの出力が読まれているか確かめてください";
     KeyPressed
         "RETURN, the emergency stop, was pressed",
         "RETURNキー(非常停止)が押されました";
@@ -1096,8 +1099,8 @@ tipc::message_table! {
         "{joint} (servo {id}) is at {angle} deg, outside of {min} to {max}: move it by hand, or look at sign and offset (tip drives zero)",
         "{joint}(サーボ{id})の角度{angle}度が範囲{min}から{max}の外です。手で動かすか、符号とオフセットを確かめてください(tip drives zero)";
     NotHeld
-        "the robot was left: a signal ended this command while it was stuck",
-        "コマンドが停止したままだったため、シグナルによりロボットの制御を終えました";
+        "the robot was left, because this command was stuck",
+        "コマンドが停止したままだったため、ロボットの制御を終えました";
     NoTorques { joint: String }
         "{joint} is commanded a torque, and position servos take angles only",
         "{joint}にトルクが指令されましたが、位置サーボは角度しか受け付けません";

@@ -214,8 +214,8 @@ fn run(arguments: &Run) -> Result<Status, Error> {
     let connection = match (&arguments.hardware, chosen, &program) {
         (Some(file), ChosenRobot::Described(robot), Some(_)) => {
             match connected(arguments, file, &robot)? {
-                Ok(connection) => Some(connection),
-                Err(status) => return Ok(status),
+                Some(connection) => Some(connection),
+                None => return Ok(Status::Interrupted),
             }
         }
         _ => None,
@@ -237,6 +237,12 @@ fn run(arguments: &Run) -> Result<Status, Error> {
         (Some(path), Some(_)) => Some(Trace::begin(path, arguments)?),
         _ => None,
     };
+    // Nothing is opened any more that a reader may keep waiting.
+    if let Some(connection) = &job.connection
+        && let Some(status) = connection.stand_ready(job.is_live())
+    {
+        return Ok(status);
+    }
     let logs = match &arguments.out_dir {
         Some(folder) if input::was_read(&loaded) => Some(files::claim(folder, &loaded)?),
         _ => None,
@@ -265,13 +271,12 @@ fn terminal() -> Option<Terminal<io::Sink>> {
     is_terminal.then(|| Terminal::on(io::sink(), false).report_interrupts())
 }
 
-/// Finds the servos of a real robot, and moves it to its initial posture after a key. Returns the status with which the command
-/// ends if it was interrupted or stopped.
+/// Finds the servos of a real robot, and waits for the key that starts it; `None` if the command was interrupted.
 fn connected(
     arguments: &Run,
     file: &Path,
     description: &Description,
-) -> Result<Result<Connection, Status>, Error> {
+) -> Result<Option<Connection>, Error> {
     let lang = arguments.lang();
     let setup = Setup::new(file, description, lang)?;
     let connection = setup.open(file, arguments.port.as_deref(), lang)?;
@@ -284,13 +289,13 @@ fn connected(
         report::say(Driving::PressReturn, lang);
         // RETURN alone: not what someone answers who does not want it.
         if !input::line()?.is_some_and(|line| line.trim().is_empty()) {
-            return Ok(Err(Status::Interrupted));
+            return Ok(None);
         }
     }
     if arguments.fifo {
         realtime::warn(&realtime::prioritise(), lang);
     }
-    Ok(connection.stand_ready().map_or(Ok(connection), Err))
+    Ok(Some(connection))
 }
 
 impl Job<'_> {

@@ -4,6 +4,7 @@ use super::port::open_serial;
 use super::realtime;
 use super::simulated::FaultInjection;
 use crate::error::Error;
+use crate::interrupt::Cause;
 use crate::message::{Driving, Stopping};
 use crate::{Status, interrupt, report};
 use std::io;
@@ -96,6 +97,7 @@ impl Setup {
             mishaps,
             keyboard: None,
             typed: Vec::new(),
+            period,
         };
         let robot = TorqueGuard::new(drives, operator, period);
         Ok(Connection {
@@ -158,6 +160,8 @@ pub(crate) struct Operator {
     keyboard: Option<Terminal<io::Sink>>,
     /// Other keys than those that end.
     typed: Vec<u8>,
+    /// The longest cycle of approaching and of leaving, ms.
+    period: f64,
 }
 
 /// Cycles that a watchdog should wait: it must not stop a robot whose host is late now and then.
@@ -189,6 +193,7 @@ impl Host<AnyPort> for Operator {
     }
 
     fn request(&mut self) -> Option<Request> {
+        interrupt::cycle(self.period);
         let mut request = None;
         if let Some(keyboard) = &mut self.keyboard {
             while let Some(key) = keyboard.key(0) {
@@ -319,27 +324,37 @@ impl Connection {
         }
     }
 
-    /// Reads keys from now on, and lets signals that end this process leave the robot first. It comes before the first torque.
-    pub(crate) fn take_over(&self) {
+    /// Reads keys from now on, and lets signals that end this process leave the robot first; with `is_watched`, so does a control loop
+    /// that stands still. It comes before the first torque.
+    pub(crate) fn take_over(&self, is_watched: bool) {
         self.robot().host_mut().keyboard =
             Some(Terminal::on(io::sink(), false).report_interrupts());
         // Not an owner: the robot is left when the last of them is gone.
         let (robot, setup) = (Arc::downgrade(&self.robot), self.setup.clone());
         let lang = self.lang;
-        interrupt::leaves_first(move || {
+        interrupt::leaves_first(is_watched, move |cause| {
             let Some(robot) = robot.upgrade() else {
-                return String::new();
+                return Some(String::new());
             };
             let mut robot = lock(&robot);
+            let mut words = String::new();
+            if cause == Cause::Stall {
+                // While this thread waited for the robot, a cycle may have ended, or the command.
+                if !interrupt::is_stalled() || !robot.has_torque() {
+                    return None;
+                }
+                robot.emergency_stop();
+                words = format!("{}\n", Stopping::Stalled.in_lang(lang));
+            }
             robot.leave();
-            setup.left(robot.outcome(), lang)
+            Some(words + &setup.left(robot.outcome(), lang))
         });
     }
 
     /// Switches the torque on, and moves slowly to the initial posture. Returns the status with which the command ends if the
     /// robot was stopped on the way.
-    pub(crate) fn stand_ready(&self) -> Option<Status> {
-        self.take_over();
+    pub(crate) fn stand_ready(&self, is_watched: bool) -> Option<Status> {
+        self.take_over(is_watched);
         let step = {
             let (initial, speed) = (&self.setup.initial, self.setup.bus.start);
             self.robot().approach(initial, speed)
@@ -371,6 +386,7 @@ impl Connection {
             robot: Arc::clone(&self.robot),
             is_simulated: self.is_simulated,
             of_leg: self.setup.of_leg,
+            period: self.setup.period,
         }
     }
 
@@ -386,6 +402,7 @@ impl Connection {
         let was_stopped = robot.is_stopped();
         robot.host_mut().keyboard = keyboard;
         robot.leave();
+        interrupt::is_left();
         report::complain(&self.setup.left(robot.outcome(), self.lang));
         robot.host_mut().keyboard = None;
         let is_stopped = robot.is_stopped() && !was_stopped;
@@ -517,6 +534,8 @@ struct RunJoints {
     is_simulated: bool,
     /// Joints of each leg.
     of_leg: usize,
+    /// Sampling time, ms.
+    period: f64,
 }
 
 impl Joints for RunJoints {
@@ -534,7 +553,9 @@ impl Joints for RunJoints {
     }
 
     fn write(&mut self, commands: &[JointCommand], period: f64) -> Result<(), HardwareFault> {
+        self.period = period;
         let mut robot = lock(&self.robot);
+        interrupt::cycle(period);
         let written = robot.write_cycle(commands, period);
         written.map_err(|failure| failure.fault(self.of_leg))?;
         // A run in real time has its own pace.
@@ -545,7 +566,9 @@ impl Joints for RunJoints {
     }
 
     fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
-        let stopped = lock(&self.robot).stop_cycle();
+        let mut robot = lock(&self.robot);
+        interrupt::cycle(self.period);
+        let stopped = robot.stop_cycle();
         stopped.map_err(|failure| failure.fault(self.of_leg))
     }
 }

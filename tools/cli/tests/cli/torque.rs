@@ -241,6 +241,76 @@ fn return_stops_a_robot_that_relaxes() {
     assert_eq!(limits, [1.0; 3], "the torque of the file");
 }
 
+/// Nobody reads the output of a command, so that it stands still with the torque on, and reads no keys. Nobody needs to do anything.
+#[test]
+fn a_robot_without_control_cycles_is_left_as_in_an_emergency() {
+    let talks =
+        "L1:\nMESSAGE and so on and so on and so on and so on and so on and so on\nGOTO L1:\nEND";
+    let one = |number: usize, (at_end, in_emergency), trace: bool, all: bool| {
+        let name = format!("stalled-{number}");
+        let mut session = Session::new(&name, &leg(at_end, in_emergency, ""), 0.5, talks);
+        let port = session.bus.port().to_owned();
+        let mut run = vec!["run", "p.prg", "--hardware", "robot.toml", "--yes"];
+        run.extend(["--port", &port]);
+        if trace {
+            run.extend(["--realtime", "--trace", "-"]);
+        }
+        // A terminal that nobody reads is full earlier than a pipe.
+        let deaf = Pty::new();
+        let mut command = session.folder.command(&run);
+        command.stdin(session.pty.input()).stdout(deaf.input());
+        // `2>&1` before a reader.
+        command.stderr(if all { deaf.input() } else { Stdio::piped() });
+        let child = command.spawn().expect("tip starts");
+        let outcome = session.ended(child).expect(3);
+        assert_eq!(session.bus.stiff(), stiff(in_emergency), "{}", outcome.err);
+        let said = "emergency stop: no control cycle for 3 s";
+        assert_eq!(outcome.err.contains(said), !all, "{}", outcome.err);
+    };
+    let policies = [("relax", "hold"), ("hold", "relax")];
+    scope(|scope| {
+        scope.spawn(|| one(0, policies[0], false, false));
+        scope.spawn(|| one(1, policies[1], true, false));
+        scope.spawn(|| one(2, policies[1], true, true));
+    });
+}
+
+/// A sampling time of more than 3 s is no standstill.
+#[test]
+fn a_robot_with_long_control_cycles_goes_on() {
+    let periods = "name = \"leg\"\nperiods = [1, 5000]";
+    let robot = leg("relax", "hold", "").replace("name = \"leg\"", periods);
+    let slow = "SET_SAMPLING_TIME 3500\nMESSAGE go\nEND";
+    let mut session = Session::new("slow", &robot, 0.5, slow);
+    let child = session.run();
+    let outcome = session.ended(child).expect(0);
+    assert_eq!(outcome.out, "go\n");
+    assert_eq!(session.bus.stiff(), stiff("relax"), "{}", outcome.err);
+}
+
+/// A pipe for the trace may never get a reader. The robot waits without torque, and a signal ends the command.
+#[test]
+fn a_trace_without_a_reader_comes_before_the_torque() {
+    let mut session = Session::new("fifo", &leg("relax", "hold", ""), 0.5, WAITS);
+    let made = std::process::Command::new("mkfifo")
+        .arg(session.folder.path("trace"))
+        .status();
+    assert!(made.expect("mkfifo").success());
+    let run = ["run", "p.prg", "--hardware", "robot.toml", "--yes"];
+    let child = session.start(&[&run[..], &["--trace", "trace"]].concat());
+    let mut heard = 0;
+    while std::mem::replace(&mut heard, session.bus.with(|bus| bus.understood())) != heard
+        || heard == 0
+    {
+        sleep(Duration::from_millis(500));
+    }
+    assert_eq!(session.bus.stiff(), stiff("relax"));
+    signal(&child, Signal::TERM);
+    signal(&child, Signal::TERM);
+    session.ended(child).expect(143);
+    assert_eq!(session.bus.stiff(), stiff("relax"));
+}
+
 /// Nobody reads the messages: the command is stuck in its output, with the torque on.
 #[test]
 fn a_command_that_is_stuck_leaves_the_robot_before_it_ends() {
