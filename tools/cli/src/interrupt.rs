@@ -79,19 +79,21 @@ fn listen() {
     listen_for(signals.filter(|signal| !is_ignored(*signal)));
 }
 
-/// Handles, while the torque of a robot may be on, all signals that would end the process or whose sender wants it to end. Only
-/// SIGHUP stays ignored, because that is what `nohup` is for.
+/// Handles, while the torque of a robot may be on, all signals that would end or suspend the process or whose sender wants it to end.
+/// Only SIGHUP stays ignored, because that is what `nohup` is for.
 #[cfg(unix)]
 fn listen_for_robot() {
     use signal_hook::consts::{
-        SIGALRM, SIGINT, SIGIO, SIGPROF, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+        SIGALRM, SIGINT, SIGIO, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1,
+        SIGUSR2, SIGVTALRM, SIGXCPU,
     };
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let ignored = [SIGINT, SIGTERM, SIGQUIT].into_iter();
         let ignored = ignored.filter(|signal| is_ignored(*signal));
         let others = [
-            SIGALRM, SIGIO, SIGPROF, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+            SIGALRM, SIGIO, SIGPROF, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGVTALRM,
+            SIGXCPU,
         ];
         listen_for(ignored.chain(others));
     });
@@ -103,10 +105,39 @@ fn listen_for(signals: impl Iterator<Item = i32>) {
     if let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) {
         thread::spawn(move || {
             for signal in signals.forever() {
-                signalled(u8::try_from(signal).unwrap_or(SIGINT));
+                if suspends(signal) && !HAS_TORQUE.load(Ordering::Relaxed) {
+                    // Nothing is left to be done if the system refuses.
+                    let _ = signal_hook::low_level::emulate_default_handler(signal);
+                } else {
+                    signalled(u8::try_from(signal).unwrap_or(SIGINT));
+                }
             }
         });
     }
+}
+
+/// Returns true for a signal that suspends a process. It ends one whose robot has torque: suspended, it could not leave the robot.
+#[cfg(unix)]
+fn suspends(signal: i32) -> bool {
+    use signal_hook::consts::{SIGTSTP, SIGTTIN, SIGTTOU};
+    matches!(signal, SIGTSTP | SIGTTIN | SIGTTOU)
+}
+
+/// Returns true if the keys of the terminal are meant for this process. One in the background would be suspended for reading them, and
+/// gets the signal again and again while its robot has torque.
+#[cfg(unix)]
+pub(super) fn may_read_keys() -> bool {
+    use rustix::process::getpgrp;
+    use rustix::termios::tcgetpgrp;
+    // A terminal that does not control this process has no foreground.
+    !HAS_TORQUE.load(Ordering::Relaxed)
+        || tcgetpgrp(io::stdin()).map_or(true, |foreground| foreground == getpgrp())
+}
+
+/// Returns true: there is no background here.
+#[cfg(not(unix))]
+pub(super) fn may_read_keys() -> bool {
+    true
 }
 
 /// Handles Ctrl-C in a thread that looks for it.

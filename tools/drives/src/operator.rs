@@ -105,7 +105,7 @@ impl Operator {
     pub fn new() -> io::Result<Self> {
         use signal_hook::consts;
         let is_signalled = Arc::new(AtomicBool::new(false));
-        // Each of them would end the process, and leave stiff servos.
+        // Each of them would end or suspend the process, and leave stiff servos.
         #[cfg(unix)]
         let more = [
             consts::SIGALRM,
@@ -113,6 +113,9 @@ impl Operator {
             consts::SIGIO,
             consts::SIGPROF,
             consts::SIGQUIT,
+            consts::SIGTSTP,
+            consts::SIGTTIN,
+            consts::SIGTTOU,
             consts::SIGUSR1,
             consts::SIGUSR2,
             consts::SIGVTALRM,

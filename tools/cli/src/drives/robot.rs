@@ -195,7 +195,8 @@ impl Host<AnyPort> for Operator {
     fn request(&mut self) -> Option<Request> {
         interrupt::cycle(self.period);
         let mut request = None;
-        if let Some(keyboard) = &mut self.keyboard {
+        let is_ours = interrupt::may_read_keys();
+        if let Some(keyboard) = self.keyboard.as_mut().filter(|_| is_ours) {
             while let Some(key) = keyboard.key(0) {
                 match key {
                     RETURN => return Some(Request::EmergencyStop),

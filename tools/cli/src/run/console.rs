@@ -72,7 +72,8 @@ impl Screen {
 
 impl Console for Screen {
     fn key(&mut self, cycle: u64) -> Option<u8> {
-        let keyboard = self.keyboard.as_mut()?;
+        let is_ours = interrupt::may_read_keys();
+        let keyboard = self.keyboard.as_mut().filter(|_| is_ours)?;
         let key = keyboard.key(cycle);
         if keyboard.interrupted() {
             interrupt::request();

@@ -155,7 +155,10 @@ fn keys_on_the_way_to_the_first_posture_end_it_as_the_file_says() {
 
 #[test]
 fn signals_do_not_cut_the_leaving_short() {
-    let signals: [(&[Signal], i32); 7] = [
+    let signals: [(&[Signal], i32); 10] = [
+        (&[Signal::TSTP], 128 + 20),
+        (&[Signal::TTIN; 2], 128 + 21),
+        (&[Signal::TTOU, Signal::TSTP], 128 + 22),
         (&[Signal::TERM; 2], 143),
         (&[Signal::USR1], 128 + 10),
         (&[Signal::ALARM, Signal::USR2], 128 + 14),
