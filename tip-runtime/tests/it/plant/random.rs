@@ -83,7 +83,7 @@ fn poses<const L: usize>(model: &Model<L, 3>, steps: &Steps, period: f64) -> Vec
     all.extend(steps.iter().cloned());
     let program = List::new(all, model.signature());
     let plant = SimulatedPlant::new(model);
-    let mut machine = Machine::new(program, model, plant, (), ()).expect("made for this robot");
+    let mut machine = Machine::new(program, model, plant).expect("made for this robot");
     let mut poses = vec![machine.hardware().body()];
     while machine.cycle().is_running() {
         poses.push(machine.hardware().body());
