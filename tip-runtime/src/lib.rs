@@ -37,6 +37,7 @@ pub mod ops;
 pub mod plant;
 pub mod printable;
 pub mod program;
+pub mod random;
 #[cfg(feature = "std")]
 pub mod realtime;
 #[cfg(feature = "control")]

@@ -32,7 +32,7 @@
 //!
 //! let program = Written { at: 0 };
 //! let plant = SimulatedPlant::new(&titan8::MODEL);
-//! let mut machine = Machine::new(program, &titan8::MODEL, plant, (), ())?;
+//! let mut machine = Machine::new(program, &titan8::MODEL, plant)?;
 //!
 //! assert_eq!(machine.cycle(), Status::Running);
 //! assert!(machine.hardware().lamp(3));
@@ -69,14 +69,15 @@ use core::fmt;
 use cycle::{ControlCycle, SizedIo};
 use state::State;
 
-/// A program on a robot.
+/// A program `P` on the hardware `H` of a robot with `L` legs of `J` joints, with a console `C` and
+/// native commands `S`.
 ///
 /// Each call of [`cycle`](Self::cycle) is one control cycle (T.I.P. 3.1 §3-2) and runs one step. It
 /// neither allocates nor blocks; pacing it is the caller's affair. It may be called after the
 /// program's end, and should be: the robot has to come to rest and to be held, or to be stopped
 /// again and again.
 #[derive(Clone, Debug)]
-pub struct Machine<P, H, C, S, const L: usize, const J: usize> {
+pub struct Machine<P, H, const L: usize, const J: usize, C = (), S = ()> {
     program: P,
     console: C,
     special: S,
@@ -88,26 +89,50 @@ pub struct Machine<P, H, C, S, const L: usize, const J: usize> {
     outputs: Outputs<L, J>,
 }
 
-impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J>
+impl<P: Program, H: Hardware<L, J>, const L: usize, const J: usize> Machine<P, H, L, J> {
+    /// Puts a program on a robot, without a console and native commands.
+    ///
+    /// # Errors
+    /// The program was checked for another robot.
+    pub fn new(program: P, model: &Model<L, J>, hardware: H) -> Result<Self, Mismatch> {
+        Mismatch::check(&program, model.signature())?;
+        Ok(Self::resting(program, model, hardware, ()))
+    }
+}
+
+impl<P, H, const L: usize, const J: usize, C, S> Machine<P, H, L, J, C, S>
 where
     P: Program,
     H: Hardware<L, J>,
     C: Console,
     S: Special,
 {
-    /// Puts a program on a robot.
-    ///
-    /// # Errors
-    /// The program was checked for another robot.
-    pub fn new(
-        program: P,
-        model: &Model<L, J>,
-        hardware: H,
-        console: C,
-        special: S,
-    ) -> Result<Self, Mismatch> {
-        Mismatch::check(&program, model.signature())?;
-        Ok(Self::resting(program, model, hardware, console, special))
+    /// Returns the machine with a console, in place of the one that it had.
+    pub fn with_console<D: Console>(self, console: D) -> Machine<P, H, L, J, D, S> {
+        Machine {
+            program: self.program,
+            console,
+            special: self.special,
+            state: self.state,
+            hardware: self.hardware,
+            controller: self.controller,
+            sensors: self.sensors,
+            outputs: self.outputs,
+        }
+    }
+
+    /// Returns the machine with native commands, in place of those that it had.
+    pub fn with_special<T: Special>(self, special: T) -> Machine<P, H, L, J, C, T> {
+        Machine {
+            program: self.program,
+            console: self.console,
+            special,
+            state: self.state,
+            hardware: self.hardware,
+            controller: self.controller,
+            sensors: self.sensors,
+            outputs: self.outputs,
+        }
     }
 
     /// Starts the program again on the robot as it is: after its end, after an emergency, or in
@@ -148,12 +173,12 @@ where
     }
 }
 
-impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
+impl<P, H, const L: usize, const J: usize, S> Machine<P, H, L, J, (), S> {
     /// Returns a program on a robot, before its first cycle.
-    fn resting(program: P, model: &Model<L, J>, hardware: H, console: C, special: S) -> Self {
+    fn resting(program: P, model: &Model<L, J>, hardware: H, special: S) -> Self {
         Machine {
             program,
-            console,
+            console: (),
             special,
             state: State::new(),
             hardware,
@@ -167,7 +192,9 @@ impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
             },
         }
     }
+}
 
+impl<P, H, const L: usize, const J: usize, C, S> Machine<P, H, L, J, C, S> {
     /// Takes a typed byte: RETURN stops the robot in the next cycle, ESC requests a halt, any other
     /// goes to the keyboard buffer.
     pub fn key(&mut self, byte: u8) {
@@ -389,7 +416,7 @@ impl Simulated<3, 3> for Hand {
     }
 }
 
-impl<P, H, S, const L: usize, const J: usize> Machine<P, H, (), S, L, J>
+impl<P, H, const L: usize, const J: usize, S> Machine<P, H, L, J, (), S>
 where
     P: Program,
     H: Hardware<L, J>,
@@ -401,16 +428,16 @@ where
         P: For<R>,
         R: Simulated<L, J, Hardware = H, Special = S>,
     {
-        Self::resting(program, R::MODEL, R::hardware(), (), R::special())
+        Self::resting(program, R::MODEL, R::hardware(), R::special())
     }
 }
 
-impl<P: Program, const L: usize, const J: usize> Machine<P, SimulatedPlant<L, J>, (), (), L, J> {
+impl<P: Program, const L: usize, const J: usize> Machine<P, SimulatedPlant<L, J>, L, J> {
     /// Puts a program on a described robot, which is simulated on a level floor, without a console.
     ///
     /// # Errors
     /// The program was checked for another robot.
     pub fn simulated_on(program: P, model: &Model<L, J>) -> Result<Self, Mismatch> {
-        Machine::new(program, model, SimulatedPlant::new(model), (), ())
+        Machine::new(program, model, SimulatedPlant::new(model))
     }
 }

@@ -110,8 +110,8 @@ fn duration(period: f64) -> Duration {
 ///
 /// A robot has to be held after END as well, and stopped repeatedly in an emergency: the servo loop
 /// outlives the program. For a simulated robot, `|status| !status.is_running()` is enough.
-pub fn run_realtime<P, H, C, S, const L: usize, const J: usize>(
-    machine: &mut Machine<P, H, C, S, L, J>,
+pub fn run_realtime<P, H, const L: usize, const J: usize, C, S>(
+    machine: &mut Machine<P, H, L, J, C, S>,
     mut stop: impl FnMut(Status) -> bool,
 ) -> (Status, Pacer)
 where

@@ -43,7 +43,7 @@
 //! fn simulate(program: impl Program) -> Result<(), Mismatch> {
 //!     let plant = SimulatedPlant::new(&titan8::MODEL);
 //!     let blink = Blink { left: 0.0 };
-//!     let mut machine = Machine::new(program, &titan8::MODEL, plant, (), blink)?;
+//!     let mut machine = Machine::new(program, &titan8::MODEL, plant)?.with_special(blink);
 //!     while machine.cycle().is_running() {}
 //!     Ok(())
 //! }

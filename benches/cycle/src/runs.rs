@@ -22,7 +22,7 @@ pub trait Run {
     fn period(&self) -> f64;
 }
 
-impl<P, H, C, S, const L: usize, const J: usize> Run for Machine<P, H, C, S, L, J>
+impl<P, H, const L: usize, const J: usize, C, S> Run for Machine<P, H, L, J, C, S>
 where
     P: Program,
     H: Hardware<L, J>,
@@ -69,8 +69,8 @@ pub fn walk_replayed() -> impl Run + Clone {
     walking(Replay::of(plant, |recorder| record(walking(recorder))))
 }
 
-fn walking<H: Hardware<4, 3>>(hardware: H) -> Machine<Walk, H, (), (), 4, 3> {
-    checked(Machine::new(Walk::new(), &titan8::MODEL, hardware, (), ()))
+fn walking<H: Hardware<4, 3>>(hardware: H) -> Machine<Walk, H, 4, 3> {
+    checked(Machine::new(Walk::new(), &titan8::MODEL, hardware))
 }
 
 /// A hexapod walks (`examples/six-legs`).
@@ -89,8 +89,8 @@ pub fn six_legs_replayed() -> impl Run + Clone {
     tripod(Replay::of(plant, |recorder| record(tripod(recorder))))
 }
 
-fn tripod<H: Hardware<6, 3>>(hardware: H) -> Machine<Tripod, H, (), (), 6, 3> {
-    checked(Machine::new(Tripod::new(), &HEXAPOD, hardware, (), ()))
+fn tripod<H: Hardware<6, 3>>(hardware: H) -> Machine<Tripod, H, 6, 3> {
+    checked(Machine::new(Tripod::new(), &HEXAPOD, hardware))
 }
 
 /// Hiroshima Hand grasps (`examples/grasp`).
@@ -104,15 +104,8 @@ pub fn grasp_replayed() -> impl Run + Clone {
     grasping(Replay::of(plant, |recorder| record(grasping(recorder))))
 }
 
-fn grasping<H: Hardware<3, 3>>(hardware: H) -> Machine<Grasp, H, (), HandSpecials, 3, 3> {
-    let special = HandSpecials::new();
-    checked(Machine::new(
-        Grasp::new(),
-        &hand::MODEL,
-        hardware,
-        (),
-        special,
-    ))
+fn grasping<H: Hardware<3, 3>>(hardware: H) -> Machine<Grasp, H, 3, 3, (), HandSpecials> {
+    checked(Machine::new(Grasp::new(), &hand::MODEL, hardware)).with_special(HandSpecials::new())
 }
 
 fn checked<M>(machine: Result<M, Mismatch>) -> M {

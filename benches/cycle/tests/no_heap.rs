@@ -109,7 +109,9 @@ fn neither_do_logs_messages_dumps_and_an_emergency() {
         length: 0,
         samples: 0,
     };
-    let mut machine = Machine::new(Busy::new(), &generic::MODEL, plant, pad, ()).expect("generic");
+    let mut machine = Machine::new(Busy::new(), &generic::MODEL, plant)
+        .expect("generic")
+        .with_console(pad);
     let heap = measure(|| {
         finish(&mut machine);
         for _ in 0..BEYOND {

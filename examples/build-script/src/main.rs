@@ -23,7 +23,7 @@ impl Console for Lines {
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let mut robot = pushing_up(Lines)?;
+    let mut robot = pushing_up(Lines);
     let mut highest = 0.0_f64;
     while robot.cycle().is_running() {
         highest = highest.max(robot.hardware().body().position[2]);

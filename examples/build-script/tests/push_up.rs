@@ -10,7 +10,7 @@ const RESTING: f64 = 200.0;
 
 #[test]
 fn three_push_ups_reach_40_50_and_60_mm() {
-    let mut robot = pushing_up(()).unwrap();
+    let mut robot = pushing_up(());
     let mut heights = Vec::new();
     while robot.cycle().is_running() {
         heights.push(robot.hardware().body().position[2] - RESTING);
@@ -32,7 +32,7 @@ fn three_push_ups_reach_40_50_and_60_mm() {
 
 #[test]
 fn a_halt_request_ends_it_after_the_push_up_at_hand() {
-    let mut robot = pushing_up(Scripted::new(Vec::new()).halt(10)).unwrap();
+    let mut robot = pushing_up(Scripted::new(Vec::new()).halt(10));
     while robot.cycle().is_running() {}
     let shown: &Transcript = robot.console().inner();
     assert_eq!(shown.messages, ["push-up 1: 40 mm", "done"]);

@@ -65,7 +65,7 @@ impl Hardware<LEGS, JOINTS> for Wires {
     }
 }
 
-type Robot = Machine<Walk, Wires, (), (), LEGS, JOINTS>;
+type Robot = Machine<Walk, Wires, LEGS, JOINTS>;
 
 static ROBOT: Mutex<Option<Robot>> = Mutex::new(None);
 
@@ -75,7 +75,7 @@ static ROBOT: Mutex<Option<Robot>> = Mutex::new(None);
 pub extern "C" fn walk_start(outputs: &mut WalkOutputs) -> f64 {
     outputs.angles = MODEL.legs.map(|leg| leg.initial);
     outputs.rates = Default::default();
-    let robot = Machine::new(Walk::new(), &MODEL, Wires::default(), (), ()).ok();
+    let robot = Machine::new(Walk::new(), &MODEL, Wires::default()).ok();
     let period = robot.as_ref().map_or(0.0, Machine::period);
     *ROBOT.lock().unwrap_or_else(PoisonError::into_inner) = robot;
     period

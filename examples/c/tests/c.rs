@@ -64,7 +64,7 @@ fn the_c_program_gives_the_commands_of_the_rust_one() {
     assert!(output.status.success(), "{output:?}");
 
     let joints = Joints(MODEL.legs.map(|leg| leg.initial));
-    let robot = Machine::new(Walk::new(), &MODEL, joints, (), ());
+    let robot = Machine::new(Walk::new(), &MODEL, joints);
     let mut robot = robot.expect("its robot");
     let mut expected = String::new();
     loop {

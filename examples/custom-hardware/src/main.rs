@@ -10,7 +10,7 @@ use tip_runtime::realtime::run_realtime;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let robot = ServoBus(MemoryLink::titan8());
-    let mut machine = Machine::new(Feet::new(), &titan8::MODEL, robot, (), ())?;
+    let mut machine = Machine::new(Feet::new(), &titan8::MODEL, robot)?;
     println!(
         "{} servos, every {} ms",
         machine.hardware().0.servos.len(),

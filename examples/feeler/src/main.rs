@@ -7,8 +7,7 @@ use std::process::ExitCode;
 use tip_runtime::command::Port;
 use tip_runtime::console::Transcript;
 use tip_runtime::machine::{Machine, Status};
-use tip_runtime::model::titan8;
-use tip_runtime::plant::{Plant, SimulatedPlant};
+use tip_runtime::plant::Plant;
 use tip_runtime::record::Ending;
 use walking::{Measured, exit};
 
@@ -21,9 +20,7 @@ fn main() -> ExitCode {
 
 /// Returns true if the robot walked as it should.
 fn walk() -> Result<bool, Box<dyn Error>> {
-    let plant = SimulatedPlant::new(&titan8::MODEL);
-    let console = Transcript::default();
-    let mut robot = Machine::new(Feeler::new(), &titan8::MODEL, plant, console, ())?;
+    let mut robot = Machine::simulated(Feeler::new()).with_console(Transcript::default());
     let mut measured = Measured::new();
     while robot.status().is_running() {
         let volts = if BLOCKED.contains(&robot.cycles()) {

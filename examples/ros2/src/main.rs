@@ -260,7 +260,7 @@ fn main() -> Result<(), Failure> {
     let mut halt = Service::new(&graph, "halt")?;
     let mut set: DataReaderCdr<Text> = graph.reader("rt/tip/set", TEXT)?;
     let diagnostics: DataWriterCdr<Diagnostics> = graph.writer("rt/diagnostics", DIAGNOSTICS)?;
-    let mut robot = Machine::new(Walk::new(), &MODEL, wires, keys.clone(), ())?;
+    let mut robot = Machine::new(Walk::new(), &MODEL, wires)?.with_console(keys.clone());
     println!("waiting for feedback on /joint_states and for the service /tip/start");
 
     let (mut pacer, mut is_started) = (Pacer::start(), false);

@@ -12,7 +12,6 @@ use std::path::Path;
 use std::process::ExitCode;
 use tip_runtime::console::Terminal;
 use tip_runtime::machine::Machine;
-use tip_runtime::model::titan8;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::realtime::run_realtime;
 use tip_runtime::record::AtomicFile;
@@ -127,8 +126,7 @@ fn place(robot: &SimulatedPlant<4, 3>) -> String {
 
 /// The compiled program alone, with the keyboard.
 fn walk_in_real_time() -> Result<bool, Box<dyn Error>> {
-    let plant = SimulatedPlant::new(&titan8::MODEL);
-    let mut robot = Machine::new(Walk::new(), &titan8::MODEL, plant, Terminal::new(), ())?;
+    let mut robot = Machine::simulated(Walk::new()).with_console(Terminal::new());
     let (status, pace) = run_realtime(&mut robot, |status| !status.is_running());
     let mut out = io::stdout();
     writeln!(out, "{status:?}; {}", place(robot.hardware()))?;

@@ -159,7 +159,7 @@ impl<const L: usize, const J: usize> Observer<L, J> for () {}
 
 /// Runs a program to its end, or for `limit` cycles. Records get a hash of the robot's state if `with_state` says so.
 pub fn run<P: Program, C: Console, S: Special, const L: usize, const J: usize>(
-    machine: &mut Machine<P, SimulatedPlant<L, J>, C, S, L, J>,
+    machine: &mut Machine<P, SimulatedPlant<L, J>, L, J, C, S>,
     limit: u64,
     with_state: bool,
     observer: &mut dyn Observer<L, J>,

@@ -2,8 +2,7 @@
 #![forbid(unsafe_code)]
 
 use tip_runtime::console::Console;
-use tip_runtime::machine::{Machine, Mismatch};
-use tip_runtime::model::titan8;
+use tip_runtime::machine::Machine;
 use tip_runtime::plant::SimulatedPlant;
 
 tip_macros::tip!(pub Wave, r#"3.1
@@ -27,12 +26,6 @@ END
 "#);
 
 /// The program on the simulated robot.
-///
-/// # Errors
-/// Never, unless the robot's model changes: the program was checked for this one.
-pub fn waving<C: Console>(
-    console: C,
-) -> Result<Machine<Wave, SimulatedPlant<4, 3>, C, (), 4, 3>, Mismatch> {
-    let plant = SimulatedPlant::new(&titan8::MODEL);
-    Machine::new(Wave::new(), &titan8::MODEL, plant, console, ())
+pub fn waving<C: Console>(console: C) -> Machine<Wave, SimulatedPlant<4, 3>, 4, 3, C> {
+    Machine::simulated(Wave::new()).with_console(console)
 }

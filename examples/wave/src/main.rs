@@ -23,9 +23,9 @@ impl Console for Lines {
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let mut robot = waving(Lines)?;
+    let mut robot = waving(Lines);
     while robot.cycle().is_running() {
-        if robot.cycles() % 25 == 0 {
+        if robot.cycles().is_multiple_of(25) {
             writeln!(
                 io::stdout(),
                 "{:5.1} s  {}",

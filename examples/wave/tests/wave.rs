@@ -7,7 +7,7 @@ use wave::waving;
 
 #[test]
 fn the_front_right_foot_swings_three_times_and_comes_back() {
-    let mut robot = waving(()).unwrap();
+    let mut robot = waving(());
     let mut turns = Vec::new();
     let mut yaw = 0.0_f64;
     let mut rising = true;
@@ -36,7 +36,7 @@ fn the_front_right_foot_swings_three_times_and_comes_back() {
 
 #[test]
 fn the_belly_carries_the_robot_all_the_time() {
-    let mut robot = waving(()).unwrap();
+    let mut robot = waving(());
     while robot.cycle().is_running() {
         let [_, _, up] = robot.hardware().body().position;
         assert!(up < 205.0, "{up} mm up");
@@ -48,7 +48,7 @@ fn the_belly_carries_the_robot_all_the_time() {
 
 #[test]
 fn it_says_hello_and_goodbye() {
-    let mut robot = waving(Transcript::default()).unwrap();
+    let mut robot = waving(Transcript::default());
     while robot.cycle().is_running() {}
     assert_eq!(robot.console().messages, ["hello", "goodbye"]);
 }

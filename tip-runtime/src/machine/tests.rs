@@ -168,7 +168,7 @@ impl Hardware<4, 3> for Follower {
     }
 }
 
-type Bench<S = ()> = Machine<Script, Follower, Scripted, S, 4, 3>;
+type Bench<S = ()> = Machine<Script, Follower, 4, 3, Scripted, S>;
 
 static MODEL: Model<4, 3> = titan8::MODEL;
 
@@ -178,7 +178,8 @@ const J11: Target = Target::Joint(1, 1);
 /// A machine of a main part and threads, with native code.
 fn bench_with<S: Special>(parts: &[&'static [Do]], keys: &[(u64, u8)], special: S) -> Bench<S> {
     let keys = Scripted::new(keys.to_vec());
-    Machine::new(script(parts), &MODEL, follower(), keys, special).expect("made for this robot")
+    let machine = Machine::new(script(parts), &MODEL, follower()).expect("made for this robot");
+    machine.with_console(keys).with_special(special)
 }
 
 fn bench(steps: &'static [Do], keys: &[(u64, u8)]) -> Bench {
@@ -269,7 +270,7 @@ fn a_machine_is_cloned_with_all_its_state() {
 #[test]
 fn a_program_for_another_robot_is_refused_by_name() {
     let other = crate::model::generic::MODEL;
-    let refused = Machine::new(script(&[]), &other, follower(), (), ())
+    let refused = Machine::new(script(&[]), &other, follower())
         .err()
         .expect("another robot");
     assert_eq!(
@@ -550,8 +551,8 @@ fn a_console_that_never_falls_silent_does_not_stall_the_loop() {
         }
     }
     let program = script(&[&[Do::End]]);
-    let mut machine =
-        Machine::new(program, &MODEL, follower(), Endless, ()).expect("made for this robot");
+    let machine = Machine::new(program, &MODEL, follower()).expect("made for this robot");
+    let mut machine = machine.with_console(Endless);
     assert_eq!(machine.cycle(), Status::Finished(End::End));
 }
 

@@ -171,6 +171,7 @@ fn write_fraction(f: &mut fmt::Formatter<'_>, fraction: u64, decimals: u8) -> fm
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     extern crate std;
     use std::format;
     use std::string::{String, ToString};
@@ -204,12 +205,10 @@ mod tests {
     /// `core::fmt` rounds as the language asks for, but has bounds checks.
     #[test]
     fn it_is_the_text_of_core() {
-        let mut bits = 0x9E37_79B9_7F4A_7C15_u64;
+        let mut random = Random::new(1);
         for _ in 0..20_000 {
-            // Marsaglia's xorshift: any bits, and numbers of a robot's size.
-            bits ^= bits << 13;
-            bits ^= bits >> 7;
-            bits ^= bits << 17;
+            // Any bits, and numbers of a robot's size.
+            let bits = random.next_u64();
             for value in [f64::from_bits(bits), (bits as i32) as f64 / 65536.0] {
                 assert_eq!(shown(value, 3), format!("{value:.3}"));
                 assert_eq!(shown(value, 7), format!("{value:.7}"));

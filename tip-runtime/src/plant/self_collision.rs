@@ -413,16 +413,12 @@ fn to_box(cuboid: &Cuboid, [start, end]: Line) -> f64 {
 mod tests {
     use super::*;
     use crate::model::{generic, hand, titan8};
+    use crate::random::Random;
 
     /// Returns numbers from -1 to 1.
     fn numbers() -> impl FnMut() -> f64 {
-        let mut state = 1_u64;
-        move || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            (state >> 40) as f64 / f64::from(1 << 23) - 1.0
-        }
+        let mut random = Random::new(1);
+        move || random.within(-1.0, 1.0)
     }
 
     /// Returns points of a line, and the greatest distance of a point of the line from one of them.

@@ -5,6 +5,7 @@ use crate::command::Port;
 use crate::hardware::{Inputs, SensorsMut};
 use crate::model::{Leg, Model, Range};
 use crate::plant::Noise;
+use crate::random::Random;
 use core::f64::consts::TAU;
 
 /// Overrides of the robot's inputs and of the potentiometers of its legs: an array of legs, or a
@@ -118,19 +119,18 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
     }
 }
 
-/// A source of noise: random numbers by SplitMix64 (Steele, Lea and Flood, *Fast Splittable
-/// Pseudorandom Number Generators*, 2014).
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A source of noise.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct SensorNoise {
     noise: Noise,
-    state: u64,
+    random: Random,
 }
 
 impl SensorNoise {
     pub(super) const fn of(noise: Noise) -> Self {
         SensorNoise {
             noise,
-            state: noise.seed,
+            random: Random::new(noise.seed),
         }
     }
 
@@ -150,17 +150,7 @@ impl SensorNoise {
 
     /// Returns a number of the standard normal distribution (Box and Muller, 1958).
     fn normal(&mut self) -> f64 {
-        let (radius, angle) = (1.0 - self.uniform(), self.uniform());
+        let (radius, angle) = (1.0 - self.random.uniform(), self.random.uniform());
         libm::sqrt(-2.0 * libm::log(radius)) * libm::cos(TAU * angle)
-    }
-
-    /// Returns a number from 0 up to, but not including, 1.
-    fn uniform(&mut self) -> f64 {
-        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut mixed = self.state;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^= mixed >> 31;
-        (mixed >> 11) as f64 / (1_u64 << 53) as f64
     }
 }

@@ -43,7 +43,7 @@
 //!     _ => Err(Fault::Domain),
 //! });
 //! let plant = SimulatedHand::new(&hand::MODEL);
-//! let mut machine = Machine::new(Written { at: 0 }, &hand::MODEL, plant, (), specials)?;
+//! let mut machine = Machine::new(Written { at: 0 }, &hand::MODEL, plant)?.with_special(specials);
 //! assert_eq!(machine.cycle(), Status::Running);
 //! assert_eq!(machine.cycle(), Status::Finished(End::End));
 //! # Ok::<(), tip_runtime::machine::Mismatch>(())

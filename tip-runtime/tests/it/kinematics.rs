@@ -1,8 +1,8 @@
 //! Forward and inverse kinematics and Jacobians of TITAN VIII's legs.
 
-use crate::rig::Dice;
 use tip_runtime::kinematics::{Chain, LegPoint, frames, inverse, within_limits};
 use tip_runtime::model::{Inverse, Leg, Range, titan8};
+use tip_runtime::random::Random;
 
 const LEGS: [Leg<3>; 4] = titan8::MODEL.legs;
 
@@ -37,12 +37,12 @@ fn closed_form(leg: &Leg<3>, [yaw, thigh, knee]: [f64; 3]) -> [f64; 3] {
 // clauses: 7.17
 #[test]
 fn forward_agrees_with_the_written_out_formula() {
-    let mut dice = Dice::new(1);
+    let mut random = Random::new(1);
     for leg in &LEGS {
         for _ in 0..500 {
             let angles = leg
                 .joints
-                .map(|joint| dice.within(joint.limits.min, joint.limits.max));
+                .map(|joint| random.within(joint.limits.min, joint.limits.max));
             let foot = Chain::new(leg, &angles).foot();
             assert!(close(foot, closed_form(leg, angles), 1e-9), "{angles:?}");
         }
@@ -52,12 +52,12 @@ fn forward_agrees_with_the_written_out_formula() {
 /// A frame begins at its joint; joint axis and link, given in it, lead to the next one.
 #[test]
 fn frames_of_links_are_where_the_chain_is() {
-    let mut dice = Dice::new(2);
+    let mut random = Random::new(2);
     for leg in &LEGS {
         for _ in 0..100 {
             let angles = leg
                 .joints
-                .map(|joint| dice.within(joint.limits.min, joint.limits.max));
+                .map(|joint| random.within(joint.limits.min, joint.limits.max));
             let chain = Chain::new(leg, &angles);
             let ends = chain.joints().skip(1).chain([chain.foot()]);
             let links = frames(leg.base, &leg.joints, &angles).zip(&leg.joints);
@@ -138,13 +138,13 @@ fn every_foot_of_the_gait_is_reachable_within_its_known_angles() {
 
 #[test]
 fn inverse_undoes_forward_over_the_workspace() {
-    let mut dice = Dice::new(2);
+    let mut random = Random::new(2);
     for leg in &LEGS {
         let mut solved = 0;
         for _ in 0..5000 {
             let angles = leg
                 .joints
-                .map(|joint| dice.within(joint.limits.min, joint.limits.max));
+                .map(|joint| random.within(joint.limits.min, joint.limits.max));
             // Behind its own hip the foot looks like that of a leg turned round.
             let [_, thigh, knee] = angles.map(f64::to_radians);
             if 50.0 + 240.0 * libm::cos(thigh) + 200.0 * libm::cos(thigh - knee) < 1.0 {
@@ -161,14 +161,14 @@ fn inverse_undoes_forward_over_the_workspace() {
 
 #[test]
 fn forward_undoes_inverse_and_the_reach_ends_where_the_links_do() {
-    let mut dice = Dice::new(3);
+    let mut random = Random::new(3);
     let leg = &LEGS[1];
     let (mut near, mut far) = (0, 0);
     for _ in 0..5000 {
         let foot = [
-            dice.within(0.0, 700.0),
-            dice.within(-300.0, 700.0),
-            dice.within(-500.0, 500.0),
+            random.within(0.0, 700.0),
+            random.within(-300.0, 700.0),
+            random.within(-500.0, 500.0),
         ];
         let level = libm::hypot(foot[0] - 101.0, foot[1] - 201.0) - 50.0;
         let reach = libm::hypot(level, foot[2]);
@@ -246,13 +246,13 @@ fn limits_include_their_ends() {
 
 #[test]
 fn jacobians_agree_with_differences() {
-    let mut dice = Dice::new(4);
+    let mut random = Random::new(4);
     let h = 1e-4_f64;
     for leg in &LEGS {
         for _ in 0..200 {
             let angles = leg
                 .joints
-                .map(|joint| dice.within(joint.limits.min, joint.limits.max));
+                .map(|joint| random.within(joint.limits.min, joint.limits.max));
             let chain = Chain::new(leg, &angles);
             for j in 0..3 {
                 let (mut more, mut less) = (angles, angles);

@@ -150,23 +150,3 @@ pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
     libm::sqrt(squares.sum())
 }
-
-/// Pseudo-random numbers, equal in every run (Marsaglia's xorshift).
-pub(crate) struct Dice(u64);
-
-impl Dice {
-    pub(crate) fn new(seed: u64) -> Self {
-        Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
-    pub(crate) fn within(&mut self, min: f64, max: f64) -> f64 {
-        min + (max - min) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}

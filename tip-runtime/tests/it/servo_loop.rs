@@ -9,14 +9,14 @@ use tip_runtime::model::{hand, titan8};
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::realtime::run_realtime;
 
-type Bench<H> = Machine<List<Vec<f64>>, H, (), (), 4, 3>;
+type Bench<H> = Machine<List<Vec<f64>>, H, 4, 3>;
 
 fn bench<H: Hardware<4, 3>>(steps: &[(Op, Target, &[f64])], hardware: H) -> Bench<H> {
     let steps = steps
         .iter()
         .map(|(op, target, values)| (*op, *target, values.to_vec()));
     let program = List::new(steps.collect(), titan8::MODEL.signature());
-    Machine::new(program, &titan8::MODEL, hardware, (), ()).expect("the same robot")
+    Machine::new(program, &titan8::MODEL, hardware).expect("the same robot")
 }
 
 /// A robot that counts its calls; its sensors break in the fourth cycle if `breaks` is set.
@@ -96,7 +96,7 @@ fn readings_that_the_hardware_does_not_give_are_absent() {
             hand::MODEL.signature(),
         );
         let fingers = Fingers { feels };
-        let machine = Machine::new(program, &hand::MODEL, fingers, (), ());
+        let machine = Machine::new(program, &hand::MODEL, fingers);
         let mut machine = machine.expect("the same robot");
         assert_eq!(machine.cycle(), Status::Emergency);
         assert_eq!(machine.emergency().map(|it| it.fault), Some(expected));

@@ -6,4 +6,3 @@ mod hostile;
 mod lossless;
 mod memory;
 mod positions;
-mod random;

@@ -12,9 +12,9 @@ use tip_runtime::machine::Machine;
 /// RETURN is the emergency stop, ESC the halt request. A robot that would sink has to be held after the program's end: then
 /// stay in the loop, and let a key end it.
 fn main() -> ExitCode {
-    let (drives, console) = (Drives::new(), Terminal::new());
-    let robot = Machine::new(<<Program>>::new(), &<<MODEL>>, drives, console, ());
-    let mut robot = robot.expect("the program is compiled for this robot");
+    let robot = Machine::new(<<Program>>::new(), &<<MODEL>>, Drives::new());
+    let robot = robot.expect("the program is compiled for this robot");
+    let mut robot = robot.with_console(Terminal::new());
     let (_, pace) = run_realtime(&mut robot, |status| !status.is_running());
     println!("{} cycles, {} of them late", pace.cycles(), pace.overruns());
     match robot.emergency() {

@@ -25,7 +25,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     }
     drives.host_mut().give_keys();
     let console = Terminal::new().report_interrupts();
-    let mut machine = Machine::new(<<Program>>::new(), &<<MODEL>>, drives, console, ())?;
+    let machine = Machine::new(<<Program>>::new(), &<<MODEL>>, drives)?;
+    let mut machine = machine.with_console(console);
     while machine.cycle().is_running() {
         let drives = machine.hardware_mut();
         drives.wait();

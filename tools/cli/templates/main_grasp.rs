@@ -10,9 +10,9 @@ use tip_runtime::special::hand::HandSpecials;
 
 fn main() -> ExitCode {
     let plant = SimulatedHand::new(&<<MODEL>>).with_scene(&SCENE);
-    let (console, special) = (Terminal::new(), HandSpecials::new());
-    let robot = Machine::new(<<Program>>::new(), &<<MODEL>>, plant, console, special);
-    let mut robot = robot.expect("the program is compiled for this robot");
+    let robot = Machine::new(<<Program>>::new(), &<<MODEL>>, plant);
+    let robot = robot.expect("the program is compiled for this robot");
+    let mut robot = robot.with_console(Terminal::new()).with_special(HandSpecials::new());
     while robot.cycle().is_running() {}
     let seconds = robot.cycles() as f64 * robot.period() / 1000.0;
     println!("{seconds:.1} s on the robot");

@@ -5,13 +5,12 @@ use <<crate>>::<<items>>;
 use std::process::ExitCode;
 use tip_runtime::console::Terminal;
 use tip_runtime::machine::Machine;
-<<model>>use tip_runtime::plant::{Plant, SimulatedPlant};
+<<model>>use tip_runtime::plant::Plant;
 
 fn main() -> ExitCode {
-    let plant = SimulatedPlant::new(&<<MODEL>>);
-    let console = Terminal::new();
-    let robot = Machine::new(<<Program>>::new(), &<<MODEL>>, plant, console, ());
-    let mut robot = robot.expect("the program is compiled for this robot");
+    let robot = Machine::simulated_on(<<Program>>::new(), &<<MODEL>>);
+    let robot = robot.expect("the program is compiled for this robot");
+    let mut robot = robot.with_console(Terminal::new());
     while robot.cycle().is_running() {}
     let seconds = robot.cycles() as f64 * robot.period() / 1000.0;
     println!("{seconds:.1} s on the robot");

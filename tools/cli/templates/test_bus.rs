@@ -16,7 +16,7 @@ fn the_servos_take_the_first_second() {
     drives.connect().unwrap();
     let step = drives.approach(&robot.initial, robot.bus.start);
     assert_eq!(step, Ok(Step::Arrived));
-    let machine = Machine::new(<<Program>>::new(), &<<MODEL>>, drives, (), ());
+    let machine = Machine::new(<<Program>>::new(), &<<MODEL>>, drives);
     let mut machine = machine.unwrap();
     while machine.cycles() as f64 * machine.period() < 1000.0 {
         assert!(machine.cycle().is_running(), "{:?}", machine.emergency());

@@ -20,6 +20,7 @@ use crate::bus::{Port, Timing};
 use core::convert::Infallible;
 use firmware::{Registers, Reply};
 use std::vec::Vec;
+use tip_runtime::random::Random;
 use wire::{Reader, Request, Wire};
 
 /// The identity that every servo listens to; of a moteus it is 0.
@@ -79,6 +80,9 @@ pub struct Happened {
     pub truncated: u64,
 }
 
+/// Seed of the faults of a bus, which another one changes.
+const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
+
 /// A bus of simulated servos, with everything that can go wrong.
 #[derive(Clone, Debug)]
 pub struct SimulatedBus {
@@ -88,7 +92,7 @@ pub struct SimulatedBus {
     wire: Wire,
     timing: Timing,
     reader: Reader,
-    random: u64,
+    random: Random,
     /// µs
     time: u64,
     /// Bytes on the wire to the master with their times, in order.
@@ -110,7 +114,7 @@ impl SimulatedBus {
             wire,
             timing,
             reader: Reader::new(wire),
-            random: 0x9E37_79B9_7F4A_7C15,
+            random: Random::new(SEED),
             time: 0,
             answers: Vec::new(),
             understood: 0,
@@ -121,7 +125,7 @@ impl SimulatedBus {
     #[must_use]
     pub fn with_faults(mut self, faults: Faults, seed: u64) -> Self {
         self.faults = faults;
-        self.random ^= seed;
+        self.random = Random::new(SEED ^ seed);
         self
     }
 
@@ -401,7 +405,7 @@ impl SimulatedBus {
         } = self.faults;
         let mut bytes = frame.to_vec();
         let mut at = self.time + after;
-        let chance = self.chance();
+        let chance = self.random.uniform();
         let kinds = [corrupt, drop, duplicate, delay, truncate];
         let mut below = 0.0;
         let kind = kinds.iter().position(|probability| {
@@ -424,7 +428,7 @@ impl SimulatedBus {
             }
             Some(3) => {
                 self.happened.delayed += 1;
-                at += (self.chance() * 30_000.0) as u64;
+                at += (self.random.uniform() * 30_000.0) as u64;
             }
             Some(_) => {
                 self.happened.truncated += 1;
@@ -467,18 +471,8 @@ impl SimulatedBus {
         }
     }
 
-    /// Returns a number from 0 to 1.
-    fn chance(&mut self) -> f64 {
-        // SplitMix64.
-        self.random = self.random.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.random;
-        z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ z >> 31) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
     fn below(&mut self, end: usize) -> usize {
-        (self.chance() * end as f64) as usize
+        (self.random.uniform() * end as f64) as usize
     }
 }
 

@@ -7,7 +7,7 @@ use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs};
 use tip_runtime::model::titan8;
 use tip_runtime::plant::DynamicPlant;
 use tip_runtime::plant::dynamic::Twist;
-use tip_sim::search::Random;
+use tip_runtime::random::Random;
 
 fn main() -> Result<(), HardwareFault> {
     let mut random = Random::new(1);

@@ -8,7 +8,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};
 use tip_runtime::kinematics::Chain;
-use tip_runtime::model::{Leg, Range};
+use tip_runtime::model::Leg;
+use tip_runtime::random::Random;
 use tip_sim::{Limb, Robot, RobotDescription, import, mjcf, urdf};
 
 const POSES: usize = 1000;
@@ -40,7 +41,7 @@ fn load(robot: &Path) -> Result<Robot, Box<dyn Error>> {
 /// A line `joint NAME DEGREES` for each joint, or `slider AXIS MM`, and a line `link NAME X Y Z` with its three axes, all of it
 /// in the robot frame in mm; a line `jacobian FOOT X Y Z …` with mm/rad for each joint of a leg; a blank line after each pose.
 fn poses(anatomy: &RobotDescription) -> String {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     let mut text = String::new();
     for _ in 0..POSES {
         // Writing to a String cannot fail.
@@ -55,7 +56,7 @@ fn pose(text: &mut String, anatomy: &RobotDescription, random: &mut Random) -> s
         let angles: Vec<f64> = leg
             .joints
             .iter()
-            .map(|joint| random.of(joint.limits))
+            .map(|joint| random.within(joint.limits.min, joint.limits.max))
             .collect();
         for (joint, angle) in (1..).zip(&angles) {
             writeln!(text, "joint J{number}{joint} {angle}")?;
@@ -77,7 +78,9 @@ fn pose(text: &mut String, anatomy: &RobotDescription, random: &mut Random) -> s
         writeln!(text)?;
     }
     if let Some(slider) = &anatomy.slider {
-        let at = slider.travel.map(|range| random.of(range));
+        let at = slider
+            .travel
+            .map(|range| random.within(range.min, range.max));
         for (axis, (at, range)) in ["x", "y", "z"].iter().zip(at.iter().zip(slider.travel)) {
             if range.min < range.max {
                 writeln!(text, "slider floor_{axis} {at}")?;
@@ -112,19 +115,4 @@ fn columns<const J: usize>(limb: &Limb, angles: &[f64]) -> Vec<[f64; 3]> {
     };
     let angles = std::array::from_fn(|joint| angles[joint]);
     Chain::<J>::new(&leg, &angles).foot_jacobian().to_vec()
-}
-
-/// Numbers that look random and are the same everywhere.
-struct Random(u64);
-
-impl Random {
-    fn of(&mut self, range: Range) -> f64 {
-        // Knuth's MMIX.
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        let part = (self.0 >> 11) as f64 / (1u64 << 53) as f64;
-        range.min + part * (range.max - range.min)
-    }
 }

@@ -50,7 +50,7 @@ pub(crate) trait DynMachine: Send {
 }
 
 impl<const L: usize, const J: usize> DynMachine
-    for Machine<ProgramRunner, SimHardware, EventConsole, Box<dyn NativeCommands>, L, J>
+    for Machine<ProgramRunner, SimHardware, L, J, EventConsole, Box<dyn NativeCommands>>
 {
     fn boxed(&self) -> Box<dyn DynMachine> {
         Box::new(self.clone())

@@ -125,9 +125,9 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
         hardware: SimHardware,
         special: Box<dyn NativeCommands>,
     ) -> Result<Box<dyn DynMachine>, Mismatch> {
-        let console = EventConsole::default();
-        let machine = Machine::new(program, self, hardware, console, special)?;
-        Ok(Box::new(machine))
+        let machine = Machine::new(program, self, hardware)?;
+        let machine = machine.with_console(EventConsole::default());
+        Ok(Box::new(machine.with_special(special)))
     }
 }
 

@@ -29,6 +29,7 @@ use std::collections::BTreeSet;
 use std::convert::Infallible;
 use std::fmt;
 use tip_runtime::command::Port;
+use tip_runtime::random::Random;
 use tipc::language::flags::{self, Cause};
 use tipc::program::{Action, Condition, Operand, Program};
 
@@ -185,11 +186,11 @@ impl<'a, E: Engines> Search<'a, E> {
         for _ in 0..=self.random.below(3) {
             match self.random.below(6) {
                 0 => {
-                    let drop = self.random.below(events.len() as u64) as usize;
+                    let drop = self.random.index(events.len());
                     events = [&events[..drop], events.get(drop + 1..).unwrap_or_default()].concat();
                 }
                 1 => {
-                    let which = self.random.below(events.len() as u64) as usize;
+                    let which = self.random.index(events.len());
                     let cycle = self.moment(&seed);
                     events
                         .get_mut(which)
@@ -332,40 +333,6 @@ impl<E: Engines> Shrinking<'_, E> {
             }
         }
         Ok(())
-    }
-}
-
-/// Steele, Lea and Flood's SplitMix64 (Fast Splittable Pseudorandom Number Generators, 2014).
-#[derive(Clone, Debug)]
-pub struct Random(u64);
-
-impl Random {
-    /// Creates a generator; the same seed gives the same numbers.
-    pub const fn new(seed: u64) -> Self {
-        Random(seed)
-    }
-
-    /// Draws any number.
-    pub fn draw(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^ (mixed >> 31)
-    }
-
-    /// Draws one of 0, 1, … `count` − 1; 0 if there is none.
-    pub fn below(&mut self, count: u64) -> u64 {
-        self.draw().checked_rem(count).unwrap_or(0)
-    }
-
-    /// Returns true once in `n` times.
-    pub fn once_in(&mut self, n: u64) -> bool {
-        self.below(n) == 0
-    }
-
-    /// Draws one of them, if there are any.
-    pub fn pick<'a, T>(&mut self, of: &'a [T]) -> Option<&'a T> {
-        of.get(self.below(of.len() as u64) as usize)
     }
 }
 

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 use tip_runtime::plant::Simulation;
+use tip_runtime::random::Random;
 use tip_sim::{Robot, import};
 use tipc::message::Message;
 use tipc::published;
@@ -367,14 +368,10 @@ pub(crate) fn noise_seed(seed: u64, case: u64) -> u64 {
     hash([seed, case, 0, u64::MAX])
 }
 
-/// Hashes words one after the other with the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+/// Hashes words one after the other.
 pub(crate) fn hash(words: [u64; 4]) -> u64 {
-    words.into_iter().fold(0, |state, word| {
-        let mut mixed = (state ^ word).wrapping_add(0x9E37_79B9_7F4A_7C15);
-        mixed = (mixed ^ mixed >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^ mixed >> 31
-    })
+    let mixed = |state: u64, word| Random::new(state ^ word).next_u64();
+    words.into_iter().fold(0, mixed)
 }
 
 /// Hashes bytes and their number.

@@ -49,8 +49,8 @@ fn run() -> Option<bool> {
 #[inline(never)]
 fn measure<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
     name: &str,
-    make: fn() -> Result<Machine<P, H, (), S, L, J>, Mismatch>,
-    run: fn(&mut Machine<P, H, (), S, L, J>, &mut HostStream) -> bool,
+    make: fn() -> Result<Machine<P, H, L, J, (), S>, Mismatch>,
+    run: fn(&mut Machine<P, H, L, J, (), S>, &mut HostStream) -> bool,
     trace: &mut HostStream,
     report: &mut HostStream,
 ) -> Option<bool> {

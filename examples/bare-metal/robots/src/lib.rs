@@ -20,16 +20,16 @@ tip_macros::include_tip!(pub "motions/threads.prg");
 tip_macros::include_tip!(pub "../../grasp/motions/grasp.prg", robot = hand);
 
 /// TITAN VIII, its controller and its program.
-pub type Walker = Machine<Walk, SimulatedPlant<4, 3>, (), (), 4, 3>;
+pub type Walker = Machine<Walk, SimulatedPlant<4, 3>, 4, 3>;
 
 /// The walk with mass.
-pub type HeavyWalker = Machine<Walk, DynamicPlant<4, 3>, (), (), 4, 3>;
+pub type HeavyWalker = Machine<Walk, DynamicPlant<4, 3>, 4, 3>;
 
 /// TITAN VIII, its controller and a program with two threads.
-pub type Threaded = Machine<Threads, SimulatedPlant<4, 3>, (), (), 4, 3>;
+pub type Threaded = Machine<Threads, SimulatedPlant<4, 3>, 4, 3>;
 
 /// The Hiroshima Hand, its controller and its program.
-pub type Hand = Machine<Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
+pub type Hand = Machine<Grasp, SimulatedHand<3, 3>, 3, 3, (), HandSpecials>;
 
 // Functions of their own, so that the plant and the program that they move leave the stack before the motion begins.
 
@@ -40,7 +40,7 @@ pub type Hand = Machine<Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
 #[inline(never)]
 pub fn walker() -> Result<Walker, Mismatch> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
-    Machine::new(Walk::new(), &titan8::MODEL, plant, (), ())
+    Machine::new(Walk::new(), &titan8::MODEL, plant)
 }
 
 /// TITAN VIII with mass before its first control cycle.
@@ -50,7 +50,7 @@ pub fn walker() -> Result<Walker, Mismatch> {
 #[inline(never)]
 pub fn heavy_walker() -> Result<HeavyWalker, Mismatch> {
     let plant = DynamicPlant::new(&titan8::MODEL);
-    Machine::new(Walk::new(), &titan8::MODEL, plant, (), ())
+    Machine::new(Walk::new(), &titan8::MODEL, plant)
 }
 
 /// TITAN VIII with threads before its first control cycle.
@@ -60,7 +60,7 @@ pub fn heavy_walker() -> Result<HeavyWalker, Mismatch> {
 #[inline(never)]
 pub fn threaded() -> Result<Threaded, Mismatch> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
-    Machine::new(Threads::new(), &titan8::MODEL, plant, (), ())
+    Machine::new(Threads::new(), &titan8::MODEL, plant)
 }
 
 /// The hand before its first control cycle, above an upright cylinder as that of the example `grasp`.
@@ -83,7 +83,8 @@ pub fn hand() -> Result<Hand, Mismatch> {
         ..Scene::EMPTY
     };
     let plant = SimulatedHand::new(&hand::MODEL).with_scene(&scene);
-    Machine::new(Grasp::new(), &hand::MODEL, plant, (), HandSpecials::new())
+    let machine = Machine::new(Grasp::new(), &hand::MODEL, plant)?;
+    Ok(machine.with_special(HandSpecials::new()))
 }
 
 /// Cycles of the walk with mass on slow machines: it stands up and swings its first legs.
@@ -92,7 +93,7 @@ const SLICE: u64 = 250;
 /// Runs the first cycles of a program, with a line in the trace for each. Whether it goes on then, and all
 /// of the trace was written.
 pub fn begin<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
-    robot: &mut Machine<P, H, (), S, L, J>,
+    robot: &mut Machine<P, H, L, J, (), S>,
     out: &mut impl Write,
 ) -> bool {
     let mut trace = Trace::new(out);
@@ -103,7 +104,7 @@ pub fn begin<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J:
 /// Runs a program to its end, with a line in the trace for each control cycle. Whether it ended
 /// itself, and all of the trace was written.
 pub fn run<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
-    robot: &mut Machine<P, H, (), S, L, J>,
+    robot: &mut Machine<P, H, L, J, (), S>,
     out: &mut impl Write,
 ) -> bool {
     let mut trace = Trace::new(out);

@@ -8,9 +8,9 @@ use tip_runtime::machine::{Machine, Status};
 use tip_runtime::model::titan8;
 use tip_runtime::program::End;
 
-fn machine() -> Machine<Feet, ServoBus<MemoryLink>, (), (), 4, 3> {
+fn machine() -> Machine<Feet, ServoBus<MemoryLink>, 4, 3> {
     let robot = ServoBus(MemoryLink::titan8());
-    Machine::new(Feet::new(), &titan8::MODEL, robot, (), ()).expect("a program of TITAN VIII")
+    Machine::new(Feet::new(), &titan8::MODEL, robot).expect("a program of TITAN VIII")
 }
 
 fn frame(servo: u8, instruction: Instruction, value: i16) -> [u8; 7] {
@@ -101,7 +101,7 @@ fn a_servo_that_falls_silent_is_an_emergency_stop() {
     let fault = machine.emergency().map(|emergency| emergency.fault);
     let silent = HardwareFault::new("no answer").at_joint(3, 2).of_servo(32);
     assert_eq!(fault, Some(Fault::Hardware(silent)));
-    let positions = |machine: &Machine<_, ServoBus<MemoryLink>, _, _, 4, 3>| -> Vec<f64> {
+    let positions = |machine: &Machine<_, ServoBus<MemoryLink>, 4, 3>| -> Vec<f64> {
         let servos = machine.hardware().0.servos.iter();
         servos.map(|servo| servo.position).collect()
     };

@@ -9,9 +9,12 @@ use campaign::progress::{Progress, time_left};
 use campaign::report::report;
 use lockstep::Figures;
 use random_programs::{Edition, Specimen, program};
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock};
 use std::time::Instant;
 use std::{env, fs, io};
 
@@ -44,15 +47,14 @@ const HEAVY: Effort = Effort {
 const OPTIMISED_ONE_IN: u64 = 20;
 
 /// Ctrl-C was pressed; the batch that runs gets it too, and ends.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+static INTERRUPTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
 fn main() -> ExitCode {
-    // Where handlers are not to be had, Ctrl-C keeps its usual meaning.
-    let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
+    for signal in [SIGINT, SIGTERM] {
+        // The second one ends the process. Without handlers, the first one does.
+        let _ = flag::register_conditional_shutdown(signal, 130, Arc::clone(&INTERRUPTED));
+        let _ = flag::register(signal, Arc::clone(&INTERRUPTED));
+    }
     let arguments: Vec<String> = env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let (edition, words) = match &words[..] {

@@ -1,8 +1,9 @@
 //! Inputs of a program while it runs.
 
-use random_programs::{Random, pick};
+use random_programs::pick;
 use tip_runtime::command::Port;
 use tip_runtime::model::Family;
+use tip_runtime::random::Random;
 use tip_sim::{Event, Inputs, Plant};
 use tipc::Robot;
 

@@ -11,17 +11,16 @@ mod inputs;
 mod later;
 mod number;
 mod operand;
-mod random;
 mod rust;
 mod text;
 mod untidy;
 mod writer;
 
-pub use random::Random;
 pub use rust::{Tamper, rust};
 pub use tipc::language::Edition;
 pub use untidy::untidy;
 
+use tip_runtime::random::Random;
 use tipc::Robot;
 use writer::Writer;
 

@@ -1,7 +1,7 @@
 //! A program as a careless hand writes it: other blanks, letters, line ends and encodings, and comments, but the same steps.
 
-use crate::random::Random;
 use crate::{Specimen, pick};
+use tip_runtime::random::Random;
 
 /// Words that want a line of their own.
 const LONE: &[&str] = &["ELSE", "ENDIF", "WEND", "REPEAT"];

@@ -1,8 +1,8 @@
 //! The program as a whole: declarations, first values, the loop that it stays in, subroutines.
 
-use crate::random::Random;
 use crate::{Temper, pick};
 use std::fmt::Write as _;
+use tip_runtime::random::Random;
 use tipc::Robot;
 use tipc::language::Edition;
 

@@ -53,8 +53,8 @@ where
         pace: usize,
     ) -> Self {
         let robot = Faulty::new(model, plant);
-        let mut machine =
-            Machine::new(program, model, robot, Desk::new(), special).expect("made for this robot");
+        let machine = Machine::new(program, model, robot).expect("made for this robot");
+        let mut machine = machine.with_console(Desk::new()).with_special(special);
         let (mut before, mut sent) = (Vec::new(), Vec::new());
         while machine.status().is_running() && sent.len() < 10 * PATIENCE {
             if sent.len() % pace == 0 {

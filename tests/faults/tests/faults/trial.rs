@@ -10,7 +10,7 @@ use tip_runtime::record::TitanLog;
 use tip_runtime::special::Special;
 
 pub(crate) type Bench<P, H, S, const L: usize, const J: usize> =
-    Machine<P, Faulty<H, L, J>, Desk, S, L, J>;
+    Machine<P, Faulty<H, L, J>, L, J, Desk, S>;
 
 /// Cycles after which a program that still runs waits for what never comes, and in which a robot whose
 /// program is over comes to rest.

@@ -59,7 +59,7 @@ fn model_of<R: Simulated<L, J>, const L: usize, const J: usize>(
 fn the_host_ends_it(program: impl Program) {
     let model = model_of(&Stride::new());
     let plant = tip_runtime::plant::SimulatedPlant::new(model);
-    let mut machine = Machine::new(program, model, plant, (), ()).expect("it is for TITAN VIII");
+    let mut machine = Machine::new(program, model, plant).expect("it is for TITAN VIII");
     for _ in 0..9 {
         assert_eq!(machine.cycle(), Status::Running);
     }

@@ -304,7 +304,7 @@ fn interpreted(source: &str) -> Interpreter {
     Interpreter::new(loaded.program.expect("it loads"))
 }
 
-fn machine(program: Interpreter) -> Machine<Interpreter, SimulatedPlant<4, 3>, (), (), 4, 3> {
+fn machine(program: Interpreter) -> Machine<Interpreter, SimulatedPlant<4, 3>, 4, 3> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
-    Machine::new(program, &titan8::MODEL, plant, (), ()).expect("it is for TITAN VIII")
+    Machine::new(program, &titan8::MODEL, plant).expect("it is for TITAN VIII")
 }

@@ -636,18 +636,7 @@ mod tests {
     use crate::controller::drive::redundancy::{A_CYCLE, Outcome, PointOfLeg, Search, Stage};
     use crate::kinematics::{Chain, LegPoint};
     use crate::model::{Inverse, hand};
-
-    /// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
-    struct Dice(u64);
-
-    impl Dice {
-        fn within(&mut self, min: f64, max: f64) -> f64 {
-            self.0 ^= self.0 << 13;
-            self.0 ^= self.0 >> 7;
-            self.0 ^= self.0 << 17;
-            min + (max - min) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-        }
-    }
+    use crate::random::Random;
 
     /// Cycles that a search takes at most: 18 postures, 60 steps of bending, twice 4 postures more; a line of
     /// 400 pieces each, 9 solutions before.
@@ -691,12 +680,13 @@ mod tests {
 
     #[test]
     fn no_cycle_solves_a_leg_more_often_than_the_bound() {
-        let mut dice = Dice(0x2545_F491_4F6C_DD1D);
+        let mut random = Random::new(0x2545_F491_4F6C_DD1D);
         let (mut at_once, mut later, mut in_vain) = (0, 0, 0);
         for number in 0..600 {
             let start = [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)];
-            let start = start.map(|(min, max)| dice.within(min, max));
-            let [x, y] = [(-200.0, 80.0), (-150.0, 100.0)].map(|(min, max)| dice.within(min, max));
+            let start = start.map(|(min, max)| random.within(min, max));
+            let [x, y] =
+                [(-200.0, 80.0), (-150.0, 100.0)].map(|(min, max)| random.within(min, max));
             let point = if number % 2 == 0 {
                 LegPoint::Tip
             } else {

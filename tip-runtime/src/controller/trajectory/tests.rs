@@ -1,6 +1,7 @@
 //! Times in closed form, limits, continuity and arrival of moving set points.
 
 use super::{Goal, INSTANT, Limits, SetPoint, add_scaled, dot, norm};
+use crate::random::Random;
 
 const ORIGIN: [f64; 3] = [0.0; 3];
 
@@ -33,28 +34,9 @@ fn cycles<const N: usize>(track: &mut SetPoint<N>, limits: Limits, dt: f64) -> u
     panic!("it never arrives");
 }
 
-/// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
-struct Dice(u64);
-
-impl Dice {
-    fn new(seed: u64) -> Self {
-        Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
-    fn within(&mut self, min: f64, max: f64) -> f64 {
-        min + (max - min) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn point(&mut self) -> [f64; 3] {
-        [(); 3].map(|()| self.within(-200.0, 200.0))
-    }
+/// Returns a random point.
+fn point(random: &mut Random) -> [f64; 3] {
+    [(); 3].map(|()| random.within(-200.0, 200.0))
 }
 
 #[test]
@@ -159,18 +141,18 @@ fn what_is_left_for_an_instant_is_dropped() {
 #[test]
 fn random_retargets_exceed_no_limit_and_never_jump() {
     for seed in 1..=40 {
-        let mut dice = Dice::new(seed);
-        let dt = dice.within(0.001, 0.05);
-        let limits = limits(dice.within(10.0, 500.0), dice.within(10.0, 2000.0));
-        let mut track = SetPoint::resting(dice.point());
+        let mut random = Random::new(seed);
+        let dt = random.within(0.001, 0.05);
+        let limits = limits(random.within(10.0, 500.0), random.within(10.0, 2000.0));
+        let mut track = SetPoint::resting(point(&mut random));
         for _ in 0..2000 {
-            match dice.next() % 20 {
-                0 => track = track.towards(to(dice.point())),
+            match random.below(20) {
+                0 => track = track.towards(to(point(&mut random))),
                 1 => track = track.towards(to(track.rest_point(limits))),
                 2 => track = track.towards(Goal::Rest),
                 _ => {}
             }
-            let held = dice.next().is_multiple_of(10);
+            let held = random.once_in(10);
             let before = track;
             track.advance(limits, dt, held);
             let speed = norm(track.velocity());
@@ -181,7 +163,7 @@ fn random_retargets_exceed_no_limit_and_never_jump() {
             assert!(moved <= limits.speed * dt * (1.0 + 1e-9));
         }
         // Left alone, it arrives exactly.
-        let target = dice.point();
+        let target = point(&mut random);
         track = track.towards(to(target));
         cycles(&mut track, limits, dt);
     }
@@ -201,12 +183,12 @@ fn a_target_that_moves_ahead_is_followed_at_full_speed() {
 #[test]
 fn limits_may_change_on_the_way() {
     for seed in 1..=40 {
-        let mut dice = Dice::new(seed);
-        let target = dice.point();
-        let mut track = SetPoint::resting(dice.point()).towards(to(target));
+        let mut random = Random::new(seed);
+        let target = point(&mut random);
+        let mut track = SetPoint::resting(point(&mut random)).towards(to(target));
         for _ in 0..300 {
-            let limits = limits(dice.within(10.0, 500.0), dice.within(10.0, 2000.0));
-            let dt = dice.within(0.001, 0.05);
+            let limits = limits(random.within(10.0, 500.0), random.within(10.0, 2000.0));
+            let dt = random.within(0.001, 0.05);
             let before = track;
             track.advance(limits, dt, false);
             let change = distance(track.velocity(), before.velocity());

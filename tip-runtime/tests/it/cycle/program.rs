@@ -11,22 +11,23 @@ pub(crate) static MODEL: Model<4, 3> = titan8::MODEL;
 
 pub(crate) type Step = list::Step<&'static [f64]>;
 
-pub(crate) type Bench = Machine<List<&'static [f64]>, SimulatedPlant<4, 3>, (), (), 4, 3>;
+pub(crate) type Bench = Machine<List<&'static [f64]>, SimulatedPlant<4, 3>, 4, 3>;
 
 pub(crate) fn bench(steps: &'static [Step]) -> Bench {
     let plant = SimulatedPlant::new(&MODEL);
     let program = List::new(steps.to_vec(), MODEL.signature());
-    Machine::new(program, &MODEL, plant, (), ()).expect("made for this robot")
+    Machine::new(program, &MODEL, plant).expect("made for this robot")
 }
 
 pub(crate) type HandBench =
-    Machine<List<&'static [f64]>, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
+    Machine<List<&'static [f64]>, SimulatedHand<3, 3>, 3, 3, (), HandSpecials>;
 
 /// Returns the hand with its native commands and an object to grasp.
 pub(crate) fn hand_bench(steps: &'static [Step]) -> HandBench {
     let plant = SimulatedHand::new(&hand::MODEL).with_scene(&Scene::CYLINDER);
     let program = List::new(steps.to_vec(), hand::MODEL.signature());
-    Machine::new(program, &hand::MODEL, plant, (), HandSpecials::new()).expect("made for the hand")
+    let machine = Machine::new(program, &hand::MODEL, plant).expect("made for the hand");
+    machine.with_special(HandSpecials::new())
 }
 
 /// Runs to the end, which must come in time and without an emergency.

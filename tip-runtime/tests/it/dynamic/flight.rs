@@ -1,21 +1,22 @@
 //! Flight: conservation laws and closed forms.
 
-use crate::dynamic::rig::{GRAVITY, Numbers, SMOOTH, hold, limp, rod, titan};
+use crate::dynamic::rig::{GRAVITY, SMOOTH, hold, limp, rod, some, titan};
 use tip_runtime::model::titan8;
 use tip_runtime::plant::DynamicPlant;
 use tip_runtime::plant::dynamic::Twist;
+use tip_runtime::random::Random;
 
 /// Returns TITAN VIII thrown into the air, its legs limp and swinging.
 fn thrown() -> DynamicPlant<4, 3> {
-    let mut numbers = Numbers(3);
+    let mut random = Random::new(3);
     titan()
         .with_drives(SMOOTH)
         .lifted(5000.0)
         .with_twist(Twist {
-            velocity: numbers.some(500.0),
-            rate: numbers.some(60.0),
+            velocity: some(&mut random, 500.0),
+            rate: some(&mut random, 60.0),
         })
-        .with_rates([(); 4].map(|()| numbers.some(60.0)))
+        .with_rates([(); 4].map(|()| some(&mut random, 60.0)))
 }
 
 /// Returns the potential energy that a method that falls g t (t + dt) / 2 loses in `time` s, J.

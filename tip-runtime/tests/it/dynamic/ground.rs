@@ -1,12 +1,13 @@
 //! The robot on the ground: rest, friction, falls.
 
-use crate::dynamic::rig::{GRAVITY, Numbers, all, falls, go, hold, loads, titan};
+use crate::dynamic::rig::{GRAVITY, all, falls, go, hold, loads, some, titan};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand};
 use tip_runtime::kinematics::inverse;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::dynamic::Twist;
 use tip_runtime::plant::{Block, DynamicPlant, Floor, Motion, Plant, Scene, SimulatedPlant};
+use tip_runtime::random::Random;
 
 const WEIGHT: f64 = 20.0 * GRAVITY;
 
@@ -245,11 +246,11 @@ fn a_body_rests_on_what_is_under_it() {
 
 #[test]
 fn nothing_is_flung_by_what_stands_around_it() {
-    let mut random = Numbers(3);
+    let mut random = Random::new(3);
     for round in 0..8 {
         let mut scene = Scene::EMPTY;
         for _ in 0..8 {
-            let [x, y, wide, deep, high] = random.some(1.0);
+            let [x, y, wide, deep, high] = some(&mut random, 1.0);
             let (x, y) = (600.0 * x, 600.0 * y);
             let block = Block {
                 x: [x, x + 110.0 + 100.0 * wide],
@@ -315,8 +316,8 @@ fn a_simulation_that_diverges_says_so_and_stays_as_it_was() {
         assert_eq!(plant.stop(&Fault::EmergencyKey), Err(fault));
         let limbs = plant.limbs().expect("legs");
         let loads = limbs.loads.expect("it walks");
-        let numbers = limbs.angles.into_iter().flatten().chain(loads);
-        assert!(numbers.into_iter().all(f64::is_finite), "{force}");
+        let random = limbs.angles.into_iter().flatten().chain(loads);
+        assert!(random.into_iter().all(f64::is_finite), "{force}");
     }
 }
 

@@ -1,12 +1,13 @@
 //! The mass matrix, compared with the energy of rods whose ends are followed by finite differences.
 
-use crate::dynamic::rig::{Numbers, SMOOTH, all};
+use crate::dynamic::rig::{SMOOTH, all, some};
 use nalgebra::{Rotation3, Vector3};
 use tip_runtime::hardware::{Hardware, JointCommand};
 use tip_runtime::kinematics::frames;
 use tip_runtime::model::{Body, Joint, Leg, Model, Range, titan8};
 use tip_runtime::plant::dynamic::Twist;
 use tip_runtime::plant::{DynamicPlant, Pose};
+use tip_runtime::random::Random;
 
 pub(crate) type Vector = Vector3<f64>;
 
@@ -102,17 +103,17 @@ fn body<const L: usize, const J: usize>(model: Option<&Body>, plant: &DynamicPla
 
 /// Throws a robot into the air in many ways, in many postures.
 fn compare<const L: usize, const J: usize>(model: &Model<L, J>) {
-    let mut numbers = Numbers(7);
+    let mut random = Random::new(7);
     for _ in 0..20 {
         let mut plant = DynamicPlant::new(model).with_drives(SMOOTH).lifted(5000.0);
         // Some attitude and posture, by motion.
         for _ in 0..2 {
             plant = plant
                 .with_twist(Twist {
-                    velocity: numbers.some(800.0),
-                    rate: numbers.some(300.0),
+                    velocity: some(&mut random, 800.0),
+                    rate: some(&mut random, 300.0),
                 })
-                .with_rates([(); L].map(|()| numbers.some(300.0)));
+                .with_rates([(); L].map(|()| some(&mut random, 300.0)));
             let still = all([[JointCommand::Torque(0.0); J]; L], 100.0);
             plant.write(&still).expect("it is simulated");
         }

@@ -3,6 +3,7 @@
 use tip_runtime::hardware::{Hardware, JointCommand, Outputs};
 use tip_runtime::model::{Joint, Leg, Model, titan8};
 use tip_runtime::plant::{Drives, DynamicPlant, Plant};
+use tip_runtime::random::Random;
 
 /// Standard gravity: m/s².
 pub(crate) const GRAVITY: f64 = 9.80665;
@@ -103,19 +104,7 @@ pub(crate) fn rod(axis: [f64; 3], link: [f64; 3], initial: f64) -> Model<1, 1> {
     }
 }
 
-/// Pseudo-random numbers from −1 to 1, equal in every run.
-pub(crate) struct Numbers(pub(crate) u64);
-
-impl Numbers {
-    pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    pub(crate) fn some<const N: usize>(&mut self, most: f64) -> [f64; N] {
-        [0.0; N].map(|_| self.next() * most)
-    }
+/// Draws numbers from −`most` to `most`.
+pub(crate) fn some<const N: usize>(random: &mut Random, most: f64) -> [f64; N] {
+    [0.0; N].map(|_| random.within(-most, most))
 }

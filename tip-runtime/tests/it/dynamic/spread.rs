@@ -1,12 +1,13 @@
 //! Links and bodies with the model's inertia, compared with point masses.
 
 use crate::dynamic::mass::{DIFFERENCE, Vector, rotation, rotors};
-use crate::dynamic::rig::{GRAVITY, Numbers, SMOOTH, all, go, loads};
+use crate::dynamic::rig::{GRAVITY, SMOOTH, all, go, loads, some};
 use tip_runtime::hardware::{Hardware, JointCommand};
 use tip_runtime::kinematics::frames;
 use tip_runtime::model::{Body, InertialProperties, Joint, Leg, Model, Point, Range, titan8};
 use tip_runtime::plant::dynamic::Twist;
 use tip_runtime::plant::{DynamicPlant, SimulatedPlant};
+use tip_runtime::random::Random;
 
 /// Positions of four quarters of a mass, mm.
 type Points = [Point; 4];
@@ -108,14 +109,14 @@ fn masses(plant: &DynamicPlant<3, 3>, time: f64) -> Vec<(f64, Vector)> {
 }
 
 /// Returns the robot thrown high up, turning, its joints released.
-fn thrown(numbers: &mut Numbers) -> DynamicPlant<3, 3> {
+fn thrown(random: &mut Random) -> DynamicPlant<3, 3> {
     let plant = DynamicPlant::new(&ODD).with_drives(SMOOTH).lifted(5000.0);
     plant
         .with_twist(Twist {
-            velocity: numbers.some(800.0),
-            rate: numbers.some(300.0),
+            velocity: some(random, 800.0),
+            rate: some(random, 300.0),
         })
-        .with_rates([(); 3].map(|()| numbers.some(300.0)))
+        .with_rates([(); 3].map(|()| some(random, 300.0)))
 }
 
 fn let_go(plant: &mut DynamicPlant<3, 3>, period: f64) {
@@ -125,9 +126,9 @@ fn let_go(plant: &mut DynamicPlant<3, 3>, period: f64) {
 
 #[test]
 fn a_robot_has_the_energy_and_the_centre_of_its_masses() {
-    let mut numbers = Numbers(11);
+    let mut random = Random::new(11);
     for _ in 0..20 {
-        let mut plant = thrown(&mut numbers);
+        let mut plant = thrown(&mut random);
         let_go(&mut plant, 100.0);
         let (before, after) = (masses(&plant, -DIFFERENCE), masses(&plant, DIFFERENCE));
         let energies = before
@@ -153,7 +154,7 @@ fn a_robot_has_the_energy_and_the_centre_of_its_masses() {
 /// Returns the changes of energy (J), beyond what a method that falls g t (t + dt) / 2 loses, and
 /// of momentum (N·m·s) after 0.2 s in steps of `step` ms.
 fn changes(step: f64) -> [f64; 2] {
-    let mut plant = thrown(&mut Numbers(5));
+    let mut plant = thrown(&mut Random::new(5));
     let (energy, momentum) = (plant.energy(), plant.momentum());
     for _ in 0..(200.0 / step) as u32 {
         let_go(&mut plant, step);
@@ -167,7 +168,7 @@ fn changes(step: f64) -> [f64; 2] {
 
 #[test]
 fn in_the_air_it_keeps_energy_and_momentum_the_better_the_shorter_the_step() {
-    let thrown = thrown(&mut Numbers(5));
+    let thrown = thrown(&mut Random::new(5));
     let whole = [
         thrown.energy().kinetic,
         Vector::from(thrown.momentum().angular).norm(),

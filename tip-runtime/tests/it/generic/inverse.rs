@@ -1,9 +1,10 @@
 //! Damped least squares on any chain.
 
-use crate::generic::shapes::{ARM, Dice, PENDULUM, TRIPOD, Z, every_shape};
+use crate::generic::shapes::{ARM, PENDULUM, TRIPOD, Z, every_shape, number, posture};
 use nalgebra::{Matrix3, SMatrix, SVector};
 use tip_runtime::kinematics::{Chain, LegPoint, inverse, nearest, resolve, within_limits};
 use tip_runtime::model::{Inverse, Joint, Leg, Model, Range};
+use tip_runtime::random::Random;
 
 const SPACE: [bool; 3] = [true; 3];
 
@@ -18,9 +19,9 @@ fn foot<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> [f64; 3] {
 
 /// Returns the number of `count` random reachable places that are found. Every one that is found is
 /// reached, within the limits.
-fn found<const J: usize>(leg: &Leg<J>, dice: &mut Dice, count: usize) -> usize {
+fn found<const J: usize>(leg: &Leg<J>, random: &mut Random, count: usize) -> usize {
     let places = (0..count).filter(|_| {
-        let target = foot(leg, &dice.posture(leg));
+        let target = foot(leg, &posture(random, leg));
         let Some(angles) = inverse(Inverse::LeastSquares, leg, target) else {
             return false;
         };
@@ -34,9 +35,9 @@ fn found<const J: usize>(leg: &Leg<J>, dice: &mut Dice, count: usize) -> usize {
 #[test]
 fn every_shape_reaches_what_it_can_reach() {
     fn reaches<const L: usize, const J: usize>(model: &Model<L, J>) {
-        let mut dice = Dice::new(1);
+        let mut random = Random::new(1);
         let found: usize = (model.legs.iter())
-            .map(|leg| found(leg, &mut dice, 1000 / L))
+            .map(|leg| found(leg, &mut random, 1000 / L))
             .sum();
         assert_eq!(found, 1000 / L * L, "{}", model.name);
     }
@@ -44,17 +45,17 @@ fn every_shape_reaches_what_it_can_reach() {
 }
 
 /// Returns a chain of random axes, links and limits.
-fn random<const J: usize>(dice: &mut Dice) -> Leg<J> {
+fn random_leg<const J: usize>(random: &mut Random) -> Leg<J> {
     const UNIT: Range = Range::new(-1.0, 1.0);
-    let mut vector = |size: f64| [size; 3].map(|size| size * dice.within(UNIT));
+    let mut vector = |size: f64| [size; 3].map(|size| size * number(random, UNIT));
     let chain = [(); J].map(|()| {
         let axis = vector(1.0);
         let length = distance(axis, [0.0; 3]);
         Joint::revolute(axis.map(|part| part / length), vector(100.0))
     });
     let joints = chain.map(|joint| {
-        let min = dice.within(Range::new(-170.0, 0.0));
-        joint.limits(min, dice.within(Range::new(0.0, 170.0)))
+        let min = number(random, Range::new(-170.0, 0.0));
+        joint.limits(min, number(random, Range::new(0.0, 170.0)))
     });
     Leg::at([10.0, -20.0, 30.0], joints)
 }
@@ -62,10 +63,10 @@ fn random<const J: usize>(dice: &mut Dice) -> Leg<J> {
 #[test]
 fn of_a_thousand_reachable_places_of_random_chains_one_is_missed_at_most() {
     fn of_joints<const J: usize>() -> usize {
-        let mut dice = Dice::new(J as u64);
+        let mut random = Random::new(J as u64);
         let legs = (0..50).map(|_| {
-            let leg = random::<J>(&mut dice);
-            found(&leg, &mut dice, 20)
+            let leg = random_leg::<J>(&mut random);
+            found(&leg, &mut random, 20)
         });
         legs.sum()
     }
@@ -136,9 +137,9 @@ fn a_joint_at_its_limit_leaves_the_rest_of_the_way_to_the_others() {
 fn jacobians_are_what_small_turns_do() {
     fn compare<const L: usize, const J: usize>(model: &Model<L, J>) {
         const TURN: f64 = 1e-3;
-        let mut dice = Dice::new(3);
+        let mut random = Random::new(3);
         for leg in &model.legs {
-            let posture = dice.posture(leg);
+            let posture = posture(&mut random, leg);
             let chain = Chain::new(leg, &posture);
             let points = (0..J).map(LegPoint::Joint).chain([LegPoint::Tip]);
             for point in points {
@@ -189,11 +190,11 @@ fn redundant_legs_turn_by_the_least_amount() {
 #[test]
 fn rates_are_the_least_ones_that_give_a_velocity_and_none_where_there_are_none() {
     fn least<const L: usize, const J: usize>(model: &Model<L, J>) {
-        let mut dice = Dice::new(5);
+        let mut random = Random::new(5);
         let unit = Range::new(-1.0, 1.0);
         for leg in &model.legs {
             let chain = Chain::new(leg, &leg.initial);
-            let rates = [(); J].map(|()| dice.within(unit));
+            let rates = [(); J].map(|()| number(&mut random, unit));
             let velocity = chain.point_velocity(LegPoint::Tip, &rates).expect("a foot");
             let least = chain
                 .point_rates(LegPoint::Tip, velocity, [true; 3])

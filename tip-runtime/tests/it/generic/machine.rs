@@ -2,13 +2,14 @@
 
 use crate::generic::program::{Bench, Step, bench, run};
 use crate::generic::shapes::{
-    ARM, Dice, HEXAPOD, NINE, PENDULUM, SLED, SPIDER, TRIPOD, every_shape,
+    ARM, HEXAPOD, NINE, PENDULUM, SLED, SPIDER, TRIPOD, every_shape, number,
 };
 use allocation_counter::measure;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::fault::Fault;
 use tip_runtime::kinematics::{Chain, within_limits};
 use tip_runtime::model::{Leg, Model, Range};
+use tip_runtime::random::Random;
 
 const ALL: Target = Target::All;
 const F1: Target = Target::Foot(1);
@@ -262,11 +263,11 @@ fn springs_pull_every_shape_to_their_rest_and_let_go() {
 fn no_force_and_no_torque_leads_a_joint_beyond_its_limits() {
     fn stays<const L: usize, const J: usize>(model: &Model<L, J>) {
         let model = &weightless(model);
-        let mut dice = Dice::new(9);
+        let mut random = Random::new(9);
         let size = Range::new(-30.0, 30.0);
         for _ in 0..5 {
-            let force = [(); 3].map(|()| dice.within(size)).to_vec();
-            let torques = [(); J].map(|()| dice.within(size)).to_vec();
+            let force = [(); 3].map(|()| number(&mut random, size)).to_vec();
+            let torques = [(); J].map(|()| number(&mut random, size)).to_vec();
             for push in [(Op::Force, F1, force), (Op::Torque, F1, torques)] {
                 let steps = vec![
                     (Op::EmgOff, NONE, Vec::new()),

@@ -10,7 +10,7 @@ use tip_runtime::program::Program;
 pub(crate) type Step = list::Step<Vec<f64>>;
 
 pub(crate) type Bench<const L: usize, const J: usize> =
-    Machine<List<Vec<f64>>, SimulatedPlant<L, J>, (), (), L, J>;
+    Machine<List<Vec<f64>>, SimulatedPlant<L, J>, L, J>;
 
 pub(crate) fn bench<const L: usize, const J: usize>(
     model: &Model<L, J>,
@@ -18,7 +18,7 @@ pub(crate) fn bench<const L: usize, const J: usize>(
 ) -> Bench<L, J> {
     let plant = SimulatedPlant::new(model);
     let program = List::new(steps, model.signature());
-    Machine::new(program, model, plant, (), ()).expect("made for this robot")
+    Machine::new(program, model, plant).expect("made for this robot")
 }
 
 /// Runs to the end, or to the emergency that is reported.

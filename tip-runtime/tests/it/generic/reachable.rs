@@ -1,8 +1,9 @@
 //! From a posture nearby, every foot of a posture within the limits is found.
 
-use crate::generic::shapes::{ARM, Dice, HEXAPOD, X, Y, Z};
+use crate::generic::shapes::{ARM, HEXAPOD, X, Y, Z, number, posture};
 use tip_runtime::kinematics::{Chain, inverse, inverse_from, within_limits};
 use tip_runtime::model::{Inverse, Joint, Leg, Model, Range, hand, titan8};
+use tip_runtime::random::Random;
 
 /// Number of postures of each robot with a closed form.
 const POSTURES: usize = 10_000;
@@ -103,11 +104,11 @@ fn largest_turn<const J: usize>(a: &[f64; J], b: &[f64; J]) -> f64 {
 }
 
 /// Returns a posture within the limits, and within [`NEARBY`] of another one.
-fn near<const J: usize>(dice: &mut Dice, leg: &Leg<J>, angles: &[f64; J]) -> [f64; J] {
+fn near<const J: usize>(random: &mut Random, leg: &Leg<J>, angles: &[f64; J]) -> [f64; J] {
     let mut near = *angles;
     for (angle, joint) in near.iter_mut().zip(&leg.joints) {
         let limits = joint.limits;
-        *angle += dice.within(Range::new(-NEARBY, NEARBY));
+        *angle += number(random, Range::new(-NEARBY, NEARBY));
         *angle = angle.clamp(limits.min, limits.max);
     }
     near
@@ -117,12 +118,12 @@ fn near<const J: usize>(dice: &mut Dice, leg: &Leg<J>, angles: &[f64; J]) -> [f6
 /// the foot where it was, and is no farther than the posture that was taken.
 fn refused<const L: usize, const J: usize>(model: &Model<L, J>, postures: usize) -> usize {
     assert_eq!(model.check(), Ok(()), "{}", model.name);
-    let mut dice = Dice::new(16);
+    let mut random = Random::new(16);
     let mut refused = 0;
     for leg in &model.legs {
         for _ in 0..postures / L + 1 {
-            let angles = dice.posture(leg);
-            let from = near(&mut dice, leg, &angles);
+            let angles = posture(&mut random, leg);
+            let from = near(&mut random, leg, &angles);
             let foot = Chain::new(leg, &angles).foot();
             let Some(found) = inverse_from(model.inverse, leg, &from, foot) else {
                 refused += 1;
@@ -174,9 +175,9 @@ fn searches_refuse_no_foot_either() {
 #[test]
 fn a_roll_and_two_pitches_have_the_written_out_form() {
     let leg = &A1.legs[1];
-    let mut dice = Dice::new(3);
+    let mut random = Random::new(3);
     for _ in 0..100 {
-        let angles = dice.posture(leg);
+        let angles = posture(&mut random, leg);
         let [roll, thigh, knee] = angles.map(f64::to_radians);
         let height = -200.0 * (libm::cos(thigh) + libm::cos(thigh + knee));
         let foot = [

@@ -1,6 +1,7 @@
 //! Robots of many shapes.
 
 use tip_runtime::model::{Body, Joint, Leg, Model, Range, generic};
+use tip_runtime::random::Random;
 
 pub(crate) const X: [f64; 3] = [1.0, 0.0, 0.0];
 pub(crate) const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -191,23 +192,12 @@ fn every_shape_is_a_robot() {
     every_shape!(check);
 }
 
-/// Pseudo-random numbers, equal in every run (Marsaglia's xorshift).
-pub(crate) struct Dice(u64);
+/// Draws a number of a range.
+pub(crate) fn number(random: &mut Random, range: Range) -> f64 {
+    random.within(range.min, range.max)
+}
 
-impl Dice {
-    pub(crate) fn new(seed: u64) -> Self {
-        Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
-    }
-
-    pub(crate) fn within(&mut self, range: Range) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        range.min + (range.max - range.min) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Returns a posture within a leg's limits.
-    pub(crate) fn posture<const J: usize>(&mut self, leg: &Leg<J>) -> [f64; J] {
-        leg.joints.map(|joint| self.within(joint.limits))
-    }
+/// Draws a posture within a leg's limits.
+pub(crate) fn posture<const J: usize>(random: &mut Random, leg: &Leg<J>) -> [f64; J] {
+    leg.joints.map(|joint| number(random, joint.limits))
 }

@@ -1,9 +1,10 @@
 //! Points that are sent on while the joints of their finger still turn, each independently.
 
 use crate::hand::paths::search::{Place, fingertip_goes, third_joint_goes};
-use crate::hand::paths::{Dice, End, go_on, of_finger, resting};
+use crate::hand::paths::{End, go_on, of_finger, resting};
 use crate::hand::rig::{F1, Hand, J13, all_close};
 use tip_runtime::command::{Op, Target};
+use tip_runtime::random::Random;
 
 /// A function that returns true if a point can go straight from a posture to a place.
 type Goes = fn([f64; 3], Place) -> bool;
@@ -33,7 +34,7 @@ fn rest(mut rig: Hand) -> [f64; 3] {
 // clauses: 2.24 7.2
 #[test]
 fn a_point_whose_joints_still_turn_arrives_wherever_it_does_from_rest() {
-    let mut dice = Dice(0x2545_F491_4F6C_DD1D);
+    let mut random = Random::new(0x2545_F491_4F6C_DD1D);
     let points: [(Target, f64, Goes); 2] =
         [(F1, 160.0, fingertip_goes), (J13, 120.0, third_joint_goes)];
     for (point, reach, goes) in points {
@@ -43,7 +44,7 @@ fn a_point_whose_joints_still_turn_arrives_wherever_it_does_from_rest() {
                 let start = rest(arriving(posture, wait));
                 let mut lines = 0;
                 while lines < LINES {
-                    let place = [dice.within(-reach, reach), dice.within(-reach, 0.0)];
+                    let place = [random.within(-reach, reach), random.within(-reach, 0.0)];
                     if goes(start, place) {
                         let end = go_on(&mut arriving(posture, wait), 1, point, place);
                         let line = format!("{point:?} {posture:?} {wait:?} {place:?}");

@@ -9,6 +9,7 @@ use crate::hand::rig::{F1, Hand};
 use search::{Place, fingertip_goes, third_joint_goes};
 use tip_runtime::command::{Op, Target};
 use tip_runtime::model::hand;
+use tip_runtime::random::Random;
 
 /// Number of lines of each point that must be possible, unless PATHS sets another.
 const MIN_LINES: usize = 20;
@@ -38,18 +39,6 @@ impl Count {
             End::Stopped => self.stopped += 1,
             End::Arrived => self.arrived += 1,
         }
-    }
-}
-
-/// Pseudo-random numbers, equal in every run (Marsaglia's xorshift).
-pub(crate) struct Dice(pub(crate) u64);
-
-impl Dice {
-    pub(crate) fn within(&mut self, min: f64, max: f64) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        min + (max - min) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 
@@ -108,16 +97,16 @@ fn tried(n: u8, third: bool) -> [Count; 2] {
     } else {
         (Target::Foot(n), 160.0, fingertip_goes)
     };
-    let mut dice = Dice(0x9E37_79B9_7F4A_7C15 ^ u64::from(n));
+    let mut random = Random::new(0x9E37_79B9_7F4A_7C15 ^ u64::from(n));
     let mut starts = vec![[-40.0, 0.0, 80.0], [0.0; 3]];
     starts.extend((0..POSTURES).map(|_| {
-        let [first, second, third] =
-            [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)].map(|(min, max)| dice.within(min, max));
+        let [first, second, third] = [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)]
+            .map(|(min, max)| random.within(min, max));
         [first, second, third]
     }));
     let [mut possible, mut impossible] = [Count::default(), Count::default()];
     for start in starts.iter().cycle() {
-        let place = [dice.within(-reach, reach), dice.within(-reach, reach)];
+        let place = [random.within(-reach, reach), random.within(-reach, reach)];
         let can = goes(*start, place);
         let end = go(n, target, *start, place);
         if can && end != End::Arrived && std::env::var("PATHS").is_ok() {
@@ -225,7 +214,7 @@ fn a_straight_third_joint_bends_to_the_side_on_which_it_arrives() {
 // clauses: 7.2
 #[test]
 fn a_finger_that_is_nearly_straight_and_still_moves_follows_every_line_that_it_can() {
-    let mut dice = Dice(0x2545_F491_4F6C_DD1D);
+    let mut random = Random::new(0x2545_F491_4F6C_DD1D);
     let [mut possible, mut impossible] = [Count::default(), Count::default()];
     while possible.refused + possible.stopped + possible.arrived < lines() {
         let mut rig = resting(1, [-40.0, 0.0, 80.0]);
@@ -233,7 +222,7 @@ fn a_finger_that_is_nearly_straight_and_still_moves_follows_every_line_that_it_c
             .expect("it reaches as far as it is long");
         rig.cycles(Op::WaitInpos, F1, &[]).expect("it arrives");
         let [start, ..] = rig.sensors.angles;
-        let place = [dice.within(-160.0, 160.0), dice.within(-160.0, 160.0)];
+        let place = [random.within(-160.0, 160.0), random.within(-160.0, 160.0)];
         let end = go_on(&mut rig, 1, F1, place);
         if fingertip_goes(start, place) {
             if end != End::Arrived {
@@ -252,12 +241,12 @@ fn a_finger_that_is_nearly_straight_and_still_moves_follows_every_line_that_it_c
 // clauses: 7.2 7.6
 #[test]
 fn a_finger_waits_while_its_posture_is_sought_and_sets_off_at_once_otherwise() {
-    let mut dice = Dice(0x9E37_79B9_7F4A_7C15);
+    let mut random = Random::new(0x9E37_79B9_7F4A_7C15);
     let (mut waited, mut at_once) = (0, 0);
     while waited < 3 || at_once < 20 {
-        let start =
-            [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)].map(|(min, max)| dice.within(min, max));
-        let place = [dice.within(-160.0, 160.0), dice.within(-160.0, 160.0)];
+        let start = [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)]
+            .map(|(min, max)| random.within(min, max));
+        let place = [random.within(-160.0, 160.0), random.within(-160.0, 160.0)];
         let mut rig = resting(1, start);
         if !fingertip_goes(start, place) || rig.run(Op::Ptp, F1, &of_finger(1, place)).is_err() {
             continue;

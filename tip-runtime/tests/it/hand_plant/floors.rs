@@ -5,6 +5,7 @@ use tip_runtime::command::{Command, Op, Poll, Target, Value};
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::hand;
 use tip_runtime::plant::{Scene, SimulatedHand};
+use tip_runtime::random::Random;
 
 /// Number of postures of the three fingers together.
 const POSTURES: usize = 40;
@@ -14,18 +15,6 @@ const CYCLES: usize = 2000;
 
 /// Travel of the slider, which carries the floor, mm.
 const TRAVEL: (f64, f64) = (-200.0, -60.0);
-
-/// Pseudo-random numbers, equal in every run (Marsaglia's xorshift).
-struct Dice(u64);
-
-impl Dice {
-    fn within(&mut self, min: f64, max: f64) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        min + (max - min) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
 
 /// Returns the heights of a finger's third joint and fingertip at these angles, from the palm down,
 /// mm.
@@ -47,15 +36,15 @@ fn deepest(third: f64) -> f64 {
 
 /// Returns postures of three fingers, and the height of a floor between them and the greatest depth
 /// that all reach.
-fn drawn(dice: &mut Dice) -> Option<([[f64; 3]; 3], f64)> {
+fn drawn(random: &mut Random) -> Option<([[f64; 3]; 3], f64)> {
     let postures = [(); 3].map(|()| {
-        [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)].map(|(min, max)| dice.within(min, max))
+        [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)].map(|(min, max)| random.within(min, max))
     });
     let reached = postures.map(|[.., third]| deepest(third));
     let high = postures.iter().flat_map(|posture| depths(*posture));
     let high = TRAVEL.1.min(-high.fold(0.0, f64::max)) - 2.0;
     let low = TRAVEL.0.max(-reached.into_iter().fold(1000.0, f64::min)) + 1.0;
-    (low < high).then(|| (postures, dice.within(low, high)))
+    (low < high).then(|| (postures, random.within(low, high)))
 }
 
 /// Returns the final heights of the fingertips on a floor; `None` if the search does not end.
@@ -94,11 +83,11 @@ fn searched(postures: &[[f64; 3]; 3], floor: f64, friction: f64) -> Option<[f64;
 // clauses: 7.45
 #[test]
 fn fingers_find_every_floor_that_they_reach() {
-    let mut dice = Dice(0x9E37_79B9_7F4A_7C15);
+    let mut random = Random::new(0x9E37_79B9_7F4A_7C15);
     let mut missed = Vec::new();
     let mut tried = 0;
     while tried < POSTURES {
-        let Some((postures, floor)) = drawn(&mut dice) else {
+        let Some((postures, floor)) = drawn(&mut random) else {
             continue;
         };
         tried += 1;

@@ -6,6 +6,7 @@ use crate::program::{Action, Program};
 use crate::{Options, load};
 use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write as _;
+use tip_runtime::random::Random;
 
 fn program(text: &str) -> Program {
     let loaded = load("test.prg", text.as_bytes(), &Options::default());
@@ -342,7 +343,7 @@ fn explored(program: &Program, scalar: usize) -> Option<BTreeMap<u32, (bool, boo
 /// Returns a program whose every branch is open.
 fn random_program(seed: u64) -> String {
     let mut writer = Writer {
-        dice: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1,
+        random: Random::new(seed),
         text: "3.1\nrandom\nDEF_VAR A B I N\nDEF_POS P\n".to_owned(),
         labels: 0,
         depth: 0,
@@ -362,7 +363,7 @@ fn random_program(seed: u64) -> String {
 }
 
 struct Writer {
-    dice: u64,
+    random: Random,
     text: String,
     labels: u32,
     depth: u32,
@@ -370,10 +371,7 @@ struct Writer {
 
 impl Writer {
     fn below(&mut self, bound: u64) -> u64 {
-        self.dice ^= self.dice << 13;
-        self.dice ^= self.dice >> 7;
-        self.dice ^= self.dice << 17;
-        (self.dice >> 20) % bound
+        self.random.below(bound)
     }
 
     fn line(&mut self, line: &str) {

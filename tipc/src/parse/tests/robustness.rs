@@ -5,19 +5,7 @@ use crate::parse::parse;
 use crate::render::{self, Style};
 use crate::source::{Encoding, Source, Span};
 use std::time::{Duration, Instant};
-
-/// SplitMix64: enough randomness for inputs, the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut word = self.0;
-        word = (word ^ (word >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((word ^ (word >> 31)) % limit as u64) as usize
-    }
-}
+use tip_runtime::random::Random;
 
 /// Pieces of programs, good and bad, that a random program is put together from.
 const PIECES: &[&str] = &[
@@ -115,29 +103,29 @@ fn try_on(bytes: &[u8]) {
 // clauses: 1.1
 #[test]
 fn random_bytes_do_no_harm() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for _ in 0..2000 {
-        let length = random.below(80);
+        let length = random.index(80);
         let mut bytes = b"3.1\nt\n".to_vec();
-        bytes.extend((0..length).map(|_| random.below(256) as u8));
+        bytes.extend((0..length).map(|_| random.index(256) as u8));
         try_on(&bytes);
-        try_on(&bytes[random.below(7)..]);
+        try_on(&bytes[random.index(7)..]);
     }
 }
 
 // clauses: 1.10
 #[test]
 fn random_programs_do_no_harm() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     for _ in 0..3000 {
         let mut text = String::from("3.1\nt\n");
-        for _ in 0..random.below(40) {
-            text += PIECES[random.below(PIECES.len())];
+        for _ in 0..random.index(40) {
+            text += PIECES[random.index(PIECES.len())];
         }
         try_on(text.as_bytes());
         let mut bytes = text.into_bytes();
-        let at = random.below(bytes.len());
-        bytes[at] = random.below(256) as u8;
+        let at = random.index(bytes.len());
+        bytes[at] = random.index(256) as u8;
         try_on(&bytes);
     }
 }

@@ -1,6 +1,6 @@
 //! Texts that no one would write, made of characters whose bytes are known.
 
-use crate::source::random::Random;
+use tip_runtime::random::Random;
 use tipc::source::{Encoding, Source};
 
 /// A character as a reader of the file sees it, and the bytes that spell it there.
@@ -90,17 +90,17 @@ pub(crate) struct File {
 impl File {
     /// Returns a file of that many pieces. It is sometimes marked, undecodable, and ended as DOS does.
     pub(crate) fn random(random: &mut Random, pieces: usize) -> File {
-        let (encoding, good, bad) = match random.below(2) {
+        let (encoding, good, bad) = match random.index(2) {
             0 => (Encoding::Utf8, UTF8, NOT_UTF8),
             _ => (Encoding::ShiftJis, SHIFT_JIS, NOT_SHIFT_JIS),
         };
-        let kinds = 1 + random.below(3);
+        let kinds = 1 + random.index(3);
         let mut characters = Vec::new();
         for _ in 0..pieces {
-            let pieces = [COMMON, good, bad][random.below(kinds)];
-            characters.extend(pieces[random.below(pieces.len())]);
+            let pieces = [COMMON, good, bad][random.index(kinds)];
+            characters.extend(pieces[random.index(pieces.len())]);
         }
-        let marked = encoding == Encoding::Utf8 && random.below(3) == 0;
+        let marked = encoding == Encoding::Utf8 && random.index(3) == 0;
         // A text that starts with the mark's character would lose it.
         let first = characters.iter().position(|(char, _)| *char != '\u{FEFF}');
         characters.drain(..first.unwrap_or(characters.len()));
@@ -109,7 +109,7 @@ impl File {
             false => Vec::new(),
         };
         bytes.extend(characters.iter().flat_map(|(_, bytes)| *bytes));
-        if random.below(3) == 0 || bytes.ends_with(b"\x1A") {
+        if random.index(3) == 0 || bytes.ends_with(b"\x1A") {
             bytes.push(0x1A);
         }
         File {

@@ -1,9 +1,9 @@
 //! The pieces of a file, one after the other, are the file.
 
 use crate::source::hostile::File;
-use crate::source::random::Random;
 use std::fs;
 use std::path::{Path, PathBuf};
+use tip_runtime::random::Random;
 use tipc::source::{Encoding, Line, Source, Span};
 
 const ENCODINGS: [Encoding; 3] = [Encoding::Auto, Encoding::Utf8, Encoding::ShiftJis];
@@ -28,7 +28,7 @@ fn examine(bytes: &[u8], encoding: Encoding, random: &mut Random) {
         "{encoding:?}: {bytes:x?}"
     );
     let length = source.text().len();
-    let mut cuts: Vec<usize> = (0..8).map(|_| random.below(length + 1)).collect();
+    let mut cuts: Vec<usize> = (0..8).map(|_| random.index(length + 1)).collect();
     cuts.extend([0, length]);
     cuts.sort_unstable();
     let anywhere = cuts.windows(2).map(|pair| Span::new(pair[0], pair[1]));
@@ -39,7 +39,7 @@ fn examine(bytes: &[u8], encoding: Encoding, random: &mut Random) {
     // The index finds the lines that reading from the start does.
     assert_eq!(lines.len(), source.line_count() as usize);
     for _ in 0..8 {
-        let line = lines[random.below(lines.len())];
+        let line = lines[random.index(lines.len())];
         assert_eq!(source.line(line.number), line, "{bytes:x?}");
     }
 }
@@ -74,7 +74,7 @@ fn files_of_the_project() {
         "{}",
         found.len()
     );
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     for path in found {
         let bytes = fs::read(&path).expect("a readable file");
         for encoding in ENCODINGS {
@@ -86,7 +86,7 @@ fn files_of_the_project() {
 // clauses: 1.1
 #[test]
 fn hostile_texts() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for round in 0..600 {
         let pieces = if round % 200 == 0 { 9000 } else { round % 60 };
         let file = File::random(&mut random, pieces);
@@ -108,16 +108,16 @@ fn hostile_texts() {
 // clauses: 1.1
 #[test]
 fn any_bytes() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     for round in 0..600 {
         let length = if round % 300 == 0 { 20_000 } else { round % 40 };
         // Bytes near each other are often of one kind.
         let kinds: [&[u8]; 3] = [b"\r\n\x1A\0 A", b"\x81\x82\xE3\xEF\xBB\xBF\xFF\xA0", b""];
-        let kind = kinds[random.below(3)];
+        let kind = kinds[random.index(3)];
         let bytes: Vec<u8> = (0..length)
-            .map(|_| match (random.below(3), kind.len()) {
-                (0, _) | (_, 0) => random.below(256) as u8,
-                (_, count) => kind[random.below(count)],
+            .map(|_| match (random.index(3), kind.len()) {
+                (0, _) | (_, 0) => random.index(256) as u8,
+                (_, count) => kind[random.index(count)],
             })
             .collect();
         for encoding in ENCODINGS {
@@ -128,7 +128,7 @@ fn any_bytes() {
 
 #[test]
 fn ends_of_files() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     for bytes in [
         &b""[..],
         b"\x1A",

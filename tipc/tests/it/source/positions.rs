@@ -1,7 +1,7 @@
 //! Positions, compared with those that counting from the start of the file gives.
 
 use crate::source::hostile::File;
-use crate::source::random::Random;
+use tip_runtime::random::Random;
 use tipc::source::{Encoding, Position, Source, Unit};
 
 const UNITS: [Unit; 4] = [Unit::Byte, Unit::Utf8, Unit::Utf16, Unit::Character];
@@ -106,7 +106,7 @@ fn examine_back(source: &Source, places: &[Place], index: usize) {
 
 #[test]
 fn positions_are_those_of_counting() {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     for round in 0..1500 {
         let file = File::random(&mut random, round % 40);
         let source = file.source();
@@ -120,12 +120,12 @@ fn positions_are_those_of_counting() {
 
 #[test]
 fn positions_in_long_files_and_lines() {
-    let mut random = Random(6);
+    let mut random = Random::new(6);
     for round in 0..8 {
         let mut file = File::random(&mut random, 9000);
         if round % 2 == 0 {
             // One line, or few.
-            let keep = random.below(3);
+            let keep = random.index(3);
             let mut ends = 0;
             let is_end = |char: char| matches!(char, '\n' | '\r');
             file.characters.retain(|(char, _)| {

@@ -11,6 +11,7 @@ use tip_drives::lx;
 use tip_drives::model::Model;
 use tip_drives::moteus;
 use tip_drives::registers::{Framing, instruction};
+use tip_runtime::random::Random;
 
 /// Instruction of a ping.
 const PING: u8 = 1;
@@ -285,13 +286,8 @@ fn moteus_protocol_sum(line: &str) -> u8 {
 #[test]
 fn damaged_answers_of_a_moteus_give_no_wrong_angle() {
     let line = ANSWER.as_bytes().to_vec();
-    let mut random = 1_u64;
-    let mut next = move || {
-        random = random
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
-        (random >> 40) as usize
-    };
+    let mut random = Random::new(1);
+    let mut next = move || random.next_u64() as usize;
     let mut accepted = 0;
     for _ in 0..1_000_000 {
         let mut damaged = line.clone();
@@ -342,20 +338,18 @@ fn no_single_damage_passes() {
 
 #[test]
 fn noise_is_bounded_and_never_panics() {
-    let mut random = 1_u64;
+    let mut random = Random::new(1);
     for (good, parse) in answers(3, [0; 8]) {
         let mut decoder = Decoder::new();
         let mut found = 0;
         for _ in 0..300_000 {
-            random = random
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
+            let bits = random.next_u64();
             // Many bytes of headers, so that frames seem to begin.
-            let byte = match random >> 60 {
+            let byte = match bits >> 60 {
                 0..6 => good[0],
                 6..8 => 0xFD,
-                8..10 => (random >> 56 & 15) as u8,
-                _ => (random >> 40) as u8,
+                8..10 => (bits >> 56 & 15) as u8,
+                _ => (bits >> 40) as u8,
             };
             decoder.push(byte);
             found += u32::from(decoder.next(&parse).is_some());

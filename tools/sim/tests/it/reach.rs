@@ -2,6 +2,7 @@
 
 use tip_runtime::command::Target;
 use tip_runtime::fault::Fault;
+use tip_runtime::random::Random;
 use tip_runtime::record::Ending;
 use tip_sim::{Interpreter, Limit, Robot, Run};
 use tipc::message::Message;
@@ -110,17 +111,11 @@ fn pairs() -> impl Iterator<Item = (String, String)> {
     let robot = Robot::named("titan8").expect("a robot");
     let leg = robot.anatomy().legs.remove(0);
     let ranges: Vec<_> = leg.joints.iter().map(|joint| joint.limits).collect();
-    let mut state = 0x2545_F491_4F6C_DD1D_u64;
-    let mut random = move || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut random = Random::new(1);
     let mut place = move || {
         let angles = ranges
             .iter()
-            .map(|it| it.min + (it.max - it.min) * (0.02 + 0.96 * random()));
+            .map(|it| it.min + (it.max - it.min) * random.within(0.02, 0.98));
         written(leg.foot(&angles.collect::<Vec<f64>>()))
     };
     std::iter::repeat_with(move || (place(), place())).take(150)

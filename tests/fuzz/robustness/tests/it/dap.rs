@@ -1,6 +1,7 @@
 //! Messages that no editor sends, and those that editors send in any order.
 
 use robustness::dap::examine;
+use tip_runtime::random::Random;
 
 const COMMANDS: [&str; 26] = [
     "initialize",
@@ -62,13 +63,8 @@ fn every_request_with_every_argument_is_answered() {
 
 #[test]
 fn requests_in_any_order_are_answered() {
-    let mut seed = 7_u64;
-    let mut below = |most: usize| {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 33) as usize % most
-    };
+    let mut random = Random::new(7);
+    let mut below = |count| random.index(count);
     for _ in 0..30 {
         let requests: Vec<String> = (0..40)
             .map(|_| {

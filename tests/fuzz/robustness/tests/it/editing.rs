@@ -1,9 +1,9 @@
 //! Whatever stands at the cursor: answers inside the text, also of wrong programs and of texts that are cut or damaged.
 
-use crate::random::Random;
 use robustness::editing::examine;
 use std::fs;
 use std::path::{Path, PathBuf};
+use tip_runtime::random::Random;
 
 fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder") {
@@ -43,10 +43,10 @@ fn damaged_programs_are_answered() {
     for program in examples() {
         let mut text: Vec<char> = String::from_utf8_lossy(&program).chars().collect();
         for _ in 0..3 {
-            let at = random.below(text.len() + 1);
-            text.insert(at, odd[random.below(odd.len())]);
+            let at = random.index(text.len() + 1);
+            text.insert(at, odd[random.index(odd.len())]);
         }
-        let kept = text.len() - random.below(text.len() / 2 + 1);
+        let kept = text.len() - random.index(text.len() / 2 + 1);
         let text: String = text[..kept].iter().collect();
         examine(text.as_bytes());
     }

@@ -1,13 +1,13 @@
 //! Every program here and many random ones: formatted they are in the style, and the same programs. `TIP_PROGRAMS=100000`
 //! before a run in release mode takes so many random ones.
 
-use crate::random::Random;
 use random_programs::{Edition, Specimen, program, untidy};
 use robustness::format::{for_some_robot, formatted};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 use tip_lint::listing;
+use tip_runtime::random::Random;
 use tipc::source::Encoding;
 use tipc::{Options, load};
 
@@ -81,10 +81,10 @@ fn damaged_programs_stay_the_same_or_are_left() {
     for seed in seeds() {
         let mut bytes = untidy(&specimen(seed));
         let mut random = Random::new(seed);
-        for _ in 0..=random.below(3) {
-            let at = random.below(bytes.len());
-            let byte = BYTES[random.below(BYTES.len())];
-            match random.below(3) {
+        for _ in 0..=random.index(3) {
+            let at = random.index(bytes.len());
+            let byte = BYTES[random.index(BYTES.len())];
+            match random.index(3) {
                 0 => bytes[at] = byte,
                 1 => drop(bytes.remove(at)),
                 _ => bytes.insert(at, byte),

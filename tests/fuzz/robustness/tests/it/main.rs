@@ -5,6 +5,5 @@ mod editing;
 mod format;
 mod fuzz;
 mod programs;
-mod random;
 mod repetitions;
 mod units;

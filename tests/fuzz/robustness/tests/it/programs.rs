@@ -1,18 +1,12 @@
 //! Whatever the bytes: no panic, places inside the text, a program exactly when nothing is wrong, however long.
 //! `TIP_DAMAGED=100000` before a run in release mode damages so many programs.
 
-use crate::random::Random;
 use robustness::fix;
 use robustness::load::examine;
 use std::path::{Path, PathBuf};
 use std::{env, fs, thread};
+use tip_runtime::random::Random;
 use tipc::Options;
-
-impl Random {
-    fn pick<'a>(&mut self, words: &[&'a str]) -> &'a str {
-        words[self.below(words.len())]
-    }
-}
 
 const WORDS: &[&str] = &[
     "A",
@@ -112,12 +106,12 @@ fn random_words() {
     let mut random = Random::new(0x5EED_0001);
     for _ in 0..600 {
         let mut text = String::from("3.1\nrandom\nDEF_VAR A B\nDEF_POS P\nDEF_JOINT Q\n");
-        for _ in 0..random.below(30) {
-            for _ in 0..=random.below(6) {
-                text.push_str(random.pick(WORDS));
-                text.push_str(random.pick(&[" ", " ", " ", "", "\t"]));
+        for _ in 0..random.index(30) {
+            for _ in 0..=random.index(6) {
+                text.push_str(pick(&mut random, WORDS));
+                text.push_str(pick(&mut random, &[" ", " ", " ", "", "\t"]));
             }
-            text.push_str(random.pick(&["\n", "\n", "\n", "\r\n", " ; "]));
+            text.push_str(pick(&mut random, &["\n", "\n", "\n", "\r\n", " ; "]));
         }
         text.push_str("END\n");
         examine(text.as_bytes());
@@ -166,8 +160,8 @@ fn random_order() {
     let mut random = Random::new(0x5EED_0002);
     for _ in 0..1500 {
         let mut text = String::from("3.1\norder\nDEF_VAR A B\nDEF_POS P\nDEF_JOINT Q\nB = 1\n");
-        for _ in 0..random.below(25) {
-            text.push_str(random.pick(STATEMENTS));
+        for _ in 0..random.index(25) {
+            text.push_str(pick(&mut random, STATEMENTS));
             text.push('\n');
         }
         text.push_str("END\n");
@@ -238,22 +232,26 @@ fn try_each(texts: &[Vec<u8>], examine: fn(&[u8])) {
     });
 }
 
+fn pick<'a>(random: &mut Random, words: &[&'a str]) -> &'a str {
+    words[random.index(words.len())]
+}
+
 /// The text after its version line with some bytes lost, doubled or replaced.
 fn mutated(bytes: &[u8], random: &mut Random) -> Vec<u8> {
     let mut changed = bytes.to_vec();
-    for _ in 0..=random.below(4) {
+    for _ in 0..=random.index(4) {
         if changed.len() < 6 {
             return changed;
         }
-        let at = 4 + random.below(changed.len() - 4);
-        match random.below(4) {
+        let at = 4 + random.index(changed.len() - 4);
+        match random.index(4) {
             0 => {
                 changed.remove(at);
             }
             1 => changed.insert(at, changed[at]),
-            2 => changed[at] = b"A1.-+=:;, \n\t%\\/<!\x81\xE3\x00"[random.below(20)],
+            2 => changed[at] = b"A1.-+=:;, \n\t%\\/<!\x81\xE3\x00"[random.index(20)],
             _ => {
-                let word = random.pick(WORDS).as_bytes();
+                let word = pick(random, WORDS).as_bytes();
                 changed.splice(at..at, word.iter().copied());
             }
         }

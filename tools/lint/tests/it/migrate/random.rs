@@ -2,6 +2,7 @@
 
 use std::thread;
 use tip_lint::migrate::migrate;
+use tip_runtime::random::Random;
 use tipc::source::Encoding;
 
 /// Words that rules look at, and some that join or break them.
@@ -60,16 +61,12 @@ const WORDS: &[&str] = &[
 const HEADERS: &[&str] = &["1.0", "1.1", "2.0", "2.1", "3.0", "4.0"];
 const LINE_ENDS: &[&str] = &["\n", "\r\n", "\r"];
 
-/// A linear congruential generator (Knuth's MMIX constants), so that every run tests the same programs.
-struct Random(u64);
+/// A generator of programs.
+struct Programs(Random);
 
-impl Random {
+impl Programs {
     fn below(&mut self, limit: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % limit
+        self.0.index(limit)
     }
 
     fn of<'a>(&mut self, words: &[&'a str]) -> &'a str {
@@ -103,7 +100,7 @@ fn random_programs() {
 
 /// Migrates half of the programs; how many of them leave no question.
 fn migrate_from(seed: u64) -> usize {
-    let mut random = Random(seed);
+    let mut random = Programs(Random::new(seed));
     let mut decided = 0;
     for _ in 0..10_000 {
         let text = random.program();

@@ -2,6 +2,7 @@
 
 use super::{Outcome, debugger, titan};
 use std::env;
+use tip_runtime::random::Random;
 use tip_sim::debug::{Debugger, Discard, Move, When, Work};
 use tip_sim::{Event, Events, Interpreter, Limit, Robot, Run, load};
 
@@ -38,19 +39,6 @@ const EVENTS: &str = "20:key a, 25:VR1=4, 133:key b, 133:key c, 447:VR1=2, 460:k
 
 /// Number of cycles of the reference.
 const CYCLES: u64 = 2600;
-
-/// A generator of numbers that are the same everywhere.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, most: u64) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % most
-    }
-}
 
 /// Everything that can be seen of a run, with the step that comes next.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,8 +81,8 @@ fn walks() -> u64 {
     asked.unwrap_or(40)
 }
 
-fn random_move(dice: &mut Dice) -> Move {
-    match dice.below(13) {
+fn random_move(random: &mut Random) -> Move {
+    match random.below(13) {
         0 => Move::Cycle,
         1 => Move::Step,
         2 => Move::Over,
@@ -107,7 +95,7 @@ fn random_move(dice: &mut Dice) -> Move {
         9 => Move::LineBack(23),
         10 => Move::Continue,
         11 => Move::ReverseContinue,
-        _ => Move::To(dice.below(CYCLES)),
+        _ => Move::To(random.below(CYCLES)),
     }
 }
 
@@ -154,12 +142,12 @@ fn walks_forwards_and_backwards_pass_through_one_and_the_same_run() -> Outcome {
         )?;
         debugger.break_at_name("PTP", &When::default())?;
         debugger.watch("P.Z")?;
-        let mut dice = Dice(15);
+        let mut random = Random::new(15);
         for walk in 0..walks() {
             // Walks end in different places of the run, also where nobody was yet.
-            debugger.go(Move::To(dice.below(CYCLES.min(400 + 60 * walk))));
+            debugger.go(Move::To(random.below(CYCLES.min(400 + 60 * walk))));
             for _ in 0..6 {
-                let movement = random_move(&mut dice);
+                let movement = random_move(&mut random);
                 let before = debugger.now();
                 let stop = debugger.go(movement);
                 assert_eq!(stop.at, debugger.now());
@@ -168,7 +156,7 @@ fn walks_forwards_and_backwards_pass_through_one_and_the_same_run() -> Outcome {
                 }
                 compare(&debugger, &sights, &skipped);
                 if debugger.now() >= CYCLES {
-                    debugger.go(Move::To(dice.below(CYCLES)));
+                    debugger.go(Move::To(random.below(CYCLES)));
                 }
             }
         }
@@ -200,7 +188,7 @@ fn a_changed_past_is_the_run_with_that_event() -> Outcome {
     let given: Events = EVENTS.parse()?;
     let mut debugger = debugger(BUSY, &robot)?.with_events(&given)?;
     debugger.go(Move::To(1000));
-    let mut dice = Dice(3);
+    let mut random = Random::new(3);
     for event in [
         "key x",
         "VR1=9.5",
@@ -209,7 +197,7 @@ fn a_changed_past_is_the_run_with_that_event() -> Outcome {
         "set P.X=1.5",
         "touch on",
     ] {
-        let at = 300 + dice.below(600);
+        let at = 300 + random.below(600);
         debugger.go(Move::To(at));
         let later = debugger.known() - at;
         let event: Event = event.parse()?;

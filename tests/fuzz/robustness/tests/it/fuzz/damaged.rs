@@ -1,7 +1,7 @@
 //! Descriptions of robots that were damaged, by the target of the fuzzer.
 
-use crate::random::Random;
 use robustness::description::examine;
+use tip_runtime::random::Random;
 
 const EXAMPLE: &str = include_str!("../../../../../../tipc/tests/robots/hexapod.toml");
 
@@ -17,12 +17,12 @@ fn bytes_that_were_damaged() {
     let mut random = Random::new(0x9E37_79B9_7F4A_7C15);
     for _ in 0..2000 {
         let mut bytes = EXAMPLE.as_bytes().to_vec();
-        for _ in 0..=random.below(4) {
-            let at = random.below(bytes.len());
-            match random.below(3) {
-                0 => bytes[at] = random.below(256) as u8,
+        for _ in 0..=random.index(4) {
+            let at = random.index(bytes.len());
+            match random.index(3) {
+                0 => bytes[at] = random.index(256) as u8,
                 1 => drop(bytes.remove(at)),
-                _ => bytes.insert(at, b"[]{}=\",.#\n-9e"[random.below(13)]),
+                _ => bytes.insert(at, b"[]{}=\",.#\n-9e"[random.index(13)]),
             }
         }
         examine(&bytes);
@@ -33,14 +33,14 @@ fn bytes_that_were_damaged() {
 fn bytes_out_of_the_blue() {
     let mut random = Random::new(1);
     for length in 0..300 {
-        let bytes: Vec<u8> = (0..length).map(|_| random.below(256) as u8).collect();
+        let bytes: Vec<u8> = (0..length).map(|_| random.index(256) as u8).collect();
         examine(&bytes);
         let words = [
             "[", "]", "[[leg]]", "=", "joint", "base", "{", "}", "1e308", "nan", ",", "\n", "\"",
             "'''",
         ];
         let text: Vec<&str> = (0..length)
-            .map(|_| words[random.below(words.len())])
+            .map(|_| words[random.index(words.len())])
             .collect();
         examine(text.concat().as_bytes());
     }
