@@ -448,15 +448,13 @@ impl<P: Port> Drives<P> {
             }
         }
         times.sort_unstable();
-        // With the latency of the adapter, which is unknown before. Each third reading is of the longest block, and all of its
-        // answers must come in one cycle where servos answer together: the median of the upper third counts then.
-        let place = match self.family().is_some_and(|family| family.reads_together()) {
-            true => times.len() * 5 / 6,
-            false => times.len() / 2,
+        // With the latency of the adapter, which is unknown before. Where servos answer together, what is too long is refused: the
+        // time of the longest answers counts, and no delay of a busy host.
+        let measured = match self.family().is_some_and(|family| family.reads_together()) {
+            true => times.first().map(|least| self.read_time.max(*least)),
+            false => times.get(times.len() / 2).copied(),
         };
-        if let Some(time) = times.get(place) {
-            self.read_time = *time;
-        }
+        self.read_time = measured.unwrap_or(self.read_time);
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
                 return self.fail(Some(number), Problem::Silent);

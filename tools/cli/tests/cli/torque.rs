@@ -187,6 +187,39 @@ fn signals_do_not_cut_the_leaving_short() {
     });
 }
 
+/// Nobody can refuse SIGSTOP. The watchdogs, ten cycles of 80 ms, stop the servos; they answer again and would follow nothing.
+#[test]
+fn a_host_that_was_suspended_stops_servos_that_their_watchdogs_stopped() {
+    let one = |number: usize, at_end, in_emergency| {
+        let robot = leg(at_end, in_emergency, "[standards]\nperiod = 80");
+        let robot = robot.replace("STS3215", "XL430-W250");
+        let mut session = Session::new(&format!("suspended-{number}"), &robot, 0.5, WAITS);
+        let mut child = session.run();
+        await_go(&mut child);
+        signal(&child, Signal::STOP);
+        session.bus.await_that("the watchdogs expire", |bus| {
+            let mut watchdogs = bus.servos().iter().map(|servo| servo.register(98, 1));
+            watchdogs.all(|watchdog| watchdog == Some(0xFF))
+        });
+        signal(&child, Signal::CONT);
+        let outcome = session.ended(child).expect(3);
+        assert_eq!(session.bus.stiff(), stiff(in_emergency), "{outcome:#?}");
+        let said = "J11 (servo 1) was stopped by its watchdog, because it heard nothing for more than 800 ms";
+        assert!(outcome.err.contains(said), "{}", outcome.err);
+        let watchdogs = session.bus.with(|bus| {
+            let servos = bus.servos().iter();
+            servos
+                .map(|servo| servo.register(98, 1))
+                .collect::<Vec<_>>()
+        });
+        assert_eq!(watchdogs, [Some(0); 3], "none is left to refuse goals");
+    };
+    scope(|scope| {
+        scope.spawn(|| one(0, "relax", "hold"));
+        scope.spawn(|| one(1, "hold", "relax"));
+    });
+}
+
 /// A shell starts jobs in the background so. What is meant for the robot counts all the same.
 #[test]
 fn a_command_that_inherits_ignored_signals_obeys_them_on_a_robot() {
