@@ -7,8 +7,8 @@ mod refusal;
 mod summary;
 
 use super::arguments::RunArguments;
-use super::drives::realtime;
 use super::drives::robot::{Connection, Setup};
+use super::drives::{realtime, report_stiff};
 use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;
@@ -275,22 +275,31 @@ fn connected(
     let lang = arguments.lang();
     let setup = Setup::new(file, description, lang)?;
     let connection = setup.open(file, arguments.port.as_deref(), lang)?;
-    connection.connect(arguments.quiet)?;
-    if !connection.is_simulated() && !arguments.yes {
-        connection.announce();
-        if !io::stdin().is_terminal() {
-            return Err(Error::usage(Driving::NeedsYes, lang));
-        }
-        report::say(Driving::PressReturn, lang);
-        // RETURN alone: not what someone answers who does not want it.
-        if !input::line()?.is_some_and(|line| line.trim().is_empty()) {
-            return Ok(Err(Status::Interrupted));
-        }
+    let is_wanted = agreed(arguments, &connection);
+    if !matches!(is_wanted, Ok(true)) {
+        report_stiff(&connection, lang);
+        return is_wanted.map(|_| Err(Status::Interrupted));
     }
     if arguments.fifo {
         realtime::warn(&realtime::prioritise(), lang);
     }
     Ok(connection.stand_ready().map_or(Ok(connection), Err))
+}
+
+/// Finds the servos, and returns true if the operator wants the robot to move.
+fn agreed(arguments: &Run, connection: &Connection) -> Result<bool, Error> {
+    let lang = arguments.lang();
+    connection.connect(arguments.quiet)?;
+    if connection.is_simulated() || arguments.yes {
+        return Ok(true);
+    }
+    connection.announce();
+    if !io::stdin().is_terminal() {
+        return Err(Error::usage(Driving::NeedsYes, lang));
+    }
+    report::say(Driving::PressReturn, lang);
+    // RETURN alone: not what someone answers who does not want it.
+    Ok(input::line()?.is_some_and(|line| line.trim().is_empty()))
 }
 
 impl Job<'_> {

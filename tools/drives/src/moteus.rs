@@ -461,8 +461,12 @@ impl Family for Moteus {
             Some(servo) => Self::command(wire, servo)?,
             None => Self::stop(wire, id)?,
         }
+        Ok(self.is_stiff(wire, id)? == hold.is_some())
+    }
+
+    fn is_stiff(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError> {
         let answer = wire.repeat(|wire| Self::query(wire, id, u64::MAX))?;
-        Ok(answer.is_on == hold.is_some())
+        Ok(answer.is_on)
     }
 
     fn cause(&self, alarm: u8) -> &'static str {
