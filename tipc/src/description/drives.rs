@@ -105,7 +105,8 @@ pub(super) fn read(
             continue;
         };
         if places[place].is_some() {
-            section.refuse::<()>("joint", location, Describing::TwoDrives, found);
+            let help = Describing::TakeOneAway;
+            section.refuse_beside("joint", Describing::TwoDrives, help, found);
             continue;
         }
         let Some((drive, model)) = drive(section, bus, (joint, initial), servos, found) else {
@@ -117,7 +118,7 @@ pub(super) fn read(
                 id: drive.id.into(),
                 joint: joint_at(other, joints),
             };
-            section.refuse::<()>("id", section.location_of("id"), reason, found);
+            section.refuse_beside("id", reason, Describing::OneIdentityEach, found);
         }
         if let (Some(first), Some(model)) = (first, model)
             && first.family != model.family
@@ -126,7 +127,7 @@ pub(super) fn read(
                 family: model.family,
                 first: first.family,
             };
-            section.refuse::<()>("model", section.location_of("model"), reason, found);
+            section.refuse_beside("model", reason, Describing::OneFamilyEach, found);
         }
         first = first.or(model);
         places[place] = Some(drive);

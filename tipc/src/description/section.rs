@@ -139,6 +139,18 @@ impl<'a> Section<'a> {
         None
     }
 
+    /// Refuses the value of `key`, which is well written but does not fit something else, and says what to do.
+    pub(super) fn refuse_beside(
+        self,
+        key: &str,
+        reason: impl Into<Message>,
+        help: impl Into<Message>,
+        found: &mut Found,
+    ) {
+        let location = self.location_of(key);
+        found.push(fault(self.part, location, reason, help));
+    }
+
     /// Reads a number; `None` if there is none or it was refused.
     pub(super) fn number(self, key: &str, sign: Sign, found: &mut Found) -> Option<f64> {
         let (location, value) = self.value(key)?;

@@ -162,6 +162,12 @@ messages! {
     SameIdentity { id: usize, joint: Target }
         "two servos of one bus cannot have the identity {id}: that of {joint} has it",
         "1つのバスに同じID {id} のサーボは置けません。{joint}のサーボが使っています";
+    OneIdentityEach
+        "give each servo its own `id`; `tip drives id` writes one into a servo that is alone on the bus",
+        "サーボごとに別の `id` にしてください。サーボへの書き込みは、1台だけつないで `tip drives id` で行います";
+    OneFamilyEach
+        "all servos of one bus are of one family, because their frames differ",
+        "フレーム形式が異なるため、1つのバスには1つの系列だけをつなぎます";
     NoSuchServo { known: String }
         "no servo model has this name; there are {known}",
         "この名前のサーボはありません。使えるのは{known}です";

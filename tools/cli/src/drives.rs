@@ -9,7 +9,7 @@ mod zero;
 
 use crate::Action;
 use crate::choices::LangName;
-use crate::error::Error;
+use crate::error::{Error, is_closed};
 use crate::input;
 use crate::message::Driving;
 use crate::{Status, choices, interrupt, output, report};
@@ -19,7 +19,7 @@ use scan::{Id, Scan};
 use simulated::FaultInjection;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tip_drives::guard::{Request, Step};
 use tipc::message::Lang;
@@ -48,6 +48,19 @@ enum DrivesVerb {
     /// Simulate the servos of a robot on a pseudo-terminal
     Simulate(Simulate),
 }
+
+/// Says which servos an earlier command left stiff, where this one ends before its first torque: they stay so, because a robot that
+/// they hold must not fall.
+pub(crate) fn report_stiff(connection: &Connection, lang: Lang) {
+    let stiff = connection.robot().drives_mut().stiff();
+    if !stiff.is_empty() {
+        let joints = connection.setup.names(&stiff);
+        report::say(Driving::WereStiff { joints }, lang);
+    }
+}
+
+/// Time in which a signal arrives that was sent with an error of the terminal.
+const SIGNAL_TIME: Duration = Duration::from_millis(100);
 
 /// A robot whose description has a bus.
 #[derive(Debug, Args)]
@@ -81,7 +94,10 @@ impl RobotArguments {
     /// Connects to a robot that is to move.
     fn connect(&self, setup: Setup) -> Result<Connection, Error> {
         let connection = setup.open(&self.file, self.port.as_deref(), self.lang())?;
-        connection.connect(false)?;
+        if let Err(error) = connection.connect(false) {
+            report_stiff(&connection, self.lang());
+            return Err(error);
+        }
         Ok(connection)
     }
 
@@ -101,7 +117,8 @@ impl RobotArguments {
 + and - turn the joint by 1 deg. RETURN is the emergency stop; q, ESC and Ctrl-C end in order.
 The servos are left as `at_end` and `in_emergency` of the file say.
 
-Exit status: 0, 3 if the robot was stopped, 1 if it cannot start.")]
+Exit status: 0 after q or ESC, 130 after Ctrl-C (143 after SIGTERM, 129 after SIGHUP), 3 if the robot
+was stopped, 1 if it cannot start.")]
 pub(crate) struct Jog {
     #[command(flatten)]
     robot: RobotArguments,
@@ -115,7 +132,8 @@ pub(crate) struct Jog {
   tip drives monitor robot.toml            until Ctrl-C
   tip drives monitor robot.toml --once     one table
 
-Exit status: 0 with --once, 130 after Ctrl-C, 1 if a servo does not answer.")]
+Exit status: 0 with --once, 130 after Ctrl-C or when the reader of the table is gone (129 after SIGHUP,
+as when its terminal is closed), 1 if a servo does not answer.")]
 pub(crate) struct Monitor {
     #[command(flatten)]
     robot: RobotArguments,
@@ -213,8 +231,8 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
         }
     };
     Ok(match stopped {
-        // Ctrl-C and ESC end it as q does.
-        Status::Interrupted => Status::Success,
+        // ESC ends it as q does; signals and Ctrl-C end it as they end every command.
+        Status::Interrupted if !interrupt::is_requested() => Status::Success,
         stopped => stopped,
     })
 }
@@ -236,12 +254,9 @@ fn monitor(arguments: &Monitor) -> Result<Status, Error> {
             text
         };
         let mut out = io::stdout().lock();
-        if out
-            .write_all(shown.as_bytes())
-            .and_then(|()| out.flush())
-            .is_err()
-        {
-            return Ok(Status::Success);
+        let written = out.write_all(shown.as_bytes()).and_then(|()| out.flush());
+        if let Err(error) = written {
+            return unread(error, arguments.once);
         }
         if let Some(failure) = failure {
             return Err(connection.failed(failure));
@@ -253,6 +268,19 @@ fn monitor(arguments: &Monitor) -> Result<Status, Error> {
             return Ok(Status::Interrupted);
         }
         realtime::wait_until(Instant::now() + Duration::from_millis(200));
+    }
+}
+
+/// Ends a table that nobody can read any more.
+fn unread(error: io::Error, once: bool) -> Result<Status, Error> {
+    if is_closed(&error) && once {
+        return Ok(Status::Success);
+    }
+    // The signal of a terminal that was closed may come after the error.
+    realtime::sleep(SIGNAL_TIME);
+    match interrupt::is_requested() || is_closed(&error) {
+        true => Ok(Status::Interrupted),
+        false => Err(Error::cannot_write(Path::new("standard output"), error)),
     }
 }
 

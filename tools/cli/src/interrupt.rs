@@ -87,13 +87,15 @@ fn listen_for_robot() {
         SIGALRM, SIGINT, SIGIO, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1,
         SIGUSR2, SIGVTALRM, SIGXCPU,
     };
+    /// A file has become longer than its limit.
+    const XFSZ: i32 = rustix::process::Signal::XFSZ.as_raw();
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let ignored = [SIGINT, SIGTERM, SIGQUIT].into_iter();
         let ignored = ignored.filter(|signal| is_ignored(*signal));
         let others = [
             SIGALRM, SIGIO, SIGPROF, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGVTALRM,
-            SIGXCPU,
+            SIGXCPU, XFSZ,
         ];
         listen_for(ignored.chain(others));
     });

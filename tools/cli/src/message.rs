@@ -928,6 +928,9 @@ tipc::message_table! {
     NoServoToFail { text: String, id: u32 }
         "`{text}` can never happen: the robot has no servo {id}",
         "`{text}` は起こりません。サーボ{id}はありません";
+    WereStiff { joints: String }
+        "the torque of these servos was on before this run, and stays on: {joints}. They hold; support the robot before you switch their power off",
+        "次のサーボはこの実行の前からトルクが入っており、入ったままです: {joints}。電源を切る前にロボットを支えてください";
     NeedsYes
         "the robot is about to move, and no one can press a key: give --yes if that is safe",
         "ロボットが動きますが、キーを押す人がいません。安全なら--yesを付けてください";
@@ -976,12 +979,18 @@ tipc::message_table! {
     Doubtful { id: u32, family: &'static str }
         "servo {id} answers as {family} would, but with values that such a servo cannot have: is it of another family?",
         "サーボ{id}の応答は{family}の形式ですが、値がありえません。別の系列ではありませんか?";
-    NoServo { id: u32 }
-        "servo {id} does not answer: look at power, wiring, --baud and --family",
-        "サーボ{id}が応答しません。電源、配線、--baud、--familyを確かめてください";
+    AnswersOtherwise { id: u32, family: &'static str, other: &'static str, key: &'static str }
+        "servo {id} does not answer as {family} does, but as {other}: give --family {key}",
+        "サーボ{id}は{family}としては応答せず、{other}として応答します。--family {key} を指定してください";
+    NoServo { id: u32, family: &'static str, others: String }
+        "no servo {id} of {family} answers: look at power, wiring and --baud (new X servos have 57600, LX always 115200); nor does one answer as --family {others} at this speed",
+        "{family}のサーボ{id}が応答しません。電源、配線、--baudを確かめてください(新しいXは57600、LXは常に115200)。この速度では --family {others} の応答もありません";
+    NoneOfFamily { family: &'static str, others: String }
+        "no servo of {family} answers: look at power, wiring and --baud (new X servos have 57600, LX always 115200), or try the other families, {others}: without --family all of them are asked",
+        "応答する{family}のサーボがありません。電源、配線、--baudを確かめる(新しいXは57600、LXは常に115200)か、他の系列({others})を試してください。--familyを省くとすべて試します";
     NothingFound
-        "no servo answers: look at power, wiring, --baud and --family",
-        "応答するサーボがありません。電源、配線、--baud、--familyを確かめてください";
+        "no servo answers, of any family: look at power, wiring and --baud (new X servos have 57600, LX always 115200)",
+        "どの系列のサーボも応答しません。電源、配線、--baudを確かめてください(新しいXは57600、LXは常に115200)";
     Renamed { id: u32, to: u32 }
         "servo {id} is servo {to} now",
         "サーボ{id}のIDを{to}にしました";
@@ -1012,9 +1021,15 @@ tipc::message_table! {
     AtPositive { joint: String }
         "{joint} a little in its positive direction",
         "{joint}を正の向きに少し";
-    NotTurned
-        "it has turned by less than 3 deg; its sign stays",
-        "3度以上回っていないので、符号は変えません";
+    NotTurned { joint: String }
+        "{joint} has turned by less than 3 deg, so its sign and its 0 are not certain: do it again, or skip it",
+        "{joint}は3度以上回っていないため、符号も角度0も決められません。やり直すか、飛ばしてください";
+    ZeroSkipped { joint: String }
+        "{joint} is skipped; its sign and its offset stay",
+        "{joint}を飛ばしました。符号とオフセットは変えません";
+    ZeroUnfinished { joints: String }
+        "the input ended before these joints were done: {joints}",
+        "入力が終わったため、次の関節は終わっていません: {joints}";
     ZeroWritten { joints: String, file: Text }
         "{file} has the signs and offsets of {joints} now",
         "{joints}の符号とオフセットを{file}に書き込みました";

@@ -7,8 +7,8 @@ mod refusal;
 mod summary;
 
 use super::arguments::RunArguments;
-use super::drives::realtime;
 use super::drives::robot::{Connection, Setup};
+use super::drives::{realtime, report_stiff};
 use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;
@@ -227,16 +227,11 @@ fn run(arguments: &Run) -> Result<Status, Error> {
         process,
         connection,
     };
-    // A process that does not start leaves no file.
-    let begun = match program {
-        Some(program) => Some(job.new_run(program, &robot)?),
-        None => None,
-    };
-    // The trace comes next: it changes nothing before the end, and if it cannot be written, no log is touched.
-    let trace = match (&arguments.trace, &begun) {
-        (Some(path), Some(_)) => Some(Trace::begin(path, arguments)?),
-        _ => None,
-    };
+    let prepared = job.prepare(program, &robot);
+    if let (Err(_), Some(connection)) = (&prepared, &job.connection) {
+        report_stiff(connection, arguments.lang());
+    }
+    let (begun, trace) = prepared?;
     // Nothing is opened any more that a reader may keep waiting.
     if let Some(connection) = &job.connection
         && let Some(status) = connection.stand_ready(job.is_live())
@@ -280,17 +275,10 @@ fn connected(
     let lang = arguments.lang();
     let setup = Setup::new(file, description, lang)?;
     let connection = setup.open(file, arguments.port.as_deref(), lang)?;
-    connection.connect(arguments.quiet)?;
-    if !connection.is_simulated() && !arguments.yes {
-        connection.announce();
-        if !io::stdin().is_terminal() {
-            return Err(Error::usage(Driving::NeedsYes, lang));
-        }
-        report::say(Driving::PressReturn, lang);
-        // RETURN alone: not what someone answers who does not want it.
-        if !input::line()?.is_some_and(|line| line.trim().is_empty()) {
-            return Ok(None);
-        }
+    let is_wanted = agreed(arguments, &connection);
+    if !matches!(is_wanted, Ok(true)) {
+        report_stiff(&connection, lang);
+        return is_wanted.map(|_| None);
     }
     if arguments.fifo {
         realtime::warn(&realtime::prioritise(), lang);
@@ -298,7 +286,42 @@ fn connected(
     Ok(Some(connection))
 }
 
+/// Finds the servos, and returns true if the operator wants the robot to move.
+fn agreed(arguments: &Run, connection: &Connection) -> Result<bool, Error> {
+    let lang = arguments.lang();
+    connection.connect(arguments.quiet)?;
+    if connection.is_simulated() || arguments.yes {
+        return Ok(true);
+    }
+    connection.announce();
+    if !io::stdin().is_terminal() {
+        return Err(Error::usage(Driving::NeedsYes, lang));
+    }
+    report::say(Driving::PressReturn, lang);
+    // RETURN alone: not what someone answers who does not want it.
+    Ok(input::line()?.is_some_and(|line| line.trim().is_empty()))
+}
+
 impl Job<'_> {
+    /// Returns the run before its first cycle, and the file of its trace.
+    fn prepare(
+        &self,
+        program: Option<Program>,
+        robot: &Robot,
+    ) -> Result<(Option<tip_sim::Run>, Option<Trace>), Error> {
+        // A process that does not start leaves no file.
+        let begun = match program {
+            Some(program) => Some(self.new_run(program, robot)?),
+            None => None,
+        };
+        // The trace comes next: it changes nothing before the end, and if it cannot be written, no log is touched.
+        let trace = match (&self.arguments.trace, &begun) {
+            (Some(path), Some(_)) => Some(Trace::begin(path, self.arguments)?),
+            _ => None,
+        };
+        Ok((begun, trace))
+    }
+
     /// Returns the run before its first cycle.
     fn new_run(&self, program: Program, robot: &Robot) -> Result<tip_sim::Run, Error> {
         let run = self.start(Interpreter::new(program), robot)?.followed();

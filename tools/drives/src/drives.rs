@@ -470,6 +470,19 @@ impl<P: Port> Drives<P> {
         self.check(0.0)
     }
 
+    /// Returns the joints whose torque is on, as their servos answer now. Those that do not answer are left out.
+    pub fn stiff(&mut self) -> Vec<usize, MAX_SERVOS> {
+        let tries = self.bus.tries();
+        self.bus.set_tries(2);
+        let is_stiff = |joint: &usize| {
+            let Joint { id, model, .. } = self.joints[*joint].joint;
+            model.family.is_stiff(&mut self.bus, id) == Ok(true)
+        };
+        let found = (0..self.joints.len()).filter(is_stiff).collect();
+        self.bus.set_tries(tries);
+        found
+    }
+
     /// Returns the time of commanding all servos, ms.
     fn write_time(&self) -> f64 {
         let family = self.family();

@@ -249,6 +249,12 @@ pub trait Family: fmt::Debug + Sync {
     fn leave(&self, wire: &mut dyn Wire, id: u8, hold: Option<&Setpoint>)
     -> Result<bool, BusError>;
 
+    /// Asks a servo whether its torque is on, whoever switched it on.
+    ///
+    /// # Errors
+    /// The port is gone, or the servo does not answer.
+    fn is_stiff(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError>;
+
     /// Returns the bits of an error byte that are alarms of the servo; the others are remarks on a request.
     fn alarms(&self, error: u8) -> u8 {
         error

@@ -385,6 +385,10 @@ impl Family for Lx {
             return Self::switch_torque(wire, id, false).map(|()| true);
         };
         Self::set_goal(wire, servo)?;
+        self.is_stiff(wire, id)
+    }
+
+    fn is_stiff(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError> {
         let [is_on] = Self::get(wire, id, LOAD_OR_UNLOAD_READ)?;
         Ok(is_on != 0)
     }

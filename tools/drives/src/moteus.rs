@@ -476,6 +476,11 @@ impl Family for Moteus {
         Ok(answer.is_on == hold.is_some())
     }
 
+    fn is_stiff(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError> {
+        let answer = wire.repeat(|wire| Self::query(wire, id, u64::MAX))?;
+        Ok(answer.is_on)
+    }
+
     fn cause(&self, alarm: u8) -> &'static str {
         match alarm {
             34 | 40 => "voltage",

@@ -649,8 +649,12 @@ impl Family for Table {
             self.limit_torque(wire, servo)?;
             self.write(wire, id, self.goal_position, servo.position)?;
         }
+        Ok(self.is_stiff(wire, id)? == hold.is_some())
+    }
+
+    fn is_stiff(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError> {
         let torque = wire.repeat(|wire| self.read_register(wire, id, self.torque_enable))?;
-        Ok((torque != 0) == hold.is_some())
+        Ok(torque != 0)
     }
 
     fn alarms(&self, error: u8) -> u8 {

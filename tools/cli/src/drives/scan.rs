@@ -238,7 +238,14 @@ pub(super) fn scan(arguments: &Scan) -> Result<Status, Error> {
     }
     let is_interrupted = interrupt::is_requested();
     if count == 0 && !is_interrupted {
-        return Err(Error::failed(Driving::NothingFound, lang));
+        let reason = match arguments.family {
+            Some(family) => Driving::NoneOfFamily {
+                family: family.name(),
+                others: keys_besides(family),
+            },
+            None => Driving::NothingFound,
+        };
+        return Err(Error::failed(reason, lang));
     }
     text.insert_str(
         0,
@@ -276,6 +283,34 @@ fn values(family: &dyn Family, bus: &mut Bus<AnyPort>, id: u8) -> Option<Reading
     found
 }
 
+/// Returns the other family as whose member a servo answers, at the speed of this bus; the one that has its model, if several do.
+fn family_that_answers(
+    bus: &mut Bus<AnyPort>,
+    asked: &'static dyn Family,
+    id: u8,
+) -> Option<&'static dyn Family> {
+    let wire: &mut dyn Wire = bus;
+    let mut heard = Vec::new();
+    for other in FAMILIES.into_iter().filter(|other| *other != asked) {
+        if id <= other.last_id()
+            && let Ok(number) = wire.repeat(|wire| other.identify(wire, id))
+        {
+            heard.push((other, number));
+        }
+    }
+    let is_known = |(family, number): &&(&'static dyn Family, Option<u16>)| {
+        number.is_some_and(|number| Model::numbered(*family, number).is_some())
+    };
+    let best = heard.iter().find(is_known).or(heard.first());
+    best.map(|(family, _)| *family)
+}
+
+/// Returns the names of the other families on the command line.
+fn keys_besides(asked: &'static dyn Family) -> String {
+    let others = FAMILIES.into_iter().filter(|other| *other != asked);
+    others.map(Family::key).collect::<Vec<_>>().join(", ")
+}
+
 pub(super) fn id(arguments: &Id) -> Result<Status, Error> {
     let (lang, family) = (arguments.port.lang(), arguments.family);
     let (from, to) = (arguments.from, arguments.to);
@@ -284,8 +319,22 @@ pub(super) fn id(arguments: &Id) -> Result<Status, Error> {
     let wire: &mut dyn Wire = &mut bus;
     let number = match wire.repeat(|wire| family.identify(wire, from)) {
         Err(BusError::NoAnswer) => {
-            let id = from.into();
-            return Err(Error::failed(Driving::NoServo { id }, lang));
+            let heard = family_that_answers(&mut bus, family, from);
+            let (id, name) = (from.into(), family.name());
+            let reason = match heard {
+                Some(other) => Driving::AnswersOtherwise {
+                    id,
+                    family: name,
+                    other: other.name(),
+                    key: other.key(),
+                },
+                None => Driving::NoServo {
+                    id,
+                    family: name,
+                    others: keys_besides(family),
+                },
+            };
+            return Err(Error::failed(reason, lang));
         }
         number => number.map_err(failed)?,
     };

@@ -20,10 +20,12 @@ use tipc::{description, embed};
   tip drives zero robot.toml            print sign and offset of each [[drive]]
   tip drives zero robot.toml --write    write them into the file
 
-The place of a joint at the key counts, from two equal answers after it. What was found is kept
-when Ctrl-C or a fault ends the command.
+The place of a joint at the key counts, from two equal answers after it. A joint that was skipped, or
+that was not turned, keeps its sign and its offset. What was found is kept when Ctrl-C, a fault or the
+end of the input ends the command.
 
-Exit status: 0, 130 after Ctrl-C, 1 if a servo does not answer.")]
+Exit status: 0 if each joint was turned or skipped, 130 after Ctrl-C, 1 if a servo does not answer or
+the input ended before the last joint.")]
 pub(crate) struct Zero {
     #[command(flatten)]
     robot: RobotArguments,
@@ -43,6 +45,7 @@ const STILL: f64 = 1.0;
 const TURNED: Range = Range::new(3.0, 120.0);
 
 /// An answer to a question about a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Answer {
     /// It is in its place.
     Done,
@@ -71,17 +74,33 @@ pub(super) fn zero(arguments: &Zero) -> Result<Status, Error> {
     interrupt::catch();
     let lang = arguments.robot.lang();
     let connection = arguments.robot.connect_to_measure()?;
+    let joints = 0..connection.setup.joints.len();
+    // The joints from this one on have neither a result nor were they skipped.
+    let unfinished = |first: usize| {
+        let left: Vec<usize> = (first..joints.end).collect();
+        let joints = connection.setup.names(&left);
+        Error::failed(Driving::ZeroUnfinished { joints }, lang)
+    };
     if !release(&connection, lang)? {
-        return Ok(Status::Interrupted);
+        return match interrupt::is_requested() {
+            true => Ok(Status::Interrupted),
+            false => Err(unfinished(0)),
+        };
     }
     report::say(Driving::ZeroHow, lang);
     let mut found = Vec::new();
     let mut failure = None;
-    for place in 0..connection.setup.joints.len() {
+    for place in joints.clone() {
         match zero_one(&connection, place, lang) {
             Ok(Zeroing::Found(one)) => found.push(one),
-            Ok(Zeroing::Skipped) => {}
-            Ok(Zeroing::Ended) => break,
+            Ok(Zeroing::Skipped) => {
+                let joint = connection.setup.name(place);
+                report::say(Driving::ZeroSkipped { joint }, lang);
+            }
+            Ok(Zeroing::Ended) => {
+                failure = Some(unfinished(place));
+                break;
+            }
             Err(error) => {
                 failure = Some(error);
                 break;
@@ -92,8 +111,8 @@ pub(super) fn zero(arguments: &Zero) -> Result<Status, Error> {
     interrupt::hold();
     let status = keep(arguments, &found)?;
     match failure {
+        _ if interrupt::is_requested() => Ok(Status::Interrupted),
         Some(error) => Err(error),
-        None if interrupt::is_requested() => Ok(Status::Interrupted),
         None => Ok(status),
     }
 }
@@ -101,12 +120,7 @@ pub(super) fn zero(arguments: &Zero) -> Result<Status, Error> {
 /// Switches the torque off, after a key if a servo has any; returns false if the operator does not want that.
 fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
     let joints = 0..connection.setup.joints.len();
-    // Not each reading tells it.
-    let is_on = |place: &usize| {
-        let mut readings = (0..3).filter_map(|turn| read(connection, *place, turn).ok().flatten());
-        readings.any(|reading| reading.is_on == Some(true))
-    };
-    let stiff: Vec<usize> = joints.clone().filter(is_on).collect();
+    let stiff = connection.robot().drives_mut().stiff();
     if !stiff.is_empty() {
         let joints = connection.setup.names(&stiff);
         let question = Driving::ZeroReleases { joints };
@@ -152,41 +166,43 @@ fn zero_one(connection: &Connection, place: usize, lang: Lang) -> Result<Zeroing
         let question = Driving::AtPositive {
             joint: joint.clone(),
         };
-        let turned = match answer(&question, lang)? {
-            Answer::Done => match position(connection, place, lang)? {
-                Some(second) => Turned::between(own.model, first, second),
-                None => continue,
-            },
-            Answer::Skip | Answer::Ended => Turned::default(),
+        match answer(&question, lang)? {
+            Answer::Ended => return Ok(Zeroing::Ended),
+            Answer::Skip => return Ok(Zeroing::Skipped),
+            Answer::Done => {}
+        }
+        let Some(second) = position(connection, place, lang)? else {
+            continue;
         };
+        let turned = Turned::between(own.model, first, second);
         let angle = turned.angle;
         if turned.is_ambiguous {
             let (joint, angle) = (joint.clone(), format!("{:.0}", angle.abs()));
             report::say(Driving::TurnedTooFar { joint, angle }, lang);
             continue;
         }
+        // Neither its sign nor the place of its 0 is certain then: the hand may have turned another joint.
+        if angle.abs() < TURNED.min {
+            let joint = joint.clone();
+            report::say(Driving::NotTurned { joint }, lang);
+            continue;
+        }
         if turned.crosses_the_end {
             let (joint, end) = (joint.clone(), own.model.largest.unsigned_abs());
             report::say(Driving::OverTheEnd { joint, end }, lang);
         }
-        let sign = if angle.abs() < TURNED.min {
-            report::say(Driving::NotTurned, lang);
-            own.sign
-        } else {
-            angle.signum()
-        };
         let offset = own.model.angle(first.into());
         return Ok(Zeroing::Found(Zeroed {
             place,
             joint,
-            sign,
+            sign: angle.signum(),
             offset: (offset * 10.0).round() / 10.0,
         }));
     }
 }
 
 /// A turn of a motor by hand.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Turned {
     /// deg
     angle: f64,

@@ -4,7 +4,7 @@ use crate::support::{Folder, Outcome};
 use crate::torque::leg;
 use crate::view::data;
 use serde_json::Value;
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader};
 use std::process::{Child, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -338,6 +338,7 @@ fn a_file_without_a_bus_or_a_port_says_what_is_missing() {
     let said = outcome.out + &outcome.err;
     let same = "cannot have the identity 1: that of J11 has it";
     assert!(said.contains(same), "{said}");
+    assert!(said.contains("give each servo its own `id`"), "{said}");
     let nowhere = ["--port", "/dev/nowhere", "--yes"];
     let run = [&["run", program, "--hardware", "port.toml"][..], &nowhere].concat();
     let outcome = folder.tip(&run).expect(1);
@@ -475,64 +476,6 @@ fn a_killed_host_leaves_servos_that_stand() {
     assert_eq!(stopped.len(), 12);
     std::thread::sleep(Duration::from_secs(1));
     assert_eq!(counts(), stopped);
-}
-
-/// A hand that turns nothing: the motor angles of now are the zeros, and the signs stay.
-#[test]
-fn zeros_are_written_into_the_description_and_nothing_else_changes() {
-    let folder = crate_for("spotmicro");
-    let text = folder.read("it/robot.toml");
-    let text = text.replacen("offset = 0\n", "offset=0   # by eye\n", 1);
-    let text = text.replacen("id = 2\nsign = 1\n", "id = 2\n", 1);
-    let folder = folder.file("robot.toml", text.clone());
-    let zero = |options: &[&str], keys: &str| {
-        let all = [&["drives", "zero", "robot.toml"][..], options].concat();
-        let mut command = folder.command(&all);
-        command
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped());
-        let mut child = command.spawn().expect("it starts");
-        let mut input = child.stdin.take().expect("a pipe");
-        input.write_all(keys.as_bytes()).expect("it reads");
-        drop(input);
-        Outcome::of(child.wait_with_output().expect("it ends"))
-    };
-    // Each joint takes two lines; the third one is skipped, and no answer for the fourth ends it. A word is no answer.
-    let keys = "\n\nquit\n\n\ns\n";
-    let printed = zero(&[], keys).expect(0).out;
-    assert_eq!(folder.read("robot.toml"), text);
-    let offset = |joint: &str| {
-        let mut lines = printed.lines();
-        let line = lines.find(|line| line.contains(joint)).expect("printed");
-        let (_, offset) = line.split_once("offset = ").expect("an offset");
-        offset.to_owned()
-    };
-    let skipped = zero(&["--write"], "s\n").expect(0).err;
-    assert!(skipped.contains("robot.toml stays as it is"), "{skipped}");
-    assert_eq!(folder.read("robot.toml"), text);
-    let written = zero(&["--write"], keys).expect(0).out;
-    assert_eq!(
-        written,
-        "robot.toml has the signs and offsets of J11, J12 now\n"
-    );
-    let (first, second) = (offset("J11"), offset("J12"));
-    let old = "joint = \"J12\"\nid = 2\noffset = ";
-    let (before, after) = text.split_once(old).expect("the second");
-    let (_, after) = after.split_once('\n').expect("more lines");
-    let before = before.replacen("offset=0   #", &format!("offset= {first}   #"), 1);
-    let expected = format!("{before}joint = \"J12\"\nsign = 1\nid = 2\noffset = {second}\n{after}");
-    assert_eq!(folder.read("robot.toml"), expected);
-    folder.tip(&["robot", "check", "robot.toml"]).expect(0);
-    // The third joint stands at -76 deg: with that as its zero, its limits would be beyond the servo's travel.
-    let outcome = zero(&["--write"], "s\ns\n\n\n").expect(1);
-    assert!(outcome.err.contains("robot.toml is not changed"));
-    assert!(
-        outcome
-            .out
-            .contains("joint = \"J13\", sign = 1, offset = -7")
-    );
-    assert_eq!(folder.read("robot.toml"), expected);
 }
 
 #[test]

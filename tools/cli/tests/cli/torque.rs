@@ -446,6 +446,56 @@ fn jog_leaves_the_robot_as_the_file_says() {
     );
 }
 
+/// `q` and ESC are its own ends; what ends every command has the status that it has everywhere.
+#[test]
+fn jog_ends_with_the_status_of_the_signal() {
+    for (sent, status) in [(Signal::TERM, 143), (Signal::HUP, 129), (Signal::INT, 130)] {
+        let robot = leg("relax", "hold", "");
+        let mut session = Session::new(&format!("jog-signal-{status}"), &robot, 0.5, WAITS);
+        let child = session.start(&["drives", "jog", "robot.toml", "J12"]);
+        session.bus.await_that("it holds", |bus| {
+            bus.servos().iter().all(|servo| servo.has_torque())
+        });
+        signal(&child, sent);
+        let outcome = session.ended(child).expect(status);
+        assert_eq!(session.bus.stiff(), stiff("relax"), "{outcome:#?}");
+    }
+}
+
+/// A run that ends before its first torque leaves stiff servos stiff, and says so.
+#[test]
+fn servos_that_were_stiff_before_a_run_that_does_not_start_are_named() {
+    let mut session = Session::new("stiff-before", &leg("hold", "hold", ""), 0.5, "END");
+    let cold = leg("hold", "hold", "voltage = [20, 24]");
+    std::fs::write(session.folder.path("cold.toml"), cold).expect("a file");
+    let said = "was on before this run, and stays on: J11 (servo 1), J12 (servo 2), J13 (servo 3)";
+    let refused = |session: &Session| {
+        let child = session.start(&["run", "p.prg", "--hardware", "robot.toml"]);
+        for key in *b"q\r" {
+            session.pty.press(key);
+        }
+        let declined = session.ended(child).expect(130).err;
+        let jog = ["drives", "jog", "cold.toml", "J12"];
+        let run = ["run", "p.prg", "--hardware", "cold.toml", "--yes"];
+        let mut all = vec![declined];
+        for arguments in [&jog[..], &run] {
+            let child = session.start(arguments);
+            all.push(session.ended(child).expect(1).err);
+        }
+        all
+    };
+    for err in refused(&session) {
+        assert!(!err.contains("stays on"), "{err}");
+    }
+    assert!(session.bus.stiff().is_empty());
+    let child = session.run();
+    session.ended(child).expect(0);
+    for err in refused(&session) {
+        assert!(err.contains(said), "{err}");
+        assert_eq!(session.bus.stiff(), ALL);
+    }
+}
+
 #[test]
 fn a_port_has_one_master() {
     let session = Session::new("two-masters", &leg("hold", "hold", ""), 0.5, WAITS);

@@ -6,7 +6,9 @@ use rustix::termios::tcgetattr;
 use std::os::fd::OwnedFd;
 use std::process::Stdio;
 
-const FLAGS: OpenptFlags = OpenptFlags::RDWR.union(OpenptFlags::NOCTTY);
+const FLAGS: OpenptFlags = OpenptFlags::RDWR
+    .union(OpenptFlags::NOCTTY)
+    .union(OpenptFlags::CLOEXEC);
 
 /// Both ends of a pseudo terminal.
 pub(crate) struct Pty {
