@@ -131,6 +131,9 @@ tipc::message_table! {
     OtherSweep { file: Text }
         "{file} belongs to another sweep, with another program, robot, scene, options or version of tip: use its options, or another file",
         "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプション、tipのバージョンのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+    DamagedPart { part: Text, line: String }
+        "line {line} of {part} is damaged, or of another version of tip: restore the file, or remove it to start again",
+        "{part} の{line}行目は壊れているか、別のバージョンのtipのものです。ファイルを元に戻すか、削除して最初から実行してください";
     NotATableName { file: Text }
         "{file} is not the name of a table: write a name that ends in .csv, or '-o -' for standard output",
         "{file} は表の名前ではありません。.csvで終わる名前か、標準出力を表す '-o -' を指定してください";
