@@ -388,6 +388,12 @@ tipc::message_table! {
     Collided { one: Part, other: Part, by: String, time: String, cycle: String }
         "{one} and {other} overlap by {by} mm after {time} s, in cycle {cycle}",
         "{one}と{other}が{time} s、周期{cycle}で{by} mm重なりました";
+    WaitForEachOther { waits: Text, time: String, cycle: String }
+        "threads wait for each other after {time} s, from cycle {cycle} on: {waits}; only STOP_THREAD ends that",
+        "{time} s、周期{cycle}からスレッドが互いに待ち合っています: {waits}。STOP_THREADでしか終わりません";
+    InLine { thread: String, line: u32 }
+        "{thread} in line {line}",
+        "{line}行目の{thread}";
     Unsupported { time: String, cycle: String }
         "the robot lost its support after {time} s, in cycle {cycle}",
         "ロボットが{time} s、周期{cycle}で支えを失いました";
