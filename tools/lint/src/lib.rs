@@ -24,8 +24,18 @@ use tipc::code::Level;
 use tipc::diagnostic::{Diagnostic, Omitted};
 use tipc::load::lowered;
 
-/// Reads, checks and lowers a program as [`tipc::load()`] does, and adds lints and the known fixes.
+/// Reads, checks and lowers a program as [`tipc::load()`] does, and adds lints and the known fixes. Many errors of a program that
+/// has none for another built-in robot are one error, which names that robot.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
+    let mut loaded = load_all_errors(name, bytes, options);
+    if let Some(robot) = other_robot(&loaded, bytes, options) {
+        report_robot(&mut loaded, robot, options.robot.name());
+    }
+    loaded
+}
+
+/// Loads a program as [`load`] does, with every error of one that was written for another robot.
+pub fn load_all_errors(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (mut loaded, found) = lowered(name, bytes, options);
     let found = lints::find(&loaded, found, bytes, options);
     loaded.report(found);
@@ -37,13 +47,6 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         words::fixer,
     );
     loaded
-}
-
-/// Replaces all errors of a program by one if they are many, and a built-in robot exists for which it has none.
-pub fn recognize_robot(loaded: &mut Loaded, bytes: &[u8], options: &Options) {
-    if let Some(robot) = other_robot(loaded, bytes, options) {
-        report_robot(loaded, robot, options.robot.name());
-    }
 }
 
 /// Number of errors from which on other robots are tried.
