@@ -59,7 +59,8 @@ fn errors(loaded: &Loaded) -> impl Iterator<Item = &Diagnostic> {
 
 /// Returns the robot for which a program with many errors has none.
 fn other_robot(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<&'static str> {
-    if errors(loaded).count() < MANY {
+    // A text with more errors than are reported is no program of any robot, and reading it again would take its memory again.
+    if errors(loaded).count() < MANY || loaded.omitted.count() > 0 {
         return None;
     }
     let others = Robot::ALL.iter().copied();
