@@ -243,6 +243,10 @@ def runs():
     found = tip.check("3.1\nt\nPTPP F1\nEND\n")
     assert [(one.level, one.line) for one in found] == [("error", 3)] and found[0].code.startswith("E2"), found
     assert not tip.check("walk.prg")
+    grasp = "3.1\nt\nPTP FLOOR 0 0 0\nTORQUE J11 200\nTORQUE J21 100\nTORQUE J31 100\nEND\n"
+    other = tip.check(grasp)
+    assert len(other) == 1 and "this looks like a program for hand" in other[0].reason, other
+    assert not [one for one in tip.check(grasp, robot="hand") if one.level == "error"]
     assert tip.check("3.1\nt\nPTPP F1\nEND\n", lang="ja")[0].reason != found[0].reason
     print("runs, checks and exceptions: as documented")
 

@@ -62,11 +62,7 @@ pub(super) fn load_file(path: &Path, options: &Options) -> Loaded {
 
 fn loaded(name: String, read: Result<Vec<u8>, Reading>, options: &Options) -> Loaded {
     match read {
-        Ok(bytes) => {
-            let mut loaded = tip_lint::load(&name, &bytes, options);
-            tip_lint::recognize_robot(&mut loaded, &bytes, options);
-            loaded
-        }
+        Ok(bytes) => tip_lint::load(&name, &bytes, options),
         Err(reason) => unreadable(name, reason),
     }
 }

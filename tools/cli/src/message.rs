@@ -131,6 +131,9 @@ tipc::message_table! {
     OtherSweep { file: Text }
         "{file} belongs to another sweep, with another program, robot, scene, options or version of tip: use its options, or another file",
         "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプション、tipのバージョンのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+    DamagedPart { part: Text, line: String }
+        "line {line} of {part} is damaged, or of another version of tip: restore the file, or remove it to start again",
+        "{part} の{line}行目は壊れているか、別のバージョンのtipのものです。ファイルを元に戻すか、削除して最初から実行してください";
     NotATableName { file: Text }
         "{file} is not the name of a table: write a name that ends in .csv, or '-o -' for standard output",
         "{file} は表の名前ではありません。.csvで終わる名前か、標準出力を表す '-o -' を指定してください";
@@ -385,6 +388,12 @@ tipc::message_table! {
     Collided { one: Part, other: Part, by: String, time: String, cycle: String }
         "{one} and {other} overlap by {by} mm after {time} s, in cycle {cycle}",
         "{one}と{other}が{time} s、周期{cycle}で{by} mm重なりました";
+    WaitForEachOther { waits: Text, time: String, cycle: String }
+        "threads wait for each other after {time} s, from cycle {cycle} on: {waits}; only STOP_THREAD ends that",
+        "{time} s、周期{cycle}からスレッドが互いに待ち合っています: {waits}。STOP_THREADでしか終わりません";
+    InLine { thread: String, line: u32 }
+        "{thread} in line {line}",
+        "{line}行目の{thread}";
     Unsupported { time: String, cycle: String }
         "the robot lost its support after {time} s, in cycle {cycle}",
         "ロボットが{time} s、周期{cycle}で支えを失いました";

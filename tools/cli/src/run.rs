@@ -23,11 +23,12 @@ use emergency::Stopped;
 use files::Trace;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
-use summary::{collision, driven, fall, json, summary};
+use summary::{collision, driven, fall, json, summary, wait_circle};
 use tip_runtime::console::{LogFiles, Terminal};
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{
-    ExternalPlant, FallKind, Inputs, Interpreter, Observer, Robot, SummaryBuilder, WaitDetector,
+    ExternalPlant, FallKind, Inputs, Interpreter, Observer, Robot, SummaryBuilder, WaitCircle,
+    WaitDetector,
 };
 use tipc::Loaded;
 use tipc::description::Description;
@@ -357,6 +358,7 @@ impl Job<'_> {
             fell: false,
             collided: false,
             waits: WaitDetector::default(),
+            circles: Vec::new(),
             has_waited: false,
             figures: SummaryBuilder::new(robot),
         };
@@ -475,6 +477,8 @@ struct Watch<'a> {
     fell: bool,
     collided: bool,
     waits: WaitDetector,
+    /// Threads that wait for each other and were reported.
+    circles: Vec<WaitCircle>,
     /// True if a long wait was reported.
     has_waited: bool,
     figures: SummaryBuilder,
@@ -526,6 +530,24 @@ impl Watch<'_> {
         }
     }
 
+    /// Reports threads that wait for each other, once.
+    fn report_circles(&mut self, run: &tip_sim::Run) {
+        if self.job.arguments.quiet {
+            return;
+        }
+        for found in WaitCircle::all(run) {
+            if self.circles.contains(&found) {
+                continue;
+            }
+            if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
+                let lang = self.job.arguments.lang();
+                let text = wait_circle(&found, run, &self.job.loaded.source, program, lang);
+                screen.progress.above(|| report::complain(&text));
+            }
+            self.circles.push(found);
+        }
+    }
+
     /// Reports what a run waits for: in the line of progress on a terminal, else once after a long wait.
     fn report_wait(&mut self, run: &mut tip_sim::Run, cycle: u64) {
         let is_long = self.waits.rest(run) >= LONG_WAIT;
@@ -569,6 +591,7 @@ impl Observer for Watch<'_> {
             return;
         }
         self.waits.after(run);
+        self.report_circles(run);
         self.figures.after(run, self.waits.now(run));
         if self.trace.as_ref().is_some_and(|trace| !trace.is_open()) {
             interrupt::request();

@@ -24,8 +24,18 @@ use tipc::code::Level;
 use tipc::diagnostic::{Diagnostic, Omitted};
 use tipc::load::lowered;
 
-/// Reads, checks and lowers a program as [`tipc::load()`] does, and adds lints and the known fixes.
+/// Reads, checks and lowers a program as [`tipc::load()`] does, and adds lints and the known fixes. Many errors of a program that
+/// has none for another built-in robot are one error, which names that robot.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
+    let mut loaded = load_all_errors(name, bytes, options);
+    if let Some(robot) = other_robot(&loaded, bytes, options) {
+        report_robot(&mut loaded, robot, options.robot.name());
+    }
+    loaded
+}
+
+/// Loads a program as [`load`] does, with every error of one that was written for another robot.
+pub fn load_all_errors(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (mut loaded, found) = lowered(name, bytes, options);
     let found = lints::find(&loaded, found, bytes, options);
     loaded.report(found);
@@ -39,13 +49,6 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     loaded
 }
 
-/// Replaces all errors of a program by one if they are many, and a built-in robot exists for which it has none.
-pub fn recognize_robot(loaded: &mut Loaded, bytes: &[u8], options: &Options) {
-    if let Some(robot) = other_robot(loaded, bytes, options) {
-        report_robot(loaded, robot, options.robot.name());
-    }
-}
-
 /// Number of errors from which on other robots are tried.
 const MANY: usize = 4;
 
@@ -56,7 +59,8 @@ fn errors(loaded: &Loaded) -> impl Iterator<Item = &Diagnostic> {
 
 /// Returns the robot for which a program with many errors has none.
 fn other_robot(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<&'static str> {
-    if errors(loaded).count() < MANY {
+    // A text with more errors than are reported is no program of any robot, and reading it again would take its memory again.
+    if errors(loaded).count() < MANY || loaded.omitted.count() > 0 {
         return None;
     }
     let others = Robot::ALL.iter().copied();

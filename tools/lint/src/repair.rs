@@ -17,7 +17,7 @@
 //! assert_eq!(bytes, b"3.1\r\nwait\r\nIF KB_HIT THEN\r\nREM\r\nENDIF\r\nEND\r\n");
 //! ```
 
-use crate::{Loaded, Options, load};
+use crate::{Loaded, Options, load_all_errors};
 use std::cell::Cell;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::Hash;
@@ -280,7 +280,7 @@ impl Repair<'_> {
             return Err(HashSet::new());
         };
         self.bytes.set(left);
-        let loaded = load(source.name(), &bytes, self.options);
+        let loaded = load_all_errors(source.name(), &bytes, self.options);
         if loaded.source.text() != spliced(source.text(), changes) {
             return Err(HashSet::new());
         }

@@ -50,4 +50,4 @@ pub use summary::{
 };
 pub use timeline::Timeline;
 pub use tipc;
-pub use wait_detector::{Wait, WaitDetector};
+pub use wait_detector::{Wait, WaitCircle, WaitDetector};

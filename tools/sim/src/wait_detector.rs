@@ -138,7 +138,7 @@ impl WaitDetector {
         };
         let is_stay = now > self.entered && run.program().at() == self.step;
         if let Some(on) = awaited(program, &step.action).filter(|_| is_stay) {
-            let on = circle(run, program, &step.action).unwrap_or(on);
+            let on = each_other(run, program, &step.action).unwrap_or(on);
             return Some(of([step.line; 2], Some(on), self.entered));
         }
         if self.rest(run) < OFTEN {
@@ -175,22 +175,75 @@ fn awaited(program: &Program, action: &Action) -> Option<Awaited> {
     }
 }
 
-/// Returns the threads that wait for each other, if a step waits for one of them.
-fn circle<'a>(run: &Run, program: &'a Program, mut action: &'a Action) -> Option<Awaited> {
-    let mut waiting: Vec<usize> = Vec::new();
-    while let Action::WaitThread { thread } = action {
-        if let Some(first) = waiting.iter().position(|it| it == thread) {
-            let threads = waiting[first..].iter();
-            let names = threads.filter_map(|it| Some(program.threads().get(*it)?.name.as_str()));
-            let names = names.collect::<Vec<_>>().join(", ").into();
-            return Some(Awaited::EachOther { names });
-        }
-        waiting.push(*thread);
-        let number = u8::try_from(thread + 1).ok()?;
-        let step = Some(run.step_of(number)).filter(|_| run.thread_runs(number))?;
-        action = &program.steps().get(step as usize)?.action;
+/// Threads that wait for each other. Only a STOP_THREAD ends that.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WaitCircle {
+    /// Name of each thread and line of its WAIT_THREAD, in the order of waiting. The first one in the text comes first.
+    pub threads: Vec<(String, u32)>,
+    /// The WAIT_THREAD of the first one.
+    pub step: u32,
+}
+
+impl WaitCircle {
+    /// Returns the circles of a run of the interpreter, also those that the main program does not wait for.
+    pub fn all(run: &Run) -> Vec<Self> {
+        let Some(program) = run.engine::<Interpreter>().map(Interpreter::program) else {
+            return Vec::new();
+        };
+        let threads = 0..program.threads().len();
+        let circles = threads.filter_map(|first| {
+            let circle = circle(run, program, first)?;
+            let is_first = circle[0] == first && circle.iter().min() == Some(&first);
+            if !is_first || circle.len() < 2 {
+                return None;
+            }
+            let waits = circle.iter().filter_map(|thread| {
+                let (_, step) = waits_for(run, program, *thread)?;
+                let line = program.steps().get(step as usize)?.line;
+                Some((program.threads().get(*thread)?.name.to_string(), line))
+            });
+            Some(WaitCircle {
+                threads: waits.collect(),
+                step: waits_for(run, program, first)?.1,
+            })
+        });
+        circles.collect()
     }
-    None
+}
+
+/// Returns the thread for whose end a running thread waits, and the step of its WAIT_THREAD. Threads count from 0.
+fn waits_for(run: &Run, program: &Program, thread: usize) -> Option<(usize, u32)> {
+    let number = u8::try_from(thread + 1).ok()?;
+    let step = Some(run.step_of(number)).filter(|_| run.thread_runs(number))?;
+    match program.steps().get(step as usize)?.action {
+        Action::WaitThread { thread } => Some((thread, step)),
+        _ => None,
+    }
+}
+
+/// Returns the threads that wait for each other, if a thread is one of them or waits for one.
+fn circle(run: &Run, program: &Program, mut thread: usize) -> Option<Vec<usize>> {
+    let mut waiting = Vec::new();
+    loop {
+        if let Some(first) = waiting.iter().position(|it| *it == thread) {
+            return Some(waiting.split_off(first));
+        }
+        waiting.push(thread);
+        thread = waits_for(run, program, thread)?.0;
+    }
+}
+
+/// Returns the wait of the main program for threads that wait for each other.
+fn each_other(run: &Run, program: &Program, action: &Action) -> Option<Awaited> {
+    let Action::WaitThread { thread } = action else {
+        return None;
+    };
+    let threads = circle(run, program, *thread)?;
+    let names = threads
+        .iter()
+        .filter_map(|it| Some(program.threads().get(*it)?.name.as_str()));
+    let names = names.collect::<Vec<_>>().join(", ").into();
+    Some(Awaited::EachOther { names })
 }
 
 /// Returns true if a step does what can be seen without a motion.

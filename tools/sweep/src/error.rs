@@ -66,6 +66,9 @@ tipc::message_table! {
     NotFinite
         "a value is not a finite number",
         "有限の数でない値があります";
+    TooLarge
+        "the numbers are too large: computing with them exceeds the largest number, 1.8e308",
+        "数が大きすぎます: 計算の途中で最大の数1.8e308を超えます";
     EmptyRange
         "the range is empty: the step leads away from its end",
         "範囲が空です: 刻みが終わりから遠ざかる向きです";

@@ -215,15 +215,14 @@ impl Values {
     /// # Errors
     /// The list is empty or too long, or a number is not usable.
     pub(crate) fn listed(&self) -> Result<Option<Vec<f64>>, Sweeping> {
-        let are_finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
         match self {
             Values::List(list) if list.is_empty() => Err(Sweeping::EmptyList),
-            Values::List(list) if !are_finite(list) => Err(Sweeping::NotFinite),
-            Values::List(list) => Ok(Some(list.clone())),
+            Values::List(list) => {
+                usable(list, 0.0)?;
+                Ok(Some(list.clone()))
+            }
             Values::Range { from, to, step } => {
-                if !are_finite(&[*from, *to, *step, to - from]) {
-                    return Err(Sweeping::NotFinite);
-                }
+                usable(&[*from, *to, *step], to - from)?;
                 if *step == 0.0 {
                     return Err(Sweeping::NoStep);
                 }
@@ -238,21 +237,33 @@ impl Values {
                 let values = (0..=steps as u32).map(|index| from + f64::from(index) * step);
                 Ok(Some(values.collect()))
             }
-            Values::Uniform { low, high } if !are_finite(&[*low, *high, high - low]) => {
-                Err(Sweeping::NotFinite)
+            Values::Uniform { low, high } => {
+                usable(&[*low, *high], high - low)?;
+                match low > high {
+                    true => Err(Sweeping::UpsideDown),
+                    false => Ok(None),
+                }
             }
-            Values::Uniform { low, high } if low > high => Err(Sweeping::UpsideDown),
-            // No sample is farther from the mean than 10 deviations.
-            Values::Normal { mean, deviation }
-                if !are_finite(&[mean.abs() + 10.0 * deviation.abs()]) =>
-            {
-                Err(Sweeping::NotFinite)
+            Values::Normal { mean, deviation } => {
+                // No sample is farther from the mean than 10 deviations.
+                usable(&[*mean, *deviation], mean.abs() + 10.0 * deviation.abs())?;
+                match *deviation < 0.0 {
+                    true => Err(Sweeping::NegativeDeviation),
+                    false => Ok(None),
+                }
             }
-            Values::Normal { deviation, .. } if *deviation < 0.0 => {
-                Err(Sweeping::NegativeDeviation)
-            }
-            Values::Uniform { .. } | Values::Normal { .. } => Ok(None),
         }
+    }
+}
+
+/// Returns an error if a given number, or what is computed from them, is not finite.
+fn usable(given: &[f64], computed: f64) -> Result<(), Sweeping> {
+    if !given.iter().all(|number| number.is_finite()) {
+        return Err(Sweeping::NotFinite);
+    }
+    match computed.is_finite() {
+        true => Ok(()),
+        false => Err(Sweeping::TooLarge),
     }
 }
 

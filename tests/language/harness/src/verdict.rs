@@ -175,7 +175,7 @@ impl Expectation {
     fn load(&self, case: &str, settings: &Settings) -> tipc::Loaded {
         let path = root().join("cases").join(format!("{case}.prg"));
         let bytes = fs::read(path).unwrap_or_else(|error| panic!("{error}"));
-        tip_lint::load(&format!("{case}.prg"), &bytes, &settings.load)
+        tip_lint::load_all_errors(&format!("{case}.prg"), &bytes, &settings.load)
     }
 
     fn program(&self, case: &str, settings: &Settings) -> tipc::program::Program {

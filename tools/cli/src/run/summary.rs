@@ -16,7 +16,7 @@ use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{
     Approach, Fall, FallKind, Grasp, Interpreter, Peak, Run, Summary, TravelFigures, Wait,
-    WaitFigure,
+    WaitCircle, WaitFigure,
 };
 use tipc::language::Keyword;
 use tipc::message::{Lang, Message};
@@ -513,6 +513,32 @@ pub(super) fn collision(
         "{}: {}\n{location}",
         weight.in_lang(lang),
         collided.in_lang(lang)
+    )
+}
+
+/// Returns the report of threads that wait for each other from the next cycle on, with the first WAIT_THREAD.
+pub(super) fn wait_circle(
+    found: &WaitCircle,
+    run: &Run,
+    source: &Source,
+    program: &Interpreter,
+    lang: Lang,
+) -> String {
+    let waits = found.threads.iter().map(|(thread, line)| {
+        let (thread, line) = (thread.clone(), *line);
+        let place = Running::InLine { thread, line };
+        place.in_lang(lang).to_string()
+    });
+    let text = Running::WaitForEachOther {
+        waits: waits.collect::<Vec<_>>().join(", ").into(),
+        time: seconds(run.time()),
+        cycle: run.cycles().to_string(),
+    };
+    let location = step_location(source, program.program(), found.step);
+    format!(
+        "{}: {}\n{location}",
+        Weight::Warning.in_lang(lang),
+        text.in_lang(lang)
     )
 }
 

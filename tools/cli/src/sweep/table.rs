@@ -399,9 +399,11 @@ fn resumed(file: &mut File, paths: &Paths, sweep: &Sweep, lang: Lang) -> Result<
                     let part = paths.part.display().to_string().into();
                     return Err(Error::failed(Using::ForeignLines { part }, lang));
                 }
-                // The table of another sweep, or of an older version.
+                // The specification is that of this sweep. Without a row that can be kept, the file is not thrown away.
                 if number == 1 || number == 2 && lines.line.starts_with(b"0,") {
-                    return Err(other_sweep(&paths.table, lang));
+                    let part = paths.part.display().to_string().into();
+                    let line = number.to_string();
+                    return Err(Error::failed(Using::DamagedPart { part, line }, lang));
                 }
                 break;
             }

@@ -55,6 +55,28 @@ fn an_end_in_a_thread_is_told_with_its_line() {
     assert!(outcome.err.contains(waits), "{}", outcome.err);
 }
 
+// clauses: 15.1
+// A stands at its WAIT_THREAD after cycle 1, B after cycle 2.
+#[test]
+fn threads_that_wait_for_each_other_are_reported_once() {
+    let program = "3.2\nt\nSTART_THREAD A:\nSTART_THREAD B:\nL: SLEEP 20\nGOTO L:\nTHREAD A:\nWAIT_THREAD B:\nTHREADEND\n\
+        THREAD B:\nWAIT_THREAD A:\nTHREADEND\nEND\n";
+    let folder = Folder::new("run-circle").file("t.prg", program);
+    let run = |options: &[&str]| {
+        let run = ["run", "t.prg", "--cycles", "50"];
+        folder.tip(&[&run[..], options].concat()).expect(0).err
+    };
+    let reported = run(&[]);
+    let found = "warning: threads wait for each other after 0.060 s, from cycle 3 on: A in line 8, B in line 11; only STOP_THREAD ends that\n --> t.prg:8:1\n";
+    assert!(reported.starts_with(found), "{reported}");
+    assert_eq!(
+        reported.matches("wait for each other").count(),
+        1,
+        "{reported}"
+    );
+    assert_eq!(run(&["--quiet"]), "");
+}
+
 // clauses: 17.3
 // 1048576 bytes hold the 23 of the first line and 5269 texts of 199 bytes; the program appends 5300.
 #[test]

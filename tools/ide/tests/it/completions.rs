@@ -8,8 +8,9 @@ use tipc::language::commands::{COMMANDS, Meaning};
 use tipc::language::{Edition, Keyword};
 use tipc::{Options, published};
 
-/// A walker of three joints with a slider and forces, one with a single joint, and legs of four joints.
-const DESCRIBED: [&str; 3] = [
+/// The robot of an example, a walker of three joints with a slider and forces, one with a single joint, and legs of four joints.
+const DESCRIBED: [&str; 4] = [
+    include_str!("../../../../examples/six-legs/hexapod.toml"),
     "name = \"Sliding\"\nleg = [{ base = [-100, 0, 0], mirror = \"x\" }, { base = [100, 0, 0] }]
 joint = [{ axis = \"z\", link = [50, 0, 0] }, { axis = \"-y\", link = [120, 0, 0] }, { axis = \"y\", link = [140, 0, 0] }]
 [body]\nx = [-10, 10]\ny = [-10, 10]\nz = [-10, 10]\n[forces]\n[slider]\ninitial = [0, 0, 0]\n",

@@ -177,8 +177,11 @@ const BEGIN: &str =
     r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}"#;
 
 fn opened(uri: &str) -> String {
-    let document =
-        json!({ "uri": uri, "languageId": "tip", "version": 1, "text": "3.1\nT\nEND\n" });
+    opened_with(uri, "3.1\nT\nEND\n")
+}
+
+fn opened_with(uri: &str, text: &str) -> String {
+    let document = json!({ "uri": uri, "languageId": "tip", "version": 1, "text": text });
     let params = json!({ "textDocument": document });
     json!({ "jsonrpc": "2.0", "method": "textDocument/didOpen", "params": params }).to_string()
 }
@@ -208,6 +211,29 @@ fn a_defect_in_one_program_leaves_the_others_their_diagnostics() {
     let mut sent: Vec<(String, String)> = sent.collect();
     sent.sort_by(|one, other| one.1.cmp(&other.1));
     assert_eq!(sent, expected);
+}
+
+#[test]
+fn a_program_for_another_robot_is_one_diagnostic_of_an_editor() {
+    let found = |statements: &str| {
+        let text = format!("3.1\nT\n{statements}\nEND\n");
+        let (sent, _) = served(&[BEGIN, &opened_with("file:///a.prg", &text)]);
+        let published = sent.last().expect("diagnostics are published");
+        let published: Value = serde_json::from_str(published).expect("it is JSON");
+        let all = published["params"]["diagnostics"].as_array().cloned();
+        let all = all.expect("a list").into_iter();
+        all.map(|it| it["message"].to_string()).collect::<Vec<_>>()
+    };
+    let grasp = "PTP FLOOR 0 0 0\nTORQUE J11 200\nTORQUE J21 100\nTORQUE J31 100";
+    let one = found(grasp);
+    let says = "this looks like a program for hand";
+    assert!(one.len() == 1 && one[0].contains(says), "{one:?}");
+    // Too few to tell, and a mistake on the hand too.
+    assert_eq!(
+        found("TORQUE J11 200\nTORQUE J21 100\nTORQUE J31 100").len(),
+        3
+    );
+    assert_eq!(found(&format!("{grasp}\nSLEEP X")).len(), 5);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use tip_lint::{Loaded, Options, load, recognize_robot};
+use tip_lint::{Loaded, Options, load};
 use tipc::Robot;
 use tipc::code::{Code, Level};
 use tipc::message::{Lang, Message};
@@ -173,8 +173,7 @@ fn a_program_for_another_robot_is_one_error() {
             robot,
             ..Options::default()
         };
-        let mut loaded = load("p.prg", text.as_bytes(), &options);
-        recognize_robot(&mut loaded, text.as_bytes(), &options);
+        let loaded = load("p.prg", text.as_bytes(), &options);
         let found = loaded.diagnostics.iter();
         let found = found.filter(|it| it.level() == Level::Error);
         found.map(|it| it.reason.to_string()).collect::<Vec<_>>()

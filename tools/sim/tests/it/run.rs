@@ -14,7 +14,7 @@ use tip_runtime::program::End;
 use tip_runtime::record::{Cycle, Ending, Sink};
 use tip_sim::{
     Event, IssuedCommand, Limit, Observer, Plant, ProgramRunner, Refused, Replacement, Robot, Run,
-    WaitDetector, load, message::Awaited,
+    WaitCircle, WaitDetector, load, message::Awaited,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -472,6 +472,54 @@ fn threads_that_wait_for_each_other_are_told() -> Outcome {
         let run = later(&threads(of_b))?;
         let expected = ([5, 5], Some(expected));
         assert_eq!(waits(run, cycles), Some(expected), "{of_b} {cycles}");
+    }
+    Ok(())
+}
+
+// clauses: 15.1
+#[test]
+fn circles_of_threads_are_found_where_the_main_program_does_not_wait() -> Outcome {
+    let circles = |threads: &[(&str, &str)], main: &str| {
+        let starts = threads
+            .iter()
+            .map(|(name, _)| format!("START_THREAD {name}:\n"));
+        let bodies = threads
+            .iter()
+            .map(|(name, body)| format!("THREAD {name}:\n{body}\nTHREADEND\n"));
+        let (starts, bodies) = (starts.collect::<String>(), bodies.collect::<String>());
+        let mut run = later(&format!("{starts}{main}\nEXIT\n{bodies}END"))?.followed();
+        for _ in 0..20 {
+            run.cycle();
+        }
+        let names = |circle: WaitCircle| {
+            let threads = circle.threads.into_iter().map(|(name, _)| name);
+            threads.collect::<Vec<_>>().join(" ")
+        };
+        let found: Vec<String> = WaitCircle::all(&run).into_iter().map(names).collect();
+        Ok::<_, Box<dyn std::error::Error>>(found.join(", "))
+    };
+    let on = |name: &str| format!("WAIT_THREAD {name}:");
+    let (a, b, c, d) = (&*on("A"), &*on("B"), &*on("C"), &*on("D"));
+    let (sleep, key) = ("SLEEP 9999", "KEY_IN");
+    for (threads, main, expected) in [
+        (&[("A", b), ("B", a)][..], sleep, "A B"),
+        // In the order of waiting.
+        (&[("A", c), ("B", a), ("C", b)], sleep, "A C B"),
+        (&[("A", b), ("B", a), ("C", d), ("D", c)], sleep, "A B, C D"),
+        // One that waits for the others belongs to no circle.
+        (&[("A", b), ("B", c), ("C", b)], sleep, "B C"),
+        (&[("A", b), ("B", a)], a, "A B"),
+        // The end of the last one ends all.
+        (&[("A", b), ("B", c), ("C", key)], sleep, ""),
+        (&[("A", b), ("B", "")], sleep, ""),
+        (
+            &[("A", b), ("B", a)],
+            "SLEEP 100\nSTOP_THREAD B:\nSLEEP 9999",
+            "",
+        ),
+        (&[("A", b), ("B", a)], "SLEEP 9999\nSTOP_THREAD B:", "A B"),
+    ] {
+        assert_eq!(circles(threads, main)?, expected, "{threads:?} {main}");
     }
     Ok(())
 }

@@ -124,9 +124,10 @@ fn values_that_no_quantity_has_are_refused() {
     for (axis, reason) in [
         ("Z=1..3/0", "the step is 0"),
         ("Z=3..1", "the range is empty"),
-        ("Z=-1e308..1e308/1e308", "not a finite number"),
-        ("Z=uniform(-1e308,1e308)", "not a finite number"),
-        ("Z=normal(1.7e308,1e308)", "not a finite number"),
+        ("Z=-1e308..1e308/1e308", "the numbers are too large"),
+        ("Z=uniform(-1e308,1e308)", "the numbers are too large"),
+        ("Z=normal(1.7e308,1e308)", "the numbers are too large"),
+        ("Z=uniform(1,1e999)", "a value is not a finite number"),
         ("push.at=-5", "no time or deviation is below 0"),
     ] {
         let said = refused(LIFT, &[axis]);

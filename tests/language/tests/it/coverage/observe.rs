@@ -67,7 +67,7 @@ impl Case {
         let settings = settings.unwrap_or_else(|error| panic!("{name}: {error}"));
         let bytes = fs::read(&program).unwrap_or_else(|error| panic!("{name}: {error}"));
         let on = |settings: &Settings| {
-            let loaded = tip_lint::load(&format!("{name}.prg"), &bytes, &settings.load);
+            let loaded = tip_lint::load_all_errors(&format!("{name}.prg"), &bytes, &settings.load);
             let (module, _) = parse(&loaded.source, settings.load.tip_version);
             Case {
                 names: names(&module),
