@@ -120,6 +120,8 @@ impl Operator {
             consts::SIGUSR2,
             consts::SIGVTALRM,
             consts::SIGXCPU,
+            // A file has become longer than its limit.
+            rustix::process::Signal::XFSZ.as_raw(),
         ];
         #[cfg(not(unix))]
         let more = [];
