@@ -1,6 +1,6 @@
 //! Real robots whose servos are simulated: runs, faults, and `tip drives` on a pseudo-terminal.
 
-use crate::support::{Folder, Outcome};
+use crate::support::Folder;
 use crate::torque::leg;
 use crate::view::data;
 use serde_json::Value;
