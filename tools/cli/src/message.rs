@@ -542,8 +542,11 @@ tipc::message_table! {
         "next:",
         "次のコマンド:";
     Walks { gait: String, ahead: f64, side: f64, turn: f64 }
-        "the motion was tried: a {gait}; with mass the simulated robot walks {ahead} mm/s ahead, {side} mm/s sideways, turns {turn} deg/s, and does not fall, level or on a slope of 5 deg",
-        "動作を試しました: 歩容は {gait} です。質量のあるシミュレーションで、前進{ahead} mm/s、横歩き{side} mm/s、旋回{turn} deg/sで、平地でも5度の坂でも倒れません";
+        "the motion was tried: a {gait}; with mass the simulated robot walks {ahead} mm/s ahead, {side} mm/s sideways, turns {turn} deg/s, and does not fall",
+        "動作を試しました: 歩容は {gait} です。質量のあるシミュレーションで、前進{ahead} mm/s、横歩き{side} mm/s、旋回{turn} deg/sで、倒れません";
+    FallsOnSlope
+        "on a slope of 5 deg it falls or slips: the program's head has the figures",
+        "5度の坂では倒れるか滑ります。数値はプログラムの先頭にあります";
     GaitNeedsEdition
         "a gait needs edition 3.2: leave `--edition` out",
         "歩容には版3.2が必要です。`--edition` を付けないでください";

@@ -241,20 +241,20 @@ impl Motion {
     fn steered(gait: &gait::Gait) -> Self {
         let [ahead, side, turn] = gait.speed.map(f64::round);
         let kind = gait.kind.to_string();
+        let on_slope = (!gait.is_safe_on_slope).then_some(Making::FallsOnSlope);
+        let walks = Making::Walks {
+            gait: kind,
+            ahead,
+            side,
+            turn,
+        };
+        let tried = [Some(walks), on_slope, Some(Making::Steer)];
         Motion {
             main: include_str!("../templates/main_gait.rs"),
             test: include_str!("../templates/test_gait.rs"),
             // 1000 cycles, with a reserve for starting.
             travel: (0.8 * gait.speed[0] * gait.cycle).floor(),
-            tried: vec![
-                Making::Walks {
-                    gait: kind,
-                    ahead,
-                    side,
-                    turn,
-                },
-                Making::Steer,
-            ],
+            tried: tried.into_iter().flatten().collect(),
             only_edition: Some(Edition::V3_2),
             scene: gait.needs_mass().then_some(SceneFile {
                 text: include_str!("../templates/scene_gait.toml"),

@@ -52,6 +52,8 @@ pub(in crate::new) struct Gait {
     pub(in crate::new) speed: [f64; 3],
     /// Control cycle, s.
     pub(in crate::new) cycle: f64,
+    /// True if the robot does not fall on a slope.
+    pub(in crate::new) is_safe_on_slope: bool,
 }
 
 impl Gait {
@@ -63,8 +65,10 @@ impl Gait {
 
 /// Factor between the speeds of two trials.
 const SLOWER: f64 = 0.85;
-/// Maximum number of trials of a kind.
+/// Maximum number of trials of a gait.
 const TRIALS: u32 = 6;
+/// Reserves of a crawl's balance that are tried, relative to what a slope takes. A body that leans far is slow.
+const RESERVES: [f64; 4] = [1.5, 1.0, 0.5, 0.0];
 
 /// Finds the fastest gait that is safe, or a gait of a kind.
 ///
@@ -78,49 +82,74 @@ pub(in crate::new) fn find(robot: &Robot, kind: Option<Kind>) -> Result<Gait, Ma
     if let Some(kind) = kind {
         return find_kind(robot, kind);
     }
-    let mut first = None;
+    let (mut level_only, mut first) = (None, None);
     for kind in Kind::fastest_first(legs) {
         match find_kind(robot, *kind) {
-            Ok(gait) => return Ok(gait),
+            Ok(gait) if gait.is_safe_on_slope => return Ok(gait),
+            Ok(gait) => _ = level_only.get_or_insert(gait),
             Err(reason) => _ = first.get_or_insert(reason),
         }
     }
-    Err(first.unwrap_or(Making::TooFewLegs))
+    level_only.ok_or_else(|| first.unwrap_or(Making::TooFewLegs))
 }
 
-/// Returns a gait of a kind, slowed down until the simulated robot does not fall.
+/// Returns a gait of a kind: one that is safe on a slope, else the first that is safe on a level floor.
+///
+/// # Errors
+/// The robot cannot walk so, or falls in each trial.
 fn find_kind(robot: &Robot, kind: Kind) -> Result<Gait, Making> {
-    let mut plan = Plan::derive(&robot.anatomy(), kind)?;
-    let mut reason = Making::Falls;
-    for _ in 0..TRIALS {
-        let bare = program::text(robot, &plan, "");
-        match try_on_floors(robot, &plan, &bare) {
-            Ok(figures) => {
-                let speed = figures[0].speed;
-                return Ok(Gait {
-                    kind,
-                    program: program::text(robot, &plan, &figures::comment(&figures)),
-                    speed,
-                    cycle: plan.cycle / 1000.0,
-                });
+    let anatomy = robot.anatomy();
+    let (reserves, trials): (&[f64], u32) = match kind {
+        Kind::Crawl => (&RESERVES, TRIALS / 2),
+        _ => (&[0.0], TRIALS),
+    };
+    let (mut level_only, mut reason) = (None, None);
+    for reserve in reserves {
+        let mut plan = match Plan::derive(&anatomy, kind, *reserve) {
+            Ok(plan) => plan,
+            Err(why) => {
+                reason = Some(why);
+                continue;
             }
-            Err(why) => reason = why,
+        };
+        for _ in 0..trials {
+            match try_on_floors(robot, &plan) {
+                Ok(gait) if gait.is_safe_on_slope => return Ok(gait),
+                Ok(gait) => _ = level_only.get_or_insert(gait),
+                Err(why) => reason = Some(why),
+            }
+            plan.slow_down(SLOWER);
         }
-        plan.slow_down(SLOWER);
     }
-    Err(reason)
+    level_only.ok_or_else(|| reason.unwrap_or(Making::Falls))
 }
 
-/// Tries a program on all floors; the first must be passed with mass, and without mass unless the gait needs it.
-fn try_on_floors(robot: &Robot, plan: &Plan, program: &str) -> Result<Vec<Figures>, Making> {
-    let mut all = Vec::new();
+/// Tries a gait on all floors.
+///
+/// # Errors
+/// The robot falls on a level floor, with mass or, unless the gait needs it, without.
+fn try_on_floors(robot: &Robot, plan: &Plan) -> Result<Gait, Making> {
+    let program = program::text(robot, plan, "");
+    let mut rows = Vec::new();
+    let (mut speed, mut is_safe_on_slope) = ([0.0; 3], true);
     for floor in Floor::ALL {
-        let figures = Figures::measure(robot, plan, program, floor)?;
         let may_fall = plan.kind == Kind::Trot && !floor.has_mass();
-        if figures.falls > 0 && !may_fall {
-            return Err(Making::Falls);
+        let figures = Figures::measure(robot, plan, &program, floor);
+        let is_safe = figures.as_ref().is_ok_and(|figures| figures.falls == 0 || may_fall);
+        if floor.is_level() && !is_safe {
+            return Err(figures.err().unwrap_or(Making::Falls));
         }
-        all.push(figures);
+        is_safe_on_slope &= is_safe;
+        if let (Floor::Level, Ok(figures)) = (floor, &figures) {
+            speed = figures.speed;
+        }
+        rows.push((floor, figures.ok()));
     }
-    Ok(all)
+    Ok(Gait {
+        kind: plan.kind,
+        program: program::text(robot, plan, &figures::comment(&rows)),
+        speed,
+        cycle: plan.cycle / 1000.0,
+        is_safe_on_slope,
+    })
 }

@@ -27,7 +27,7 @@ DEF_POS FROM, AIR  // where the feet in the air come from, and where they are
 DEF_POS TICK, PLUS, WAY, MOVE, P
 @single DEF_POS SOON, WEIGHT, BRAKE
 @crawl DEF_POS BODY, OLD, SWAY_TO  // where the body is to lean, where it leans, and where it leaned
-@crawl DEF_POS HOME, AWAY, OTHERS
+@crawl DEF_POS HOME, AWAY, HALF
 
 SWING = <<swing>>  // ms that a foot is in the air
 @pairs STAND = <<stand>>  // ms that all feet stand between two swings
@@ -55,11 +55,14 @@ TICK.Y = TICK.X ; TICK.Z = TICK.X
 RATE = PERIOD / DELAY
 RATES.X = RATE ; RATES.Y = RATE ; RATES.Z = RATE
 FLIGHT = SWING / PERIOD
+FLIGHT = INT FLIGHT  // cycles
 @steady FIRST = STAND / PERIOD
+@steady FIRST = INT FIRST
 @steady ENOUGH = FIRST + FLIGHT
 @steady STANCE = ENOUGH * <<count>>
 @steady STANCE -= FLIGHT  // cycles that a foot stands
 @crawl LONG = SHIFT / PERIOD
+@crawl LONG = INT LONG
 @crawl SHORT = LONG / 3
 @crawl SHORT = INT SHORT
 @crawl PART = FLIGHT + SHORT
@@ -69,8 +72,7 @@ FLIGHT = SWING / PERIOD
 @crawl STANCE -= SHORT  // cycles that a foot stands
 @crawl PART = SWAY / <<others>>
 @crawl AWAY.X = PART ; AWAY.Y = PART ; AWAY.Z = 0
-@crawl PART = 1 / <<others>>
-@crawl OTHERS.X = PART ; OTHERS.Y = PART ; OTHERS.Z = 0
+@crawl HALF.X = 0.5 ; HALF.Y = 0.5 ; HALF.Z = 0
 @single WEIGHT.Y = 1
 @single SOON.X = 0.3 ; SOON.Y = 0.3 ; SOON.Z = 0.3  // s
 @single BRAKE.X = 0.7 ; BRAKE.Y = 0.7 ; BRAKE.Z = 0.7
@@ -232,12 +234,9 @@ ENDIF
 @crawl ENDIF
 @crawl SIDE = HOME.X
 @crawl ENOUGH = FIRST + FLIGHT
-@crawl // It goes with the others as they will stand when the foot is half over, and leans away from that.
+@crawl // It goes with the feet beside it as they will stand when this one is half over, and leans away from it.
 @crawl OLD = BODY
-@crawl SWAY_TO = GO - GO
-@crawl@group SWAY_TO += D#
-@crawl SWAY_TO -= FROM
-@crawl SWAY_TO *= OTHERS
+@crawl SWAY_TO *= HALF
 @crawl WAY = HOME * AWAY
 @crawl SWAY_TO -= WAY
 @crawl PART = FLIGHT / 2

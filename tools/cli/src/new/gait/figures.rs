@@ -1,7 +1,7 @@
 //! Figures of a gait, measured in simulation before it is written.
 
 use crate::message::Making;
-use crate::new::gait::plan::Plan;
+use crate::new::gait::plan::{Plan, SLOPE};
 use std::fmt::Write as _;
 use tip_runtime::plant::{self, Scene, ServoDynamics};
 use tip_sim::{Limit, Plant, Robot, Run, load};
@@ -15,9 +15,6 @@ pub(super) enum Floor {
     SlopeWithoutMass,
 }
 
-/// Slope that a gait is tried on, deg.
-const SLOPE: f64 = 5.0;
-
 impl Floor {
     pub(super) const ALL: [Floor; 4] = [
         Floor::Level,
@@ -30,7 +27,7 @@ impl Floor {
         matches!(self, Floor::Level | Floor::Slope)
     }
 
-    fn is_level(self) -> bool {
+    pub(super) fn is_level(self) -> bool {
         matches!(self, Floor::Level | Floor::LevelWithoutMass)
     }
 
@@ -60,7 +57,6 @@ impl Floor {
 /// Figures of a run with full sticks.
 #[derive(Clone, Debug)]
 pub(super) struct Figures {
-    floor: Floor,
     /// mm/s ahead, mm/s to the right, deg/s
     pub(super) speed: [f64; 3],
     /// The fastest joint, from 1, and its speed, deg/s.
@@ -73,9 +69,9 @@ pub(super) struct Figures {
     pub(super) falls: u32,
 }
 
-/// Times of a trial, s: before the sticks move, for each stick, and between two.
+/// Times of a trial, s: before the sticks move, for each stick besides whole strides, and between two.
 const BEGIN: f64 = 4.0;
-const PUSH: f64 = 4.0;
+const PUSH: f64 = 2.0;
 const REST: f64 = 2.0;
 /// Positions of VR1, VR2 and VR3, V: ahead, to the right, turn, back, and all together.
 const STICKS: [[f64; 3]; 5] = [
@@ -85,6 +81,9 @@ const STICKS: [[f64; 3]; 5] = [
     [0.0, 5.0, 5.0],
     [0.0, 0.0, 10.0],
 ];
+/// Number of random positions of all sticks after them, and their longest time, s.
+const RANDOM: u32 = 16;
+const LONGEST: f64 = 2.0;
 /// Maximum time for sitting down, s.
 const SIT: f64 = 60.0;
 
@@ -106,19 +105,37 @@ impl Figures {
         let at = |seconds: f64| (seconds / cycle).round() as u64;
         let mut events = "0:VR1=5, 0:VR2=5, 0:VR3=5".to_owned();
         let mut time = BEGIN;
+        // Speeds are measured over whole strides: the body leans to both sides in each.
+        let whole = (PUSH / plan.stride).ceil() * plan.stride;
+        let push = PUSH.max(plan.stride) + whole;
         for sticks in STICKS {
-            for (time, [one, two, three]) in [(time, sticks), (time + PUSH, [5.0; 3])] {
+            for (time, [one, two, three]) in [(time, sticks), (time + push, [5.0; 3])] {
                 let now = at(time);
                 // Writing to a String cannot fail.
                 let _ = write!(events, ", {now}:VR1={one}, {now}:VR2={two}, {now}:VR3={three}");
             }
-            time += PUSH + REST;
+            time += push + REST;
+        }
+        let measured = time;
+        let mut random = Random(1);
+        for _ in 0..RANDOM {
+            let now = at(time);
+            for stick in 1..=3 {
+                // A third each: at rest, at an end, anywhere.
+                let volts = match random.below(6) {
+                    0 | 1 => 5.0,
+                    2 => 0.0,
+                    3 => 10.0,
+                    _ => f64::from(random.below(101)) / 10.0,
+                };
+                let _ = write!(events, ", {now}:VR{stick}={volts}");
+            }
+            time += LONGEST * f64::from(10 + random.below(90)) / 100.0;
         }
         let _ = write!(events, ", {}:halt", at(time));
         let run = Run::new(loaded, robot).map_err(|_| fails())?;
         let mut run = run.events(&events).map_err(|_| fails())?;
         let mut figures = Figures {
-            floor,
             speed: [0.0; 3],
             joint: (1, 1),
             rate: 0.0,
@@ -127,31 +144,34 @@ impl Figures {
             falls: 0,
         };
         let joints = plan_joints(&run, plan);
-        run.to_end(Limit::cycles(at(BEGIN)));
+        while run.cycles() < at(BEGIN) && run.ending().is_none() {
+            run.cycle();
+        }
         let mut angles = run.angles().to_vec();
         let mut mark = None;
         while run.cycles() < at(time) && run.ending().is_none() {
             run.cycle();
+            let is_measured = run.cycles() <= at(measured);
             for (place, (now, before)) in run.angles().iter().zip(&angles).enumerate() {
                 let rate = (now - before).abs() / cycle;
-                if rate > figures.rate {
+                if is_measured && rate > figures.rate {
                     figures.rate = rate;
                     figures.joint = (place / joints + 1, place % joints + 1);
                 }
             }
             angles.copy_from_slice(run.angles());
-            if let Some(motion) = run.motion() {
+            if let Some(motion) = run.motion().filter(|_| is_measured) {
                 figures.margin = figures.margin.min(motion.margin);
             }
             for (n, axis) in [0, 1, 2].into_iter().enumerate() {
-                let begin = BEGIN + n as f64 * (PUSH + REST);
-                if run.cycles() == at(begin + PUSH / 2.0) {
+                let end = BEGIN + n as f64 * (push + REST) + push;
+                if run.cycles() == at(end - whole) {
                     mark = run.travel();
                 }
                 if let (true, Some(from), Some(to)) =
-                    (run.cycles() == at(begin + PUSH), mark, run.travel())
+                    (run.cycles() == at(end), mark, run.travel())
                 {
-                    figures.speed[axis] = speed(axis, from, to) / (PUSH / 2.0);
+                    figures.speed[axis] = speed(axis, from, to) / whole;
                 }
             }
         }
@@ -171,6 +191,17 @@ impl Figures {
     }
 }
 
+/// Random numbers that are the same for every robot (Numerical Recipes).
+struct Random(u32);
+
+impl Random {
+    /// Returns a number from 0 to `count` - 1.
+    fn below(&mut self, count: u32) -> u32 {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (self.0 >> 16) % count
+    }
+}
+
 fn plan_joints(run: &Run, plan: &Plan) -> usize {
     (run.angles().len() / plan.feet.len()).max(1)
 }
@@ -187,15 +218,19 @@ fn speed(axis: usize, from: plant::Travel, to: plant::Travel) -> f64 {
 }
 
 /// Returns a table of figures as comments.
-pub(super) fn comment(all: &[Figures]) -> String {
+pub(super) fn comment(all: &[(Floor, Option<Figures>)]) -> String {
     let limit = ServoDynamics::default().speed;
     let mut text = format!(
         "// Tried in simulation with full sticks, friction 0.5; joints turn {limit:.0} deg/s at most:\n\
          //                  ahead, side, turn          fastest joint    margin  slip   falls\n"
     );
-    for figures in all {
+    for (floor, figures) in all {
+        let Some(figures) = figures else {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "// {:15}  it stops at a fault, or its feet slip", floor.name());
+            continue;
+        };
         let Figures {
-            floor,
             speed: [ahead, side, turn],
             joint: (leg, joint),
             rate,

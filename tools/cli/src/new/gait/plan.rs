@@ -11,19 +11,25 @@ use tip_sim::Anatomy;
 
 /// Share of the servos' speed that a gait uses. A trot keeps more for its balance.
 const SPEED_SHARE: f64 = 0.85;
-const TROT_SPEED_SHARE: f64 = 0.75;
+const TROT_SPEED_SHARE: f64 = 0.8;
+/// A crawl leaves some of it to the body's leaning.
+const CRAWL_SPEED_SHARE: f64 = 0.7;
 /// Share of the reach that a stride uses.
 const REACH_SHARE: f64 = 0.8;
 /// Least distance of the centre of mass from the edge of the support polygon, mm.
 const LEAST_MARGIN: f64 = 15.0;
+/// Slope that a gait is made for, deg.
+pub(super) const SLOPE: f64 = 5.0;
 /// Acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.806_65;
 /// Coefficient of friction that gaits are made for.
 const FRICTION: f64 = 0.5;
 /// Half a stride of a trot, as a share of √(h / g): the body tips slowly for so long.
-const TROT_SHARE: f64 = 0.78;
+const TROT_SHARE: f64 = 0.8;
 /// Largest velocities that are tried: mm/s, mm/s, deg/s.
 const FASTEST: Twist = [1000.0, 1000.0, 180.0];
+/// Time for which a program looks ahead at its feet, s.
+const LOOK_AHEAD: f64 = 0.3;
 /// Largest distance of a foot from its place that is tried, mm.
 const FARTHEST: f64 = 300.0;
 
@@ -58,14 +64,20 @@ pub(super) struct Plan {
     pub(super) top: Twist,
     /// Control cycle, ms.
     pub(super) cycle: f64,
+    /// Time in which every foot swings once, s.
+    pub(super) stride: f64,
 }
 
 impl Plan {
-    /// Derives the gait of a robot.
+    /// Derives the gait of a robot. `reserve` is that of a crawl's balance, relative to what a slope takes.
     ///
     /// # Errors
     /// The reason why the robot cannot walk so.
-    pub(super) fn derive(anatomy: &Anatomy, kind: Kind) -> Result<Self, Making> {
+    pub(super) fn derive(
+        anatomy: &Anatomy,
+        kind: Kind,
+        reserve: f64,
+    ) -> Result<Self, Making> {
         let legs = anatomy.legs.len();
         let groups = groups(anatomy, kind)?;
         let cycle = anatomy.standards.period;
@@ -73,13 +85,12 @@ impl Plan {
         let height = -stance.homes[0][2];
         let speed_share = match kind {
             Kind::Trot => TROT_SPEED_SHARE,
+            Kind::Crawl => CRAWL_SPEED_SHARE,
             _ => SPEED_SHARE,
         };
         let limit = speed_share * ServoDynamics::default().speed;
-        let lift_share = if kind == Kind::Trot { 0.1 } else { 0.14 };
-        let lift = ((lift_share * height / 5.0).round() * 5.0).clamp(5.0, 40.0);
         let sway = match kind {
-            Kind::Crawl => stance.sway(legs)?,
+            Kind::Crawl => stance.sway(legs, reserve)?,
             _ => 0.0,
         };
         if kind != Kind::Trot {
@@ -87,28 +98,46 @@ impl Plan {
         }
         let lean_to_side = sway * stance.widest() / (legs as f64 - 1.0);
         let candidates = candidates(kind, cycle, height, lean_to_side);
-        let free = Way {
+        let way = Way {
             anatomy,
             stance: &stance,
             groups: &groups,
             sway: lean_to_side,
-            lift,
+            lift: 0.0,
             limit,
             cycle,
             kind,
         };
-        let mut best: Option<(f64, f64, f64)> = None;
-        for (swing, pause) in candidates {
-            let ahead = free.top(1, swing, pause);
-            // A shorter stride is steadier: a longer one must be worth it.
-            if best.is_none_or(|(_, _, fastest)| ahead > 1.05 * fastest) {
-                best = Some((swing, pause, ahead));
+        let mut best: Option<(f64, f64, f64, f64)> = None;
+        for lift in lifts(kind, height) {
+            for &(swing, pause) in &candidates {
+                let ahead = Way { lift, ..way }.top(1, swing, pause);
+                // A shorter stride is steadier, and a higher step safer: others must be worth it.
+                let least = match best {
+                    Some((of, ..)) if of > lift => 1.3,
+                    _ => 1.06,
+                };
+                if best.is_none_or(|(.., fastest)| ahead > least * fastest) {
+                    best = Some((lift, swing, pause, ahead));
+                }
             }
         }
-        let (swing, pause, ahead) = best.filter(|best| best.2 >= 5.0).ok_or(Making::OutOfReach)?;
+        let best = best.filter(|best| best.3 >= 5.0);
+        let (lift, swing, pause, ahead) = best.ok_or(Making::OutOfReach)?;
+        let free = Way { lift, ..way };
         let top = [free.top(0, swing, pause), ahead, free.top(2, swing, pause)];
-        let reach = free.reach();
+        let mut reach = free.reach();
+        if kind == Kind::Crawl {
+            // Feet that come near each other leave the body too little to stand on.
+            reach = reach.map(|way| way * (0.5 * stance.spacing() / reach[1]).min(1.0));
+        }
         let standing = free.stance_time(swing, pause);
+        // At these speeds the body never waits for its feet.
+        let steady = |way: f64| match kind {
+            Kind::Tripod | Kind::Trot => f64::INFINITY,
+            Kind::Wave | Kind::Crawl => 0.85 * way / (standing / 2.0 + LOOK_AHEAD),
+        };
+        let top = [0, 1, 2].map(|axis: usize| top[axis].min(steady(reach[axis])));
         let ramp = match kind {
             Kind::Tripod | Kind::Trot => swing + pause,
             Kind::Wave | Kind::Crawl => 500.0 * standing,
@@ -133,16 +162,34 @@ impl Plan {
             lower: stance.lower(anatomy),
             top: [
                 round_to(top[0], 5.0).max(1.0),
-                round_to(top[1], 5.0),
+                round_to(top[1], 5.0).max(5.0),
                 round_to(top[2], 1.0).max(1.0),
             ],
             groups,
             cycle,
+            stride: standing + swing / 1000.0,
         })
     }
 
-    /// Makes all speeds slower by a factor.
+    /// Returns the groups of the two feet beside that of a group of one, around the robot.
+    pub(super) fn beside(&self, group: usize) -> [usize; 2] {
+        let order = around(&self.feet);
+        let count = order.len();
+        let leg = self.groups[group][0];
+        let place = order.iter().position(|other| *other == leg).unwrap_or(0);
+        [count - 1, 1].map(|step| {
+            let beside = order[(place + step) % count];
+            let mut groups = self.groups.iter();
+            groups.position(|group| group.contains(&beside)).unwrap_or(0)
+        })
+    }
+
+    /// Makes all speeds slower by a factor, and lets the body wait sooner for its feet.
     pub(super) fn slow_down(&mut self, factor: f64) {
+        self.reach = (self.reach * (1.0 + factor) / 2.0).floor();
+        if self.kind == Kind::Crawl {
+            self.pause = (self.pause / factor / self.cycle).round() * self.cycle;
+        }
         self.top = self.top.map(|top| (top * factor).floor().max(1.0));
     }
 }
@@ -159,16 +206,11 @@ fn groups(anatomy: &Anatomy, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
         return Err(Making::TooFewLegs);
     }
     let feet = &anatomy.feet;
-    let count = legs as f64;
-    let middle = [0, 1].map(|axis| feet.iter().map(|foot| foot[axis]).sum::<f64>() / count);
-    let mut order: Vec<usize> = (0..legs).collect();
     match kind {
         Kind::Trot if legs != 4 => return Err(Making::TrotNeedsFour),
         Kind::Tripod if legs < 6 => return Err(Making::TripodNeedsSix),
         Kind::Trot | Kind::Tripod => {
-            let angle =
-                |leg: usize| (feet[leg][1] - middle[1]).atan2(feet[leg][0] - middle[0]);
-            order.sort_by(|a, b| angle(*a).total_cmp(&angle(*b)));
+            let order = around(feet);
             let every_other = |first: usize| {
                 let mut group: Vec<usize> = order.iter().skip(first).step_by(2).copied().collect();
                 group.sort_unstable();
@@ -179,7 +221,9 @@ fn groups(anatomy: &Anatomy, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
             Ok(groups)
         }
         Kind::Crawl | Kind::Wave => {
+            let middle = middle(feet);
             let is_left = |leg: usize| feet[leg][0] < middle[0];
+            let mut order: Vec<usize> = (0..legs).collect();
             order.sort_by(|a, b| {
                 let sides = is_left(*b).cmp(&is_left(*a));
                 sides.then(feet[*a][1].total_cmp(&feet[*b][1]))
@@ -187,6 +231,21 @@ fn groups(anatomy: &Anatomy, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
             Ok(order.into_iter().map(|leg| vec![leg]).collect())
         }
     }
+}
+
+/// Returns the middle of feet, mm.
+fn middle(feet: &[Point]) -> [f64; 2] {
+    let count = feet.len() as f64;
+    [0, 1].map(|axis| feet.iter().map(|foot| foot[axis]).sum::<f64>() / count)
+}
+
+/// Returns the legs in their order around the robot.
+fn around(feet: &[Point]) -> Vec<usize> {
+    let [x, y] = middle(feet);
+    let angle = |leg: usize| (feet[leg][1] - y).atan2(feet[leg][0] - x);
+    let mut order: Vec<usize> = (0..feet.len()).collect();
+    order.sort_by(|a, b| angle(*a).total_cmp(&angle(*b)));
+    order
 }
 
 /// Returns the times of swing and pause that are tried, ms, the shortest first.
@@ -206,10 +265,25 @@ fn candidates(kind: Kind, cycle: f64, height: f64, lean: f64) -> Vec<(f64, f64)>
             // The body leans over and stops with 0.4 of what friction gives it.
             let way = 2.0 * lean / 1000.0;
             let time = (std::f64::consts::PI.powi(2) * way / (2.0 * 0.4 * FRICTION * GRAVITY)).sqrt();
-            let shift = whole((1200.0 * time).max(300.0));
+            let shift = whole((1200.0 * time).max(500.0));
             let swings = (0..6).map(|n| whole(240.0 + 80.0 * f64::from(n)));
             swings.map(|swing| (swing, shift)).collect()
         }
+    }
+}
+
+/// Returns the heights of steps that are tried, mm, the highest first.
+fn lifts(kind: Kind, height: f64) -> Vec<f64> {
+    let step = |share: f64| (share * height / 5.0).round() * 5.0;
+    match kind {
+        Kind::Trot => {
+            let highest = step(0.1).clamp(10.0, 40.0);
+            let lower = [5.0, 10.0].map(|less| highest - less);
+            let lower = lower.into_iter().filter(|lift| *lift >= 10.0);
+            std::iter::once(highest).chain(lower).collect()
+        }
+        // Without mass, feet up to 20 mm above the lowest one count as standing.
+        _ => vec![step(0.14).clamp(25.0, 40.0)],
     }
 }
 
@@ -266,17 +340,14 @@ impl Stance {
         standing.map(|(_, home)| [home[0], home[1]]).collect()
     }
 
-    fn middle(&self) -> [f64; 2] {
-        let count = self.homes.len() as f64;
-        [0, 1].map(|axis| self.homes.iter().map(|home| home[axis]).sum::<f64>() / count)
-    }
-
     /// Returns how far the body must lean to the middle of the other feet before one lifts.
-    fn sway(&self, legs: usize) -> Result<f64, Making> {
+    fn sway(&self, legs: usize, reserve: f64) -> Result<f64, Making> {
         /// Shares that are tried.
         const SHARES: [f64; 6] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
+        // A slope takes the centre of mass aside, and so do feet that are away from their places.
+        let aside = -reserve * self.homes[0][2] * SLOPE.to_radians().tan();
         let enough = |share: &f64| {
-            (0..legs).all(|leg| self.margin(&[leg], *share) >= LEAST_MARGIN)
+            (0..legs).all(|leg| self.margin(&[leg], *share) >= LEAST_MARGIN + aside)
         };
         let share = SHARES.into_iter().find(enough);
         share.ok_or(Making::Falls)
@@ -284,7 +355,7 @@ impl Stance {
 
     /// Returns the margin with a group in the air.
     fn margin(&self, group: &[usize], sway: f64) -> f64 {
-        let middle = self.middle();
+        let middle = middle(&self.homes);
         let share = sway / (self.homes.len() as f64 - 1.0);
         let [x, y] = [0, 1].map(|axis| {
             let away: f64 = group.iter().map(|leg| self.homes[*leg][axis] - middle[axis]).sum();
@@ -308,9 +379,17 @@ impl Stance {
         Ok(())
     }
 
+    /// Returns the distance between the first and the last feet, mm, for each row of them but one.
+    fn spacing(&self) -> f64 {
+        let places = self.homes.iter().map(|home| home[1]);
+        let last = places.clone().fold(f64::INFINITY, f64::min);
+        let first = places.fold(f64::NEG_INFINITY, f64::max);
+        (first - last) / (self.homes.len().div_ceil(2) as f64 - 1.0)
+    }
+
     /// Returns the largest distance of a foot to the side of the middle, mm.
     fn widest(&self) -> f64 {
-        let middle = self.middle();
+        let middle = middle(&self.homes);
         let sides = self.homes.iter().map(|home| (home[0] - middle[0]).abs());
         sides.fold(0.0, f64::max)
     }
@@ -327,6 +406,7 @@ impl Stance {
 }
 
 /// What limits the speed of a gait.
+#[derive(Clone, Copy)]
 struct Way<'a> {
     anatomy: &'a Anatomy,
     stance: &'a Stance,

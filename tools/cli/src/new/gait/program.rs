@@ -49,7 +49,8 @@ pub(super) fn text(robot: &Robot, plan: &Plan, figures: &str) -> String {
         ("leave", choose(count, |group| match plan.kind {
             Kind::Crawl => {
                 let leg = plan.groups[group - 1].first().map_or(1, |leg| leg + 1);
-                format!("FROM = D{group} ; HOME = H{leg}")
+                let [one, other] = plan.beside(group - 1).map(|group| group + 1);
+                format!("FROM = D{group} ; HOME = H{leg} ; SWAY_TO = D{one} + D{other}")
             }
             _ => format!("FROM = D{group}"),
         })),
