@@ -300,6 +300,9 @@ tipc::message_table! {
     Keys
         "keys: RETURN emergency stop, ESC halt, Ctrl-C end; others reach the program",
         "キー: RETURNは非常停止、ESCは停止要求、Ctrl-Cは終了。ほかのキーはプログラムに渡ります";
+    Sticks
+        "sticks: W S or the arrows up and down are VR1, A D or left and right are VR2, Q E are VR3; they spring back",
+        "スティック: W S(上下の矢印)がVR1、A D(左右の矢印)がVR2、Q EがVR3です。離すと中央に戻ります";
     NoKeys
         "keys: none, standard input is not a terminal; --keys and --events press them",
         "キー: 標準入力が端末ではないため使えません。--keysと--eventsで押せます";

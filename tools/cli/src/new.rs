@@ -15,6 +15,7 @@ use files::{CratePath, File, Origin};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::str::FromStr;
+use tip_drives::model::MODELS;
 use tip_runtime::model::{Model as RobotModel, Range, hand, titan8};
 use tip_runtime::printable::Printable;
 use tip_sim::Robot;
@@ -348,12 +349,10 @@ impl Choice {
                 described(&robot.file(), robot.text.as_bytes().to_vec(), steered)
             }
             Choice::Robot(RobotChoice::Named(name)) => Ok(match (name, gait) {
-                (tipc::Robot::Hand, gait) => {
-                    named(*name, &hand::MODEL, |robot| match gait {
-                        Some(_) => steered(robot),
-                        None => Ok(Motion::grasp()),
-                    })
-                }
+                (tipc::Robot::Hand, gait) => named(*name, &hand::MODEL, |robot| match gait {
+                    Some(_) => steered(robot),
+                    None => Ok(Motion::grasp()),
+                }),
                 (_, gait) => named(*name, &titan8::MODEL, |robot| match gait {
                     Some(_) => steered(robot),
                     None => Ok(Motion::walk(include_str!("../templates/motions/walk.prg"))),
@@ -395,6 +394,8 @@ fn described(
     }))
 }
 
+/// Speed of a drive whose servo is unknown, deg/s.
+const DEFAULT_SPEED: f64 = 180.0;
 /// The servo of robots that have no known one.
 const SERVO: &str = "STS3215";
 /// Published robots with other servos.
@@ -415,11 +416,16 @@ fn with_bus(mut text: Vec<u8>) -> Vec<u8> {
         .iter()
         .find(|servo| servo.name == name)
         .map(|servo| servo.travel);
-    text.extend(bus(&robot, name, travel.unwrap_or(Range::new(-180.0, 180.0))).into_bytes());
+    let model = MODELS.iter().find(|model| model.name == name);
+    let fastest = model.map_or(DEFAULT_SPEED, |model| model.speed.floor());
+    let travel = travel.unwrap_or(Range::new(-180.0, 180.0));
+    text.extend(bus(&robot, name, travel, fastest).into_bytes());
     text
 }
 
-fn bus(robot: &Robot, servo: &str, travel: Range) -> String {
+/// Returns the tables of a bus; `fastest` is the speed of its servos, deg/s: a drive is slowed down to 180 deg/s by default, and a gait
+/// may need more.
+fn bus(robot: &Robot, servo: &str, travel: Range, fastest: f64) -> String {
     let mut text = format!(
         "\n# The real robot: docs/drives.md. Replace what is here by what you built; `tip drives id` sets identities,
 # `tip drives zero` finds signs and offsets.
@@ -445,7 +451,7 @@ voltage = [9, 13]
             // Writing to a String cannot fail.
             let _ = write!(
                 text,
-                "\n[[drive]]\njoint = \"J{leg}{number}\"\nid = {id}\nsign = 1\noffset = {offset}\n"
+                "\n[[drive]]\njoint = \"J{leg}{number}\"\nid = {id}\nsign = 1\noffset = {offset}\nspeed = {fastest}\n"
             );
             if !fits(offset) {
                 let half = (travel.max - travel.min) / 2.0 - 1.0;

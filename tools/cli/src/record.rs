@@ -68,7 +68,7 @@ impl RunArguments {
 
     /// Runs a loaded program.
     fn recording(&self, loaded: &Loaded, robot: &Robot, pace: Pace) -> Result<Recording, Error> {
-        let inputs = self.inputs.inputs();
+        let inputs = self.inputs.inputs(robot);
         let extent = inputs
             .cycles
             .map_or(Extent::minutes(MAX_MINUTES), Extent::cycles);
@@ -82,8 +82,7 @@ impl RunArguments {
         let lang = self.source.output_options.lang();
         let wait = recording.wait.as_ref().map(wait_message);
         let lasted = recording.time(recording.cycles);
-        let is_cut_off =
-            self.inputs.inputs().cycles.is_none() && recording.outcome == Outcome::Limit;
+        let is_cut_off = self.inputs.cycles.is_none() && recording.outcome == Outcome::Limit;
         let text = match wait {
             Some(wait) if is_cut_off && lasted < MAX_MINUTES * 60_000.0 => Running::StopsWaiting {
                 wait,

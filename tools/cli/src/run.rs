@@ -12,7 +12,7 @@ use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;
 use super::setup::{ChosenRobot, PlantChoice};
-use super::{Status, input, interrupt, report};
+use super::{Status, input, interrupt, report, sticks};
 use crate::message::{Driving, Running, Using, Weight};
 use clap::Args;
 use console::{Live, Progress, Screen};
@@ -42,6 +42,7 @@ pub(super) const LONG_WAIT: f64 = 60_000.0;
   tip run ask.prg --keys '10:y,25:0x2C'    Y before cycle 10, a comma before 25
   tip run march.prg --robot hexapod.toml
   tip run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
+  tip run sense.prg --sensor VR1=8@2s..5s  for three seconds; a stick springs back to 5 V
   tip run --robot hand grasp.prg --scene scene.toml
   tip run walk.prg --out-dir logs          TITAN.LOG, EMG.log and the others go to logs/
   tip run walk.prg --realtime              as fast as the robot, with a status line and your keys
@@ -144,7 +145,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     if loaded.program.is_none() || !arguments.quiet {
         report::diagnostics(&loaded, arguments.run.source.output_options);
     }
-    let inputs = arguments.run.inputs.inputs();
+    let mut inputs = arguments.run.inputs.inputs(&robot);
     if arguments.deny.rejects(&loaded) {
         return Ok(Status::Failure);
     }
@@ -152,6 +153,11 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         files::check(arguments)?;
     }
     let program = loaded.program.take();
+    let is_live = arguments.realtime || arguments.hardware.is_some();
+    let is_steered = is_live && io::stdin().is_terminal();
+    if let (true, Some(program)) = (is_steered, &program) {
+        inputs.events = sticks::let_rest(program, inputs.events);
+    }
     let connection = match (&arguments.hardware, chosen, &program) {
         (Some(file), ChosenRobot::Described(robot), Some(_)) => {
             match connected(arguments, file, &robot)? {
@@ -245,7 +251,12 @@ impl Job<'_> {
         logs: Option<LogFiles<()>>,
     ) -> Result<Status, Error> {
         let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
-        let screen = Screen::new(self.progress(), messages, logs);
+        let mut screen = Screen::new(self.progress(), messages, logs);
+        let program = begun.engine::<Interpreter>().map(Interpreter::program);
+        let has_sticks = self.is_live() && program.is_some_and(|program| sticks::are_read(program));
+        if has_sticks {
+            screen.steer();
+        }
         let anatomy = robot.anatomy();
         let source = &self.arguments.run.source;
         let (options, lang) = (source.options(robot.options().robot), self.arguments.lang());
@@ -261,7 +272,7 @@ impl Job<'_> {
             has_waited: false,
         };
         if is_live {
-            watch.live = Some(Live::begin(self.arguments.quiet, lang));
+            watch.live = Some(Live::begin(self.arguments.quiet, has_sticks, lang));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
         let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));

@@ -45,6 +45,7 @@ impl Run {
             joints: Some(Box::new(joints)),
             legs: robot.anatomy().legs.len(),
             angles: Vec::new(),
+            knobs: [None; KNOBS],
         });
         let machine = robot.start_on(hardware, ProgramRunner::new(program));
         Ok(Run::on(machine?))
@@ -57,7 +58,12 @@ struct RealHardware {
     legs: usize,
     /// The last measured angles, deg.
     angles: Vec<f64>,
+    /// Readings of VR1 to VR3 that events set, V: the host of a robot without a control box has its sticks.
+    knobs: [Option<f64>; KNOBS],
 }
+
+/// Number of knobs of the control box.
+const KNOBS: usize = 3;
 
 impl fmt::Debug for RealHardware {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -85,6 +91,11 @@ impl DynHardware for RealHardware {
         self.joints.as_mut().ok_or(COPY)?.read(into.angles)?;
         self.angles.clear();
         self.angles.extend_from_slice(into.angles);
+        for (number, volts) in (1..).zip(self.knobs) {
+            if let Some(volts) = volts {
+                into.inputs.set(Port::Knob(number), volts);
+            }
+        }
         Ok(())
     }
 
@@ -99,12 +110,17 @@ impl DynHardware for RealHardware {
         }
     }
 
-    fn has_input(&self, _: Port) -> bool {
-        false
+    fn has_input(&self, port: Port) -> bool {
+        matches!(port, Port::Knob(number) if (1..=KNOBS).contains(&usize::from(number)))
     }
 
-    fn set_sensor(&mut self, _: Port, _: f64) -> bool {
-        false
+    fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
+        let place = match port {
+            Port::Knob(number) => usize::from(number).checked_sub(1),
+            _ => None,
+        };
+        let knob = place.and_then(|place| self.knobs.get_mut(place));
+        knob.map(|knob| *knob = Some(volts)).is_some()
     }
 
     fn limbs(&self) -> Option<Limbs> {

@@ -106,7 +106,10 @@ fn placeholders(
     let is_in_code = scene.is_some_and(|scene| scene.is_in_code);
     let mut placeholders = vec![
         // These have placeholders themselves.
-        ("lib_scene", when(is_in_code, template_text!("lib_scene.rs"))),
+        (
+            "lib_scene",
+            when(is_in_code, template_text!("lib_scene.rs")),
+        ),
         ("lib_hardware", when(with_hardware, "\npub mod hardware;\n")),
         (
             "readme_hardware",

@@ -135,7 +135,9 @@ fn try_on_floors(robot: &Robot, plan: &Plan) -> Result<Gait, Making> {
     for floor in Floor::ALL {
         let may_fall = plan.kind == Kind::Trot && !floor.has_mass();
         let figures = Figures::measure(robot, plan, &program, floor);
-        let is_safe = figures.as_ref().is_ok_and(|figures| figures.falls == 0 || may_fall);
+        let is_safe = figures
+            .as_ref()
+            .is_ok_and(|figures| figures.falls == 0 || may_fall);
         if floor.is_level() && !is_safe {
             return Err(figures.err().unwrap_or(Making::Falls));
         }

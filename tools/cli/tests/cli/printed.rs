@@ -55,10 +55,7 @@ fn provide(folder: &Folder, line: &str) {
         true => "examples/six-legs/motions/tripod.prg",
         false => "examples/walk/motions/walk.prg",
     });
-    let march = read(match line.contains("phantomx") {
-        true => "examples/published/tripod.prg",
-        false => "examples/six-legs/motions/tripod.prg",
-    });
+    let march = read("examples/six-legs/motions/tripod.prg");
     let swept = serde_json::json!({ "tip": "0", "spec": {
         "program": { "name": "walk.prg", "text": walk },
         "vary": [{ "name": "STRIDE", "values": { "range": { "from": 160, "to": 240, "step": 20 } } }],

@@ -1,6 +1,7 @@
 // What one does to a robot that runs: keys, knobs, halt, emergency stop.
 
 import { element, make } from './dom.js';
+import { readsSticks, sticks } from './sticks.js';
 import { label, whenSpoken, word } from './words.js';
 
 /** The highest reading of an input: V. */
@@ -48,11 +49,14 @@ export function controls(requests, recording) {
     keys.value = '';
   });
   whenSpoken(() => (keys.placeholder = word('typeHere')));
+  const stick = sticks(happen, recording);
   let knobs = [];
   /** Those of a robot, once it runs. */
   const begin = () => {
     asked = false;
-    knobs = recording.inputs.map((name) => knob(name, happen));
+    stick.begin();
+    const springs = (name) => name.startsWith('VR') && readsSticks(recording.script);
+    knobs = recording.inputs.map((name) => knob(name, happen, springs(name)));
     const isKnob = ({ name }) => name.startsWith('VR');
     element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));
     element('other-inputs').replaceChildren(...knobs.filter((knob) => !isKnob(knob)).map(({ box }) => box));
@@ -69,8 +73,8 @@ export function controls(requests, recording) {
   return { begin, show };
 }
 
-/** A slider of an input; it shows what others do as well. */
-function knob(name, happen) {
+/** A slider of an input; it shows what others do as well. A stick springs back to its middle. */
+function knob(name, happen, springs) {
   const slider = make('input', { type: 'range', min: 0, max: VOLTS, step: 0.1, value: 0 });
   slider.dataset.input = name;
   const reading = make('output', { textContent: '0.0 V' });
@@ -84,6 +88,13 @@ function knob(name, happen) {
       happen(`${name}=${slider.value}`);
     });
   });
+  if (springs) {
+    slider.addEventListener('change', () => {
+      slider.value = VOLTS / 2;
+      show();
+      happen(`${name}=${VOLTS / 2}`);
+    });
+  }
   const say = () => label(slider, 'input', name);
   say();
   let last;

@@ -112,7 +112,10 @@ impl Figures {
             for (time, [one, two, three]) in [(time, sticks), (time + push, [5.0; 3])] {
                 let now = at(time);
                 // Writing to a String cannot fail.
-                let _ = write!(events, ", {now}:VR1={one}, {now}:VR2={two}, {now}:VR3={three}");
+                let _ = write!(
+                    events,
+                    ", {now}:VR1={one}, {now}:VR2={two}, {now}:VR3={three}"
+                );
             }
             time += push + REST;
         }
@@ -168,8 +171,7 @@ impl Figures {
                 if run.cycles() == at(end - whole) {
                     mark = run.travel();
                 }
-                if let (true, Some(from), Some(to)) =
-                    (run.cycles() == at(end), mark, run.travel())
+                if let (true, Some(from), Some(to)) = (run.cycles() == at(end), mark, run.travel())
                 {
                     figures.speed[axis] = speed(axis, from, to) / whole;
                 }
@@ -227,7 +229,11 @@ pub(super) fn comment(all: &[(Floor, Option<Figures>)]) -> String {
     for (floor, figures) in all {
         let Some(figures) = figures else {
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "// {:15}  it stops at a fault, or its feet slip", floor.name());
+            let _ = writeln!(
+                text,
+                "// {:15}  it stops at a fault, or its feet slip",
+                floor.name()
+            );
             continue;
         };
         let Figures {

@@ -73,11 +73,7 @@ impl Plan {
     ///
     /// # Errors
     /// The reason why the robot cannot walk so.
-    pub(super) fn derive(
-        anatomy: &Anatomy,
-        kind: Kind,
-        reserve: f64,
-    ) -> Result<Self, Making> {
+    pub(super) fn derive(anatomy: &Anatomy, kind: Kind, reserve: f64) -> Result<Self, Making> {
         let legs = anatomy.legs.len();
         let groups = groups(anatomy, kind)?;
         let cycle = anatomy.standards.period;
@@ -180,7 +176,9 @@ impl Plan {
         [count - 1, 1].map(|step| {
             let beside = order[(place + step) % count];
             let mut groups = self.groups.iter();
-            groups.position(|group| group.contains(&beside)).unwrap_or(0)
+            groups
+                .position(|group| group.contains(&beside))
+                .unwrap_or(0)
         })
     }
 
@@ -264,7 +262,8 @@ fn candidates(kind: Kind, cycle: f64, height: f64, lean: f64) -> Vec<(f64, f64)>
         Kind::Crawl => {
             // The body leans over and stops with 0.4 of what friction gives it.
             let way = 2.0 * lean / 1000.0;
-            let time = (std::f64::consts::PI.powi(2) * way / (2.0 * 0.4 * FRICTION * GRAVITY)).sqrt();
+            let time =
+                (std::f64::consts::PI.powi(2) * way / (2.0 * 0.4 * FRICTION * GRAVITY)).sqrt();
             let shift = whole((1200.0 * time).max(500.0));
             let swings = (0..6).map(|n| whole(240.0 + 80.0 * f64::from(n)));
             swings.map(|swing| (swing, shift)).collect()
@@ -301,8 +300,16 @@ struct Stance {
 impl Stance {
     fn of(anatomy: &Anatomy, legs: usize) -> Result<Self, Making> {
         let feet = &anatomy.feet;
-        let floor = feet.iter().map(|foot| foot[2]).fold(f64::INFINITY, f64::min);
-        let leg = anatomy.legs.iter().map(|limb| limb.joints.iter().map(|joint| size(joint.link)).sum::<f64>());
+        let floor = feet
+            .iter()
+            .map(|foot| foot[2])
+            .fold(f64::INFINITY, f64::min);
+        let leg = anatomy.legs.iter().map(|limb| {
+            limb.joints
+                .iter()
+                .map(|joint| size(joint.link))
+                .sum::<f64>()
+        });
         let leg = leg.fold(0.0, f64::max);
         let belly = anatomy.body.map_or(0.0, |body| body.z.min - floor);
         // A robot that lies on its belly stands up first.
@@ -318,7 +325,9 @@ impl Stance {
         };
         // The legs move with their feet, and take the centre of mass along.
         for _ in 0..3 {
-            let homes = feet.iter().map(|[x, y, z]| [*x, y - stance.lean, z - raise]);
+            let homes = feet
+                .iter()
+                .map(|[x, y, z]| [*x, y - stance.lean, z - raise]);
             stance.homes = homes.collect();
             let posture = stance.posture(anatomy).ok_or(Making::OutOfReach)?;
             stance.centre_of_mass = centre_of_mass(anatomy, &posture);
@@ -330,7 +339,8 @@ impl Stance {
     /// Returns the joint angles of all legs.
     fn posture(&self, anatomy: &Anatomy) -> Option<Vec<Vec<f64>>> {
         let legs = anatomy.legs.iter().zip(&self.homes);
-        legs.map(|(limb, home)| angles(limb, *home, &limb.initial)).collect()
+        legs.map(|(limb, home)| angles(limb, *home, &limb.initial))
+            .collect()
     }
 
     /// Returns the points on the floor of the feet that stand while a group is in the air.
@@ -346,9 +356,8 @@ impl Stance {
         const SHARES: [f64; 6] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
         // A slope takes the centre of mass aside, and so do feet that are away from their places.
         let aside = -reserve * self.homes[0][2] * SLOPE.to_radians().tan();
-        let enough = |share: &f64| {
-            (0..legs).all(|leg| self.margin(&[leg], *share) >= LEAST_MARGIN + aside)
-        };
+        let enough =
+            |share: &f64| (0..legs).all(|leg| self.margin(&[leg], *share) >= LEAST_MARGIN + aside);
         let share = SHARES.into_iter().find(enough);
         share.ok_or(Making::Falls)
     }
@@ -358,7 +367,10 @@ impl Stance {
         let middle = middle(&self.homes);
         let share = sway / (self.homes.len() as f64 - 1.0);
         let [x, y] = [0, 1].map(|axis| {
-            let away: f64 = group.iter().map(|leg| self.homes[*leg][axis] - middle[axis]).sum();
+            let away: f64 = group
+                .iter()
+                .map(|leg| self.homes[*leg][axis] - middle[axis])
+                .sum();
             self.centre_of_mass[axis] - share * away
         });
         margin(&self.standing(group), [x, y])
@@ -479,9 +491,9 @@ impl Way<'_> {
             [-seconds, seconds].into_iter().all(|seconds| {
                 let [x, y, z] = left_behind(*home, twist, seconds);
                 [-self.sway, self.sway].into_iter().all(|sway| {
-                    [0.0, self.lift].into_iter().all(|lift| {
-                        angles(limb, [x + sway, y, z + lift], &limb.initial).is_some()
-                    })
+                    [0.0, self.lift]
+                        .into_iter()
+                        .all(|lift| angles(limb, [x + sway, y, z + lift], &limb.initial).is_some())
                 })
             })
         })

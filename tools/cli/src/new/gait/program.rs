@@ -46,18 +46,26 @@ pub(super) fn text(robot: &Robot, plan: &Plan, figures: &str) -> String {
         ("ahead", number(ahead)),
         ("turn", number(turn)),
         ("move", move_feet(plan)),
-        ("leave", choose(count, |group| match plan.kind {
-            Kind::Crawl => {
-                let leg = plan.groups[group - 1].first().map_or(1, |leg| leg + 1);
-                let [one, other] = plan.beside(group - 1).map(|group| group + 1);
-                format!("FROM = D{group} ; HOME = H{leg} ; SWAY_TO = D{one} + D{other}")
-            }
-            _ => format!("FROM = D{group}"),
-        })),
-        ("swing_feet", choose(count, |group| format!("D{group} = AIR"))),
+        (
+            "leave",
+            choose(count, |group| match plan.kind {
+                Kind::Crawl => {
+                    let leg = plan.groups[group - 1].first().map_or(1, |leg| leg + 1);
+                    let [one, other] = plan.beside(group - 1).map(|group| group + 1);
+                    format!("FROM = D{group} ; HOME = H{leg} ; SWAY_TO = D{one} + D{other}")
+                }
+                _ => format!("FROM = D{group}"),
+            }),
+        ),
+        (
+            "swing_feet",
+            choose(count, |group| format!("D{group} = AIR")),
+        ),
     ];
-    let placeholders: Vec<(&str, &str)> =
-        placeholders.iter().map(|(name, value)| (*name, &**value)).collect();
+    let placeholders: Vec<(&str, &str)> = placeholders
+        .iter()
+        .map(|(name, value)| (*name, &**value))
+        .collect();
     let text = fill(&marked, &placeholders);
     let formatted = format("walk.prg", text.as_bytes(), &robot.options()).ok();
     formatted
@@ -182,10 +190,13 @@ fn picture(plan: &Plan) -> String {
 fn rows(plan: &Plan) -> Option<Vec<[usize; 2]>> {
     let feet = &plan.feet;
     let mut order: Vec<usize> = (0..feet.len()).collect();
-    order.sort_by(|a, b| feet[*b][1].total_cmp(&feet[*a][1]).then(feet[*a][0].total_cmp(&feet[*b][0])));
+    order.sort_by(|a, b| {
+        feet[*b][1]
+            .total_cmp(&feet[*a][1])
+            .then(feet[*a][0].total_cmp(&feet[*b][0]))
+    });
     let (rows, rest) = order.as_chunks::<2>();
-    let is_row = |[a, b]: &[usize; 2]| {
-        (feet[*a][1] - feet[*b][1]).abs() < 1.0 && feet[*a][0] < feet[*b][0]
-    };
+    let is_row =
+        |[a, b]: &[usize; 2]| (feet[*a][1] - feet[*b][1]).abs() < 1.0 && feet[*a][0] < feet[*b][0];
     (rest.is_empty() && rows.iter().all(is_row)).then(|| rows.to_vec())
 }
