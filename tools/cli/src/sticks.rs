@@ -16,18 +16,14 @@ const HIGH: f64 = 10.0;
 const SPRING: Duration = Duration::from_millis(600);
 const ESCAPE: u8 = 0x1B;
 
-/// Returns true if a program reads a stick.
+/// Returns true if a program reads all sticks; one that reads fewer has knobs, which stay where they are put.
 pub(super) fn are_read(program: &Program) -> bool {
-    let mut steps = program.steps().iter();
-    steps.any(|step| {
-        matches!(
-            step.action,
-            Action::AdIn {
-                port: Port::Knob(_),
-                ..
-            }
-        )
-    })
+    let reads = |number: u8| {
+        let port = Port::Knob(number);
+        let mut steps = program.steps().iter();
+        steps.any(|step| matches!(&step.action, Action::AdIn { port: read, .. } if *read == port))
+    };
+    (1..).take(STICKS).all(reads)
 }
 
 /// Returns the events that let all sticks rest from the start.
@@ -38,7 +34,7 @@ pub(super) fn at_rest() -> Vec<Timed> {
         .collect()
 }
 
-/// Lets the sticks that a program reads rest from the start, unless its user has set one.
+/// Lets the sticks of a program that reads all of them rest from the start, unless its user has set one.
 pub(super) fn let_rest(program: &Program, events: Events) -> Events {
     let is_set = events.ports().any(|port| matches!(port, Port::Knob(_)));
     match are_read(program) && !is_set {

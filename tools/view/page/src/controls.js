@@ -1,7 +1,7 @@
 // What one does to a robot that runs: keys, knobs, halt, emergency stop.
 
 import { element, make } from './dom.js';
-import { readsSticks, sticks } from './sticks.js';
+import { sticks } from './sticks.js';
 import { label, whenSpoken, word } from './words.js';
 
 /** The highest reading of an input: V. */
@@ -55,8 +55,7 @@ export function controls(requests, recording) {
   const begin = () => {
     asked = false;
     stick.begin();
-    const springs = (name) => name.startsWith('VR') && readsSticks(recording.script);
-    knobs = recording.inputs.map((name) => knob(name, happen, springs(name)));
+    knobs = recording.inputs.map((name) => knob(name, happen));
     const isKnob = ({ name }) => name.startsWith('VR');
     element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));
     element('other-inputs').replaceChildren(...knobs.filter((knob) => !isKnob(knob)).map(({ box }) => box));
@@ -73,8 +72,8 @@ export function controls(requests, recording) {
   return { begin, show };
 }
 
-/** A slider of an input; it shows what others do as well. A stick springs back to its middle. */
-function knob(name, happen, springs) {
+/** A slider of an input; it shows what others do as well. */
+function knob(name, happen) {
   const slider = make('input', { type: 'range', min: 0, max: VOLTS, step: 0.1, value: 0 });
   slider.dataset.input = name;
   const reading = make('output', { textContent: '0.0 V' });
@@ -88,13 +87,6 @@ function knob(name, happen, springs) {
       happen(`${name}=${slider.value}`);
     });
   });
-  if (springs) {
-    slider.addEventListener('change', () => {
-      slider.value = VOLTS / 2;
-      show();
-      happen(`${name}=${VOLTS / 2}`);
-    });
-  }
   const say = () => label(slider, 'input', name);
   say();
   let last;

@@ -12,9 +12,10 @@ const KEYS = {
   KeyE: ['VR3', HIGH], KeyQ: ['VR3', LOW],
 };
 
-/** Returns true if a program reads a stick. */
-export function readsSticks(script) {
-  return /\bAD_IN[\s,]+VR[1-3]\b/i.test(script.text.replace(/\/\/.*/g, ''));
+/** Returns true if a program reads all sticks; one that reads fewer has knobs, which stay where they are put. */
+function readsSticks({ text }) {
+  const code = text.replace(/\/\/.*/g, '');
+  return [1, 2, 3].every((n) => new RegExp(`\\bAD_IN[\\s,]+VR${n}\\b`, 'i').test(code));
 }
 
 export function sticks(happen, recording) {
