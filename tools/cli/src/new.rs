@@ -92,6 +92,9 @@ pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let failed = |reason: Making| Error::failed(reason, lang);
     let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(failed)?;
+    if arguments.gait.is_some() && arguments.edition.is_some_and(|edition| edition < Edition::V3_2) {
+        return Err(failed(Making::GaitNeedsEdition));
+    }
     let refused = Error::refused(arguments.output_options);
     let found = arguments.robot.template(arguments.gait).map_err(refused)?;
     let template = found.map_err(failed)?;
