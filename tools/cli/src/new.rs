@@ -29,7 +29,7 @@ use tipc::{Loaded, description};
   tip new grasper --robot hand
   tip new six --robot hexapod                 a description of six legs, to be changed
   tip new hexa --robot phantomx               a gait that sticks or keys steer, the fastest that is safe
-  tip new slow --robot a1 --gait crawl        one that lifts one foot at a time
+  tip new demo --gait crawl                   one that lifts one foot at a time
   tip new ours --robot robots/ours.toml       a robot of your own (docs/robots.md)
   tip new demo --edition 3.2                  a program that may have threads (docs/language.md)
   tip new drives --hardware                   with src/hardware.rs, for drives of your own
@@ -92,7 +92,11 @@ pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let failed = |reason: Making| Error::failed(reason, lang);
     let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(failed)?;
-    if arguments.gait.is_some() && arguments.edition.is_some_and(|edition| edition < Edition::V3_2) {
+    if arguments.gait.is_some()
+        && arguments
+            .edition
+            .is_some_and(|edition| edition < Edition::V3_2)
+    {
         return Err(failed(Making::GaitNeedsEdition));
     }
     let refused = Error::refused(arguments.output_options);

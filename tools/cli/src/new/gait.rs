@@ -66,9 +66,9 @@ impl Gait {
 /// Factor between the speeds of two trials.
 const SLOWER: f64 = 0.85;
 /// Maximum number of trials of a gait.
-const TRIALS: u32 = 6;
+const TRIALS: u32 = 4;
 /// Reserves of a crawl's balance that are tried, relative to what a slope takes. A body that leans far is slow.
-const RESERVES: [f64; 4] = [1.5, 1.0, 0.5, 0.0];
+const RESERVES: [f64; 3] = [1.5, 0.8, 0.3];
 
 /// Finds the fastest gait that is safe, or a gait of a kind.
 ///
@@ -134,7 +134,7 @@ fn try_on_floors(robot: &Robot, plan: &Plan) -> Result<Gait, Making> {
     let (mut speed, mut is_safe_on_slope) = ([0.0; 3], true);
     for floor in Floor::ALL {
         let may_fall = plan.kind == Kind::Trot && !floor.has_mass();
-        let figures = Figures::measure(robot, plan, &program, floor);
+        let figures = Figures::measure(robot, plan, &program, floor, may_fall);
         let is_safe = figures
             .as_ref()
             .is_ok_and(|figures| figures.falls == 0 || may_fall);

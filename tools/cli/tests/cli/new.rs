@@ -144,7 +144,11 @@ fn a_gait_that_cannot_be_is_refused_with_the_reason() {
     for (robot, gait, said) in [
         ("phantomx", "trot", "needs four legs exactly"),
         ("solo12", "tripod", "which needs six legs"),
-        ("solo12", "wave", "the centre of mass is 0 mm inside the other feet"),
+        (
+            "solo12",
+            "wave",
+            "the centre of mass is 0 mm inside the other feet",
+        ),
         ("hand", "crawl", "it has no body"),
     ] {
         let new = ["new", "demo", "--robot", robot, "--gait", gait];
@@ -153,9 +157,22 @@ fn a_gait_that_cannot_be_is_refused_with_the_reason() {
         assert!(outcome.err.starts_with(&begins), "{}", outcome.err);
         assert!(outcome.err.contains(said), "{robot}: {}", outcome.err);
     }
-    let old = ["new", "demo", "--robot", "solo12", "--gait", "trot", "--edition", "3.1"];
+    let old = [
+        "new",
+        "demo",
+        "--robot",
+        "solo12",
+        "--gait",
+        "trot",
+        "--edition",
+        "3.1",
+    ];
     let outcome = folder.tip(&old).expect(1);
-    assert!(outcome.err.contains("a gait needs edition 3.2"), "{}", outcome.err);
+    assert!(
+        outcome.err.contains("a gait needs edition 3.2"),
+        "{}",
+        outcome.err
+    );
     assert!(folder.names().is_empty());
 }
 

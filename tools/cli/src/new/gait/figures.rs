@@ -88,15 +88,16 @@ const LONGEST: f64 = 2.0;
 const SIT: f64 = 60.0;
 
 impl Figures {
-    /// Runs the program with full sticks.
+    /// Runs the program with full sticks, and with random ones.
     ///
     /// # Errors
-    /// It stops at a fault, or does not sit down at its end.
+    /// The robot falls unless it may, the program stops at a fault, or it does not sit down at its end.
     pub(super) fn measure(
         robot: &Robot,
         plan: &Plan,
         program: &str,
         floor: Floor,
+        may_fall: bool,
     ) -> Result<Self, Making> {
         let fails = || Making::OutOfReach;
         let robot = floor.put(robot).ok_or_else(fails)?;
@@ -163,7 +164,11 @@ impl Figures {
                 }
             }
             angles.copy_from_slice(run.angles());
-            if let Some(motion) = run.motion().filter(|_| is_measured) {
+            let motion = run.motion();
+            if motion.as_ref().is_some_and(|motion| motion.falls > 0) && !may_fall {
+                return Err(Making::Falls);
+            }
+            if let Some(motion) = motion.filter(|_| is_measured) {
                 figures.margin = figures.margin.min(motion.margin);
             }
             for (n, axis) in [0, 1, 2].into_iter().enumerate() {
@@ -231,7 +236,7 @@ pub(super) fn comment(all: &[(Floor, Option<Figures>)]) -> String {
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "// {:15}  it stops at a fault, or its feet slip",
+                "// {:15}  it falls, stops at a fault, or slips",
                 floor.name()
             );
             continue;
