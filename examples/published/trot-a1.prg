@@ -11,10 +11,10 @@ An A1 trots as sticks say: ahead, sideways, turning, or all together
 //
 // Tried in simulation with full sticks, friction 0.5; joints turn 360 deg/s at most:
 //                  ahead, side, turn              fastest joint    margin  slip     falls
-// with mass        384 mm/s, 187 mm/s, 59 deg/s   278 deg/s (J23)  -       4.4 mm   0
-//   5 deg uphill   353 mm/s, 193 mm/s, 48 deg/s   278 deg/s (J23)  -       21.9 mm  0
-// without mass     39 mm/s, -73 mm/s, 27 deg/s    279 deg/s (J23)  -37 mm  63.4 mm  170
-//   5 deg uphill   13 mm/s, 79 mm/s, 21 deg/s     279 deg/s (J23)  -60 mm  66.2 mm  170
+// with mass        384 mm/s, 187 mm/s, 59 deg/s   278 deg/s (J23)  -       5.2 mm   0
+//   5 deg uphill   353 mm/s, 195 mm/s, 48 deg/s   278 deg/s (J23)  -       10.2 mm  0
+// without mass     39 mm/s, -75 mm/s, 27 deg/s    279 deg/s (J23)  -37 mm  62.6 mm  165
+//   5 deg uphill   13 mm/s, 97 mm/s, 21 deg/s     279 deg/s (J23)  -60 mm  66.1 mm  165
 
 DEFINE REST 5     // V of a stick that rests
 DEFINE RANGE 5    // V from there to either end
@@ -34,7 +34,7 @@ DEF_POS TICK, PLUS, WAY, MOVE, P
 SWING = 120  // ms that a foot is in the air
 STAND = 20   // ms that all feet stand between two swings
 LIFT = 30    // mm
-DELAY = 500  // ms from rest to full speed, and back
+DELAY = 450  // ms from rest to full speed, and back
 LEAN = 26    // mm that the feet stand behind their initial places: below the mass
 RAISE = 0    // mm that the body is above its initial height
 LOWER = 120  // mm that it sinks to sit
