@@ -5,6 +5,7 @@ use crate::new::gait::Kind;
 use crate::new::gait::reach::{
     Stride, Twist, angles, centre_of_mass, fastest_joint, largest, left_behind, margin, size,
 };
+use tip_runtime::command::Target;
 use tip_runtime::model::Point;
 use tip_runtime::plant::ServoDynamics;
 use tip_sim::Anatomy;
@@ -190,6 +191,11 @@ impl Plan {
         }
         self.top = self.top.map(|top| (top * factor).floor().max(1.0));
     }
+}
+
+/// Returns the name of the foot of a leg, from 0.
+pub(super) fn foot_name(leg: usize) -> String {
+    Target::Foot(u8::try_from(leg + 1).unwrap_or(u8::MAX)).to_string()
 }
 
 /// Rounds to a tenth.
@@ -381,7 +387,7 @@ impl Stance {
         for group in groups {
             let margin = self.margin(group, sway);
             if margin < LEAST_MARGIN {
-                let names: Vec<String> = group.iter().map(|leg| format!("F{}", leg + 1)).collect();
+                let names: Vec<String> = group.iter().map(|leg| foot_name(*leg)).collect();
                 return Err(Making::NoBalance {
                     feet: names.join(" "),
                     margin: margin.round(),

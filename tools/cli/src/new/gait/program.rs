@@ -5,10 +5,11 @@
 
 use crate::new::fill;
 use crate::new::gait::Kind;
-use crate::new::gait::plan::Plan;
+use crate::new::gait::plan::{Plan, foot_name};
 use std::fmt::Write as _;
 use tip_lint::format::format;
 use tip_sim::Robot;
+use tipc::language::Keyword;
 
 const TEMPLATE: &str = include_str!("../../../templates/motions/gait.prg");
 
@@ -116,7 +117,7 @@ fn choose(count: usize, line: impl Fn(usize) -> String) -> String {
     for group in 1..=count {
         let head = match group {
             1 => "IF GROUP == 1 THEN".to_owned(),
-            _ if group == count => "ELSE".to_owned(),
+            _ if group == count => Keyword::Else.to_string(),
             _ => format!("ELSEIF GROUP == {group} THEN"),
         };
         // Writing to a String cannot fail.
@@ -159,7 +160,7 @@ fn title(robot: &str, kind: Kind) -> String {
 
 /// Returns the feet as seen from above, and the order of their swings, as comments.
 fn picture(plan: &Plan) -> String {
-    let name = |leg: &usize| format!("F{}", leg + 1);
+    let name = |leg: &usize| foot_name(*leg);
     let names = |legs: &[usize]| legs.iter().map(name).collect::<Vec<_>>().join(" ");
     let order: Vec<String> = match plan.kind {
         Kind::Tripod | Kind::Trot => (1..)
