@@ -94,11 +94,11 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "CYCLE", value_parser = count, allow_negative_numbers = true)]
     pub(super) halt: Option<u64>,
 
-    /// Set an input to a voltage, from a time on or for a while
+    /// Set an input to a voltage from a time on
     ///
     /// VR1-3, PAW1-4, ANTENNA, J11 and so on: 'VR1=8@300' from cycle 300 on, 'VR1=8@2s..5s' for three seconds. A stick
     /// (VR1-3) springs back to 5 V, where all three rest before; another input to 0 V
-    #[arg(long = "sensor", value_name = "NAME=V@TIME[..TIME]")]
+    #[arg(long = "sensor", value_name = "NAME=V@TIME")]
     pub(super) sensors: Vec<SensorAt>,
 
     /// Keys, values, pushes and halts by cycle
