@@ -6,7 +6,7 @@ use tip_runtime::command::Target;
 use tip_sim::message::Awaited;
 use tipc::language::Keyword;
 use tipc::message::list::{Each, List};
-use tipc::message::{Message, Text};
+use tipc::message::{Message, Other, Text};
 
 /// Numbers of something, as arguments of messages.
 pub(crate) mod count {
@@ -559,7 +559,7 @@ tipc::message_table! {
     NoGait { falls: u32 }
         "no gait was found; the motion bends one leg after the other instead, and the simulated robot falls {falls} times:",
         "歩容が見つからないので、脚を1本ずつ曲げる動作にしました。シミュレーションで倒れる回数は{falls}です。理由:";
-    NoSuchGait { robot: String, gait: String, reason: Message }
+    NoSuchGait { robot: String, gait: String, reason: Other }
         "{robot} cannot walk by `--gait {gait}`: {reason}",
         "{robot}は `--gait {gait}` では歩けません: {reason}";
     BoltedDown

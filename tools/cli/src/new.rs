@@ -20,7 +20,7 @@ use tip_runtime::model::{Model as RobotModel, Range, hand, titan8};
 use tip_runtime::printable::Printable;
 use tip_sim::Robot;
 use tipc::language::Edition;
-use tipc::message::Lang;
+use tipc::message::{Lang, Other};
 use tipc::{Loaded, description};
 
 #[derive(Debug, Args)]
@@ -225,7 +225,7 @@ impl Motion {
             (Err(reason), Some(kind)) => Err(Making::NoSuchGait {
                 robot: robot.name().to_owned(),
                 gait: kind.to_string(),
-                reason: reason.into(),
+                reason: Other::new(reason),
             }),
             (Err(_), None) if robot.anatomy().body.is_none() => {
                 Ok(Motion::bend(robot, bend::BEND_ANGLE))

@@ -50,7 +50,7 @@ impl Floor {
             true => Plant::Dynamic,
             false => Plant::Simulated,
         };
-        Some(robot.clone().with_plant(plant).with_scene(&scene).ok()?)
+        robot.clone().with_plant(plant).with_scene(&scene).ok()
     }
 }
 

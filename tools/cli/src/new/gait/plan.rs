@@ -211,8 +211,8 @@ fn groups(anatomy: &Anatomy, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
     }
     let feet = &anatomy.feet;
     match kind {
-        Kind::Trot if legs != 4 => return Err(Making::TrotNeedsFour),
-        Kind::Tripod if legs < 6 => return Err(Making::TripodNeedsSix),
+        Kind::Trot if legs != 4 => Err(Making::TrotNeedsFour),
+        Kind::Tripod if legs < 6 => Err(Making::TripodNeedsSix),
         Kind::Trot | Kind::Tripod => {
             let order = around(feet);
             let every_other = |first: usize| {
