@@ -7,9 +7,6 @@ use crate::model::Range;
 /// Channels of the A/D board.
 pub(crate) const CHANNELS: u8 = 16;
 
-/// The channel of `VR1`; `VR2` and `VR3` follow (T.I.P. 3.1 §7-8-1).
-const FIRST_KNOB: u8 = 13;
-
 /// Volts of a potentiometer at the ends of its range.
 const POTENTIOMETER: f64 = 5.0;
 
@@ -36,8 +33,8 @@ pub(crate) fn connection(channel: u8, legs: usize, joints: usize) -> Option<Conn
     if channel >= CHANNELS {
         return None;
     }
-    if let Some(knob) = channel.checked_sub(FIRST_KNOB) {
-        return Some(Connection::Input(Port::Knob(knob + 1)));
+    if let knob @ Port::Knob(_) = Port::Channel(channel).by_name() {
+        return Some(Connection::Input(knob));
     }
     let index = usize::from(channel);
     match index.checked_div(joints) {

@@ -173,6 +173,8 @@ impl FromStr for Target {
 
 /// Number of potentiometers of the control box.
 pub const KNOBS: usize = 3;
+/// The channel of `VR1`; `VR2` and `VR3` follow (T.I.P. 3.1 §7-8-1).
+const FIRST_KNOB: u8 = 13;
 
 /// Number of soles whose pressure sensor has a name.
 const PAWS: u8 = 4;
@@ -209,6 +211,14 @@ impl Port {
         match self {
             Port::Joint(leg, joint) => Some(Target::Joint(leg, joint)),
             _ => None,
+        }
+    }
+
+    /// Returns the named input of a channel; other inputs as they are. Channels with joints and open ones have none.
+    pub const fn by_name(self) -> Self {
+        match self {
+            Port::Channel(channel) if channel >= FIRST_KNOB => Port::Knob(channel - FIRST_KNOB + 1),
+            port => port,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Emergency stops: their cause and their report.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, HardwareFault};
 use crate::printable::Printable;
 use crate::program::Program;
 use core::fmt;
@@ -16,6 +16,8 @@ pub struct Emergency {
     pub cycle: u64,
     /// The thread whose step caused it; `None` for the main program's steps and the robot's own faults.
     pub thread: Option<ThreadName>,
+    /// The first failure to stop the robot, in this cycle or a later one.
+    pub stop_fault: Option<HardwareFault>,
 }
 
 /// The name of a thread, as a value.
@@ -63,8 +65,8 @@ impl fmt::Display for Emergency {
 
 /// An emergency stop with its place in the program. `Display` writes the text of EMG.log: the
 /// classical one-liner, then `program`, `title`, `thread` if a thread's step caused it, `step`, `line`,
-/// `cycle` and, if one caused it, `variable`, one per line with a tab after the word. Texts of the program are shown as
-/// [`Printable`].
+/// `cycle`, if one caused it `variable`, and `stop` if the robot could not be stopped, one per line with a tab after
+/// the word. Texts of the program are shown as [`Printable`].
 #[derive(Clone, Copy)]
 pub struct Report<'a> {
     /// The emergency stop.
@@ -94,6 +96,7 @@ impl fmt::Display for Report<'_> {
             step,
             cycle,
             thread,
+            stop_fault,
             ..
         } = self.emergency;
         writeln!(f, "{}", Printable::line(self.emergency))?;
@@ -105,8 +108,11 @@ impl fmt::Display for Report<'_> {
         writeln!(f, "step\t{step}")?;
         writeln!(f, "line\t{}", self.line())?;
         writeln!(f, "cycle\t{cycle}")?;
-        match self.variable() {
-            Some(name) => writeln!(f, "variable\t{}", Printable::line(name)),
+        if let Some(name) = self.variable() {
+            writeln!(f, "variable\t{}", Printable::line(name))?;
+        }
+        match stop_fault {
+            Some(fault) => writeln!(f, "stop\t{}", Printable::line(fault)),
             None => Ok(()),
         }
     }

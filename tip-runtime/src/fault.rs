@@ -70,7 +70,7 @@ pub enum Fault {
     /// A joint sensor reads an invalid value (leg and joint, from 1).
     JointSensor(u8, u8),
     /// The robot's hardware failed to read or to write.
-    Hardware(&'static str),
+    Hardware(HardwareFault),
     /// The RETURN key: software emergency stop.
     EmergencyKey,
 }
@@ -119,10 +119,74 @@ impl fmt::Display for Fault {
             Fault::JointSensor(leg, joint) => {
                 write!(f, "Sensor fault {}", Target::Joint(*leg, *joint))
             }
-            Fault::Hardware(what) => write!(f, "Hardware fault {what}"),
+            Fault::Hardware(fault) => write!(f, "Hardware fault {fault}"),
             Fault::EmergencyKey => f.write_str("Emergency stop key"),
         }
     }
 }
 
 impl core::error::Error for Fault {}
+
+/// A failure of the robot to read, to write or to stop: its cause, and the joint and the servo where it happened, as
+/// far as they are known.
+///
+/// `Display` writes `no answer`, `J23: no answer`, `servo 9: no answer` or `J23 (servo 9): no answer`.
+///
+/// ```
+/// use tip_runtime::fault::{Fault, HardwareFault};
+///
+/// const SILENT: HardwareFault = HardwareFault::new("no answer");
+/// assert_eq!(Fault::Hardware(SILENT).to_string(), "Hardware fault no answer");
+/// assert_eq!(SILENT.at_joint(2, 3).of_servo(9).to_string(), "J23 (servo 9): no answer");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HardwareFault {
+    /// Cause, in a few words.
+    pub cause: &'static str,
+    /// Leg and joint, from 1; `None` if no joint or more than one is concerned.
+    pub joint: Option<(u8, u8)>,
+    /// Identity of the servo on its bus.
+    pub servo: Option<u16>,
+}
+
+impl HardwareFault {
+    /// Returns a fault of the whole robot.
+    pub const fn new(cause: &'static str) -> Self {
+        HardwareFault {
+            cause,
+            joint: None,
+            servo: None,
+        }
+    }
+
+    /// Returns the fault, at a joint (leg and joint, from 1).
+    pub const fn at_joint(self, leg: u8, joint: u8) -> Self {
+        HardwareFault {
+            joint: Some((leg, joint)),
+            ..self
+        }
+    }
+
+    /// Returns the fault, of the servo with this identity on its bus.
+    pub const fn of_servo(self, id: u16) -> Self {
+        HardwareFault {
+            servo: Some(id),
+            ..self
+        }
+    }
+}
+
+impl fmt::Display for HardwareFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let joint = self.joint.map(|(leg, joint)| Target::Joint(leg, joint));
+        match (joint, self.servo) {
+            (Some(joint), Some(id)) => write!(f, "{joint} (servo {id}): ")?,
+            (Some(joint), None) => write!(f, "{joint}: ")?,
+            (None, Some(id)) => write!(f, "servo {id}: ")?,
+            (None, None) => {}
+        }
+        f.write_str(self.cause)
+    }
+}
+
+impl core::error::Error for HardwareFault {}

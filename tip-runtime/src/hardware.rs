@@ -19,13 +19,15 @@
 //!         for (angle, command) in self.0.iter_mut().zip(commands) {
 //!             match command {
 //!                 JointCommand::Angle { angle: to, .. } => *angle = *to,
-//!                 JointCommand::Torque(_) => return Err(HardwareFault("no torques")),
+//!                 JointCommand::Torque(_) => return Err(HardwareFault::new("no torques")),
 //!             }
 //!         }
 //!         Ok(())
 //!     }
 //!
-//!     fn stop(&mut self, _why: &Fault) {}
+//!     fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+//!         Ok(()) // They stay where they are.
+//!     }
 //! }
 //!
 //! let mut servos = Servos([0.0, 90.0]);
@@ -44,30 +46,47 @@
 //! assert!(servos.write(&outputs).is_err());
 //! ```
 
+pub use crate::fault::HardwareFault;
+
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::model::Point;
 
-/// The readings of one cycle. A reader fills in what it has; the rest keeps its zeros.
+/// The readings of one cycle. A reader fills in what it has. The rest stays absent ([`UNREAD`](Self::UNREAD)), and a program that
+/// reads it is stopped by `Sensor fault`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensors<const L: usize, const J: usize> {
     /// Joint angles, deg.
     pub angles: [[f64; J]; L],
-    /// Torque of each joint on its link, in the robot's torque unit; zeros where nothing senses it.
+    /// Number of cycles since each angle was measured; 0 if it was in this one. An older angle keeps its rate, and the next rate is
+    /// that of the time between the two measurements.
+    pub ages: [[u32; J]; L],
+    /// Torque of each joint on its link, in the robot's torque unit; NaN where nothing senses it.
     pub torques: [[f64; J]; L],
     /// V of knobs, of the soles' pressure sensors, of the feeler: what a program reads by a name. A palm's touch gives 1.
+    /// NaN where nothing is connected.
     pub inputs: Inputs,
-    /// Place of the slider (`FLOOR`), mm; zeros without a slider.
+    /// Place of the slider (`FLOOR`), mm; anything without a slider.
     pub slider: Point,
 }
 
 impl<const L: usize, const J: usize> Sensors<L, J> {
-    /// Nothing measured.
+    /// The readings of a simulation in which nothing is driven.
     pub const ZERO: Self = Sensors {
         angles: [[0.0; J]; L],
+        ages: [[0; J]; L],
         torques: [[0.0; J]; L],
         inputs: Inputs::all(0.0),
         slider: [0.0; 3],
+    };
+
+    /// The readings before the first cycle: every joint at 0, and all else absent, which is a NaN.
+    pub const UNREAD: Self = Sensors {
+        angles: [[0.0; J]; L],
+        ages: [[0; J]; L],
+        torques: [[f64::NAN; J]; L],
+        inputs: Inputs::all(f64::NAN),
+        slider: [f64::NAN; 3],
     };
 }
 
@@ -75,6 +94,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SensorsView<'a, const J: usize> {
     pub(crate) angles: &'a [[f64; J]],
+    pub(crate) ages: &'a [[u32; J]],
     pub(crate) torques: &'a [[f64; J]],
     pub(crate) inputs: &'a Inputs,
     pub(crate) slider: Point,
@@ -102,6 +122,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     pub(crate) const fn view(&self) -> SensorsView<'_, J> {
         SensorsView {
             angles: &self.angles,
+            ages: &self.ages,
             torques: &self.torques,
             inputs: &self.inputs,
             slider: self.slider,
@@ -173,10 +194,6 @@ impl<const L: usize, const J: usize> Outputs<L, J> {
     }
 }
 
-/// The robot failed to read or to write; the text names what.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct HardwareFault(pub &'static str);
-
 /// A robot: simulated, or yours.
 pub trait Hardware<const L: usize, const J: usize> {
     /// Samples every sensor, at the start of a cycle.
@@ -192,7 +209,11 @@ pub trait Hardware<const L: usize, const J: usize> {
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault>;
 
     /// Stops the robot: called in every cycle of an emergency, in place of [`write`](Self::write).
-    fn stop(&mut self, why: &Fault);
+    ///
+    /// # Errors
+    /// The robot could not be stopped in this cycle. The machine keeps the first such fault
+    /// ([`Emergency::stop_fault`](crate::machine::Emergency::stop_fault)), and calls again in the next cycle.
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 }
 
 /// A value for each input that a robot may have; what a robot lacks keeps the value of the beginning. Joints are not

@@ -158,7 +158,7 @@ impl<P, H, C, S, const L: usize, const J: usize> Machine<P, H, C, S, L, J> {
             state: State::new(),
             hardware,
             controller: Controller::new(model),
-            sensors: Sensors::ZERO,
+            sensors: Sensors::UNREAD,
             outputs: Outputs {
                 joints: [[JointCommand::at(0.0); J]; L],
                 slider: [0.0; 3],

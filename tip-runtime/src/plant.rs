@@ -103,8 +103,9 @@ pub struct Noise {
 }
 
 /// The fault of a plant whose state has diverged. The plant keeps its last valid state.
-const DIVERGED: HardwareFault =
-    HardwareFault("the simulation diverged: a force or a mass is too great for its time steps");
+const DIVERGED: HardwareFault = HardwareFault::new(
+    "the simulation diverged: a force or a mass is too great for its time steps",
+);
 
 /// Standard gravity: m/s² (3rd CGPM, 1901).
 const GRAVITY: f64 = 9.80665;

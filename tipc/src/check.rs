@@ -8,6 +8,7 @@ mod inputs;
 mod jumps;
 mod labels;
 mod names;
+mod ranges;
 mod resolve;
 mod structure;
 mod targets;

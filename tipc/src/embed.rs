@@ -66,18 +66,13 @@ fn require_regular(found: &fs::Metadata) -> Result<(), Reading> {
 }
 
 /// Opens a pipe that has taken the place of a file without waiting for its writer.
-#[cfg(any(target_os = "linux", target_os = "android", target_vendor = "apple"))]
+#[cfg(unix)]
 fn do_not_wait(options: &mut fs::OpenOptions) {
     use std::os::unix::fs::OpenOptionsExt;
-    // O_NONBLOCK, which the standard library does not name.
-    options.custom_flags(if cfg!(target_vendor = "apple") {
-        0x4
-    } else {
-        0o4000
-    });
+    options.custom_flags(libc::O_NONBLOCK);
 }
 
-#[cfg(not(any(target_os = "linux", target_os = "android", target_vendor = "apple")))]
+#[cfg(not(unix))]
 fn do_not_wait(_: &mut fs::OpenOptions) {}
 
 fn unreadable(error: io::Error) -> Reading {

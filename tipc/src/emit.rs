@@ -8,8 +8,6 @@
 
 mod expression;
 mod ident;
-#[cfg(feature = "build")]
-mod pretty;
 mod state;
 mod step;
 
@@ -21,10 +19,6 @@ pub(crate) use ident::in_comment;
 #[cfg(feature = "robot-files")]
 pub(crate) use ident::number;
 pub use ident::type_name;
-#[cfg(feature = "build")]
-pub use pretty::pretty;
-#[cfg(all(feature = "build", feature = "robot-files"))]
-pub(crate) use pretty::under;
 
 use crate::Robot;
 use crate::analysis::assignment::Assignment;
@@ -84,6 +78,22 @@ pub(crate) fn header_of(source: &str, hash: u64) -> String {
 pub fn emit(program: &Program, options: &Options) -> TokenStream {
     let emitter = Emitter::new(program, options);
     emitter.items(&emitter.states())
+}
+
+/// Returns the items of [`emit`] as formatted source text under a header comment.
+///
+/// # Errors
+/// They are not a Rust file; a visibility or runtime path that is none can cause it.
+#[cfg(feature = "build")]
+pub fn pretty(program: &Program, options: &Options) -> Result<String, syn::Error> {
+    under(&header(program), emit(program, options))
+}
+
+/// Formats tokens as source text under a header.
+#[cfg(feature = "build")]
+pub(crate) fn under(header: &str, tokens: TokenStream) -> Result<String, syn::Error> {
+    let text = prettyplease::unparse(&syn::parse2(tokens)?);
+    Ok(format!("// {header}\n\n{text}"))
 }
 
 /// Returns a type of the program's name that causes no further errors: it implements the trait and does
@@ -183,7 +193,7 @@ impl<'a> Emitter<'a> {
             runtime: &options.runtime,
             name: options.name_for(&program.source_name),
             assignment: Assignment::of(program),
-            // A place among those of threads has it in any case.
+            // The place of each thread holds the flag, even if no step reads it.
             has_taken_state: !program.threads.is_empty() || { program.steps.iter() }
                 .any(|step| step.action.passed_to().is_some()),
             labels: ident::label_constants(&program.labels),

@@ -32,5 +32,5 @@ pub mod syntax;
 
 #[cfg(feature = "build")]
 pub use generate::{BuildError, Config, compile};
-pub use load::{Loaded, MOST, Options, load};
+pub use load::{Loaded, MAX_DIAGNOSTICS, Options, load};
 pub use robot::{Facts, Robot};

@@ -5,7 +5,7 @@
 use crate::analysis::assignment::Ways;
 use crate::check::{Checked, DeclaredLabel, ResolvedModule, check};
 use crate::code::{Code, Level};
-pub use crate::diagnostic::MOST;
+pub use crate::diagnostic::MAX_DIAGNOSTICS;
 use crate::diagnostic::{Diagnostic, Diagnostics, Omitted, by_location};
 use crate::language::Edition;
 use crate::message::phrase::Assign;
@@ -42,7 +42,7 @@ pub struct Loaded {
     pub program: Option<Program>,
     /// The robot that the program was checked for; none if it is no program.
     pub robot: Option<Robot>,
-    /// The diagnostics, in order of their locations: no more than [`MOST`], of many the first errors.
+    /// The diagnostics, in order of their locations: no more than [`MAX_DIAGNOSTICS`], of many the first errors.
     pub diagnostics: Vec<Diagnostic>,
     /// The diagnostics beyond that.
     pub omitted: Omitted,
@@ -198,7 +198,7 @@ pub fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
         Some(fault) => (Module::default(), vec![fault.into()].into()),
     };
     name_encoding(&mut diagnostics, bytes);
-    judge(&mut diagnostics, module.edition);
+    judge(diagnostics.iter_mut(), module.edition);
     let wrong_version = diagnostics.iter().any(|one| one.code == Code::Version);
     Parsed {
         source,
@@ -270,7 +270,7 @@ fn lower(source: &Source, module: &Module, resolved: ResolvedModule<'_>, robot: 
 
 /// Takes what a module is resolved to, unless there is an error in it.
 fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
-    judge(&mut checked.found, edition);
+    judge(checked.found.iter_mut(), edition);
     // A constant that fails wherever it runs leaves the program its ways.
     let of_domain = checked.found.iter().filter(|one| one.code == Code::Domain);
     match checked.found.errors(edition) > of_domain.count() {
@@ -290,10 +290,10 @@ fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) 
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
         later.span == first.span && is_mistake(later) && is_mistake(first)
     });
-    if diagnostics.len() > MOST {
+    if diagnostics.len() > MAX_DIAGNOSTICS {
         diagnostics.sort_by_key(|one| one.level() != Level::Error);
         diagnostics
-            .drain(MOST..)
+            .drain(MAX_DIAGNOSTICS..)
             .for_each(|one| omitted.add(one.code));
         by_location(&mut diagnostics);
     }
@@ -301,7 +301,7 @@ fn in_order(found: Diagnostics, edition: Edition) -> (Vec<Diagnostic>, Omitted) 
 }
 
 /// Names the encoding of a file that the language does not know, where something in it cannot be read.
-fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
+fn name_encoding(diagnostics: &mut Diagnostics, bytes: &[u8]) {
     let mut unreadable = diagnostics.iter_mut().filter(|one| {
         matches!(
             one.reason,
@@ -317,7 +317,7 @@ fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
 }
 
 /// Judges diagnostics by the rules of an edition.
-pub fn judge(diagnostics: &mut [Diagnostic], edition: Edition) {
+pub fn judge<'d>(diagnostics: impl IntoIterator<Item = &'d mut Diagnostic>, edition: Edition) {
     for diagnostic in diagnostics {
         diagnostic.edition = edition;
         diagnostic.code = diagnostic.code.in_edition(edition);

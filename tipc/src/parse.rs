@@ -1,6 +1,7 @@
 //! Lines to statements. It never fails and reports every bad line; it judges form, never meaning.
+//!
+//! Each file of a statement begins with its form. What stands there instead is the matter of `recover`.
 
-mod comment;
 mod condition;
 mod control;
 mod declaration;
@@ -9,13 +10,14 @@ pub mod header;
 mod line;
 mod operand;
 mod reader;
+mod recover;
 mod statement;
-mod unknown;
+mod text;
 
-pub use comment::{comment_after, comment_mark, is_comment};
-pub use control::glued;
-pub use line::{LONG_VOWEL, narrow, plain};
-pub(crate) use operand::is_unit;
+pub use recover::characters::{LONG_VOWEL, narrow, plain};
+pub use recover::comment::{comment_after, comment_mark, is_comment};
+pub use recover::control::glued;
+pub(crate) use recover::operand::is_unit;
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -52,7 +54,7 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
         let start = line.span.start.max(end.span.end);
         let span = Span::new(start, line.span.end);
         parser.line = Line { span, ..line };
-        if span.end - start > LINE_LIMIT || parser.is_in_comment() {
+        if span.end - start > LINE_LIMIT || parser.pass_comment() {
             continue;
         }
         parser.statements_of_line();
@@ -64,7 +66,7 @@ pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
             label = is_label.then(|| label.unwrap_or(statement.span));
         }
         parser.module.after_end = None;
-        parser.diagnostics.clear();
+        parser.diagnostics = Diagnostics::default();
         parser.is_numbered = false;
     }
     None
@@ -136,7 +138,7 @@ impl Parser<'_> {
         for line in self.source.lines() {
             self.line = line;
             let mut flow = Flow::Continue;
-            let is_read = line.number > 2 && !self.is_in_comment();
+            let is_read = line.number > 2 && !self.pass_comment();
             if is_read {
                 self.is_text_too_long = false;
                 flow = self.statements_of_line();
@@ -168,7 +170,7 @@ impl Parser<'_> {
     fn report_missing_end(&mut self) {
         // All lines are read, so this is the last one.
         let location = self.trim(self.line.span, char::is_whitespace);
-        if self.last_word_was_end(location) {
+        if self.take_last_word_as_end(location) {
             return;
         }
         let missing = Diagnostic::new(Code::NoEnd, location, Parsing::ProgramEndsHere);
@@ -183,7 +185,7 @@ impl Parser<'_> {
 
     /// Reads the unknown word at the end of the text as the END that is missing: `EDN`, `STOP`. Returns true if that
     /// is reported.
-    fn last_word_was_end(&mut self, location: Span) -> bool {
+    fn take_last_word_as_end(&mut self, location: Span) -> bool {
         let Some(last) = self.module.statements.last() else {
             return false;
         };

@@ -24,7 +24,7 @@ pub enum Robot {
 /// Properties of a robot that a program can meet: all that checking needs of a model or a description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facts {
-    /// Robot statement that its programs need.
+    /// Shape of the robot that its programs are made for.
     pub signature: Signature,
     /// The sampling time that programs begin with: ms.
     pub period: f64,
@@ -93,7 +93,7 @@ impl fmt::Debug for Limits {
 }
 
 impl Facts {
-    /// Returns the facts of a model.
+    /// Returns the facts of a model that is a `static` or a constant; those of another model are [`copied`](Self::copied).
     pub const fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
         Self::with(model, Limits(model))
     }
@@ -137,7 +137,7 @@ impl Robot {
         self.signature().robot
     }
 
-    /// Returns the robot statement that its programs need.
+    /// Returns the shape of the robot that its programs are made for.
     pub const fn signature(self) -> Signature {
         self.facts().signature
     }

@@ -18,7 +18,7 @@
 
 use decode::{Decoded, MARK, decode};
 use lines::LineIndex;
-use position::{ColumnIndex, Original};
+use position::Original;
 
 mod decode;
 mod lines;
@@ -32,10 +32,6 @@ pub use position::{Position, Unit, byte_length};
 /// Byte that DOS puts after the last line of a text file.
 const TAIL: &[u8] = b"\x1A";
 
-/// Number of bytes of text that an index counts together. A search looks at no more, and a line of the longest length
-/// that is allowed costs the index of lines one byte.
-const STRETCH: usize = 4096;
-
 /// A decoded source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
@@ -46,7 +42,6 @@ pub struct Source {
     text: String,
     original: Original,
     lines: LineIndex,
-    columns: ColumnIndex,
 }
 
 impl Source {
@@ -76,8 +71,7 @@ impl Source {
             charset,
             mark,
             tail,
-            lines: LineIndex::new(&text),
-            columns: ColumnIndex::new(&text, &original),
+            lines: LineIndex::new(text.as_bytes()),
             original,
             text,
         };
@@ -119,13 +113,13 @@ impl Source {
     /// Returns the bytes of the file for the text at `span`, even if they are invalid. Spans that follow
     /// each other give bytes that follow each other; characters that begin in a span are given back completely.
     pub fn original(&self, span: Span) -> &[u8] {
-        let at = |offset| self.units_before(next_boundary(&self.text, offset), Unit::Byte);
+        let at = |offset| self.byte_of(next_boundary(&self.text, offset));
         self.original.get(&self.text, at(span.start), at(span.end))
     }
 
     /// Returns the byte of the file for a byte of the text.
     pub fn file_offset(&self, offset: usize) -> usize {
-        self.mark.len() + self.units_before(offset, Unit::Byte)
+        self.mark.len() + self.byte_of(next_boundary(&self.text, offset))
     }
 
     /// Returns the bytes of the file.

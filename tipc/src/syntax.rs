@@ -6,6 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Edition, Keyword};
 use crate::source::Span;
 use smol_str::{SmolStr, StrExt};
+use tip_runtime::command::{Reading, Target, Teach};
 
 /// A node of the syntax with its location.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,6 +40,17 @@ pub enum VariableKind {
     Pos,
     /// J1…Jn.
     Joint,
+}
+
+impl VariableKind {
+    /// Returns the type of a special variable.
+    pub const fn of_reading(reading: Reading) -> Self {
+        match reading {
+            Reading::Measured(Teach::Position | Teach::Force, _) => VariableKind::Pos,
+            Reading::Measured(_, Target::Joint(..)) | Reading::Timer(_) => VariableKind::Var,
+            Reading::Measured(Teach::Angle | Teach::Torque, _) => VariableKind::Joint,
+        }
+    }
 }
 
 /// An operand or argument as written: `-12.5`, `A`, `-P.X`, `F1`, `ALL`, `HS`, `J11`.

@@ -33,7 +33,7 @@ impl<const L: usize, const J: usize> Hardware<L, J> for Replay<L, J> {
         *into = *self
             .readings
             .get(self.next)
-            .ok_or(HardwareFault("replay"))?;
+            .ok_or(HardwareFault::new("replay"))?;
         self.next += 1;
         Ok(())
     }
@@ -42,7 +42,9 @@ impl<const L: usize, const J: usize> Hardware<L, J> for Replay<L, J> {
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {}
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        Ok(())
+    }
 }
 
 /// A robot whose measurements are written down.
@@ -63,7 +65,7 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Hardware<L, J> for Recor
         self.robot.write(outputs)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        self.robot.stop(why);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.robot.stop(why)
     }
 }

@@ -50,7 +50,7 @@ impl Hardware<LEGS, JOINTS> for Wires {
         for leg in 0..LEGS {
             for joint in 0..JOINTS {
                 let JointCommand::Angle { angle, rate } = outputs.joints[leg][joint] else {
-                    return Err(HardwareFault("no torques"));
+                    return Err(HardwareFault::new("no torques"));
                 };
                 self.outputs.angles[leg][joint] = angle;
                 self.outputs.rates[leg][joint] = rate;
@@ -60,7 +60,9 @@ impl Hardware<LEGS, JOINTS> for Wires {
     }
 
     /// Keeps the last commands.
-    fn stop(&mut self, _why: &Fault) {}
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        Ok(())
+    }
 }
 
 type Robot = Machine<Walk, Wires, (), (), LEGS, JOINTS>;

@@ -41,7 +41,9 @@ impl Hardware<LEGS, JOINTS> for Joints {
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {}
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        Ok(())
+    }
 }
 
 #[test]

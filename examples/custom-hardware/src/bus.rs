@@ -149,32 +149,31 @@ impl<L: Link> ServoBus<L> {
             value,
         };
         let sent = self.0.send(frame.encode());
-        sent.then_some(()).ok_or(HardwareFault("servo bus: dead"))
+        sent.then_some(())
+            .ok_or(HardwareFault::new("servo bus: dead"))
     }
 
     fn ask(&mut self, servo: u8) -> Result<i16, HardwareFault> {
         self.send(servo, Instruction::Ask, 0)?;
-        let bytes = self
-            .0
-            .receive()
-            .ok_or(HardwareFault("servo bus: no answer"))?;
-        let frame = Frame::decode(bytes).ok_or(HardwareFault("servo bus: damaged answer"))?;
+        let fault = |cause| HardwareFault::new(cause).of_servo(servo.into());
+        let bytes = self.0.receive().ok_or(fault("no answer"))?;
+        let frame = Frame::decode(bytes).ok_or(fault("damaged answer"))?;
         let is_its = frame.servo == servo && frame.instruction == Instruction::Position;
         is_its
             .then_some(frame.value)
-            .ok_or(HardwareFault("servo bus: wrong answer"))
+            .ok_or(fault("answer of another servo"))
     }
 }
 
 impl<L: Link> Hardware<LEGS, JOINTS> for ServoBus<L> {
     fn read(&mut self, into: &mut Sensors<LEGS, JOINTS>) -> Result<(), HardwareFault> {
-        for (angle, drive) in into
-            .angles
-            .iter_mut()
-            .flatten()
-            .zip(DRIVES.iter().flatten())
-        {
-            *angle = drive.angle(f64::from(self.ask(drive.id)?));
+        for ((leg, angles), drives) in (1..).zip(&mut into.angles).zip(&DRIVES) {
+            for ((joint, angle), drive) in (1..).zip(angles).zip(drives) {
+                let counts = self
+                    .ask(drive.id)
+                    .map_err(|fault| fault.at_joint(leg, joint))?;
+                *angle = drive.angle(f64::from(counts));
+            }
         }
         Ok(())
     }
@@ -182,7 +181,7 @@ impl<L: Link> Hardware<LEGS, JOINTS> for ServoBus<L> {
     fn write(&mut self, outputs: &Outputs<LEGS, JOINTS>) -> Result<(), HardwareFault> {
         for (command, drive) in outputs.joints.iter().flatten().zip(DRIVES.iter().flatten()) {
             let JointCommand::Angle { angle, .. } = *command else {
-                return Err(HardwareFault("servo bus: position servos give no torque"));
+                return Err(HardwareFault::new("position servos give no torque"));
             };
             let counts = drive.counts(angle).round() as i16;
             self.send(drive.id, Instruction::Target, counts)?;
@@ -190,8 +189,7 @@ impl<L: Link> Hardware<LEGS, JOINTS> for ServoBus<L> {
         self.send(BROADCAST, Instruction::Go, 0)
     }
 
-    fn stop(&mut self, _why: &Fault) {
-        // The emergency is known already; a dead bus cannot make it worse.
-        let _ = self.send(BROADCAST, Instruction::Stop, 0);
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        self.send(BROADCAST, Instruction::Stop, 0)
     }
 }

@@ -1,8 +1,10 @@
 //! `walk.prg` as a node of a ROS 2 graph: see the README beside it.
 #![expect(clippy::disallowed_macros, reason = "an example prints")]
 
+mod feedback;
 mod messages;
 
+use feedback::{Feedback, JOINTS, LEGS, name};
 use messages::{
     DIAGNOSTICS, Diagnostics, Header, JOINT_STATE, JointState, KeyValue, Status, TEXT,
     TRIGGER_REPLY, TRIGGER_REQUEST, Text, Time, TriggerReply, TriggerRequest,
@@ -28,11 +30,6 @@ use tip_runtime::realtime::Pacer;
 
 tip_macros::include_tip!("../walk/motions/walk.prg");
 
-const LEGS: usize = 4;
-const JOINTS: usize = 3;
-
-/// Cycles without feedback after which the robot is stopped.
-const SILENCE: u32 = 10;
 /// The byte of the ESC key: a halt request.
 const ESCAPE: u8 = 0x1B;
 
@@ -92,10 +89,6 @@ fn take<D: DeserializeOwned + 'static>(reader: &mut DataReaderCdr<D>) -> Option<
     Some(sample.into_value())
 }
 
-fn name(leg: usize, joint: usize) -> String {
-    format!("J{}{}", leg + 1, joint + 1)
-}
-
 fn names() -> Vec<String> {
     let legs = (0..LEGS).flat_map(|leg| (0..JOINTS).map(move |joint| name(leg, joint)));
     legs.collect()
@@ -125,25 +118,18 @@ struct Answers {
 /// The joints of the graph.
 struct Wires {
     commands: DataWriterCdr<JointState>,
-    feedback: DataReaderCdr<JointState>,
-    angles: [[f64; JOINTS]; LEGS],
-    /// Cycles since the last feedback; `None` before the first.
-    silence: Option<u32>,
+    states: DataReaderCdr<JointState>,
+    feedback: Feedback,
     answers: Answers,
 }
 
 impl Wires {
-    /// Takes all feedback that has come. Joints of other names are not ours; those that are missing keep their angles.
+    /// Takes all joint states that have come.
     fn listen(&mut self) {
-        while let Some(state) = take(&mut self.feedback) {
-            for (name, position) in state.name.iter().zip(&state.position) {
-                let place =
-                    (0..LEGS * JOINTS).find(|it| *name == self::name(it / JOINTS, it % JOINTS));
-                if let Some(place) = place.filter(|_| position.is_finite()) {
-                    self.angles[place / JOINTS][place % JOINTS] = position.to_degrees();
-                }
+        while let Some(state) = take(&mut self.states) {
+            if !self.feedback.take(&state.name, &state.position) {
+                continue;
             }
-            self.silence = Some(0);
             // Feedback has the time of the command that it answers.
             let open = &mut self.answers.open;
             if let Some(place) = open
@@ -175,7 +161,7 @@ impl Wires {
             effort: Vec::new(),
         };
         // Before anyone has answered, and between two peers, no answer is expected.
-        if self.silence.is_some_and(|silence| silence < SILENCE) {
+        if self.feedback.angles().is_ok() {
             self.answers.open.push((stamp, Instant::now()));
             self.answers.sent += 1;
         }
@@ -186,12 +172,9 @@ impl Wires {
 impl Hardware<LEGS, JOINTS> for Wires {
     fn read(&mut self, into: &mut Sensors<LEGS, JOINTS>) -> Result<(), HardwareFault> {
         self.listen();
-        let silence = self.silence.get_or_insert(0);
-        *silence += 1;
-        if *silence > SILENCE {
-            return Err(HardwareFault("joint_states: no feedback"));
-        }
-        into.angles = self.angles;
+        into.angles = self.feedback.angles().map_err(|(leg, joint)| {
+            HardwareFault::new("no feedback on /joint_states").at_joint(leg, joint)
+        })?;
         Ok(())
     }
 
@@ -206,11 +189,14 @@ impl Hardware<LEGS, JOINTS> for Wires {
             });
         let (angles, rates): (Vec<f64>, Vec<f64>) = parts.unzip();
         let sent = self.publish(angles.into_iter(), rates.into_iter());
-        sent.then_some(()).ok_or(HardwareFault("joint_commands"))
+        sent.then_some(())
+            .ok_or(HardwareFault::new("joint_commands"))
     }
 
     /// Says nothing more: the controller behind the topic holds its last command.
-    fn stop(&mut self, _why: &Fault) {}
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        Ok(())
+    }
 }
 
 /// Keys that services press; messages go to standard output.
@@ -265,9 +251,8 @@ fn main() -> Result<(), Failure> {
     let graph = Graph::join(domain)?;
     let wires = Wires {
         commands: graph.writer("rt/joint_commands", JOINT_STATE)?,
-        feedback: graph.reader("rt/joint_states", JOINT_STATE)?,
-        angles: MODEL.legs.map(|leg| leg.initial),
-        silence: None,
+        states: graph.reader("rt/joint_states", JOINT_STATE)?,
+        feedback: Feedback::default(),
         answers: Answers::default(),
     };
     let keys = Keys::default();
@@ -280,14 +265,12 @@ fn main() -> Result<(), Failure> {
 
     let (mut pacer, mut is_started) = (Pacer::start(), false);
     for cycle in 0..cycles {
-        let has_feedback = robot
-            .hardware()
-            .silence
-            .is_some_and(|silence| silence < SILENCE);
+        robot.hardware_mut().feedback.grow_older();
+        let feedback = robot.hardware().feedback.angles();
         start.serve(|| {
-            is_started |= has_feedback;
-            let reason = "no feedback on /joint_states".to_owned();
-            is_started.then_some(()).ok_or(reason)
+            is_started |= feedback.is_ok();
+            let missing = |(leg, joint)| format!("no position of J{leg}{joint} on /joint_states");
+            feedback.map(|_| ()).map_err(missing)
         });
         halt.serve(|| {
             *keys.0.borrow_mut() = Some(ESCAPE);
@@ -316,7 +299,6 @@ fn main() -> Result<(), Failure> {
             let angles = initial.as_flattened().iter().copied();
             let wires = robot.hardware_mut();
             wires.publish(angles, [0.0; LEGS * JOINTS].into_iter());
-            wires.silence = wires.silence.map(|silence| silence.saturating_add(1));
             true
         };
         if cycle % 50 == 0 || !goes_on {

@@ -4,19 +4,18 @@ use std::path::PathBuf;
 
 /// Output of `--help`.
 pub const HELP: &str = "\
-Walks the simulated TITAN VIII and compares the compiled program with the reference interpreter.
+Walks the simulated TITAN VIII by the compiled program and prints a gait diagram.
 
 Usage: walk [OPTIONS]
 
 Options:
   --cycles N     stop after N control cycles (default: when the program ends)
-  --trace FILE   write the trace of both engines, one JSON object a line
+  --trace FILE   write the trace, one JSON object a line
   --trace-state  add a hash of joint commands and angles to each record
   --realtime     walk in real time: F faster, S slower, Q stop, ESC halt request, RETURN emergency stop
   --help         this text
 
-Exit status: 0 if the body came 1 m forward without a fall and both engines agree, 1 if not,
-2 for a wrong command line.
+Exit status: 0 if the body came 1 m forward without a fall, 1 if not, 2 for a wrong command line.
 ";
 
 /// The command line, understood.
@@ -28,7 +27,7 @@ pub struct Options {
     pub trace: Option<PathBuf>,
     /// Records end with a hash of the robot's state.
     pub trace_state: bool,
-    /// Paced, with the keyboard, and without the interpreter.
+    /// Paced, with the keyboard.
     pub realtime: bool,
     /// Only print the help text.
     pub help: bool,

@@ -1,10 +1,15 @@
-// The page of a table of runs. PAGES is the folder that `run` has put it into.
+// The page of a table of runs, with the data of runs.json. PAGES is the folder of pages.
 import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { launch } from './browsers.mjs';
 
 /** The place of `name` in texts that canvases were asked to draw. */
 const named = (texts, name) => texts.filter(({ text }) => text === name);
+
+const here = (path) => readFileSync(new URL(path, import.meta.url), 'utf8');
+const html = here('../../../tools/view/page/sweep.html').replaceAll('TIP-TITLE', 'runs.csv').replace('TIP-DATA', () => here('runs.json'));
+writeFileSync(`${process.env.PAGES}/runs.html`, html);
 
 for (const width of [1440, 390]) {
   describe(`a page of ${width} pixels`, () => {

@@ -10,6 +10,9 @@ IDS = [1, 2, 3]
 if SERVO.startswith("moteus"):
     import moteus
     from moteus import fdcanusb_device
+elif SERVO.startswith("LX"):
+    import lewansoul_lx16a
+    import serial
 else:
     import dynamixel_sdk as sdk
     import rustypot
@@ -100,6 +103,27 @@ def by_sdk(goals):
     port.closePort()
 
 
+def by_lewansoul():
+    """Counts of 0.24 deg, mV and °C."""
+    line = serial.Serial(PORT, 115200, timeout=1)
+    bus = lewansoul_lx16a.ServoController(line, timeout=1)
+    check("lewansoul identity", [bus.get_servo_id(number) for number in IDS], IDS)
+    check("lewansoul limits", bus.get_position_limits(1), [0, 1000])
+    check("lewansoul voltage", [bus.get_voltage(1)], [7400], 50)
+    check("lewansoul temperature", [bus.get_temperature(1)], [30], 1)
+    for number in IDS:
+        bus.motor_on(number)
+        assert bus.is_motor_on(number), number
+    goals = [450, 620, 500]
+    for number, goal in zip(IDS, goals, strict=True):
+        bus.move(number, goal, 800)
+    time.sleep(1.5)
+    check("lewansoul position", [bus.get_position(number) for number in IDS], goals, 1)
+    for number in IDS:
+        bus.motor_off(number)
+        assert not bus.is_motor_on(number), number
+
+
 async def by_moteus():
     """Turns. A pseudo-terminal is not found among the adapters of this machine: it is said to be one."""
     fdcanusb_device._get_fdcanusb_properties = lambda path: {"is_fdcanusb": True}
@@ -129,6 +153,8 @@ async def by_moteus():
 
 if SERVO.startswith("moteus"):
     asyncio.run(asyncio.wait_for(by_moteus(), 30))
+elif SERVO.startswith("LX"):
+    by_lewansoul()
 else:
     goals = by_rustypot()
     if SERVO != "STS3215":

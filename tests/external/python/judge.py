@@ -8,6 +8,7 @@ import os
 import pickle
 import resource
 import signal
+import stat
 import subprocess
 import sys
 import threading
@@ -60,11 +61,11 @@ def sweeps():
     serial = tip.sweep(LIFT, executor=ThreadPoolExecutor(1), **OPTIONS)
     expected = tip.table_hash(serial)
     assert serial.num_rows == 300 and len(set(serial["hash"].to_pylist())) > 250
-    assert serial.schema.field("forward").metadata == {b"unit": b"mm"}
+    assert serial.schema.field("forward").metadata == {b"unit": b"mm", b"meaning": b"travel of the body forward"}
     assert tip.table_hash(tip.sweep(LIFT, chunk=7, **OPTIONS)) == expected
 
     document = tip.spec(LIFT, **OPTIONS)
-    alone = dict((name, values) for name, _, _, values in _native.run_chunk(document, 117, 1))
+    alone = {name: values for name, _, _, _, values in _native.run_chunk(document, 117, 1)}
     assert alone["hash"] == [serial["hash"][117].as_py()]
     assert np.frombuffer(alone["energy"])[0] == serial["energy"][117].as_py()
 
@@ -83,6 +84,7 @@ def processes(expected):
     assert tip.table_hash(runs) == expected
     assert all(part.stat().st_mtime_ns == then for part, then in kept.items()), "finished chunks are not run again"
     raises(ValueError, tip.sweep, LIFT, directory="processes", says="another sweep", **{**OPTIONS, "seed": 8})
+    raises(ValueError, tip.sweep, LIFT, directory="processes", chunk=7, says="chunks of another size", **OPTIONS)
     print(f"2 processes, one killed after {len(kept)} of 30 chunks: equal")
 
     # A worker without the package says so.
@@ -137,6 +139,18 @@ def command():
     assert np.array_equal(read["forward [mm]"].to_numpy(), table["forward"].to_numpy())
     subprocess.run(["tip", "view", "runs.csv", "-q"], check=True)
     subprocess.run(["tip", "view", "runs.csv", "--case", "3", "-q"], check=True)
+    saved = json.loads(Path("runs.sweep.json").read_text("utf-8"))
+    assert [column["name"] for column in saved["columns"]] == table.column_names
+    # Nothing but a file takes the table, and no table of another form is written.
+    os.mkfifo("pipe.csv")
+    Path("locked.csv").touch(0o444)
+    for place, says in (("/dev/null", "must end in .csv"), ("pipe.csv", "pipe"), ("locked.csv", "read-only"), ("runs.tsv", "must end in .csv")):
+        raises(ValueError, tip.save, table, place, says=says)
+    assert stat.S_ISFIFO(os.stat("pipe.csv").st_mode) and stat.S_ISCHR(os.stat("/dev/null").st_mode)
+    raises(ValueError, tip.save, table.drop_columns(["hash"]), "other.csv", says="other columns")
+    raises(ValueError, tip.save, pyarrow.table({"a": [1]}), "other.csv", says="no specification")
+    # No text is a number for pandas or Arrow.
+    assert pyarrow.types.is_string(read["hash"].type) and pyarrow.types.is_string(read["check"].type)
     print("tip sweep: equal; tip view takes the table")
 
 
@@ -173,6 +187,20 @@ def runs():
     run.run_to_end()
     assert (run.travel, run.trace()) == (travel, trace)
     assert json.loads(trace.splitlines()[1])["set"] == {"STRIDE": 160.0}
+    other = tip.Run("walk.prg")
+    other.restore(mark)
+    other.run_to_end()
+    assert other.travel == travel, "another run of the program goes on from the mark"
+    raises(ValueError, tip.Run(LIFT).restore, mark, says="another program")
+    raises(ValueError, tip.Run("walk.prg", plant="dynamic").restore, mark, says="another plant")
+    raises(ValueError, other.restore, None, says="a snapshot is needed")
+    endless = "3.1\nt\nDEF_VAR A\nA = 0\nAGAIN:\nA += 1\nGOTO AGAIN:\nEND\n"
+    for options, cycles in (({"until": 1.0}, 50), ({"cycles": 70}, 70)):
+        run, steps = tip.Run(endless, **options), 0
+        while run.step(10):
+            steps += 1
+            assert steps < 100, "it ends"
+        assert run.cycles == cycles and run.end == "limit" and not run.step()
     run = tip.Run("walk.prg", trace=False)
     run.event("300:halt")
     run.run_to_end()
@@ -185,6 +213,33 @@ def runs():
     raises(IndexError, tip.Run, "walk.prg", case=1)
     raises(ValueError, tip.sweep, "walk.prg", vary={"STRID": [1]}, says="did you mean STRIDE?")
     raises(ValueError, tip.sweep, "walk.prg", vary={"STRIDE": []}, says="empty")
+    # Each wrong argument is named.
+    for says, options in (
+        ("vary['SPEED']: a list of numbers", {"vary": {"SPEED": "200"}}),
+        ("vary['SPEED'][1]: a finite number", {"vary": {"SPEED": [1, "2"]}}),
+        ("vary['SPEED'][0]: a finite number is needed, not nan", {"vary": {"SPEED": [float("nan")]}}),
+        ("vary['SPEED']: a finite number is needed, not inf", {"vary": {"SPEED": float("inf")}}),
+        ("vary['SPEED']: uniform(…) or normal(…)", {"vary": {"SPEED": {"low": 1}}}),
+        ("vary: a mapping", {"vary": ["SPEED"]}),
+        ("seed: a whole number, 0 or more is needed, not -1", {"seed": -1}),
+        ("seed: a whole number", {"seed": 2**64}),
+        ("repeat: a whole number, 1 or more", {"repeat": 0}),
+        ("repeat: a whole number", {"repeat": 1.5}),
+        ("until: a finite number", {"until": "60"}),
+        ("cycles: a whole number", {"cycles": -3}),
+        ("plant: one of scene, quasi-static, dynamic", {"plant": "mass"}),
+        ("sampling: one of random", {"sampling": "sobol"}),
+        ("events: a text", {"events": 3}),
+        ("record: a list of names", {"record": "SPEED"}),
+        ("robot: a path", {"robot": 8}),
+        ("chunk: a whole number, 1 or more", {"chunk": 0}),
+    ):
+        raises(ValueError, tip.sweep, "walk.prg", says=says, **options)
+    raises(ValueError, tip.sweep, 5, says="program: a path")
+    raises(ValueError, tip.uniform, 0, float("nan"), says="high: a finite number")
+    raises(ValueError, tip.Run, "walk.prg", case=-1, says="case: a whole number")
+    raises(ValueError, tip.Run("walk.prg").step, -1, says="cycles: a whole number")
+    raises(ValueError, tip.Run("walk.prg").set, "STRIDE", float("nan"), says="STRIDE: a finite number")
     found = tip.check("3.1\nt\nPTPP F1\nEND\n")
     assert [(one.level, one.line) for one in found] == [("error", 3)] and found[0].code.startswith("E2"), found
     assert not tip.check("walk.prg")
@@ -236,6 +291,7 @@ def environments():
         ends += truncated.sum()
         assert observations.dtype == np.float32 and rewards.shape == (8,) and not terminated.any()
     assert ends == 16, "an episode is 50 cycles, which are 10 steps"
+    final_observations(options)
     began, count = time.process_time(), 0
     env = tip.VecEnv("steers.prg", 64, **options)
     env.reset()
@@ -245,6 +301,43 @@ def environments():
     print(f"environments: {count} control cycles a CPU-second")
     if has("stable_baselines3"):
         sb3_environments(options)
+
+
+def final_observations(options):
+    """The last observations of episodes have the form of gymnasium's own environments, in whichever of them an episode ends."""
+    ends = "3.1\nEnds when it is told to\nDEF_VAR GO\nGO = 0\nAGAIN:\nIF GO < 1 GOTO AGAIN:\nEND\n"
+    for ended in ([], [1], [0, 1, 2]):
+        env = tip.VecEnv(ends, 3, actions={"GO": (0, 1)}, observations=["J11", "z"], reward="z", cycles=5)
+        env.reset()
+        actions = np.zeros((3, 1))
+        # The program assigns the variable in its first step.
+        env.step(actions)
+        actions[ended] = 1
+        _, _, terminated, _, infos = env.step(actions)
+        assert list(np.flatnonzero(terminated)) == ended
+        if ended:
+            final = infos["final_obs"]
+            assert final.shape == (3,) and final.dtype == object
+            assert all((final[one] is not None) == (one in ended) for one in range(3))
+            assert all(final[one].shape == (2,) and final[one].dtype == np.float32 for one in ended)
+    raises(ValueError, env.step, np.full((3, 1), np.nan), says="actions[0]: GO")
+    raises(ValueError, env.reset, seed=-1, says="seed: a whole number")
+    for says, changed in (
+        ("num_envs: a whole number, 1 or more", {"num_envs": 0}),
+        ("actions: a mapping", {"actions": {}}),
+        ("actions['GO']: a pair", {"actions": {"GO": 1}}),
+        ("actions['GO']: a lower bound", {"actions": {"GO": (1, 1)}}),
+        ("observations: a list of names", {"observations": "z"}),
+        ("reward: a name", {"reward": None}),
+    ):
+        right = {"num_envs": 2, "actions": {"GO": (0, 1)}, "observations": ["z"]}
+        raises(ValueError, tip.VecEnv, ends, says=says, **{**right, **changed})
+    # Any number of threads gives the same steps.
+    few, many = (tip.VecEnv("steers.prg", count, **options) for count in (3, 40))
+    few.reset(seed=2), many.reset(seed=2)
+    for _ in range(3):
+        one, two = few.step(np.full((3, 1), 90.0))[0], many.step(np.full((40, 1), 90.0))[0]
+        assert np.array_equal(one, two[:3])
 
 
 def sb3_environments(options):

@@ -1,6 +1,7 @@
 """Joints of a ROS 2 graph by Cyclone DDS: they are where they are commanded to be.
 
-Usage: peer.py echo SECONDS | start | halt | set NAME=VALUE... | diagnostics
+Usage: peer.py echo SECONDS | gripper SECONDS | nan SECONDS | empty SECONDS | partial SECONDS | start | refused | halt |
+    set NAME=VALUE... | diagnostics
 """
 
 import random
@@ -105,6 +106,44 @@ def echo(seconds):
     print(f"peer: {count} commands")
 
 
+def mislead(kind, seconds):
+    """Publishes joint states that do not say where the robot is."""
+    states = DataWriter(graph, topic("rt/joint_states", JointState), qos=QOS)
+    joints = [f"J{leg}{joint}" for leg in range(1, 5) for joint in range(1, 4)]
+    names, positions = {
+        "gripper": (["finger"], [0.0]),
+        "nan": (joints, [float("nan")] * 12),
+        "empty": (joints, []),
+        "partial": (joints[:11], [0.0] * 11),
+    }[kind]
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        now = time.time()
+        stamp = Time(int(now), int(now % 1 * 1e9))
+        states.write(JointState(Header(stamp, ""), names, positions, [], []))
+        time.sleep(0.02)
+    print(f"peer: {kind}")
+
+
+def refuse():
+    """Calls /tip/start for two seconds of answers, each of which has to be a refusal with a joint's name."""
+    requests = DataWriter(graph, topic("rq/tip/startRequest", Request), qos=QOS)
+    replies = DataReader(graph, topic("rr/tip/startReply", Reply), qos=QOS)
+    client, refused = random.getrandbits(63), 0
+    for number in range(40):
+        requests.write(Request(client, number, 0))
+        for reply in replies.take_iter(timeout=duration(milliseconds=300)):
+            if (reply.client, reply.number) != (client, number):
+                continue
+            if reply.success or not reply.message.startswith("no position of J"):
+                sys.exit(f"peer: started: {reply}")
+            refused += 1
+        if refused == 8:
+            print(f"peer: refused {refused} times")
+            return
+    sys.exit(f"peer: refused {refused} times only")
+
+
 def call(name):
     """Calls a service, again until it succeeds."""
     requests = DataWriter(graph, topic(f"rq/tip/{name}Request", Request), qos=QOS)
@@ -152,6 +191,10 @@ def diagnose():
 match sys.argv[1:]:
     case ["echo", seconds]:
         echo(float(seconds))
+    case ["gripper" | "nan" | "empty" | "partial" as kind, seconds]:
+        mislead(kind, float(seconds))
+    case ["refused"]:
+        refuse()
     case ["set", *texts]:
         assign(texts)
     case ["diagnostics"]:

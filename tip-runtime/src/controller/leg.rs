@@ -26,6 +26,8 @@ pub struct LegState<const J: usize> {
     pub(super) angles: [f64; J],
     /// Measured joint rates, deg/s.
     pub(super) rates: [f64; J],
+    /// Time since the last cycle that measured the angle, s; 0 if the last one did.
+    pub(super) unmeasured: [f64; J],
     /// Measured, in the robot's torque unit.
     pub(super) torques: [f64; J],
     /// Voltage of the sole's pressure sensor, V.
@@ -48,6 +50,7 @@ impl<const J: usize> LegState<J> {
             vibrations: [JointVibration::STILL; J],
             angles: model.initial,
             rates: [0.0; J],
+            unmeasured: [0.0; J],
             torques: [0.0; J],
             paw: 0.0,
             search: None,

@@ -30,24 +30,33 @@ impl<const J: usize> ControllerView<J> {
         let seconds = self.params.period / 1000.0;
         let mut result = Ok(());
         let soles = sensors.inputs.of(Port::Paw(1));
-        let readings = sensors.angles.iter().zip(sensors.torques).zip(soles);
-        for (n, (leg, ((angles, torques), paw))) in self.legs.iter_mut().zip(readings).enumerate() {
+        let angles = sensors.angles.iter().zip(sensors.ages);
+        let readings = angles.zip(sensors.torques).zip(soles);
+        for (n, (leg, (((angles, ages), torques), paw))) in
+            self.legs.iter_mut().zip(readings).enumerate()
+        {
             leg.torques = *torques;
             leg.paw = *paw;
-            let joints = leg.angles.iter_mut().zip(&mut leg.rates).zip(angles);
-            for (m, ((angle, rate), read)) in joints.enumerate() {
+            let states = leg.angles.iter_mut().zip(&mut leg.rates);
+            let joints = states.zip(&mut leg.unmeasured).zip(angles.iter().zip(ages));
+            for (m, (((angle, rate), unmeasured), (read, age))) in joints.enumerate() {
                 let before = *angle;
+                *unmeasured += seconds;
                 if read.is_finite() {
                     *angle = *read;
                 } else {
                     let fault = Fault::JointSensor(targets::number(n), targets::number(m));
                     result = result.and(Err(fault));
                 }
+                if *age > 0 {
+                    continue;
+                }
                 *rate = if self.sensed {
-                    (*angle - before) / seconds
+                    (*angle - before) / *unmeasured
                 } else {
                     0.0
                 };
+                *unmeasured = 0.0;
             }
         }
         self.slider_at = sensors.slider;

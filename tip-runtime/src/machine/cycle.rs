@@ -53,8 +53,9 @@ struct Ran {
 
 impl<const J: usize> ControlCycle<'_, J> {
     pub(super) fn run(&mut self, sink: Option<&mut dyn Sink>) -> Status {
-        if let Some(emergency) = &self.state.emergency {
-            self.robot.stop(&emergency.fault);
+        if let Some(emergency) = &mut self.state.emergency {
+            let stopped = self.robot.stop(&emergency.fault);
+            emergency.stop_fault = emergency.stop_fault.or(stopped.err());
         } else if let Err(fault) = self.sample().and_then(|()| self.act(sink)) {
             self.stop(fault);
         }
@@ -67,7 +68,7 @@ impl<const J: usize> ControlCycle<'_, J> {
             return Err(fault);
         }
         self.state.sampled_at = self.state.time;
-        self.robot.read().map_err(hardware_fault)?;
+        self.robot.read().map_err(Fault::Hardware)?;
         self.take_keys();
         if core::mem::take(&mut self.state.stop_requested) {
             return Err(Fault::EmergencyKey);
@@ -297,7 +298,7 @@ impl<const J: usize> ControlCycle<'_, J> {
             self.controller.release();
         }
         if let Err(fault) = self.robot.write() {
-            self.state.pending.get_or_insert(hardware_fault(fault));
+            self.state.pending.get_or_insert(Fault::Hardware(fault));
         }
         self.state.time += period;
         period
@@ -340,6 +341,7 @@ impl<const J: usize> ControlCycle<'_, J> {
             step: self.program.at(),
             cycle: self.state.cycles,
             thread: self.thread_name(self.state.turn).map(ThreadName::new),
+            stop_fault: self.robot.stop(&fault).err(),
         };
         if self.state.turn != 0 {
             self.select(0);
@@ -348,7 +350,6 @@ impl<const J: usize> ControlCycle<'_, J> {
         self.state.emergency = Some(emergency);
         self.state.status = Status::Emergency;
         self.controller.emergency();
-        self.robot.stop(&fault);
         self.console.emergency(&Report {
             emergency,
             program: self.program,
@@ -357,10 +358,6 @@ impl<const J: usize> ControlCycle<'_, J> {
             self.console.ended();
         }
     }
-}
-
-fn hardware_fault(HardwareFault(what): HardwareFault) -> Fault {
-    Fault::Hardware(what)
 }
 
 /// Returns the readings and outputs of a cycle.
@@ -396,7 +393,7 @@ pub(super) trait DynHardware<const J: usize> {
     fn outputs(&mut self) -> OutputsView<'_, J>;
     fn commands(&self) -> &[[JointCommand; J]];
     fn write(&mut self) -> Result<(), HardwareFault>;
-    fn stop(&mut self, why: &Fault);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 }
 
 /// Hardware of a known size, and what goes in and out.
@@ -427,7 +424,7 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> DynHardware<J> for OfSiz
         self.hardware.write(self.outputs)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        self.hardware.stop(why);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.hardware.stop(why)
     }
 }

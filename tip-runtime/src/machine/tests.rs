@@ -130,6 +130,7 @@ struct Follower {
     stops: Vec<Fault>,
     read_fault: Option<HardwareFault>,
     write_fault: Option<HardwareFault>,
+    stop_fault: Option<HardwareFault>,
 }
 
 fn follower() -> Follower {
@@ -141,6 +142,7 @@ fn follower() -> Follower {
         stops: Vec::new(),
         read_fault: None,
         write_fault: None,
+        stop_fault: None,
     }
 }
 
@@ -160,8 +162,9 @@ impl Hardware<4, 3> for Follower {
         }
         self.write_fault.map_or(Ok(()), Err)
     }
-    fn stop(&mut self, why: &Fault) {
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
         self.stops.push(*why);
+        self.stop_fault.map_or(Ok(()), Err)
     }
 }
 
@@ -422,17 +425,55 @@ fn sensors_are_judged_before_the_step() {
 #[test]
 fn hardware_that_cannot_read_stops_at_once_and_one_that_cannot_write_in_the_next_cycle() {
     let mut machine = bench(&[Do::Nop, Do::Nop, Do::End], &[]);
-    machine.hardware_mut().read_fault = Some(HardwareFault("bus"));
+    machine.hardware_mut().read_fault = Some(HardwareFault::new("bus"));
     assert_eq!(machine.cycle(), Status::Emergency);
     assert_eq!(machine.cycles(), 0);
     let text = machine.console().inner().emergency.clone().expect("told");
     assert!(text.starts_with("TIP_ERR:Hardware fault bus (RobotError)\n"));
 
     let mut machine = bench(&[Do::Nop, Do::Nop, Do::End], &[]);
-    machine.hardware_mut().write_fault = Some(HardwareFault("bus"));
+    machine.hardware_mut().write_fault = Some(HardwareFault::new("bus"));
     assert_eq!(machine.cycle(), Status::Running);
     assert_eq!(machine.cycle(), Status::Emergency);
     assert_eq!(machine.emergency().map(|e| e.cycle), Some(1));
+}
+
+#[test]
+fn a_stop_that_fails_is_reported_and_tried_again() {
+    let silent = HardwareFault::new("no answer").at_joint(2, 3).of_servo(9);
+    let mut machine = bench(&[Do::Stay], &[]);
+    machine.hardware_mut().stop_fault = Some(silent);
+    machine.emergency_stop();
+    assert_eq!(machine.cycle(), Status::Emergency);
+    let text = machine.console().inner().emergency.clone().expect("told");
+    assert!(text.starts_with("TIP_ERR:Emergency stop key (RobotError)\n"));
+    assert!(
+        text.ends_with("cycle\t0\nstop\tJ23 (servo 9): no answer\n"),
+        "{text}"
+    );
+    // It is tried again, and the first failure is kept.
+    machine.hardware_mut().stop_fault = None;
+    assert_eq!(machine.cycle(), Status::Emergency);
+    assert_eq!(machine.hardware().stops, [Fault::EmergencyKey; 2]);
+    let kept = machine.emergency().and_then(|it| it.stop_fault);
+    assert_eq!(kept, Some(silent));
+}
+
+#[test]
+fn a_later_stop_that_fails_is_kept() {
+    let [first, second] = ["bus", "other"].map(HardwareFault::new);
+    let mut machine = bench(&[Do::Stay], &[]);
+    machine.emergency_stop();
+    machine.cycle();
+    let text = machine.console().inner().emergency.clone().expect("told");
+    assert!(text.ends_with("cycle\t0\n"), "{text}");
+    for fault in [first, second] {
+        assert_eq!(machine.cycle(), Status::Emergency);
+        machine.hardware_mut().stop_fault = Some(fault);
+    }
+    machine.cycle();
+    let kept = machine.emergency().and_then(|it| it.stop_fault);
+    assert_eq!(kept, Some(first));
 }
 
 // clauses: 8.1

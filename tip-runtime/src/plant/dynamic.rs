@@ -306,12 +306,14 @@ impl<const L: usize, const J: usize> Hardware<L, J> for DynamicPlant<L, J> {
         Err(DIVERGED)
     }
 
-    fn stop(&mut self, _why: &Fault) {
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         let before = self.robot.clone();
         self.robot_mut().hold();
-        if !self.robot_mut().is_sane() {
-            self.robot = before;
+        if self.robot_mut().is_sane() {
+            return Ok(());
         }
+        self.robot = before;
+        Err(DIVERGED)
     }
 }
 

@@ -224,11 +224,13 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedHand<L, J> {
         Err(DIVERGED)
     }
 
-    fn stop(&mut self, _why: &Fault) {
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         let before = self.contacts.clone();
         self.contacts_mut().stop();
-        if !self.contacts_mut().is_sane() {
-            self.contacts = before;
+        if self.contacts_mut().is_sane() {
+            return Ok(());
         }
+        self.contacts = before;
+        Err(DIVERGED)
     }
 }

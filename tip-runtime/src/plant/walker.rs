@@ -257,9 +257,10 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedPlant<L, J> {
         }
     }
 
-    fn stop(&mut self, _why: &Fault) {
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         // Servos hold where they are; without inertia nothing is left that could move.
         self.ground.cycle += 1;
+        Ok(())
     }
 }
 

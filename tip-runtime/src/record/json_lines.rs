@@ -510,6 +510,7 @@ mod tests {
             step: 4,
             cycle: 12,
             thread: None,
+            stop_fault: None,
         };
         assert_eq!(
             last(Ending::Emergency(emergency)),

@@ -148,6 +148,7 @@ fn logs_show_what_a_program_says_as_escapes() {
         step: 0,
         cycle: 7,
         thread: None,
+        stop_fault: None,
     };
     let program = &program;
     console.emergency(&Report { emergency, program });

@@ -235,6 +235,28 @@ fn relative_rates_count_from_the_command_else_from_the_measured_one() {
     assert!((rig.commanded()[0][0] - before - 9.0).abs() < 1e-9);
 }
 
+/// A joint whose angle is measured in each third cycle has the rate of a joint that is measured in each.
+// clauses: 7.8
+#[test]
+fn the_measured_rate_is_that_of_the_time_between_measurements() {
+    for cycles in 6..12 {
+        let mut rig = Rig::titan();
+        rig.done_hs(Op::PtpAngle, J11, &[50.0]);
+        for cycle in 1..=cycles {
+            let age = cycle % 3;
+            rig.sensors.ages[0][0] = age;
+            rig.stuck[0][0] = age > 0;
+            rig.idle(1);
+        }
+        let keep = [Value::Relative(0.0)];
+        assert_eq!(rig.run(Op::OmegaControl, J11, &keep), Ok(Poll::Done));
+        let before = rig.commanded()[0][0];
+        rig.idle(5);
+        let turned = rig.commanded()[0][0] - before;
+        assert!((turned - 9.0).abs() < 1e-9, "{cycles}: {turned}");
+    }
+}
+
 // clauses: 7.7 7.8
 #[test]
 fn velocities_are_reached_under_the_acceleration_limit() {

@@ -1,11 +1,11 @@
 //! The servo loop outlives the program, and a program can be started again.
 
 use crate::list::List;
-use tip_runtime::command::{Op, Target};
+use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
 use tip_runtime::machine::{Machine, Status};
-use tip_runtime::model::titan8;
+use tip_runtime::model::{hand, titan8};
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::realtime::run_realtime;
 
@@ -43,7 +43,7 @@ impl Hardware<4, 3> for Counter {
         self.reads += 1;
         into.angles = titan8::MODEL.legs.map(|leg| leg.initial);
         if self.breaks && self.reads > 3 {
-            return Err(HardwareFault("bus"));
+            return Err(HardwareFault::new("bus"));
         }
         Ok(())
     }
@@ -53,8 +53,53 @@ impl Hardware<4, 3> for Counter {
         Ok(())
     }
 
-    fn stop(&mut self, _: &Fault) {
+    fn stop(&mut self, _: &Fault) -> Result<(), HardwareFault> {
         self.stops += 1;
+        Ok(())
+    }
+}
+
+#[test]
+fn readings_that_the_hardware_does_not_give_are_absent() {
+    // It gives no soles.
+    let search: (Op, Target, &[f64]) = (Op::DetectFloor, Target::All, &[2.0]);
+    let mut machine = bench(&[search], Counter::new(false));
+    while machine.cycle().is_running() {}
+    let fault = machine.emergency().map(|emergency| emergency.fault);
+    assert_eq!(fault, Some(Fault::Sensor(Port::Paw(1))));
+
+    /// Fingers that give angles, and torques if `feels` is set.
+    struct Fingers {
+        feels: bool,
+    }
+    impl Hardware<3, 3> for Fingers {
+        fn read(&mut self, into: &mut Sensors<3, 3>) -> Result<(), HardwareFault> {
+            into.angles = hand::MODEL.legs.map(|leg| leg.initial);
+            if self.feels {
+                into.torques = [[0.0; 3]; 3];
+            }
+            Ok(())
+        }
+        fn write(&mut self, _: &Outputs<3, 3>) -> Result<(), HardwareFault> {
+            Ok(())
+        }
+        fn stop(&mut self, _: &Fault) -> Result<(), HardwareFault> {
+            Ok(())
+        }
+    }
+    for (feels, expected) in [
+        (false, Fault::JointSensor(1, 1)),
+        (true, Fault::SliderSensor),
+    ] {
+        let program = List::new(
+            Vec::<(Op, Target, Vec<f64>)>::new(),
+            hand::MODEL.signature(),
+        );
+        let fingers = Fingers { feels };
+        let machine = Machine::new(program, &hand::MODEL, fingers, (), ());
+        let mut machine = machine.expect("the same robot");
+        assert_eq!(machine.cycle(), Status::Emergency);
+        assert_eq!(machine.emergency().map(|it| it.fault), Some(expected));
     }
 }
 

@@ -4,27 +4,24 @@
 //! scalar unassigned, and whether with it assigned. A read that finds nothing ends the run, so a run
 //! that goes on has a value there. A call continues only with what some path through the
 //! subroutine leaves: calls and returns match, at any depth. A scalar that each basic block
-//! assigns before it reads it needs no data flow; up to 63 others are a machine word for each block.
-//! The time is O(steps + blocks · such scalars / 63) times the nesting of loops, up to a bound on the
-//! product; the memory O(steps + scalars).
+//! assigns before it reads it needs no data flow; the others are a row of bits for each block.
+//! The rows of all blocks together have at most [`MAX_WORDS`] words: reads of further scalars are not judged, and
+//! [`Assignment::is_complete`] returns false.
 //!
 //! Threads run from their THREAD. What another thread assigns proves nothing; how an edition judges it is in `ways`.
 
-mod batch;
+mod blocks;
 mod ways;
 
 pub use ways::{NoValue, Ways};
 
 use super::flow::{Flow, NodeId};
 use crate::program::{Program, StepId, VariableId};
-use batch::{Batch, Blocks, Found, Sorted, Start, Touches};
+use blocks::{Access, Analysis, Blocks, Places, State, accesses};
 use std::collections::{BTreeMap, VecDeque};
 
-/// For how many batches of scalars every program is followed.
-const LEAST: usize = 16;
-
-/// The most batches times blocks that are followed in a longer program. Reads of the remaining scalars are not judged.
-const WORK: usize = 1_000_000;
+/// Maximum number of words of 64 scalars in the rows of all blocks.
+pub const MAX_WORDS: usize = 2_000_000;
 
 /// Knowledge of whether a read finds a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -52,6 +49,7 @@ pub struct Read {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assignment {
     reads: Vec<Read>,
+    is_complete: bool,
 }
 
 impl Assignment {
@@ -69,20 +67,23 @@ impl Assignment {
             scalar: read.scalar,
             assigned: read.assigned,
         });
-        Assignment::new(reads.collect())
+        Assignment::new(reads.collect(), judged.is_complete)
     }
 
-    fn new(mut reads: Vec<Read>) -> Self {
-        // Batches and certain reads are each nearly in order, which the stable sort makes use of.
+    fn new(mut reads: Vec<Read>, is_complete: bool) -> Self {
         reads.sort();
         reads.dedup();
-        Assignment { reads }
+        Assignment { reads, is_complete }
     }
 
-    /// Returns the reads, by step, then by scalar; a scalar that a step reads twice is one. Some are left out of a
-    /// long program in which blocks read thousands of scalars that others assign.
+    /// Returns the reads, by step, then by scalar; a scalar that a step reads twice is one.
     pub fn reads(&self) -> &[Read] {
         &self.reads
+    }
+
+    /// Returns false if reads are left out, since blocks of a long program read thousands of scalars that others assign.
+    pub fn is_complete(&self) -> bool {
+        self.is_complete
     }
 
     /// Returns true if every run that comes to a step has a value in the scalar there.
@@ -112,6 +113,8 @@ struct NodeRead {
 /// Reads along a flow.
 struct Judged {
     reads: Vec<NodeRead>,
+    /// False if reads are left out.
+    is_complete: bool,
     /// For each node, true if a run can come to it.
     reached: Vec<bool>,
     /// For each node, true if a call of it can come back.
@@ -121,69 +124,72 @@ struct Judged {
 /// Judges the reads along a flow, for runs from these nodes that begin with these scalars assigned.
 fn judged(program: &Program, flow: &Flow, starts: &[NodeId], given: &[bool]) -> Judged {
     let blocks = Blocks::of(flow);
-    let (batches, certain) = Touches::of(program, flow).sorted(program.scalar_count(), &blocks);
-    let mut judged = Judged {
-        reads: Vec::new(),
-        reached: Vec::new(),
-        comes_back: Vec::new(),
-    };
-    let mut is_reached = Vec::new();
-    let few = LEAST.max(WORK / blocks.all().len().max(1));
-    for (index, Sorted { scalars, touches }) in batches.iter().take(few).enumerate() {
-        let bits = scalars
-            .iter()
-            .zip(0..)
-            .filter(|(scalar, _)| given[**scalar]);
-        let start = Start {
-            nodes: starts,
-            given: bits.fold(0, |bits, (_, place)| bits | 1 << place),
+    let accesses = accesses(program, flow);
+    let exposed = Places::exposed(&accesses, program.scalar_count(), &blocks);
+    let mut places = exposed.clone();
+    let is_complete = places.keep(64 * (MAX_WORDS / blocks.count().max(1))) == 0;
+    let analysis = Analysis::new(&blocks, &accesses, &places);
+    let given: Vec<usize> = (0..given.len())
+        .filter(|scalar| given[*scalar])
+        .filter_map(|scalar| places.of(scalar))
+        .collect();
+    let states = analysis.states(starts, &given);
+    let mut reads = Vec::new();
+    for in_block in
+        accesses.chunk_by(|one, next| blocks.of_node(one.node) == blocks.of_node(next.node))
+    {
+        let Some(mut state) = states[blocks.of_node(in_block[0].node)].clone() else {
+            continue;
         };
-        let batch = Batch::new(&blocks, touches, start);
-        let (found, reached) = batch.found();
-        for read in found {
-            judge(read, scalars, &mut judged.reads);
-        }
-        is_reached = reached;
-        if index == 0 {
-            let comes_back = batch.comes_back();
-            judged.comes_back = (0..flow.nodes().len()).map(comes_back).collect();
-        }
-    }
-    for (node, scalar) in certain {
-        if is_reached[blocks.of_node(node)] {
-            judged.reads.push(NodeRead {
-                node,
-                scalar,
-                assigned: Assigned::Always,
-            });
+        for of_node in in_block.chunk_by(|one, next| one.node == next.node) {
+            let read = of_node.iter().filter(|access| !access.assigns);
+            reads.extend(read.filter_map(|access| {
+                let assigned = match (places.of(access.scalar), exposed.of(access.scalar)) {
+                    (Some(place), _) => found(&state, place)?,
+                    // Its block assigns it first.
+                    (None, None) => Assigned::Always,
+                    (None, Some(_)) => return None,
+                };
+                Some(NodeRead {
+                    node: access.node,
+                    scalar: access.scalar,
+                    assigned,
+                })
+            }));
+            for Access {
+                scalar, assigns, ..
+            } in of_node
+            {
+                if let Some(place) = places.of(*scalar) {
+                    state.pass(place, *assigns);
+                }
+            }
         }
     }
     let nodes = 0..flow.nodes().len();
-    judged.reached = nodes.map(|node| is_reached[blocks.of_node(node)]).collect();
-    judged
-}
-
-/// Records the reads of one node, of those scalars that a run can come there with.
-fn judge(found: Found, scalars: &[usize], reads: &mut Vec<NodeRead>) {
-    let mut left = found.unassigned | found.assigned;
-    while left != 0 {
-        let bit = left & left.wrapping_neg();
-        left ^= bit;
-        let assigned = match (found.assigned & bit != 0, found.unassigned & bit != 0) {
-            (true, false) => Assigned::Always,
-            (true, true) => Assigned::Sometimes,
-            (false, _) => Assigned::Never,
-        };
-        reads.push(NodeRead {
-            node: found.node,
-            scalar: scalars[bit.trailing_zeros() as usize],
-            assigned,
-        });
+    Judged {
+        reads,
+        is_complete,
+        reached: nodes
+            .clone()
+            .map(|node| states[blocks.of_node(node)].is_some())
+            .collect(),
+        comes_back: nodes.map(|node| analysis.call(node).is_some()).collect(),
     }
 }
 
-/// For how many gaps a path is searched. Each search takes time linear in the length of the program.
-const WAYS: usize = 100;
+/// Returns what a read of the scalar at a place finds; `None` if no run comes there with it.
+fn found(state: &State, place: usize) -> Option<Assigned> {
+    match (state.may_be_assigned(place), state.may_be_unassigned(place)) {
+        (true, false) => Some(Assigned::Always),
+        (true, true) => Some(Assigned::Sometimes),
+        (false, true) => Some(Assigned::Never),
+        (false, false) => None,
+    }
+}
+
+/// Maximum number of gaps for which a path is searched. Each search takes time linear in the length of the program.
+const MAX_WAYS: usize = 100;
 
 /// A variable that is read without a value: the first step in the source that does.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -227,22 +233,28 @@ pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
         return gaps;
     }
     let flow = Flow::of(program);
-    let (blocks, touches) = (Blocks::of(&flow), Touches::of(program, &flow));
-    for gap in gaps.iter_mut().take(WAYS) {
-        let touches = touches.of_scalar(gap.scalars[0]);
-        let start = Start {
-            nodes: flow.starts(),
-            given: 0,
-        };
-        gap.way = way(&flow, &Batch::new(&blocks, &touches, start), gap.step);
+    let blocks = Blocks::of(&flow);
+    let accesses = accesses(program, &flow);
+    for gap in gaps.iter_mut().take(MAX_WAYS) {
+        let scalar = gap.scalars[0];
+        let places = Places::only(scalar, program.scalar_count());
+        let analysis = Analysis::new(&blocks, &accesses, &places);
+        let of_scalar = accesses.iter().filter(|access| access.scalar == scalar);
+        let touching: Vec<NodeId> = of_scalar.map(|access| access.node).collect();
+        gap.way = way(&flow, &analysis, &touching, gap.step);
     }
     gaps
 }
 
-/// Returns the steps of a shortest run to `step` on which nothing before it reads or assigns the scalar of a batch.
-fn way(flow: &Flow, batch: &Batch<'_>, step: StepId) -> Vec<StepId> {
-    let is_untouched = |id: NodeId| batch.is_untouched(id);
-    let passes = batch.passes();
+/// Returns the steps of a shortest run to `step` on which nothing before it reads or assigns the only scalar of an
+/// analysis, as the nodes `touching` do.
+fn way(flow: &Flow, analysis: &Analysis<'_>, touching: &[NodeId], step: StepId) -> Vec<StepId> {
+    let is_untouched = |id: NodeId| touching.binary_search(&id).is_err();
+    let passes = |entry| {
+        analysis
+            .call(entry)
+            .is_some_and(|after| after.may_be_unassigned(0))
+    };
     let mut from: Vec<Option<NodeId>> = vec![None; flow.nodes().len()];
     let mut queue: VecDeque<NodeId> = flow.starts().iter().copied().collect();
     while let Some(id) = queue.pop_front() {

@@ -3,7 +3,7 @@
 use super::resolve::Resolver;
 use super::targets::word;
 use crate::code::{Code, Level};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Handle};
 use crate::language::commands::{Arguments, Command, Form, Limit, Meaning};
 use crate::language::{Edition, Keyword, commands, flags, keywords, names};
 use crate::lex::DELIMITERS;
@@ -33,19 +33,19 @@ impl Resolver<'_> {
             self.report(fault.clone());
             return None;
         }
-        let told = self.found.len();
+        let mark = self.found.mark();
         let action = self.action(command, name, arguments);
-        self.say_usage(told, command);
+        self.say_usage(mark, command);
         action
     }
 
-    /// Adds the usage of a command to its faults that have no help.
-    fn say_usage(&mut self, told: usize, command: &Command) {
+    /// Adds the usage of a command to its faults, which were reported since a mark, that have no help.
+    fn say_usage(&mut self, mark: Handle, command: &Command) {
         let edition = self.names.edition;
         let silent = |fault: &&mut Diagnostic| {
             fault.help.is_none() && fault.code.level(edition) == Level::Error
         };
-        for fault in self.found[told..].iter_mut().filter(silent) {
+        for fault in self.found.since_mut(mark).iter_mut().filter(silent) {
             let forms = Alternatives(command.usage(self.robot, edition));
             fault.help = Some(Commanding::Write { forms }.into());
         }
@@ -121,7 +121,7 @@ impl Resolver<'_> {
             );
             return None;
         }
-        if self.goes_on(name) {
+        if self.add_to_line_before(name) {
             return None;
         }
         let (reason, help) = match self.names.find(word) {

@@ -22,7 +22,9 @@ enum Value {
 impl Resolver<'_> {
     pub(super) fn equation(&mut self, equation: &Equation) -> Option<Action> {
         let guess = self.type_in(equation);
-        let target = self.resolve_operand_as(&equation.target, Code::Equation, guess);
+        let target = self
+            .resolve_operand_as(&equation.target, Code::Equation, guess)
+            .ok();
         if let Some(target) = target {
             let access = match equation.update {
                 Some(_) => Access::Update,
@@ -206,8 +208,8 @@ impl Resolver<'_> {
         }
         match operation {
             Operation::Atan2 => {
-                let y = self.number(&operands[0], Code::Equation);
-                let x = self.number(&operands[1], Code::Equation);
+                let y = self.number(&operands[0], Code::Equation).ok();
+                let x = self.number(&operands[1], Code::Equation).ok();
                 Some(Value::Scalar(ScalarExpression::Atan2 { y: y?, x: x? }))
             }
             Operation::Norm => {
@@ -220,7 +222,7 @@ impl Resolver<'_> {
             }
             Operation::Rotate(axis) => self.rotation(axis, operands),
             Operation::Scalar(function) => {
-                let operand = self.number(&operands[0], Code::Equation)?;
+                let operand = self.number(&operands[0], Code::Equation).ok()?;
                 Some(Value::Scalar(ScalarExpression::Function {
                     function,
                     operand,
@@ -235,7 +237,7 @@ impl Resolver<'_> {
         if turned.is_none() && self.is_declared(&operands[0]) {
             return None;
         }
-        let angle = self.variable_or_constant(&operands[1], Code::Equation);
+        let angle = self.variable_or_constant(&operands[1], Code::Equation).ok();
         let ((operand, kind), angle) = (turned?, angle?);
         Some(Value::Struct(
             kind,
@@ -277,7 +279,9 @@ impl Resolver<'_> {
 
     /// Resolves an operand that the equation reads, as a variable of this type; a struct has no sign.
     fn value(&mut self, operand: &Operand, guess: Option<VariableKind>) -> Option<ResolvedOperand> {
-        let meant = self.resolve_operand_as(operand, Code::Equation, guess)?;
+        let meant = self
+            .resolve_operand_as(operand, Code::Equation, guess)
+            .ok()?;
         self.uses.operand(operand, meant, Access::Read);
         if let Some((_, _, true)) = meant.structure() {
             return self.refuse_with(

@@ -39,7 +39,9 @@ impl Resolver<'_> {
             VariableKind::Joint => Commanding::JointVariable,
             VariableKind::Var => Commanding::VarOrJointMember,
         };
-        let meant = self.resolve_operand_as(into, Code::Argument, Some(kind))?;
+        let meant = self
+            .resolve_operand_as(into, Code::Argument, Some(kind))
+            .ok()?;
         match meant {
             ResolvedOperand::Struct {
                 variable,
@@ -155,7 +157,7 @@ impl Resolver<'_> {
         self.no_more(name, values.get(2..).unwrap_or_default())?;
         let values: Vec<Option<Number>> = values
             .iter()
-            .map(|value| self.variable_or_constant(value, Code::Argument))
+            .map(|value| self.variable_or_constant(value, Code::Argument).ok())
             .collect();
         let values = values.into_iter().collect::<Option<Vec<_>>>()?;
         // The number of the native command comes before its values; it is not -0.
@@ -174,7 +176,9 @@ impl Resolver<'_> {
 
     /// Resolves a VAR without sign, which a command fills.
     fn receiver(&mut self, operand: &Operand) -> Option<Scalar> {
-        let meant = self.resolve_operand_as(operand, Code::Argument, Some(VariableKind::Var))?;
+        let meant = self
+            .resolve_operand_as(operand, Code::Argument, Some(VariableKind::Var))
+            .ok()?;
         match meant {
             ResolvedOperand::Scalar {
                 scalar,
@@ -189,7 +193,9 @@ impl Resolver<'_> {
     }
 
     fn constant(&mut self, operand: &Operand) -> Option<f64> {
-        let meant = self.resolve_operand_as(operand, Code::Argument, None)?;
+        let meant = self
+            .resolve_operand_as(operand, Code::Argument, None)
+            .ok()?;
         match meant {
             ResolvedOperand::Constant(value) => {
                 self.uses.operand(operand, meant, Access::Read);

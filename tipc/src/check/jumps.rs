@@ -1,10 +1,10 @@
 //! Targets of jumps, and targets that are not allowed (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
 use super::Known;
-use super::labels::{Labels, SUBROUTINE_LOOP};
+use super::labels::Labels;
 use super::structure::BlockKind;
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, MistakeId};
 use crate::language::Keyword;
 use crate::language::reserved::LOOP;
 use crate::lex::{Kind, Token, lex, split_comment};
@@ -78,7 +78,7 @@ impl Jumps<'_> {
             return self.loop_target(index, kind, jump, location);
         }
         let Some(to) = self.statement_of(self.known.labels.find(name)) else {
-            if self.is_known_otherwise(name, jump, location) {
+            if self.told_otherwise(name, jump, location) {
                 return None;
             }
             let near = match self.found.are_many() {
@@ -92,7 +92,7 @@ impl Jumps<'_> {
             };
             let reason = Structuring::NoSuchLabel { name: name.into() };
             let fault = Diagnostic::new(Code::UnknownLabel, location, reason);
-            let fault = fault.once(format!("label {name}"));
+            let fault = fault.once(MistakeId::Label(name.into()));
             let fault = fault.about(name).help(help);
             self.found.push(self.known.title.labels(name, fault));
             return None;
@@ -122,7 +122,7 @@ impl Jumps<'_> {
         location: Span,
     ) -> Option<usize> {
         if kind != JumpKind::Goto {
-            if let Some(fault) = self.found.of_mistake(SUBROUTINE_LOOP) {
+            if let Some(fault) = self.found.of_mistake(&MistakeId::RoutineLoop) {
                 fault.point(location, Naming::AlsoHere);
                 return None;
             }
@@ -131,10 +131,10 @@ impl Jumps<'_> {
             return None;
         }
         let to = self.statement_of(self.known.labels.loop_above(index));
-        if to.is_none() && !self.is_known_otherwise(LOOP, jump, location) {
+        if to.is_none() && !self.told_otherwise(LOOP, jump, location) {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(LOOP);
-            let fault = fault.once(format!("label {LOOP}"));
+            let fault = fault.once(MistakeId::Label(LOOP.into()));
             let near = match &jump.label {
                 Some(_) if !self.found.are_many() => nearest(LOOP, self.known.labels.names()),
                 _ => None,
@@ -152,7 +152,7 @@ impl Jumps<'_> {
 
     /// Returns true if a missing label is not the mistake of this jump: it stands there without its colon, or after
     /// END, or the jump itself is wrong.
-    fn is_known_otherwise(&mut self, name: &str, jump: &Jump, location: Span) -> bool {
+    fn told_otherwise(&mut self, name: &str, jump: &Jump, location: Span) -> bool {
         if let Some(label) = self.known.labels.bare(name) {
             let jumps = self.bare.entry(label).or_default();
             // A jump without its colon is another mistake.
@@ -168,7 +168,7 @@ impl Jumps<'_> {
         let reason = Structuring::NoSuchLabel { name: name.into() };
         let fault = Diagnostic::new(Code::UnknownLabel, location, reason).about(name);
         let fault = fault
-            .once("labels after END")
+            .once(MistakeId::LabelsAfterEnd)
             .label(end, Suggestion::EndsTheText)
             .label(label, Suggestion::StandsAfterEnd);
         self.found.push(fault.help(Suggestion::AfterEnd));

@@ -1,7 +1,7 @@
 //! Labels and subroutine names (T.I.P. 3.1 §4-3), and line 2, where the title was forgotten and another statement stands.
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, MistakeId};
 use crate::language::keywords::{self, Keyword};
 use crate::language::reserved::{LOOP, is_reserved};
 use crate::language::{Edition, commands, names};
@@ -11,9 +11,6 @@ use crate::source::{Source, Span};
 use crate::syntax::{Jump, LabelKind, Module, OperandKind, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
-
-/// The mistake of a SUBROUTINE with the name of a label; its calls show it as well.
-pub(super) const SUBROUTINE_LOOP: &str = "SUBROUTINE LOOP";
 
 /// The most threads of a program.
 const THREADS: usize = 7;
@@ -79,7 +76,7 @@ impl<'m> Labels<'m> {
         self.threads += usize::from(kind == LabelKind::Thread);
         if kind == LabelKind::Thread && self.threads > THREADS {
             let reason = Naming::TooManyThreads { most: THREADS };
-            found.push(Diagnostic::new(Code::Argument, name.span, reason).once("threads"));
+            found.push(Diagnostic::new(Code::Argument, name.span, reason).once(MistakeId::Threads));
         }
         if let Some(fault) = refusal(name, kind, self.edition) {
             found.push(fault);
@@ -177,7 +174,7 @@ fn refusal(name: &Word, kind: LabelKind, edition: Edition) -> Option<Diagnostic>
             fault(Naming::NoLabelName {
                 word: name.node.clone(),
             })
-            .once(name.node.clone())
+            .once(MistakeId::Word(name.node.clone()))
             .help(help),
         );
     }
@@ -196,7 +193,7 @@ fn refusal(name: &Word, kind: LabelKind, edition: Edition) -> Option<Diagnostic>
         LabelKind::Thread => Naming::ThreadLoop,
     };
     (word == LOOP).then(|| {
-        let fault = fault(reason).once(SUBROUTINE_LOOP);
+        let fault = fault(reason).once(MistakeId::RoutineLoop);
         fault.help(Naming::ChooseAnother)
     })
 }
@@ -265,7 +262,7 @@ impl Title {
 fn blame(fault: Diagnostic, location: Option<Span>) -> Diagnostic {
     match location {
         Some(location) => fault
-            .once("title")
+            .once(MistakeId::Title)
             .label(location, Suggestion::TitleHere)
             .help(Suggestion::Title),
         None => fault,

@@ -1,7 +1,7 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics, MOST};
+use crate::diagnostic::{Diagnostic, Diagnostics, MAX_DIAGNOSTICS, MistakeId};
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, keywords, names};
@@ -18,10 +18,10 @@ use crate::syntax::{
 use smol_str::SmolStr;
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
-use tip_runtime::command::{CONSTANT, READING, Reading, Target, Teach};
+use tip_runtime::command::{CONSTANT, READING, Reading, Target};
 
 /// The most unknown names that are compared with declared ones.
-const COMPARED: usize = MOST;
+const COMPARED: usize = MAX_DIAGNOSTICS;
 
 /// `VAR_KEY` is the first of all variables.
 pub(super) const VAR_KEY_ID: VariableId = 0;
@@ -309,7 +309,9 @@ impl Names {
         match (number, own) {
             (Ok(number), Some(own)) => self.constants[own].value = number,
             (Ok(_), None) => {}
-            (Err(fault), _) => found.push(*fault),
+            (Err(fault), _) => {
+                found.push(*fault);
+            }
         }
     }
 
@@ -352,7 +354,7 @@ impl Names {
                 _ => (name, Naming::VariableCharacters.into()),
             };
             let fault = fault(Naming::NoVariableName { word: name.into() });
-            return Some(fault.once(mistake).help(help));
+            return Some(fault.once(MistakeId::Word(mistake.into())).help(help));
         }
         if is_reserved(name, self.edition) {
             let help = Naming::ChooseAnother;
@@ -401,7 +403,7 @@ impl Names {
     /// Returns the type of what a name stands for; a constant is of VAR's.
     pub(crate) fn kind_of(&self, name: &str) -> Option<VariableKind> {
         if name.starts_with(READING) {
-            return reserved::reading(name, self.edition).map(kind_of);
+            return reserved::reading(name, self.edition).map(VariableKind::of_reading);
         }
         let constant = || self.find_constant(name).map(|_| VariableKind::Var);
         let variable = self.find(name).map(|id| self.variables[id].kind);
@@ -426,14 +428,14 @@ impl Names {
         self.find(name).is_some() || self.find_constant(name).is_some()
     }
 
-    /// Resolves an operand. `shape` is the code of a member that the variable lacks, `guess` the type that an
+    /// Resolves an operand. `mistake` is the code of a member that the variable lacks, `guess` the type that an
     /// unknown variable is used as.
     ///
     /// `None` if the name's declaration was refused, which is reported already.
     pub(crate) fn operand(
         &self,
         operand: &Operand,
-        shape: Code,
+        mistake: Code,
         guess: Option<VariableKind>,
     ) -> Result<Option<ResolvedOperand>, Box<Diagnostic>> {
         let (name, member) = match &operand.kind {
@@ -451,7 +453,7 @@ impl Names {
             return Ok(None);
         }
         if name.starts_with(READING) {
-            return self.reading(operand, name, member, shape).map(Some);
+            return self.reading(operand, name, member, mistake).map(Some);
         }
         if let Some(constant) = self.find_constant(name) {
             return match (member, self.constants[constant].value) {
@@ -462,7 +464,7 @@ impl Names {
                     };
                     let help = Naming::ConstantMembers { name: name.clone() };
                     Err(Box::new(
-                        Diagnostic::new(shape, operand.span, reason).help(help),
+                        Diagnostic::new(mistake, operand.span, reason).help(help),
                     ))
                 }
                 (None, value) => {
@@ -494,7 +496,7 @@ impl Names {
                 variable,
                 member,
                 operand.span,
-                shape,
+                mistake,
             ))),
         }
     }
@@ -505,18 +507,20 @@ impl Names {
         operand: &Operand,
         name: &SmolStr,
         member: Option<&str>,
-        shape: Code,
+        mistake: Code,
     ) -> Result<ResolvedOperand, Box<Diagnostic>> {
         let Some(reading) = reserved::reading(name, self.edition) else {
             let reason = Naming::NoReading { word: name.clone() };
             let fault = Diagnostic::new(Code::UnknownVariable, operand.span, reason);
-            let fault = fault.about(name.as_str()).once(format!("variable {name}"));
+            let fault = fault
+                .about(name.as_str())
+                .once(MistakeId::Variable(name.clone()));
             return Err(Box::new(fault.help(Naming::Readings)));
         };
         if let Some(fault) = self.not_sensed(reading, operand.span) {
             return Err(fault);
         }
-        let kind = kind_of(reading);
+        let kind = VariableKind::of_reading(reading);
         let index = match member {
             None => None,
             Some(member) => match self.member_of(kind, member) {
@@ -528,7 +532,7 @@ impl Names {
                     };
                     let help = Naming::ReadingMembers { word: name.clone() };
                     return Err(Box::new(
-                        Diagnostic::new(shape, operand.span, reason).help(help),
+                        Diagnostic::new(mistake, operand.span, reason).help(help),
                     ));
                 }
             },
@@ -583,7 +587,7 @@ impl Names {
     pub(crate) fn size_of(&self, whole: StructOperand) -> usize {
         match whole {
             StructOperand::Variable(variable) => self.variables[variable].size(),
-            StructOperand::Reading(reading) => match kind_of(reading) {
+            StructOperand::Reading(reading) => match VariableKind::of_reading(reading) {
                 VariableKind::Var => 1,
                 VariableKind::Pos => POSITION.len(),
                 VariableKind::Joint => self.joints,
@@ -602,7 +606,7 @@ impl Names {
         }
     }
 
-    fn no_member(&self, id: VariableId, member: &str, span: Span, shape: Code) -> Diagnostic {
+    fn no_member(&self, id: VariableId, member: &str, span: Span, code: Code) -> Diagnostic {
         let variable = &self.variables[id];
         let name: SmolStr = variable.name.as_str().into();
         let reason = Naming::NoMember {
@@ -617,10 +621,12 @@ impl Names {
                 last: variable.size(),
             },
         };
-        let mistake = format!("{} {}.{member}", shape.id(), variable.name);
-        Diagnostic::new(shape, span, reason)
-            .once(mistake)
-            .help(help)
+        let mistake = MistakeId::Member {
+            code,
+            variable: variable.name.as_str().into(),
+            member: member.into(),
+        };
+        Diagnostic::new(code, span, reason).once(mistake).help(help)
     }
 
     /// Returns what to write in place of a word of the language where a number belongs.
@@ -695,7 +701,7 @@ impl Names {
         let is_guess = help == declare(name, guess).into();
         let fault = Diagnostic::new(Code::UnknownVariable, span, reason)
             .about(name)
-            .once(format!("variable {name}"));
+            .once(MistakeId::Variable(name.into()));
         match is_guess {
             true => fault.guess(help),
             false => fault.help(help),
@@ -708,17 +714,6 @@ pub(super) fn inventory(robot: Robot) -> Inventory {
     Inventory::Has {
         robot: robot.name(),
         targets: List(robot.inventory()),
-    }
-}
-
-/// Returns the type of a special variable.
-pub(crate) fn kind_of(reading: Reading) -> VariableKind {
-    match reading {
-        Reading::Measured(Teach::Position | Teach::Force, _) => VariableKind::Pos,
-        Reading::Measured(Teach::Angle | Teach::Torque, Target::Joint(..)) | Reading::Timer(_) => {
-            VariableKind::Var
-        }
-        Reading::Measured(Teach::Angle | Teach::Torque, _) => VariableKind::Joint,
     }
 }
 

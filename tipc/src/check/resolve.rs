@@ -5,7 +5,7 @@ use super::structure::{Block, named_by};
 use super::uses::{Named, Uses};
 use super::{Known, jumps};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics, Label};
+use crate::diagnostic::{Diagnostic, Diagnostics, Handle, Label, MistakeId};
 use crate::language::Keyword;
 use crate::lex::split_comment;
 use crate::message::{Commanding, Message, Naming, Structuring, Suggestion};
@@ -29,6 +29,9 @@ enum Unresolved {
     /// The statement that it belongs to is missing or broken: reported by the passes before.
     Untied,
 }
+
+/// The diagnostic that says why something is not resolved; `None` if another one tells of the mistake.
+pub(super) type Refused = Option<Handle>;
 
 /// Counting of a FOR.
 #[derive(Clone, Copy)]
@@ -67,7 +70,7 @@ pub(super) fn statements(
     for (index, statement) in statements.iter().enumerate() {
         resolver.uses.enter();
         resolver.at = index;
-        let told = resolver.found.len();
+        let mark = resolver.found.mark();
         match (resolver.statement(index, statement), &mut all) {
             (Ok(action), Some(all)) => all.push(action),
             (Ok(_), None) => {}
@@ -79,8 +82,8 @@ pub(super) fn statements(
                 }
             }
         }
-        if resolver.found.len() > told {
-            resolver.last_wrong = Some((index, told));
+        if !resolver.found.since(mark).is_empty() {
+            resolver.last_wrong = Some((index, mark));
         }
     }
     let Resolver {
@@ -103,8 +106,8 @@ pub(super) struct Resolver<'a> {
     counted: HashMap<StatementId, Counting>,
     /// The statement that is being resolved.
     at: StatementId,
-    /// The last statement before with a diagnostic, and the index of that.
-    last_wrong: Option<(StatementId, usize)>,
+    /// The last statement before with a diagnostic, and the first one of it.
+    last_wrong: Option<(StatementId, Handle)>,
     /// Variables with the name of a flag, and where a fault tells of each.
     pub(super) flags: HashMap<VariableId, Span>,
     pub(super) found: &'a mut Diagnostics,
@@ -260,12 +263,11 @@ impl<'a> Resolver<'a> {
         let counting = counting.copied();
         match (variable, counting) {
             (Some(named), _) => {
-                let told = self.found.len();
                 let variable = self.loop_variable(named, Access::Count);
-                if let (None, Ok(opener)) = (variable, &opener) {
-                    self.suggest_variable_of(*opener, told);
+                if let (Err(fault), Ok(opener)) = (variable, &opener) {
+                    self.suggest_variable_of(*opener, fault);
                 }
-                whole(variable)?;
+                whole(variable.ok())?;
             }
             (None, Some(Counting { variable, .. })) => {
                 let left_out = Span::new(keyword.end, keyword.end);
@@ -286,7 +288,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Suggests the variable of a FOR to a NEXT that names none.
-    fn suggest_variable_of(&mut self, opener: StatementId, told: usize) {
+    fn suggest_variable_of(&mut self, opener: StatementId, fault: Refused) {
         let StatementKind::For { counting, .. } = &self.known.module.statements[opener].kind else {
             return;
         };
@@ -294,10 +296,8 @@ impl<'a> Resolver<'a> {
         let OperandKind::Name(name) = &variable.kind else {
             return;
         };
-        if let Some(fault) = self
-            .found
-            .get_mut(told)
-            .filter(|_| self.names.find(name).is_some())
+        if let Some(fault) = fault.and_then(|fault| self.found.get_mut(fault))
+            && self.names.find(name).is_some()
         {
             fault.point(variable.span, Structuring::VariableOfFor);
             fault.help = Some(named_by(name).into());
@@ -360,15 +360,15 @@ impl<'a> Resolver<'a> {
             None => Some(program::Operand::Constant(1.0)),
         };
         Some(Counting {
-            variable: counter?,
-            from: from?,
-            to: to?,
+            variable: counter.ok()?,
+            from: from.ok()?,
+            to: to.ok()?,
             step: step?,
         })
     }
 
     fn for_step(&mut self, step: &Operand) -> Option<program::Operand> {
-        let number = self.number(step, Code::Argument)?;
+        let number = self.number(step, Code::Argument).ok()?;
         if number == program::Operand::Constant(0.0) {
             let reason = Commanding::NeverEnds;
             let warning = Diagnostic::new(Code::OutOfRange, step.span, reason);
@@ -377,7 +377,7 @@ impl<'a> Resolver<'a> {
         Some(number)
     }
 
-    fn loop_variable(&mut self, operand: &Operand, access: Access) -> Option<Scalar> {
+    fn loop_variable(&mut self, operand: &Operand, access: Access) -> Result<Scalar, Refused> {
         let meant = self.resolve_operand_as(operand, Code::Argument, Some(VariableKind::Var))?;
         match meant {
             ResolvedOperand::Scalar {
@@ -386,11 +386,11 @@ impl<'a> Resolver<'a> {
                 ..
             } => {
                 self.uses.operand(operand, meant, access);
-                Some(scalar)
+                Ok(scalar)
             }
             _ => {
-                let reason = Commanding::CountsVar;
-                self.refuse_with(Code::Argument, operand.span, reason, Commanding::CountVar)
+                let fault = Diagnostic::new(Code::Argument, operand.span, Commanding::CountsVar);
+                Err(self.report(fault.help(Commanding::CountVar)))
             }
         }
     }
@@ -399,18 +399,17 @@ impl<'a> Resolver<'a> {
     pub(super) fn resolve_operand_as(
         &mut self,
         operand: &Operand,
-        shape: Code,
+        mistake: Code,
         guess: Option<VariableKind>,
-    ) -> Option<ResolvedOperand> {
-        match self.names.operand(operand, shape, guess) {
-            Ok(meant) => meant,
+    ) -> Result<ResolvedOperand, Refused> {
+        match self.names.operand(operand, mistake, guess) {
+            Ok(meant) => meant.ok_or(None),
             Err(fault) => {
                 let fault = match fault.code {
                     Code::UnknownVariable => self.unknown_variable(*fault),
                     _ => *fault,
                 };
-                self.report(fault);
-                None
+                Err(self.report(fault))
             }
         }
     }
@@ -419,11 +418,11 @@ impl<'a> Resolver<'a> {
     fn unknown_variable(&mut self, fault: Diagnostic) -> Diagnostic {
         let name = fault.subject.clone().unwrap_or_default();
         let fault = self.known.title.declares(&name, fault);
-        let mistake = fault.once.as_deref().unwrap_or_default();
         let is_open =
             |help: &Option<Message>| matches!(help, Some(Message::Naming(Naming::Declare { .. })));
         let is_typed = matches!(fault.help, Some(Message::Naming(Naming::DeclareAs { .. })));
-        if let Some(first) = self.found.of_mistake(mistake)
+        if let Some(mistake) = &fault.once
+            && let Some(first) = self.found.of_mistake(mistake)
             && is_open(&first.help)
             && is_typed
         {
@@ -434,7 +433,7 @@ impl<'a> Resolver<'a> {
 
     /// Adds the first word of this statement to the fault of the line before, if it goes on there: `PTP F1` and
     /// `391 201 -150` are one mistake.
-    pub(super) fn goes_on(&mut self, name: &Word) -> bool {
+    pub(super) fn add_to_line_before(&mut self, name: &Word) -> bool {
         let starts = |c: char| c.is_ascii_digit() || c == '-';
         let Some((before, fault)) = self.last_wrong.filter(|_| name.node.starts_with(starts))
         else {
@@ -469,19 +468,22 @@ impl<'a> Resolver<'a> {
         self.jumps.bare.get(&self.at).map(Vec::as_slice)
     }
 
-    /// Resolves a number that the statement reads. `shape` is the code of a struct in its place.
-    pub(super) fn number(&mut self, operand: &Operand, shape: Code) -> Option<program::Operand> {
-        let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
+    /// Resolves a number that the statement reads. `mistake` is the code of a struct in its place.
+    pub(super) fn number(
+        &mut self,
+        operand: &Operand,
+        mistake: Code,
+    ) -> Result<program::Operand, Refused> {
+        let meant = self.resolve_operand_as(operand, mistake, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         if let Some(number) = meant.number() {
-            return Some(number);
+            return Ok(number);
         }
         let reason = Commanding::StructForNumber;
         let statement = self.known.module.statement_at(operand.span.start);
-        let fault = Diagnostic::new(shape, operand.span, reason);
-        let fault = fault.once(format!("statement {statement:?}"));
-        self.report(fault.help(Commanding::NameMember));
-        None
+        let fault = Diagnostic::new(mistake, operand.span, reason);
+        let fault = fault.once(MistakeId::StructForNumber(statement));
+        Err(self.report(fault.help(Commanding::NameMember)))
     }
 
     /// Returns the location of the first word of a statement.
@@ -514,8 +516,9 @@ impl<'a> Resolver<'a> {
         self.known.source.text().get(start..span.start)
     }
 
-    pub(super) fn report(&mut self, diagnostic: Diagnostic) {
-        self.found.push(diagnostic);
+    /// Reports, and returns the diagnostic unless another one tells of the mistake.
+    pub(super) fn report(&mut self, diagnostic: Diagnostic) -> Refused {
+        self.found.push(diagnostic)
     }
 
     /// Reports, and answers that there is nothing.

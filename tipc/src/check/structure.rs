@@ -1,15 +1,20 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
+//!
+//! Each closer takes the innermost open construct of its kind. What does not fit is the matter of `recover`.
+
+mod recover;
+
+pub(super) use recover::named_by;
 
 use super::labels::Title;
 use super::names::Names;
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Diagnostics, Label};
-use crate::language::{Keyword, commands, keywords};
-use crate::lex::BLANKS;
-use crate::message::{Message, Structuring, Suggestion};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::language::Keyword;
+use crate::message::Structuring;
 use crate::source::{Source, Span};
-use crate::suggest::nearest;
-use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
+use crate::syntax::{Module, Shape};
+use recover::AllOwed;
 use std::collections::HashMap;
 use std::iter;
 use std::ops::Deref;
@@ -123,9 +128,6 @@ impl Blocks {
     }
 }
 
-/// Longest distance at which the end of a block, and the block that an end names, is searched.
-const FAR: usize = 1_000;
-
 /// Ties every control word to its partner and reports those without one.
 pub(super) fn blocks(
     source: &Source,
@@ -212,22 +214,6 @@ impl Deref for Stack {
     }
 }
 
-/// The closers of one kind that may still come.
-#[derive(Default)]
-struct AllOwed {
-    all: Vec<Owed>,
-    /// Number of them that may have other branches.
-    branches: usize,
-}
-
-/// A closer that may still come of a construct that is reported already: it is not a second mistake.
-struct Owed {
-    /// The diagnostic of the construct, if it was cut off.
-    fault: Option<usize>,
-    /// True if other branches may come as well.
-    branches: bool,
-}
-
 struct Matcher<'a> {
     module: &'a Module,
     names: &'a Names,
@@ -268,18 +254,6 @@ impl Matcher<'_> {
             Shape::ThreadEnd => self.close(index, BlockKind::Thread, Keyword::ThreadEnd),
             Shape::Close => self.close_innermost(index),
         }
-    }
-
-    /// Reads an IF whose statement should be a block; so its ENDIF may be there.
-    fn one_line_if(&mut self, index: usize) {
-        self.result.around[index] = self.current();
-        self.owes(BlockKind::If, None, true);
-    }
-
-    fn owes(&mut self, kind: BlockKind, fault: Option<usize>, branches: bool) {
-        let owed = &mut self.owed[kind as usize];
-        owed.branches += usize::from(branches);
-        owed.all.push(Owed { fault, branches });
     }
 
     fn current(&self) -> Option<usize> {
@@ -326,54 +300,6 @@ impl Matcher<'_> {
         });
     }
 
-    /// Returns true if the first word of a statement is none of the language.
-    fn is_unknown(&self, index: usize) -> bool {
-        match &self.module.statements[index].kind {
-            StatementKind::Command { name, .. } => {
-                commands::find_in(&name.node, self.module.edition).is_none()
-            }
-            _ => false,
-        }
-    }
-
-    /// Takes the last unknown statement after the first `before` of them that may be the word of a block: a closer
-    /// is alone in its statement, and neither is near to a command.
-    fn takes_unknown(&mut self, before: usize, is_closer: bool) -> Option<usize> {
-        while self.unknown.len() > before {
-            let index = self.unknown.pop()?;
-            let StatementKind::Command {
-                name, arguments, ..
-            } = &self.module.statements[index].kind
-            else {
-                continue;
-            };
-            let known = commands::names(self.module.edition);
-            if (!is_closer || arguments.is_empty()) && nearest(&name.node, known).is_none() {
-                return Some(index);
-            }
-        }
-        None
-    }
-
-    /// Reports the SUBROUTINEs and THREADs inside a construct that is closed.
-    fn refuse_nested(&mut self, open: &Open) {
-        let (opener, closer) = (open.kind.opener(), open.kind.closer());
-        for index in &open.nested {
-            let inside = self.result.around[*index];
-            if let Some(outer) = inside.and_then(|block| self.result.blocks[block].parent) {
-                self.result.blocks[outer].broken = true;
-            }
-            let reason = match self.module.statements[*index].kind.shape() {
-                Shape::Thread => Structuring::ThreadInside { opener },
-                _ => Structuring::SubroutineInside { opener },
-            };
-            let fault = Diagnostic::new(Code::Structure, self.location(*index), reason)
-                .label(self.location(open.first), Structuring::StillOpen { opener })
-                .help(Structuring::CloseBefore { opener, closer });
-            self.found.push(fault);
-        }
-    }
-
     fn branch(&mut self, index: usize, name: Keyword) {
         let Some(mut open) = self.unwind(index, BlockKind::If, name) else {
             return;
@@ -413,162 +339,29 @@ impl Matcher<'_> {
         }
     }
 
-    /// Takes the construct that a word belongs to, and reports the open ones that it leaves behind.
+    /// Takes the construct that a word belongs to: the innermost of its kind. `None` if none is open; that is reported,
+    /// and so are the constructs that stay open inside.
     fn unwind(&mut self, index: usize, kind: BlockKind, name: Keyword) -> Option<Open> {
         // A block that leaves a SUBROUTINE open would take all of its rest along.
         let reachable = self.open.within(kind).last().copied();
         let reachable = reachable.map(|depth| self.named_by_next(index).unwrap_or(depth));
-        if self.closes_other(index, kind, name, reachable.is_some()) {
-            self.result.around[index] = self.current();
-            return None;
-        }
-        let Some(depth) = reachable else {
-            self.result.around[index] = self.current();
-            // A word that was to be this one is reported.
-            let is_reported =
-                matches!(self.module.statements[index].kind, StatementKind::Broken(_));
-            let before = self.open.last().map_or(0, |open| open.unknown);
-            if self.is_owed(index, kind, name) || is_reported {
-                return None;
-            }
-            if self.takes_unknown(before, false).is_some() {
-                if name != kind.closer() {
-                    self.owes(kind, None, true);
+        let closes_other = self.closes_other(index, kind, name, reachable.is_some());
+        let open = match reachable.filter(|_| !closes_other) {
+            Some(depth) => {
+                while self.open.len() > depth + 1 {
+                    self.leave_open(Some((index, name)));
                 }
-                return None;
+                self.open.pop()
             }
-            let (opener, closer) = (kind.opener(), kind.closer());
-            let reason = Structuring::NothingOpen { opener, word: name };
-            let help = match (name == closer, kind) {
-                (false, _) => {
-                    // The rest of it is no second mistake.
-                    self.owes(kind, None, name == Keyword::ElseIf);
-                    Structuring::IfFirst { word: name }
+            None => {
+                if !closes_other {
+                    self.nothing_open(index, kind, name);
                 }
-                (_, BlockKind::Subroutine) => Structuring::SubEndCloses,
-                (_, BlockKind::Thread) => Structuring::ThreadEndCloses,
-                _ => Structuring::Opens { opener, closer },
-            };
-            let mut fault =
-                Diagnostic::new(Code::Structure, self.location(index), reason).help(help);
-            if let Some(open) = self.open.last() {
-                let opener = open.kind.opener();
-                let text = Structuring::Open { opener };
-                fault = fault.label(self.location(open.first), text);
+                None
             }
-            self.found.push(self.title.opens(opener, fault));
-            return None;
         };
-        while self.open.len() > depth + 1 {
-            self.leave_open(Some((index, name)));
-        }
-        let open = self.open.pop();
         self.result.around[index] = self.current();
         open
-    }
-
-    /// Returns true if a construct that was cut off waits for this word. It closes only that.
-    fn is_owed(&mut self, index: usize, kind: BlockKind, name: Keyword) -> bool {
-        let owed = &mut self.owed[kind as usize];
-        if name != kind.closer() {
-            return owed.branches > 0;
-        }
-        let Some(last) = owed.all.pop() else {
-            return false;
-        };
-        owed.branches -= usize::from(last.branches);
-        let text = Structuring::StandsHere { word: name }.into();
-        let span = self.location(index);
-        // Of too many diagnostics it is omitted.
-        if let Some(fault) = last.fault.and_then(|fault| self.found.get_mut(fault)) {
-            fault.labels.push(Label { span, text });
-        }
-        true
-    }
-
-    /// Reports the innermost construct, which lacks its closer. `met` is the word that comes before it.
-    fn leave_open(&mut self, met: Option<(usize, Keyword)>) {
-        let Some(open) = self.open.pop() else {
-            return;
-        };
-        let (opener, closer) = (open.kind.opener(), open.kind.closer());
-        let block = &mut self.result.blocks[open.block];
-        block.broken = true;
-        block.end = met.map_or(usize::MAX, |(index, _)| index);
-        if self.is_reported(open.first) {
-            return self.owes(open.kind, None, true);
-        }
-        if let Some(word) = self.takes_unknown(open.unknown, true) {
-            self.result.closed_by.insert(word, open.block);
-            return self.owes(open.kind, None, true);
-        }
-        // `DO` … `WHILE A < 3` ends what an unknown word before it began, unless another one has ended that.
-        let outer = self.open.last().map_or(0, |outer| outer.unknown);
-        let is_begun = (self.unknown.len() - outer.min(self.unknown.len())) % 2 == 1;
-        if open.kind == BlockKind::While && is_begun && self.takes_unknown(outer, true).is_some() {
-            return self.owes(open.kind, None, true);
-        }
-        if open.kind == BlockKind::While && met.is_none() && self.closes_repeat(open.first) {
-            return;
-        }
-        let reason = Structuring::NotClosed { opener };
-        let mut fault = Diagnostic::new(Code::Structure, self.location(open.first), reason)
-            .help(Structuring::CloseWith { closer });
-        if let Some(location) = self.return_in(&open) {
-            fault = fault
-                .label(location, Structuring::ReturnOfGosub)
-                .help(Suggestion::SubEnd);
-        }
-        if let Some(nested) = open.nested.first() {
-            let text = Structuring::SubroutineBefore { closer };
-            fault = fault.label(self.location(*nested), text);
-        }
-        fault = match (met, self.module.statements.last()) {
-            (Some((index, name)), _) => {
-                let text = match name == closer {
-                    true => Structuring::ClosesOuter { word: name },
-                    false => Structuring::WordBefore { word: name, closer },
-                };
-                fault.label(self.location(index), text)
-            }
-            (None, Some(last)) => fault.label(last.span, Structuring::EndsBefore { closer }),
-            (None, None) => fault,
-        };
-        if met.is_some() {
-            self.owes(open.kind, Some(self.found.len()), true);
-        }
-        self.found.push(fault);
-    }
-
-    /// `REPEAT` … `WHILE A < 3`: reports a WHILE that nothing closes as the end of the REPEAT around it.
-    fn closes_repeat(&mut self, index: usize) -> bool {
-        let Some(repeat) = self.open.last().filter(|it| it.kind == BlockKind::Repeat) else {
-            return false;
-        };
-        let (opener, word) = (Keyword::While, Keyword::Repeat);
-        let location = self.location(repeat.first);
-        let fault = Diagnostic::new(
-            Code::Structure,
-            self.location(index),
-            Structuring::NotClosed { opener },
-        );
-        let fault = fault.label(location, Structuring::StandsHere { word });
-        self.found.push(fault.help(Suggestion::UntilCloses));
-        if let Some(repeat) = self.open.pop() {
-            self.result.blocks[repeat.block].broken = true;
-        }
-        true
-    }
-
-    /// Returns the RETURN that was to close a SUBROUTINE.
-    fn return_in(&self, open: &Open) -> Option<Span> {
-        if open.kind != BlockKind::Subroutine {
-            return None;
-        }
-        let inside = self.module.statements[open.first + 1..].iter();
-        let mut inside = inside.take_while(|it| it.kind.shape() != Shape::Subroutine);
-        let found = inside.find(|it| it.kind == StatementKind::Return)?;
-        Some(found.span)
     }
 
     fn close_rest(&mut self, source: &Source) {
@@ -579,223 +372,7 @@ impl Matcher<'_> {
         }
     }
 
-    /// Returns true if a statement is wrong in itself, which is reported.
-    fn is_reported(&self, index: usize) -> bool {
-        let statement = &self.module.statements[index];
-        matches!(statement.kind, StatementKind::Broken(_))
-    }
-
     fn location(&self, index: usize) -> Span {
         self.module.statements[index].keyword()
-    }
-
-    /// `FOR I`, `FOR J`, `NEXT I`: the outer FOR, whose variable NEXT names, if the inner one never gets its own NEXT.
-    fn named_by_next(&self, index: usize) -> Option<usize> {
-        let name = self.named(index)?;
-        let fors = self.open.within(BlockKind::For);
-        let near = &fors[fors.len().saturating_sub(FAR)..];
-        let mut near = near.iter().rev();
-        let location = near.position(|at| self.counter(self.open[*at].first) == Some(name))?;
-        let is_innermost = location == 0;
-        // With enough others for those around it, it names the wrong variable.
-        let is_outer = !is_innermost && self.later(index, BlockKind::For) < fors.len() - 1;
-        is_outer.then(|| fors[fors.len() - 1 - location])
-    }
-
-    /// Returns the variable of a FOR.
-    fn counter(&self, index: usize) -> Option<&str> {
-        match &self.module.statements[index].kind {
-            StatementKind::For { counting, .. } => name_of(&counting.variable),
-            _ => None,
-        }
-    }
-
-    /// Returns the variable that a NEXT names.
-    fn named(&self, index: usize) -> Option<&str> {
-        match &self.module.statements[index].kind {
-            StatementKind::Next { variable, .. } => name_of(variable.as_ref()?),
-            _ => None,
-        }
-    }
-
-    /// Checks that NEXT names the variable of its FOR, or none.
-    fn check_counter(&mut self, opener: usize, closer: usize) {
-        let (
-            StatementKind::For { counting, .. },
-            StatementKind::Next {
-                variable: Some(named),
-                ..
-            },
-        ) = (
-            &self.module.statements[opener].kind,
-            &self.module.statements[closer].kind,
-        )
-        else {
-            return;
-        };
-        // The variable of another type, or that is not declared, is refused for itself.
-        let (Some(name), Some(of)) = (name_of(named), name_of(&counting.variable)) else {
-            return;
-        };
-        if name == of || self.names.find(name).is_none() {
-            return;
-        }
-        // `FOR A`, `FOR B`, `NEXT A`, `NEXT B` is one mistake.
-        let start = match self.crossed.remove(&(of, name)) {
-            Some(first) => first,
-            None => {
-                self.crossed.insert((name, of), closer);
-                closer
-            }
-        };
-        let reason = Structuring::NextNames { name: name.into() };
-        let fault = Diagnostic::new(Code::Structure, named.span, reason)
-            .once(format!("{} {start}", Keyword::Next))
-            .label(counting.variable.span, Structuring::VariableOfFor)
-            .help(named_by(of));
-        self.found.push(fault);
-    }
-}
-
-/// Ends of blocks that other languages write: END for each, NEXT for a WHILE.
-impl Matcher<'_> {
-    /// `WHILE … NEXT`: the end of another block, where the innermost one never gets its own. `other_open` says whether
-    /// a block that it could close is open around that one.
-    fn closes_other(
-        &mut self,
-        index: usize,
-        kind: BlockKind,
-        name: Keyword,
-        other_open: bool,
-    ) -> bool {
-        let Some(open) = self.open.last() else {
-            return false;
-        };
-        let (inner, first, block) = (open.kind, open.first, open.block);
-        let may_be = !inner.is_routine()
-            && !kind.is_routine()
-            && inner != kind
-            && name == kind.closer()
-            && !self.is_reported(first);
-        let is_needed = || other_open && self.later(index, kind) < self.open.within(kind).len();
-        if !may_be || self.later(index, inner) > 0 || is_needed() {
-            return false;
-        }
-        self.open.pop();
-        self.result.blocks[block].end = index;
-        self.result.blocks[block].broken = true;
-        let reason = Structuring::NothingOpen {
-            opener: kind.opener(),
-            word: name,
-        };
-        let (opener, closer) = (inner.opener(), inner.closer());
-        let fault = Diagnostic::new(Code::Structure, self.location(index), reason)
-            .label(self.location(first), Structuring::Open { opener })
-            .help(Suggestion::Closes { opener, closer });
-        if !self.is_reported(index) {
-            self.found.push(fault);
-        }
-        true
-    }
-
-    /// Returns the number of ends of blocks of this kind that are open now and come after a statement.
-    fn later(&self, index: usize, kind: BlockKind) -> usize {
-        let (mut inside, mut later) = (0, 0);
-        for statement in self.module.statements[index + 1..].iter().take(FAR) {
-            match statement.kind.shape().keyword() {
-                Some(
-                    Keyword::Subroutine | Keyword::SubEnd | Keyword::Thread | Keyword::ThreadEnd,
-                ) => break,
-                Some(word) if word == kind.opener() => inside += 1,
-                Some(word) if word == kind.closer() && inside == 0 => later += 1,
-                Some(word) if word == kind.closer() => inside -= 1,
-                _ => {}
-            }
-        }
-        later
-    }
-
-    /// Reports an END inside a block, with statements and another END after it, that was to end the block or to stop
-    /// the run.
-    fn ended_too_early(&mut self, source: &Source) -> Option<()> {
-        let innermost = self.open.last()?;
-        let last = self.module.statements.last()?;
-        if last.kind != StatementKind::End || self.is_reported(innermost.first) {
-            return None;
-        }
-        let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
-        let (line, _) = source.line_column(last.span.start);
-        let after = (line + 1..=source.line_count()).map(|line| source.line_text(line));
-        let words = after.map(|text| {
-            let text = text.trim_matches(BLANKS);
-            text.split([' ', '\t', ';']).next().unwrap_or_default()
-        });
-        let words: Vec<&str> = words.take(FAR).collect();
-        let has = |word: Keyword| words.iter().any(|one| word.is(one));
-        let help: Message = match (has(closer), has(Keyword::End)) {
-            (true, _) => Suggestion::Exit.into(),
-            (false, true) => Suggestion::Closes { opener, closer }.into(),
-            (false, false) => return None,
-        };
-        let reason = Suggestion::EndInTwo {
-            word: opener.into(),
-        };
-        let fault = Diagnostic::new(Code::Structure, last.span, reason)
-            .label(self.location(innermost.first), Structuring::Open { opener })
-            .help(help);
-        self.found.push(fault);
-        while let Some(open) = self.open.pop() {
-            self.result.blocks[open.block].broken = true;
-        }
-        Some(())
-    }
-
-    /// `END IF` ends the program, and whatever is open with it.
-    fn ended_in_two_words(&mut self) -> Option<()> {
-        let second = self.module.after_end.as_ref()?;
-        let innermost = self.open.last()?;
-        let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
-        // `END SUB`, `END FUNCTION`
-        let is_routine = || {
-            keywords::find(&second.node, self.module.edition).is_none() && closer == Keyword::SubEnd
-        };
-        if second.node != opener.word() && !is_routine() {
-            return None;
-        }
-        let end = self.module.statements.last()?.span;
-        let reason = Suggestion::EndInTwo {
-            word: opener.into(),
-        };
-        let help = match closer {
-            Keyword::Wend => Suggestion::Wend,
-            Keyword::Next => Suggestion::Next,
-            Keyword::SubEnd => Suggestion::SubEnd,
-            _ => Suggestion::InOneWord {
-                word: closer.into(),
-            },
-        };
-        let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
-            .label(self.location(innermost.first), Structuring::Open { opener })
-            .help(help);
-        // `REPEAT 5` … `END REPEAT` is one mistake.
-        let is_one = innermost.kind == BlockKind::Repeat && self.is_reported(innermost.first);
-        self.found.extend(Some(fault).filter(|_| !is_one));
-        while let Some(open) = self.open.pop() {
-            self.result.blocks[open.block].broken = true;
-        }
-        Some(())
-    }
-}
-
-/// Returns the help for a NEXT that names another variable than its FOR.
-pub(super) fn named_by(variable: &str) -> Suggestion {
-    let text = format!("{} {variable}", Keyword::Next).into();
-    Suggestion::Write { text }
-}
-
-fn name_of(operand: &Operand) -> Option<&str> {
-    match &operand.kind {
-        OperandKind::Name(name) => Some(name),
-        _ => None,
     }
 }

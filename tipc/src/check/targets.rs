@@ -1,7 +1,7 @@
 //! Targets, event flags of the robot at hand, and conditions (T.I.P. 3.1 §6, §10-3-5).
 
 use super::names::inventory;
-use super::resolve::Resolver;
+use super::resolve::{Refused, Resolver};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::{Joints, Targets};
@@ -262,20 +262,22 @@ impl Resolver<'_> {
                 right,
             } => {
                 let is_flag = word(left).is_some_and(|name| self.is_flag(name));
-                let told = self.found.len();
                 let left = self.number(left, Code::Argument);
-                if left.is_none() && is_flag {
+                if let Err(fault) = left
+                    && is_flag
+                {
                     // What it is compared with is not wrong for itself.
-                    self.suggest_reading(right, told);
+                    self.suggest_reading(right, fault);
                     return None;
                 }
-                let told = self.found.len();
                 let right = self.number(right, Code::Argument);
-                self.suggest_key(told);
+                if let Err(fault) = right {
+                    self.suggest_key(fault);
+                }
                 Some(Condition::Compare {
-                    left: left?,
+                    left: left.ok()?,
                     relation: *relation,
-                    right: right?,
+                    right: right.ok()?,
                 })
             }
             syntax::Condition::Flag { name, negated } => Some(Condition::Flag {
@@ -290,16 +292,17 @@ impl Resolver<'_> {
     }
 
     /// Suggests reading the key for a flag that is compared with one.
-    fn suggest_reading(&mut self, right: &syntax::Operand, told: usize) {
+    fn suggest_reading(&mut self, right: &syntax::Operand, fault: Refused) {
         let key = word(right).filter(|word| word.starts_with(CONSTANT));
-        if let (Some(fault), Some(key)) = (self.found.get_mut(told), key) {
+        let fault = fault.and_then(|fault| self.found.get_mut(fault));
+        if let (Some(fault), Some(key)) = (fault, key) {
             fault.help = Some(Suggestion::KeyFirst { key: key.into() }.into());
         }
     }
 
     /// Suggests a key's constant for a letter that is compared with and not declared.
-    fn suggest_key(&mut self, told: usize) {
-        for fault in &mut self.found[told..] {
+    fn suggest_key(&mut self, fault: Refused) {
+        if let Some(fault) = fault.and_then(|fault| self.found.get_mut(fault)) {
             let name = fault.subject.as_deref().unwrap_or_default();
             let is_key = name.len() == 1 && name.starts_with(|c: char| c.is_ascii_uppercase());
             if fault.code == Code::UnknownVariable && is_key {

@@ -1,6 +1,6 @@
 //! The texts of MESSAGE and F_MESSAGE: their placeholders and escapes (T.I.P. 3.1 §7-9-4).
 
-use super::names::{Names, kind_of};
+use super::names::Names;
 use super::resolve::Resolver;
 use crate::language::{Edition, Keyword, reserved};
 use crate::program::{MessagePart, Operand, StructOperand, VariableId};
@@ -85,7 +85,7 @@ impl Names {
     fn shown(&self, name: &str) -> Option<(Named, VariableKind)> {
         if name.starts_with(READING) {
             let reading = reserved::reading(name, self.edition)?;
-            return Some((Named::Reading(reading), kind_of(reading)));
+            return Some((Named::Reading(reading), VariableKind::of_reading(reading)));
         }
         if let Some(constant) = self.find_constant(name) {
             return Some((Named::Constant(constant), VariableKind::Var));

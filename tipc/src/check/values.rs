@@ -1,25 +1,24 @@
-//! The values of commands: numbers with their flags, or a struct in their place; and constants that a command or an
-//! equation refuses at runtime.
+//! The values of commands: numbers with their flags, or a struct in their place.
+//!
+//! ```text
+//! values = {["R" | "A"] number} | ["R" | "A"] POS or JOINT
+//! ```
+
+mod recover;
 
 use super::equations::type_of;
-use super::names::kind_of;
-use super::resolve::Resolver;
+use super::resolve::{Refused, Resolver};
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::commands::{self, Arguments, Form, Limit, Targets, Values};
-use crate::language::functions::{self, Operation};
-use crate::language::{Edition, reserved};
-use crate::message::phrase::{Bounds, Numbers};
-use crate::message::{Calculating, Commanding, Suggestion};
-use crate::parse::is_unit;
-use crate::program::{self, Argument, Arithmetic, Function, Mark, StructOperand, VariableId};
-use crate::robot::Robot;
-use crate::source::Span;
+use crate::language::commands::{Arguments, Values};
+use crate::language::reserved;
+use crate::message::Commanding;
+use crate::message::phrase::Numbers;
+use crate::program::{self, Argument, Mark, StructOperand};
 use crate::symbols::Access;
-use crate::syntax::{Equation, Expression, Operand, OperandKind, VariableKind, Word};
-use tip_runtime::command::{ABSOLUTE, FAST, Op, RELATIVE, TIMERS, Target};
-use tip_runtime::model::Range;
+use crate::syntax::{Operand, OperandKind, VariableKind, Word};
+use tip_runtime::command::{ABSOLUTE, FAST, RELATIVE, Target};
 
 impl Resolver<'_> {
     pub(super) fn values(
@@ -74,7 +73,10 @@ impl Resolver<'_> {
             return Some((StructOperand::Variable(id), kind));
         }
         let reading = reserved::reading(name, self.names.edition)?;
-        Some((StructOperand::Reading(reading), kind_of(reading)))
+        Some((
+            StructOperand::Reading(reading),
+            VariableKind::of_reading(reading),
+        ))
     }
 
     /// Reads two JOINTs: the lower and the upper limits of a leg.
@@ -99,7 +101,9 @@ impl Resolver<'_> {
 
     fn joint(&mut self, name: &Word, operand: &Operand) -> Option<StructOperand> {
         let kind = Some(VariableKind::Joint);
-        let meant = self.resolve_operand_as(operand, Code::Argument, kind)?;
+        let meant = self
+            .resolve_operand_as(operand, Code::Argument, kind)
+            .ok()?;
         self.uses.operand(operand, meant, Access::Read);
         match meant.structure() {
             Some((whole, VariableKind::Joint, false)) => Some(whole),
@@ -132,7 +136,8 @@ impl Resolver<'_> {
         let named = whole.and_then(|_| self.struct_named(&operands[flagged]));
         if let (None, Some(_), [operand]) = (named, whole, &operands[flagged..]) {
             // The only operand can only be meant as a struct.
-            self.resolve_operand_as(operand, Code::Argument, Some(kind))?;
+            self.resolve_operand_as(operand, Code::Argument, Some(kind))
+                .ok()?;
         }
         let operand = match named {
             None | Some((_, VariableKind::Var)) => {
@@ -150,7 +155,9 @@ impl Resolver<'_> {
         };
         self.no_more(name, &operands[flagged + 1..])?;
         let mark = self.mark(form, operands)?;
-        let meant = self.resolve_operand_as(&operands[flagged], Code::Argument, Some(kind))?;
+        let meant = self
+            .resolve_operand_as(&operands[flagged], Code::Argument, Some(kind))
+            .ok()?;
         self.uses.operand(&operands[flagged], meant, Access::Read);
         Some(self.members(operand, mark).collect())
     }
@@ -191,43 +198,19 @@ impl Resolver<'_> {
                 let reason = Commanding::FlagBeforeNumber { flag: flag.into() };
                 return self.refuse(Code::Argument, operand.span, reason);
             }
-            let told = self.found.len();
             let number = self.number(operand, Code::Argument);
-            if number.is_none() && self.explain_word(name, form, operand, told) {
+            if let Err(fault) = number
+                && self.explain_word(name, form, operand, fault)
+            {
                 return None;
             }
-            values.push(number.map(|operand| Argument { operand, mark }));
+            values.push(number.ok().map(|operand| Argument { operand, mark }));
             rest = behind;
         }
         // How many there are does not count where one of them is wrong.
         let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
         self.no_more(name, rest)?;
         Some(values)
-    }
-
-    /// Helps with a word that is reported where a number belongs, if what follows it would be reported for the same
-    /// reason: a second target, or a flag without a blank, as `R50`.
-    fn explain_word(
-        &mut self,
-        name: &Word,
-        form: Arguments,
-        operand: &Operand,
-        told: usize,
-    ) -> bool {
-        let Some(text) = word(operand) else {
-            return false;
-        };
-        let advice = if text.parse::<Target>().is_ok() {
-            let command = name.node.clone();
-            Some(Suggestion::OneTarget { command })
-        } else {
-            glued_flag(form, text)
-        };
-        let Some((advice, fault)) = advice.zip(self.found.get_mut(told)) else {
-            return false;
-        };
-        fault.help = Some(advice.into());
-        true
     }
 
     /// Reads `count` constants or VARs.
@@ -238,32 +221,19 @@ impl Resolver<'_> {
         count: usize,
     ) -> Option<Vec<Argument>> {
         let judged = &operands[..count.min(operands.len())];
-        let told = self.found.len();
-        let values: Vec<Option<Argument>> = judged
+        let values: Vec<Result<Argument, Refused>> = judged
             .iter()
             .map(|operand| {
                 let operand = self.variable_or_constant(operand, Code::Argument)?;
-                Some(Argument {
+                Ok(Argument {
                     operand,
                     mark: Mark::None,
                 })
             })
             .collect();
-        let is_target =
-            |operand: &Operand| word(operand).is_some_and(|it| it.parse::<Target>().is_ok());
-        if let Some(fault) = self
-            .found
-            .get_mut(told)
-            .filter(|_| judged.iter().any(is_target))
-        {
-            let command = name.node.clone();
-            let help = match takes_target(&command) {
-                true => Suggestion::OneTarget { command },
-                false => Suggestion::NoTarget { command },
-            };
-            fault.help = Some(help.into());
-        }
-        let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
+        let first = values.iter().find_map(|value| value.err().flatten());
+        self.explain_target(name, judged, first);
+        let values: Vec<Argument> = values.into_iter().collect::<Result<_, _>>().ok()?;
         if values.len() < count {
             let numbers = [count, values.len()];
             return self.too_few(name, Arguments::BARE, name.span, numbers, None);
@@ -272,60 +242,19 @@ impl Resolver<'_> {
         Some(values)
     }
 
-    /// `PTP F1 R 0 0` with a variable R: where it stands, and the variable.
-    fn used_as_flag(&self, form: Arguments, operands: &[Operand]) -> Option<(Span, VariableId)> {
-        let used = operands
-            .iter()
-            .filter(|operand| flag_name(form, operand).is_some());
-        let mut used = used.filter_map(|it| Some((it.span, self.names.find(word(it)?)?)));
-        used.next()
-    }
-
-    fn too_few<T>(
-        &mut self,
-        name: &Word,
-        form: Arguments,
-        location: Span,
-        [wanted, found]: [usize; 2],
-        used_as_flag: Option<(Span, VariableId)>,
-    ) -> Option<T> {
-        let whole = match form.values {
-            Values::Position | Values::ThreeOrPos => Some(VariableKind::Pos),
-            Values::Angles | Values::PerJoint | Values::PerLeg if wanted > 1 => {
-                Some(VariableKind::Joint)
-            }
-            _ => None,
-        };
-        let reason = Commanding::TooFew {
-            command: name.node.clone(),
-            wanted: Numbers::new(wanted, whole.map(|kind| type_of(Some(kind)))),
-            found: found.into(),
-        };
-        let mut fault = Diagnostic::new(Code::Argument, location, reason);
-        if let Some((used, variable)) = used_as_flag {
-            // That the word is a flag there explains the missing number.
-            self.flags.insert(variable, used);
-            let name = self.names.variables[variable].name.as_str().into();
-            fault = fault.label(used, Suggestion::FlagHere);
-            fault = fault.help(Suggestion::OtherName { name });
-        }
-        self.report(fault);
-        None
-    }
-
     /// Resolves a constant or VAR; a member is neither.
     pub(super) fn variable_or_constant(
         &mut self,
         operand: &Operand,
-        shape: Code,
-    ) -> Option<program::Operand> {
-        let meant = self.resolve_operand_as(operand, shape, Some(VariableKind::Var))?;
+        mistake: Code,
+    ) -> Result<program::Operand, Refused> {
+        let meant = self.resolve_operand_as(operand, mistake, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         match meant.number().filter(|_| !meant.is_member()) {
-            Some(number) => Some(number),
+            Some(number) => Ok(number),
             None => {
-                let reason = Commanding::ConstantOrVar;
-                self.refuse_with(shape, operand.span, reason, Commanding::CopyIntoVar)
+                let fault = Diagnostic::new(mistake, operand.span, Commanding::ConstantOrVar);
+                Err(self.report(fault.help(Commanding::CopyIntoVar)))
             }
         }
     }
@@ -334,75 +263,8 @@ impl Resolver<'_> {
     pub(super) fn no_more(&mut self, name: &Word, extra: &[Operand]) -> Option<()> {
         match extra.first() {
             None => Some(()),
-            Some(operand) => {
-                let extra = self.extra_word(name, operand);
-                let advice = extra.map(|advice| (operand.span, advice));
-                if let Some((location, advice)) = advice.or_else(|| self.decimal_comma(name)) {
-                    let reason = Commanding::TooMany {
-                        command: name.node.clone(),
-                    };
-                    return self.refuse_with(Code::Argument, location, reason, advice);
-                }
-                let reason = match name.node.as_str() {
-                    // Version 2 had one.
-                    name if name == Op::WaitNear.name() => Commanding::ToleranceElsewhere,
-                    _ => Commanding::TooMany {
-                        command: name.node.clone(),
-                    },
-                };
-                self.refuse(Code::Argument, operand.span, reason)
-            }
+            Some(operand) => self.too_many(name, operand),
         }
-    }
-
-    /// Returns the foreign spelling that an argument too many is, if it is one.
-    fn extra_word(&self, name: &Word, operand: &Operand) -> Option<Suggestion> {
-        match word(operand) {
-            Some(FAST) => Some(Suggestion::FastFirst {
-                command: name.node.clone(),
-            }),
-            Some(word) if word.parse::<Target>().is_ok() => {
-                let command = name.node.clone();
-                Some(match takes_target(&command) {
-                    true => Suggestion::OneTarget { command },
-                    false => Suggestion::NoTarget { command },
-                })
-            }
-            Some(word) if commands::find_in(word, self.names.edition).is_some() => {
-                Some(Suggestion::NextStatement)
-            }
-            Some(unit) if is_unit(unit) && self.names.find(unit).is_none() => {
-                Some(Suggestion::NoUnit)
-            }
-            _ => self.comma_in_number(operand.span),
-        }
-    }
-
-    /// `PTP F1 100,5 200 300`: the digits after the only comma, if blanks separate the other arguments.
-    fn decimal_comma(&self, name: &Word) -> Option<(Span, Suggestion)> {
-        let rest = self.rest_of_statement(name.span);
-        let (before, after) = rest
-            .split_once(',')
-            .filter(|(_, after)| !after.contains(','))?;
-        let digits = after
-            .find(|c: char| !c.is_ascii_digit())
-            .unwrap_or(after.len());
-        let start = name.span.end + before.len() + 1;
-        let location = Span::new(start, start + digits);
-        Some((location, self.comma_in_number(location)?))
-    }
-
-    /// `1,000` or `4,5`: digits right after a comma that digits precede.
-    fn comma_in_number(&self, location: Span) -> Option<Suggestion> {
-        let text = self.source_before(location)?.strip_suffix(',')?;
-        let digits = |c: char| c.is_ascii_digit();
-        let before = &text[text.trim_end_matches(digits).len()..];
-        let after = self.slice(location);
-        let is_number = !before.is_empty() && !after.is_empty() && after.chars().all(digits);
-        is_number.then(|| Suggestion::Comma {
-            whole: format!("{before}{after}").into(),
-            point: format!("{before}.{after}").into(),
-        })
     }
 
     /// `R` or `A` as the first of these operands.
@@ -431,190 +293,10 @@ fn is_flag(form: Arguments, word: &str) -> bool {
     form.motion && [RELATIVE, ABSOLUTE, FAST].contains(&word)
 }
 
-fn takes_target(command: &str) -> bool {
-    let form = commands::find_in(command, Edition::V3_2).map(|command| command.form);
-    matches!(form, Some(Form::Robot(form)) if form.targets != Targets::NONE)
-}
-
-/// `R50`, where `R 50` was meant.
-fn glued_flag(form: Arguments, word: &str) -> Option<Suggestion> {
-    let flag = [RELATIVE, ABSOLUTE].into_iter().find(|flag| {
-        let number = word.strip_prefix(*flag).unwrap_or_default();
-        form.motion && !number.is_empty() && number.chars().all(|c| c.is_ascii_digit())
-    })?;
-    Some(Suggestion::FlagApart {
-        flag,
-        number: word[flag.len()..].into(),
-    })
-}
-
 /// Returns the flag in the place of a number, even after a sign.
 fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) if is_flag(form, name) => Some(name),
         _ => None,
-    }
-}
-
-impl Resolver<'_> {
-    /// Warns of each constant out of the command's range.
-    pub(super) fn warn_of_range(
-        &mut self,
-        name: &Word,
-        form: Arguments,
-        operands: &[Operand],
-        values: &[Argument],
-    ) {
-        let judged = match form.values {
-            // The z of a finger is ignored.
-            Values::Three | Values::ThreeOrPos | Values::Position if self.robot.is_hand() => 2,
-            _ => values.len(),
-        };
-        for (operand, value) in operands.iter().zip(values).take(judged) {
-            if let program::Operand::Constant(value) = value.operand
-                && let Some(bounds) = broken(form.limit, value, self.robot)
-            {
-                self.warn_of_bounds(name, operand.span, bounds);
-                if self.names.edition.is_strict() {
-                    // The step fails at its first one.
-                    return;
-                }
-            }
-        }
-    }
-
-    /// Warns of a constant limit outside the joint's own ones, or of two that leave no range between them.
-    pub(super) fn warn_of_limits(
-        &mut self,
-        name: &Word,
-        target: Target,
-        operands: &[Operand],
-        values: &[Argument],
-    ) {
-        let constant = |value: &Argument| match value.operand {
-            program::Operand::Constant(value) => Some(value),
-            _ => None,
-        };
-        let own = self.robot.limits(target);
-        let mut pairs = operands.iter().zip(values);
-        let outside = pairs.find_map(|(operand, value)| {
-            let own = own.filter(|own| constant(value).is_some_and(|it| !own.contains(it)))?;
-            let Range { min, max } = own;
-            Some((operand.span, Bounds::FromTo { min, max }))
-        });
-        let reversed = || match (values, operands) {
-            ([low, high], [_, operand]) if constant(low)? >= constant(high)? => Some((
-                operand.span,
-                Bounds::Above {
-                    low: constant(low)?,
-                },
-            )),
-            _ => None,
-        };
-        if let Some((location, bounds)) = outside.or_else(reversed) {
-            self.warn_of_bounds(name, location, bounds);
-        }
-    }
-
-    fn warn_of_bounds(&mut self, name: &Word, location: Span, bounds: Bounds) {
-        let help = Commanding::Takes {
-            command: name.node.clone(),
-            bounds,
-            robot: self.robot.name(),
-        };
-        let reason = Commanding::OutOfRange;
-        self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
-    }
-
-    /// Warns of a constant for which an equation has no result, whatever its variables are.
-    pub(super) fn warn_of_domain(&mut self, equation: &Equation) {
-        if let Some((location, reason, help)) = self.impossible(equation) {
-            self.report(Diagnostic::new(Code::OutOfRange, location, reason).help(help));
-        }
-    }
-
-    /// Finds such a constant: its location, why it has no result, and what to write instead.
-    fn impossible(&self, equation: &Equation) -> Option<(Span, Calculating, Calculating)> {
-        let constant = |operand: &Operand| self.names.constant(operand);
-        let division = |divisor: &Operand| {
-            let (reason, help) = (Calculating::DividedByZero, Calculating::DivideByAnother);
-            (constant(divisor)? == 0.0).then_some((divisor.span, reason, help))
-        };
-        match &equation.value {
-            Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {
-                division(divisor)
-            }
-            Expression::Binary {
-                operation: Arithmetic::Div,
-                right,
-                ..
-            } => division(right),
-            Expression::Function { name, operands } => {
-                let operation = functions::find(&name.node, self.names.edition)?;
-                outside(operation, operands, constant)
-            }
-            Expression::Operand(_) | Expression::Binary { .. } => None,
-        }
-    }
-}
-
-/// Finds a constant outside the domain of a function.
-fn outside(
-    operation: Operation,
-    operands: &[Operand],
-    constant: impl Fn(&Operand) -> Option<f64>,
-) -> Option<(Span, Calculating, Calculating)> {
-    let first = operands.first()?;
-    let value = constant(first)?;
-    let name = operation.word();
-    match operation {
-        Operation::Scalar(Function::Sqrt) if value < 0.0 => {
-            let reason = Calculating::NoSquareRoot;
-            Some((first.span, reason, Calculating::SqrtTakes))
-        }
-        Operation::Scalar(function @ (Function::Asin | Function::Acos | Function::Atan))
-            if !(-1.0..=1.0).contains(&value) =>
-        {
-            let reason = Calculating::NoResult { function: name };
-            let help = if function == Function::Atan {
-                Calculating::TakesToOneOrRatio { function: name }
-            } else {
-                Calculating::TakesToOne { function: name }
-            };
-            Some((first.span, reason, help))
-        }
-        Operation::Atan2 => {
-            let second = operands.get(1)?;
-            let reason = Calculating::NoDirection;
-            let help = Calculating::AnotherThanZero;
-            let nowhere = value == 0.0 && constant(second)? == 0.0;
-            nowhere.then(|| (first.span.to(second.span), reason, help))
-        }
-        _ => None,
-    }
-}
-
-/// Returns the range that a value leaves.
-fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
-    let outside = |value: f64, min: f64, max: f64| {
-        (!Range::new(min, max).contains(value)).then_some(Bounds::FromTo { min, max })
-    };
-    let whole_outside = |min, max| outside(value.trunc(), min, max);
-    let Range { min, max } = robot.facts().periods;
-    match limit {
-        Limit::Any | Limit::Angles => None,
-        Limit::NotNegative => (value < 0.0).then_some(Bounds::NotNegative),
-        Limit::Positive => (value <= 0.0).then_some(Bounds::Positive),
-        Limit::Percent => (value <= 0.0 || value > 100.0).then_some(Bounds::Percent),
-        Limit::Period => outside(value, min, max),
-        Limit::Frequency => outside(value, 1000.0 / max, 1000.0 / min),
-        Limit::Lamp => match robot.facts().lamps.checked_sub(1) {
-            None => Some(Bounds::Nothing),
-            Some(last) => whole_outside(0.0, f64::from(last)),
-        },
-        Limit::FloorType if robot.is_hand() => whole_outside(1.0, 2.0),
-        Limit::FloorType | Limit::ObjectType => whole_outside(1.0, 3.0),
-        Limit::Timer => whole_outside(0.0, f64::from(TIMERS - 1)),
-        Limit::Steps => whole_outside(1.0, 255.0),
     }
 }

@@ -4,9 +4,10 @@
 
 use super::Leg;
 use super::keys::Part;
-use super::section::{Found, Section, Sign};
-use crate::message::{Describing, Message};
+use super::section::{Found, Section, Sign, fault};
+use crate::message::{Describing, Message, Suggestion};
 use crate::source::Span;
+use crate::suggest::nearest;
 use tip_runtime::command::Target;
 use tip_runtime::model::Range;
 
@@ -93,6 +94,7 @@ pub(super) fn read(
         .flat_map(|leg| &leg.joints)
         .map(|_| None)
         .collect();
+    let joints = legs.first().map_or(1, |leg| leg.joints.len());
     let mut first = family;
     for section in drives.unwrap_or_default() {
         let Some((location, name)) = section.text("joint", found) else {
@@ -109,9 +111,11 @@ pub(super) fn read(
         let Some((drive, model)) = drive(section, bus, (joint, initial), servos, found) else {
             continue;
         };
-        if places.iter().flatten().any(|other| other.id == drive.id) {
+        let has_it = |other: &Option<Drive>| other.as_ref().is_some_and(|it| it.id == drive.id);
+        if let Some(other) = places.iter().position(has_it) {
             let reason = Describing::SameIdentity {
                 id: drive.id.into(),
+                joint: joint_at(other, joints),
             };
             section.refuse::<()>("id", section.location_of("id"), reason, found);
         }
@@ -127,12 +131,10 @@ pub(super) fn read(
         first = first.or(model);
         places[place] = Some(drive);
     }
-    let joints = legs.first().map_or(1, |leg| leg.joints.len());
     let complete = found.is_empty();
     for (place, _) in places.iter().enumerate().filter(|(_, it)| it.is_none()) {
         if complete {
-            let [leg, joint] = [place / joints, place % joints].map(|it| it as u8 + 1);
-            let joint = Target::Joint(leg, joint);
+            let joint = joint_at(place, joints);
             let reason = Describing::NoDrive { joint };
             bus.refuse::<()>("servo", bus.location, reason, found);
         }
@@ -193,6 +195,12 @@ fn whole(
     section.refuse(key, section.location_of(key), reason, found)
 }
 
+/// Returns the joint at a place, where each leg has this many.
+fn joint_at(place: usize, joints: usize) -> Target {
+    let [leg, joint] = [place / joints, place % joints].map(|it| it as u8 + 1);
+    Target::Joint(leg, joint)
+}
+
 /// Returns the place of a joint by its name, its working limits and its initial angle.
 fn joint_of(legs: &[Leg], name: &str) -> Option<(usize, Range, f64)> {
     let Ok(Target::Joint(leg, joint)) = name.parse() else {
@@ -220,10 +228,34 @@ fn servo(
         .iter()
         .find(|servo| servo.name.eq_ignore_ascii_case(name));
     if meant.is_none() && !servos.is_empty() {
-        let known = servos.iter().map(|servo| servo.name);
-        section.refuse_word::<()>(key, (location, name), known, found);
+        let names: Vec<&str> = servos.iter().map(|servo| servo.name).collect();
+        let known = names.join(", ");
+        let reason = Describing::NoSuchServo { known };
+        match nearest_servo(name, &names) {
+            Some(near) => {
+                let help = Suggestion::DidYouMean { near: near.into() };
+                found.push(fault(section.part, location, reason, help));
+            }
+            None => {
+                section.refuse::<()>(key, location, reason, found);
+            }
+        }
     }
     meant.copied()
+}
+
+/// Returns the model whose name is nearest, or begins so, in any case.
+fn nearest_servo<'a>(name: &str, names: &[&'a str]) -> Option<&'a str> {
+    let name = name.to_lowercase();
+    let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    let near = nearest(&name, lower.iter().map(String::as_str));
+    let begins = || {
+        let mut names = lower.iter().map(String::as_str);
+        names.find(|known| name.len() > 1 && known.starts_with(&name))
+    };
+    let near = near.or_else(begins)?;
+    let place = lower.iter().position(|known| known == near)?;
+    names.get(place).copied()
 }
 
 /// Reads a drive of a joint with these limits and this initial angle.

@@ -237,10 +237,10 @@ keys! {
 
     Bus "port", "a text" / "文字列", Some("the option `--port` must be there"), "the serial port, such as \"/dev/ttyUSB0\"; \"simulated\" for servos without hardware" / "シリアルポート(例: \"/dev/ttyUSB0\")。\"simulated\" なら実機なしの模擬サーボ";
     Bus "servo", "a text" / "文字列", Some("every drive has a `model`"), "the model of every drive that has none of its own" / "`model` のない全ての駆動軸のサーボ型名";
-    Bus "baud", "a whole number, 9600 to 4500000" / "9600から4500000までの整数", Some("1000000"), "the speed of the bus, bits per second" / "バスの通信速度(ビット毎秒)";
+    Bus "baud", "a whole number, 9600 to 4500000" / "9600から4500000までの整数", Some("1000000"), "the speed of the bus, bits per second; LX servos have 115200" / "バスの通信速度(ビット毎秒)。LXサーボは115200";
     Bus "latency", "a number in ms" / "ms単位の数値", Some("4"), "the most that adapter and driver add to an answer" / "アダプタとドライバによる応答の遅れの上限";
     Bus "answers", "\"each\" or \"together\"" / "\"each\" または \"together\"", Some("each"), "whether servos of Dynamixel protocol 2 answer one after the other or in one frame" / "Dynamixelプロトコル2のサーボが1台ずつ応答するか、まとめて1フレームで応答するか";
-    Bus "silence", "a whole number, 0 to 1000" / "0から1000までの整数", Some("5"), "how many cycles a servo may be silent before the emergency stop; its last angle stands for the missing ones" / "サーボの無応答を許す周期数(その間は最後の角度を使い、超えると非常停止)";
+    Bus "silence", "a whole number, 0 to 1000" / "0から1000までの整数", Some("5"), "how many cycles old a servo's last answer may be before the emergency stop; its angle stands for the missing ones" / "サーボの最後の応答から許す周期数(その間は最後の角度を使い、超えると非常停止)";
     Bus "temperature", "a number in °C" / "°C単位の数値", Some("65"), "the hottest that a servo may be" / "サーボの温度の上限";
     Bus "voltage", "[min, max] in V" / "V単位の[最小, 最大]", Some("[6, 15]"), "the supply voltage that the servos may measure" / "サーボが測る電源電圧の範囲";
     Bus "overload", "[load, s]" / "[負荷, 秒]", Some("[0.9, 0.5]"), "how much of the stall torque a joint may need for longer than this time" / "関節の負荷(停動トルクに対する割合)の上限と、超えてよい時間";
@@ -251,13 +251,13 @@ keys! {
 
     Drive "joint", "a text" / "文字列", None, "the joint: J11 to J99, leg and joint" / "関節(J11からJ99。脚と関節の番号)";
     Drive "id", "a whole number, 0 to 252" / "0から252までの整数", None, "the servo's identity on the bus" / "バス上のサーボのID";
-    Drive "model", "a text" / "文字列", Some("`servo` of the bus"), "the servo's model, such as \"AX-12\", \"XL430-W250\" or \"STS3215\"" / "サーボの型名(例: \"AX-12\"、\"XL430-W250\"、\"STS3215\")";
+    Drive "model", "a text" / "文字列", Some("`servo` of the bus"), "the servo's model, such as \"AX-12\", \"XL430-W250\", \"STS3215\" or \"LX-16A\"" / "サーボの型名(例: \"AX-12\"、\"XL430-W250\"、\"STS3215\"、\"LX-16A\")";
     Drive "sign", "1 or -1" / "1または-1", Some("1"), "which way the motor turns when the joint's angle grows" / "関節角度が増えるときのモータの回転方向";
     Drive "offset", "a number in deg" / "度単位の数値", Some("0"), "the motor angle, from the middle of its travel, when the joint is at 0; `tip drives zero` finds it" / "関節角度0のときの、可動範囲の中央から測ったモータ角度(`tip drives zero` で求める)";
     Drive "gear", "a number" / "数値", Some("1"), "turns of the motor for each turn of the joint" / "関節1回転あたりのモータの回転数";
     Drive "limits", "[min, max] in deg" / "度単位の[最小, 最大]", Some("the limits of the joint"), "the joint angles that are commanded" / "指令する関節角度の範囲";
     Drive "speed", "a number in deg/s" / "deg/s単位の数値", Some("180"), "the fastest that the joint is commanded" / "関節に指令する速さの上限";
-    Drive "torque", "a number, 1 at most" / "1以下の数値", Some("1"), "the torque limit, as a part of the servo's full torque" / "トルク制限(サーボの最大トルクに対する割合)";
+    Drive "torque", "a number, 1 at most" / "1以下の数値", Some("1"), "the torque limit, as a part of the servo's full torque; LX servos have none" / "トルク制限(サーボの最大トルクに対する割合)。LXサーボにはない";
 
     Scene "plant", "\"quasi-static\" or \"dynamic\"" / "\"quasi-static\" または \"dynamic\"", Some("quasi-static"), "how a walking robot is simulated; the option `--plant` wins" / "歩行ロボットのシミュレーション方法(`--plant` オプションが優先)";
     Scene "floor", "a [floor] table" / "[floor]表", Some("level, friction 0.5"), "what carries the objects, or a walking robot" / "物体や歩行ロボットを載せる床";

@@ -5,9 +5,8 @@ use super::ident;
 use super::ident::{field, identifier};
 use crate::analysis::assignment::Assignment;
 use crate::program::{
-    Argument, Arithmetic, Axis, Condition, Mark, MessagePart, Operand, Program, Reading, Relation,
-    Scalar, ScalarExpression, StepId, StructExpression, StructOperand, Teach, Variable, VariableId,
-    VariableKind,
+    Argument, Arithmetic, Axis, Condition, Mark, MessagePart, Operand, Program, Relation, Scalar,
+    ScalarExpression, StepId, StructExpression, StructOperand, Variable, VariableId, VariableKind,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -82,11 +81,9 @@ impl Values<'_> {
         match whole {
             StructOperand::Variable(variable) => self.read_struct(variable),
             StructOperand::Reading(reading) => {
-                let size = match reading {
-                    Reading::Measured(Teach::Angle | Teach::Torque, _) => {
-                        usize::from(self.program.signature.joints)
-                    }
-                    Reading::Measured(Teach::Position | Teach::Force, _) | Reading::Timer(_) => 3,
+                let size = match VariableKind::of_reading(reading) {
+                    VariableKind::Joint => usize::from(self.program.signature.joints),
+                    VariableKind::Pos | VariableKind::Var => 3,
                 };
                 let members: Vec<Ident> = (1..=size)
                     .map(|member| format_ident!("m{member}"))

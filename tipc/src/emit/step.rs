@@ -300,10 +300,10 @@ pub(super) struct States {
 }
 
 /// Generated code of a step.
-pub(super) struct GeneratedStep {
-    pub(super) row: TokenStream,
+struct GeneratedStep {
+    row: TokenStream,
     /// Function that the row leads to, if it needs code.
-    pub(super) function: TokenStream,
+    function: TokenStream,
 }
 
 impl Emitter<'_> {
@@ -318,24 +318,6 @@ impl Emitter<'_> {
             states.rows.extend(row);
             states.functions.extend(function);
         }
-        self.with_moves(states)
-    }
-
-    /// Returns the states with one row, no line and no function in the place of all.
-    #[cfg(feature = "build")]
-    pub(super) fn outline(&self, row: TokenStream) -> States {
-        let mut states = States {
-            rows: row,
-            ..States::default()
-        };
-        for (_, id) in self.program.steps.iter().zip(0..) {
-            let GeneratedStep { row, function } = self.generate_step(id);
-            states.mention([&row, &function]);
-        }
-        self.with_moves(states)
-    }
-
-    fn with_moves(&self, mut states: States) -> States {
         states.mentioned.insert("Step".to_owned());
         states.mention([&self.state_impl(&TokenStream::new())]);
         let moves = self.moves(&states.mentioned);
@@ -345,7 +327,7 @@ impl Emitter<'_> {
     }
 
     /// Generates the code of one step.
-    pub(super) fn generate_step(&self, id: StepId) -> GeneratedStep {
+    fn generate_step(&self, id: StepId) -> GeneratedStep {
         let step = &self.program.steps[id as usize];
         let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
         let doc = in_comment(&doc);

@@ -43,6 +43,8 @@ pub struct Command {
     pub unit: &'static str,
     /// Parts that it brings under control.
     pub moves: Moves,
+    /// True if its values are added to the targets that there are.
+    pub is_relative: bool,
     /// Number of control cycles it takes.
     pub cycles: Cycles,
     /// The runtime errors of its own step, besides those of its operands.
@@ -107,6 +109,7 @@ impl Command {
             robots: Robots::ALL,
             unit: "",
             moves: Moves::Nothing,
+            is_relative: false,
             cycles: Cycles::One,
             failures: outcome::NONE,
             description: Bilingual::EMPTY,
@@ -196,6 +199,13 @@ impl Command {
     }
 
     /// Sets the robots that have it.
+    const fn relative(self) -> Self {
+        Command {
+            is_relative: true,
+            ..self
+        }
+    }
+
     const fn only(self, robots: Robots) -> Self {
         Command { robots, ..self }
     }
@@ -236,6 +246,12 @@ pub fn waits(op: Op) -> bool {
     rows.any(|command| {
         command.meaning == Meaning::Robot(op) && matches!(command.cycles, Cycles::Until(_))
     })
+}
+
+/// Returns true if a command of the robot adds its values to the targets that there are.
+pub fn is_relative(op: Op) -> bool {
+    let mut rows = COMMANDS.iter();
+    rows.any(|command| command.meaning == Meaning::Robot(op) && command.is_relative)
 }
 
 /// Returns true if the robot can measure a quantity.

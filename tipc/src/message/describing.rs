@@ -153,9 +153,12 @@ messages! {
     NoDrive { joint: Target }
         "joint {joint} has no [[drive]]",
         "関節{joint}の[[drive]]がありません";
-    SameIdentity { id: usize }
-        "two servos of one bus cannot have the identity {id}",
-        "1つのバスに同じID {id} のサーボは置けません";
+    SameIdentity { id: usize, joint: Target }
+        "two servos of one bus cannot have the identity {id}: that of {joint} has it",
+        "1つのバスに同じID {id} のサーボは置けません。{joint}のサーボが使っています";
+    NoSuchServo { known: String }
+        "no servo model has this name; there are {known}",
+        "この名前のサーボはありません。使えるのは{known}です";
     OtherFamily { family: &'static str, first: &'static str }
         "servos of {family} and {first} cannot share a bus",
         "{family}と{first}のサーボは1つのバスに混ぜられません";

@@ -1,29 +1,54 @@
 //! Conditions of IF, ELSEIF, WHILE and UNTIL (T.I.P. 3.1 §6).
+//!
+//! ```text
+//! condition = operand relation operand | FLAG | "!" FLAG
+//! ```
+//!
+//! What else stands there is worded in [`recover::condition`](super::recover::condition).
 
 use super::reader::{Fault, Parsed, Reader};
-use crate::diagnostic::Diagnostic;
-use crate::language::{Edition, Keyword, flags, functions, keywords};
 use crate::lex::{Kind, Token};
-use crate::message::phrase::End;
-use crate::message::{Message, Parsing, Suggestion};
+use crate::message::Parsing;
 use crate::source::Span;
-use crate::syntax::{Condition, Operand, OperandKind, Relation, Word, upper_case};
+use crate::syntax::{Condition, Operand, OperandKind, Relation, Word};
 
 impl Reader<'_> {
     /// `a REL b`, `FLAG` or `!FLAG`.
     pub(super) fn condition(&mut self) -> Parsed<Condition> {
-        if let Some(token) = self.peek().filter(|token| token.kind == Kind::Not) {
-            self.take();
-            return self.negated_flag(token);
+        match self.peek() {
+            None => Err(self.missing_condition()),
+            Some(token) if token.kind == Kind::Not => {
+                self.take();
+                self.negated_flag(token)
+            }
+            Some(_) => {
+                let left = self.operand_before_keyword().map_err(as_in_condition)?;
+                self.comparison_or_flag(left)
+            }
         }
-        if self.left() == 0 {
-            return Err(self.fault_with_help(
-                self.here(),
-                Parsing::ConditionMissing,
-                Parsing::Conditions,
-            ));
+    }
+
+    /// `!FLAG`; the sign is already taken.
+    fn negated_flag(&mut self, not: Token) -> Parsed<Condition> {
+        match self.peek() {
+            Some(word) if self.is_negatable(word) => {
+                self.take();
+                Ok(Condition::Flag {
+                    name: self.word(word.span),
+                    negated: true,
+                })
+            }
+            other => Err(self.negates_no_flag(not, other)),
         }
-        let left = self.operand_before_keyword().map_err(as_in_condition)?;
+    }
+
+    /// Returns true if a token is a name right after a `!`.
+    fn is_negatable(&self, token: Token) -> bool {
+        token.kind == Kind::Word && !token.spaced && !self.slice(token.span).starts_with('(')
+    }
+
+    /// Goes on after the first operand, which may be a flag.
+    fn comparison_or_flag(&mut self, left: Operand) -> Parsed<Condition> {
         match self.peek() {
             Some(Token {
                 kind: Kind::Relation(relation),
@@ -33,80 +58,21 @@ impl Reader<'_> {
                 self.take();
                 self.comparison(left, relation, span)
             }
-            Some(token) if self.calls_function(&left) => {
-                let location = left.span.to(token.span);
-                let reason = Parsing::ConditionCannotCalculate;
-                Err(self.fault_with_help(location, reason, Suggestion::CalculateBefore))
+            Some(token) if token.kind != Kind::Word || self.calls_function(&left) => {
+                Err(self.no_relation(&left, token))
             }
-            Some(token) if token.kind != Kind::Word => Err(self.no_relation(&left, token)),
             _ => self.flag(left),
         }
     }
 
-    /// `ABS A > 3`
-    fn calls_function(&self, left: &Operand) -> bool {
-        let is_function = |word: &str| functions::words().any(|it| it.eq_ignore_ascii_case(word));
-        let is_word = self.peek().is_some_and(|next| next.kind == Kind::Word);
-        is_word && is_function(self.slice(left.span))
-    }
-
-    fn negated_flag(&mut self, not: Token) -> Parsed<Condition> {
-        match self.peek() {
-            Some(word) if self.slice(word.span).starts_with('(') => {
-                Err(self.fault_with_help(not.span, Suggestion::Not, Suggestion::WriteNot))
-            }
-            Some(word) if word.kind == Kind::Word && !word.spaced => {
-                self.take();
-                Ok(Condition::Flag {
-                    name: self.word(word.span),
-                    negated: true,
-                })
-            }
-            Some(word) if word.kind == Kind::Word => {
-                let text = format!("!{}", upper_case(self.slice(word.span))).into();
-                let reason = Parsing::NotStandsBeforeFlag;
-                Err(self.fault_with_help(not.span, reason, Suggestion::Write { text }))
-            }
-            _ => Err(self.fault_with_help(
-                not.span,
-                Parsing::NotStandsBeforeFlag,
-                Parsing::Conditions,
-            )),
-        }
-    }
-
+    /// `a REL b` after its relation.
     fn comparison(&mut self, left: Operand, relation: Relation, sign: Span) -> Parsed<Condition> {
-        if let Some((token, whole)) = self.split_relation(relation) {
-            let location = sign.to(token.span);
-            let reason = Suggestion::SplitOperator { sign: whole.into() };
-            let help = Suggestion::WriteRelation { relation: whole };
-            return Err(self.fault_with_help(location, reason, help));
-        }
-        if let Some(token) = self.peek().filter(is_part_of_relation) {
-            let reason = Parsing::NoRelation;
-            let help: Message = match (relation, token.kind) {
-                (Relation::Gt, Kind::Relation(Relation::Lt)) => Suggestion::WriteNotEqual.into(),
-                (Relation::Eq, Kind::Assign(None)) => {
-                    Suggestion::WriteRelation { relation: "==" }.into()
-                }
-                _ => Parsing::Relations.into(),
-            };
-            return Err(self.fault_with_help(token.span, reason, help));
+        if let Some(fault) = self.relation_in_pieces(relation, sign) {
+            return Err(fault);
         }
         let right = self.operand_before_keyword().map_err(as_in_condition)?;
         match self.peek() {
-            Some(token) if token.kind != Kind::Word => {
-                let reason = Parsing::CannotStandHere {
-                    text: self.slice(token.span).into(),
-                };
-                let help: Message = match token.kind {
-                    // `1 < A < 3`
-                    Kind::Relation(_) => Suggestion::Nest.into(),
-                    Kind::Arithmetic(_) => Suggestion::CalculateBefore.into(),
-                    _ => Parsing::Conditions.into(),
-                };
-                Err(self.fault_with_help(token.span, reason, help))
-            }
+            Some(token) if token.kind != Kind::Word => Err(self.behind_comparison(token)),
             _ => Ok(Condition::Compare {
                 left,
                 relation,
@@ -115,216 +81,22 @@ impl Reader<'_> {
         }
     }
 
-    /// `> =`, `< >`: the second sign, and what both are in one piece.
-    fn split_relation(&self, first: Relation) -> Option<(Token, &'static str)> {
-        let next = self.peek().filter(|next| next.spaced)?;
-        let whole = match (first, next.kind) {
-            (Relation::Lt, Kind::Assign(None)) => "<=",
-            (Relation::Gt, Kind::Assign(None)) => ">=",
-            (Relation::Lt, Kind::Relation(Relation::Gt)) => "<>",
-            _ => return None,
-        };
-        Some((next, whole))
-    }
-
-    /// Returns the fault after a condition that goes on as in another language.
-    pub(super) fn joined(&self) -> Option<Fault> {
-        let next = self.peek()?;
-        let before = self.before().filter(|it| negates(self.slice(it.span)));
-        if let Some(not) = before {
-            return Some(self.fault_with_help(not.span, Suggestion::Not, Suggestion::WriteNot));
-        }
-        let word = self.slice(next.span);
-        joins_conditions(word).then(|| {
-            let reason = Suggestion::AndOr { word: word.into() };
-            self.fault_with_help(next.span, reason, Suggestion::Nest)
-        })
-    }
-
-    fn no_relation(&self, left: &Operand, token: Token) -> Fault {
-        if token.kind == Kind::Not {
-            return self.fault_with_help(
-                token.span,
-                Suggestion::NotEqual,
-                Suggestion::WriteNotEqual,
-            );
-        }
-        let turned = match self.peek_second().filter(|next| !next.spaced) {
-            Some(Token {
-                kind: Kind::Relation(relation @ (Relation::Gt | Relation::Lt)),
-                span,
-                ..
-            }) => Some((relation, token.span.to(span))),
-            _ => None,
-        };
-        match (token.kind, turned) {
-            (Kind::Assign(None), Some((relation, location))) => {
-                let relation = if relation == Relation::Gt { ">=" } else { "<=" };
-                let help = Suggestion::WriteRelation { relation };
-                self.fault_with_help(location, Parsing::NoRelation, help)
-            }
-            (Kind::Assign(None), None) => {
-                let reason = Parsing::AssignsComparesNothing;
-                let word = upper_case(self.slice(left.span));
-                let help: Message = match flags::find(&word, Edition::default()) {
-                    Some(_) => Suggestion::FlagAlone { flag: word }.into(),
-                    None => Parsing::Relations.into(),
-                };
-                self.fault_with_help(token.span, reason, help)
-            }
-            (Kind::Arithmetic(_), _) => {
-                let reason = Parsing::ConditionCannotCalculate;
-                self.fault_with_help(token.span, reason, Suggestion::CalculateBefore)
-            }
-            _ => self.fault_with_help(token.span, Parsing::RelationBelongsHere, Parsing::Relations),
-        }
-    }
-
-    /// `IF (A == 1)`: the statement without the parentheses around its whole condition.
-    pub(super) fn condition_in_parentheses(&self) -> Option<Message> {
-        let whole = self.slice(self.whole());
-        let (keyword, rest) = whole.split_once('(')?;
-        let (inside, rest) = rest.rsplit_once(')')?;
-        let keyword = keywords::find(keyword.trim(), Edition::default())?;
-        let mut words = inside.split_whitespace();
-        if words.any(joins_conditions) {
-            return Some(Suggestion::NestWithoutParentheses.into());
-        }
-        let joins = |word: &str| joins_conditions(word) || negates(word);
-        let is_constant = ["1", "TRUE"].contains(&&*upper_case(inside.trim()));
-        if keyword == Keyword::While && is_constant {
-            return Some(Suggestion::Forever.into());
-        }
-        if inside.contains(['(', ')', '&', '|', '!']) || inside.split(' ').any(joins) {
-            return None;
-        }
-        let condition = inside.trim();
-        let rest = rest.trim();
-        let word = keyword.word();
-        let closer = match keyword {
-            Keyword::If if rest.is_empty() => Keyword::EndIf,
-            Keyword::While if rest.is_empty() => Keyword::Wend,
-            // `IF (A == 1) MESSAGE one`: the statement has a line of its own.
-            Keyword::If if !jumps(rest) => Keyword::EndIf,
-            Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Until => {
-                let written = upper_case(format!("{word} {condition} {rest}").trim());
-                return Some(Suggestion::WithoutParentheses { written }.into());
-            }
-            _ => return None,
-        };
-        let then = if closer == Keyword::EndIf {
-            " THEN"
-        } else {
-            ""
-        };
-        let written = upper_case(&format!("{word} {condition}{then}"));
-        Some(Suggestion::OpenBlock { written, closer }.into())
-    }
-
-    /// Returns the fault after a condition that opens a block as in another language: `WHILE A < 3 DO`.
-    pub(super) fn opened(&self) -> Option<Fault> {
-        let word = self.peek().filter(|_| self.left() == 1)?;
-        let text = self.slice(word.span);
-        let opens = text.eq_ignore_ascii_case("DO") || text == ":" || self.at_word(Keyword::Then);
-        opens.then(|| {
-            let end = End::Condition;
-            let help = Suggestion::BlockBegins;
-            self.fault_with_help(word.span, Parsing::NothingBehind { end }, help)
-        })
-    }
-
+    /// `FLAG`
     fn flag(&self, operand: Operand) -> Parsed<Condition> {
-        let span = operand.span;
         match operand.kind {
             OperandKind::Name(name) if !operand.negative => Ok(Condition::Flag {
-                name: Word { node: name, span },
+                name: Word {
+                    node: name,
+                    span: operand.span,
+                },
                 negated: false,
             }),
-            OperandKind::Number(_) => {
-                Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Suggestion::Forever))
-            }
-            _ => Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Parsing::Conditions)),
+            _ => Err(self.compared_with_nothing(&operand)),
         }
     }
-}
-
-/// Returns true if a word joins two conditions in another language.
-fn joins_conditions(word: &str) -> bool {
-    ["AND", "OR", "XOR", "&&", "||", "&", "|"]
-        .iter()
-        .any(|one| one.eq_ignore_ascii_case(word))
-}
-
-/// Returns true if a word negates in another language.
-fn negates(word: &str) -> bool {
-    word.eq_ignore_ascii_case("NOT")
 }
 
 /// Adds the forms of conditions to the fault of an operand.
-fn as_in_condition(mut fault: Fault) -> Fault {
-    fault.help.get_or_insert_with(|| Parsing::Conditions.into());
-    fault
-}
-
-/// Returns true if what follows a condition goes on with its IF.
-fn jumps(rest: &str) -> bool {
-    let first = rest.split([' ', '\t']).next().unwrap_or_default();
-    let words = [Keyword::Then, Keyword::Goto, Keyword::Gosub, Keyword::Call];
-    words.iter().any(|word| word.is(first))
-}
-
-fn is_part_of_relation(token: &Token) -> bool {
-    matches!(
-        token.kind,
-        Kind::Relation(_) | Kind::Assign(None) | Kind::Not
-    )
-}
-
-/// Returns the tokens of a statement with the relation that was meant, if that is what is wrong with it: `IF A = 1
-/// GOTO L1`.
-pub(super) fn with_intended_relation(fault: &Diagnostic, tokens: &[Token]) -> Option<Vec<Token>> {
-    let relation = match (&fault.reason, fault.help.as_ref()?) {
-        (
-            Message::Parsing(Parsing::AssignsComparesNothing),
-            Message::Parsing(Parsing::Relations),
-        ) => Relation::Eq,
-        (_, Message::Suggestion(Suggestion::WriteRelation { relation })) => of_sign(relation)?,
-        (Message::Suggestion(Suggestion::NotEqual), _) => Relation::Ne,
-        _ => return None,
-    };
-    let first = tokens
-        .iter()
-        .position(|it| it.span.start == fault.span.start)?;
-    let is_operand = |at: usize| tokens.get(at).is_some_and(|it| it.kind == Kind::Word);
-    let rest = tokens[first..].iter();
-    let within = rest.take_while(|it| it.span.end <= fault.span.end).count();
-    // `!` and `=`
-    let signs = match is_operand(first + within.max(1)) {
-        true => within.max(1),
-        false => within + 1,
-    };
-    let end = first + signs;
-    if !is_operand(first.checked_sub(1)?) || !is_operand(end) {
-        return None;
-    }
-    let span = Span::new(fault.span.start, tokens[end - 1].span.end);
-    let sign = Token {
-        kind: Kind::Relation(relation),
-        span,
-        spaced: tokens[first].spaced,
-    };
-    let (before, after) = (&tokens[..first], &tokens[end..]);
-    Some([before, &[sign], after].concat())
-}
-
-fn of_sign(sign: &str) -> Option<Relation> {
-    Some(match sign {
-        "==" => Relation::Eq,
-        "<>" => Relation::Ne,
-        "<" => Relation::Lt,
-        ">" => Relation::Gt,
-        "<=" => Relation::Le,
-        ">=" => Relation::Ge,
-        _ => return None,
-    })
+fn as_in_condition(fault: Fault) -> Fault {
+    fault.or_help(Parsing::Conditions)
 }

@@ -1,28 +1,30 @@
-//! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE, jumps and their labels (T.I.P. 3.1 §7-6, §7-7).
+//! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE, THREAD, DEFINE, jumps and their labels
+//! (T.I.P. 3.1 §7-6, §7-7).
+//!
+//! ```text
+//! IF condition THEN               IF condition GOTO NAME:        IF condition GOSUB NAME:
+//! ELSEIF condition THEN           WHILE condition                UNTIL condition
+//! FOR variable = a TO b           FOR variable = a TO b STEP c   NEXT [variable]
+//! SUBROUTINE NAME:                THREAD NAME:                   DEFINE NAME value
+//! GOTO [NAME:]                    GOSUB NAME:                    CALL NAME:
+//! ```
+//!
+//! What else stands there is worded in [`recover::control`](super::recover::control).
 
-use super::Parser;
 use super::reader::{Fault, Parsed, Reader};
-use crate::language::reserved::LOOP;
-use crate::language::{Keyword, commands, keywords, names};
+use super::recover::control::written;
+use crate::language::Keyword;
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{Message, Naming, Parsing, Suggestion};
+use crate::message::{Parsing, Suggestion};
 use crate::source::Span;
-use crate::suggest::nearest;
-use crate::syntax::{
-    Arithmetic, Condition, Counting, Jump, Operand, OperandKind, Shape, StatementKind, Then, Word,
-    upper_case,
-};
-use smol_str::SmolStr;
-use tip_runtime::command::Flag;
-
-/// The words that follow the condition of an IF.
-const AFTER_IF: [Keyword; 3] = [Keyword::Then, Keyword::Goto, Keyword::Gosub];
+use crate::syntax::{Condition, Counting, Jump, Operand, OperandKind, StatementKind, Then, Word};
 
 /// A statement and, if something after it is wrong, what; or only what is wrong.
 pub(super) type Read = Parsed<(StatementKind, Parsed<()>)>;
 
 impl Reader<'_> {
+    /// `IF condition THEN`, `IF condition GOTO NAME:`, `IF condition GOSUB NAME:`
     pub(super) fn if_statement(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
         let (then, end) = self.then()?;
@@ -36,7 +38,10 @@ impl Reader<'_> {
 
     fn then(&mut self) -> Parsed<(Then, Parsed<()>)> {
         if self.take_word(Keyword::Then).is_some() {
-            return self.after_then();
+            return match self.left() {
+                0 => Ok((Then::Block, Ok(()))),
+                _ => self.statement_after_then(),
+            };
         }
         if let Some(keyword) = self.take_word(Keyword::Goto) {
             let (jump, colon) = self.goto(keyword)?;
@@ -51,158 +56,34 @@ impl Reader<'_> {
         Err(self.missing_then())
     }
 
-    /// Reads what follows THEN: a block, on the next line. A jump in its place is read as if THEN were not there.
-    fn after_then(&mut self) -> Parsed<(Then, Parsed<()>)> {
-        let location = self.rest();
-        for word in [Keyword::Goto, Keyword::Gosub] {
-            if let Some(keyword) = self.take_word(word) {
-                let ((jump, _), then): (_, fn(Jump) -> Then) = match word {
-                    Keyword::Goto => (self.goto(keyword)?, Then::Goto),
-                    _ => (self.jump(keyword, word)?, Then::Gosub),
-                };
-                let reason = Suggestion::ThenJumps { jump: word.into() };
-                let help = Suggestion::LeaveThenOut { jump: word.into() };
-                let fault = self.fault_with_help(location, reason, help);
-                return Ok((then(jump), Err(fault)));
-            }
-        }
-        match self.left() {
-            0 => Ok((Then::Block, Ok(()))),
-            _ if self.goes_to_line() => {
-                let jump = Keyword::Goto.into();
-                Err(self.fault_with_help(
-                    location,
-                    Suggestion::OneLineIf,
-                    Suggestion::LeaveThenOut { jump },
-                ))
-            }
-            _ => Err(self.fault_with_help(
-                location,
-                Suggestion::OneLineIf,
-                Suggestion::CloseOneLineIf,
-            )),
-        }
-    }
-
-    /// `THEN 100`, `THEN L1:`: a jump of BASIC.
-    fn goes_to_line(&self) -> bool {
-        let is_line = |token: &Token| self.slice(token.span).bytes().all(|it| it.is_ascii_digit());
-        match self.left_tokens() {
-            [line] => is_line(line),
-            [name, colon] => name.kind == Kind::Word && colon.kind == Kind::Colon,
-            _ => false,
-        }
-    }
-
-    /// Checks that nothing follows a jump, not even THEN.
+    /// Checks that nothing follows the jump of an IF.
     fn end_of_jump(&self, jump: Keyword) -> Parsed<()> {
-        if self.at_word(Keyword::Else) {
-            let end = End::Label;
-            let reason = Parsing::NothingBehind { end };
-            let help: Message = match self.left_tokens() {
-                [_, next, ..] if jump == Keyword::Goto => {
-                    let next = Span::new(next.span.start, self.rest().end);
-                    let statement = upper_case(self.slice(next));
-                    Suggestion::ElseOnNextLine { statement }.into()
-                }
-                _ => Suggestion::ElseInBlock.into(),
-            };
-            return Err(self.fault_with_help(self.rest(), reason, help));
+        match self.behind_jump(jump) {
+            Some(fault) => Err(fault),
+            None => self.expect_end(End::Label),
         }
-        if self.at_word(Keyword::Then) && self.left() == 1 {
-            let reason = Suggestion::ThenJumps { jump: jump.into() };
-            let help = Suggestion::LeaveThenOut { jump: jump.into() };
-            return Err(self.fault_with_help(self.here(), reason, help));
-        }
-        self.expect_end(End::Label)
     }
 
-    fn missing_then(&self) -> Fault {
-        if let Some(fault) = self.joined() {
-            return fault;
-        }
-        if self.at_word(Keyword::Call) {
-            let help = Parsing::GosubCalls;
-            return self.fault_with_help(self.here(), Parsing::IfCannotCall, help);
-        }
-        if let Some(advice) = self.flag_or_command() {
-            return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, advice);
-        }
-        if let Some(text) = self.glued_jump() {
-            let help = Suggestion::Write { text };
-            return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help);
-        }
-        // `IF A EQ 3 THEN`
-        let goes_on = |token: &Token| AFTER_IF.iter().any(|it| it.is(self.slice(token.span)));
-        if self.left_tokens().iter().skip(2).any(goes_on) {
-            let help = Parsing::Relations;
-            return self.fault_with_help(self.here(), Parsing::RelationBelongsHere, help);
-        }
-        let word = self.peek().map(|token| upper_case(self.slice(token.span)));
-        let near = word.and_then(|word| nearest(&word, AFTER_IF.map(Keyword::word)));
-        let help: Message = match near {
-            Some(near) => Suggestion::DidYouMean { near: near.into() }.into(),
-            None => Parsing::WriteThenOrJump.into(),
-        };
-        self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help)
-    }
-
-    /// `GOTOL1:` after a condition: the jump with its blank.
-    fn glued_jump(&self) -> Option<SmolStr> {
-        let [word, colon] = self.left_tokens() else {
-            return None;
-        };
-        let written = upper_case(self.slice(word.span));
-        let (jump, label) = glued(&written)?;
-        let jump = if jump == Keyword::Call {
-            Keyword::Gosub
-        } else {
-            jump
-        };
-        (colon.kind == Kind::Colon).then(|| format!("{jump} {label}:").into())
-    }
-
-    /// `INPOS F1` for `INPOS_F1`, or a command in the place of a condition.
-    fn flag_or_command(&self) -> Option<Suggestion> {
-        let before = self
-            .before()
-            .map(|token| upper_case(self.slice(token.span)))?;
-        let next = self
-            .peek()
-            .map(|token| upper_case(self.slice(token.span)))?;
-        if before.parse::<Flag>().is_ok() && next.parse::<Flag>().is_ok() {
-            return Some(Suggestion::Nest);
-        }
-        let flag = format!("{before}_{next}");
-        if flag.parse::<Flag>().is_ok() {
-            return Some(Suggestion::FlagOfTarget { flag: flag.into() });
-        }
-        let command = commands::find_in(&before, self.edition)?;
-        Some(Suggestion::CommandNoCondition {
-            command: command.name,
-        })
-    }
-
+    /// `ELSEIF condition THEN`
     pub(super) fn else_if(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
         let end = match self.take_word(Keyword::Then) {
             Some(_) => self.expect_end(End::Word {
                 word: Keyword::Then.into(),
             }),
-            None => Err(self.joined().unwrap_or_else(|| {
-                let help = Suggestion::ElseIf;
-                self.fault_with_help(self.here(), Parsing::ThenBelongsHere, help)
-            })),
+            None => Err(self.missing_then_of_else_if()),
         };
         Ok((StatementKind::ElseIf { keyword, condition }, end))
     }
 
+    /// `WHILE condition`
     pub(super) fn while_statement(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.last_condition()?);
         let end = self.end_of_condition();
         Ok((StatementKind::While { keyword, condition }, end))
     }
 
+    /// `UNTIL condition`
     pub(super) fn until(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.last_condition()?);
         let end = self.end_of_condition();
@@ -212,11 +93,8 @@ impl Reader<'_> {
     /// Reads a condition after which nothing may stand. In `INPOS ALL` half a flag is none.
     fn last_condition(&mut self) -> Parsed<Condition> {
         let condition = self.condition()?;
-        match self.flag_or_command() {
-            Some(advice) => {
-                let end = End::Condition;
-                Err(self.fault_with_help(self.rest(), Parsing::NothingBehind { end }, advice))
-            }
+        match self.half_a_flag() {
+            Some(fault) => Err(fault),
             None => Ok(condition),
         }
     }
@@ -228,20 +106,13 @@ impl Reader<'_> {
         }
     }
 
+    /// `FOR variable = a TO b`, `FOR variable = a TO b STEP c`
     pub(super) fn for_statement(&mut self, keyword: Span) -> Read {
         let variable = self.loop_variable()?;
         self.expect_assignment()?;
         let from = self.operand_before_keyword().map_err(as_in_for)?;
         if self.take_word(Keyword::To).is_none() {
-            if let Some(text) = self.peek().and_then(|to| self.glued_to(to.span)) {
-                let help = Suggestion::Write { text };
-                return Err(self.fault_with_help(self.here(), Parsing::ToBelongsHere, help));
-            }
-            return Err(self.fault_with_help(
-                self.here(),
-                Parsing::ToBelongsHere,
-                Parsing::WriteFor,
-            ));
+            return Err(self.missing_to());
         }
         let to = self.operand_before_keyword().map_err(as_in_for)?;
         let step = match self.take_word(Keyword::Step) {
@@ -250,14 +121,7 @@ impl Reader<'_> {
         };
         let end = match self.left() {
             0 => Ok(()),
-            _ => {
-                let calculates = |token: Token| matches!(token.kind, Kind::Arithmetic(_));
-                let help: Message = match self.peek().is_some_and(calculates) {
-                    true => Suggestion::Limit.into(),
-                    false => Parsing::WriteFor.into(),
-                };
-                Err(self.fault_with_help(self.rest(), Parsing::ForEnds, help))
-            }
+            _ => Err(self.behind_for()),
         };
         let kind = StatementKind::For {
             keyword,
@@ -269,13 +133,6 @@ impl Reader<'_> {
             }),
         };
         Ok((kind, end))
-    }
-
-    /// `TO3`: the word and what follows it, with the blank between them.
-    fn glued_to(&self, location: Span) -> Option<SmolStr> {
-        let word = upper_case(self.slice(location));
-        let rest = word.strip_prefix(Keyword::To.word())?;
-        Some(format!("{} {rest}", Keyword::To).into())
     }
 
     fn loop_variable(&mut self) -> Parsed<Operand> {
@@ -307,19 +164,13 @@ impl Reader<'_> {
         }
     }
 
+    /// `NEXT`, `NEXT variable`
     pub(super) fn next_statement(&mut self, keyword: Span) -> Read {
         let variable = match self.left() {
             0 => None,
             _ => Some(self.loop_variable_of_next()?),
         };
-        let help = match (self.peek().map(|next| next.kind), self.before()) {
-            (Some(Kind::Word) | None, _) | (_, None) => Suggestion::NextEach,
-            // `NEXT I:`, `NEXT I = I + 1`
-            (_, Some(last)) => Suggestion::Write {
-                text: upper_case(self.slice(keyword.to(last.span))),
-            },
-        };
-        let end = self.expect_end_or(End::NextAndVariable, help);
+        let end = self.expect_end_or(End::NextAndVariable, self.next_help(keyword));
         Ok((StatementKind::Next { keyword, variable }, end))
     }
 
@@ -333,39 +184,14 @@ impl Reader<'_> {
 
     /// `SUBROUTINE NAME:` and `THREAD NAME:`.
     pub(super) fn routine(&mut self, word: Keyword, keyword: Span) -> Read {
-        let written = |name: SmolStr| match word {
-            Keyword::Thread => Parsing::WriteThread { name },
-            _ => Parsing::WriteSubroutine { name },
-        };
-        let help = written("NAME".into());
-        let mut name = match self.take() {
-            Some(token) if token.kind == Kind::Word => self.word(token.span),
-            Some(token) => {
-                return Err(self.fault_with_help(token.span, Parsing::NameBelongsHere, help));
-            }
-            None => {
-                return Err(self.fault_with_help(self.here(), Parsing::NameMissing, help));
-            }
-        };
-        let end = match self.peek() {
+        let name = self.declared_name(written(word, "NAME".into()))?;
+        let (name, end) = match self.peek() {
             Some(token) if token.kind == Kind::Colon => {
                 self.take();
-                self.expect_end_or(routine_and_name(word), Suggestion::NoValues)
+                let end = self.expect_end_or(routine_and_name(word), Suggestion::NoValues);
+                (name, end)
             }
-            _ => {
-                // `SUBROUTINE WALK()`: what calls it is not wrong.
-                let alone = with_parameters(&name.node);
-                let takes_some = alone.is_some();
-                name.node = alone.unwrap_or_else(|| bare(&name.node));
-                let alone = name.node.clone();
-                let help: Message = match takes_some {
-                    true => Suggestion::NoParameters { name: alone }.into(),
-                    false => written(alone).into(),
-                };
-                let mut fault = self.fault_with_help(name.span, Parsing::NameColonMissing, help);
-                fault.once = takes_some.then(|| name.node.clone());
-                Err(fault)
-            }
+            _ => self.routine_without_colon(word, name),
         };
         let kind = match word {
             Keyword::Thread => StatementKind::Thread { keyword, name },
@@ -376,27 +202,27 @@ impl Reader<'_> {
 
     /// `DEFINE NAME value`
     pub(super) fn constant(&mut self, keyword: Span) -> Read {
-        let help = || Parsing::WriteDefine;
-        let name = match self.take() {
-            Some(token) if token.kind == Kind::Word => self.word(token.span),
-            Some(token) => {
-                return Err(self.fault_with_help(token.span, Parsing::NameBelongsHere, help()));
-            }
-            None => {
-                return Err(self.fault_with_help(self.here(), Parsing::NameMissing, help()));
-            }
-        };
-        let value = self.operand().map_err(|mut fault| {
-            fault.help.get_or_insert_with(|| help().into());
-            fault
-        })?;
-        let end = self.expect_end_or(End::DefineAndValue, help());
+        let help = Parsing::WriteDefine;
+        let name = self.declared_name(help.clone())?;
+        let value = self
+            .operand()
+            .map_err(|fault| fault.or_help(help.clone()))?;
+        let end = self.expect_end_or(End::DefineAndValue, help);
         let kind = StatementKind::Constant {
             keyword,
             name,
             value,
         };
         Ok((kind, end))
+    }
+
+    /// Reads the name that a statement declares; `help` is its form.
+    fn declared_name(&mut self, help: Parsing) -> Parsed<Word> {
+        match self.take() {
+            Some(token) if token.kind == Kind::Word => Ok(self.word(token.span)),
+            Some(token) => Err(self.fault_with_help(token.span, Parsing::NameBelongsHere, help)),
+            None => Err(self.fault_with_help(self.here(), Parsing::NameMissing, help)),
+        }
     }
 
     /// `CALL NAME:` and `GOSUB NAME:`.
@@ -414,6 +240,7 @@ impl Reader<'_> {
         Ok((make(jump), end))
     }
 
+    /// `GOTO`, `GOTO NAME:`
     pub(super) fn goto_statement(&mut self, keyword: Span) -> Read {
         let (jump, colon) = self.goto(keyword)?;
         let end = colon.and_then(|()| self.expect_end(End::Label));
@@ -423,27 +250,11 @@ impl Reader<'_> {
     /// Reads a word that is alone in its statement.
     pub(super) fn alone(&mut self, name: Keyword, kind: StatementKind) -> Read {
         let end = self.expect_end(End::Word { word: name.into() });
-        let end = end.map_err(|mut fault| {
-            fault.help = self.alone_help(name).or(fault.help);
-            fault
+        let end = end.map_err(|fault| match self.alone_help(name) {
+            Some(help) => fault.help(help),
+            None => fault,
         });
         Ok((kind, end))
-    }
-
-    /// Suggests a replacement for words after one that is alone: `EXIT FOR`, `EXIT SUB`, `RETURN 0`.
-    fn alone_help(&self, name: Keyword) -> Option<Message> {
-        let next = upper_case(self.slice(self.here()));
-        let keyword = keywords::find(&next, self.edition);
-        Some(match (name, keyword) {
-            (Keyword::Exit, Some(Keyword::For | Keyword::While | Keyword::Repeat)) => {
-                Suggestion::Break.into()
-            }
-            (Keyword::Exit, Some(Keyword::Subroutine)) => Suggestion::LeaveSubroutine.into(),
-            (Keyword::Exit, None) if next == "SUB" => Suggestion::LeaveSubroutine.into(),
-            _ if commands::find_in(&next, self.edition).is_some() => return None,
-            (Keyword::Return, _) => Suggestion::NoResult.into(),
-            _ => Suggestion::Alone { word: name.into() }.into(),
-        })
     }
 }
 
@@ -455,91 +266,11 @@ fn routine_and_name(word: Keyword) -> End {
 }
 
 /// Adds the form of FOR to the fault of an operand.
-fn as_in_for(mut fault: Fault) -> Fault {
-    fault.help.get_or_insert_with(|| Parsing::WriteFor.into());
-    fault
-}
-
-/// Returns a label's name without quotes, parentheses and other signs around it.
-pub(super) fn bare(name: &str) -> SmolStr {
-    let is_sign = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
-    match name.trim_matches(is_sign) {
-        "" => name.into(),
-        bare => bare.into(),
-    }
-}
-
-/// `GOTOL1`: a jump and its label without the blank between them.
-pub fn glued(word: &str) -> Option<(Keyword, &str)> {
-    let jumps = [Keyword::Goto, Keyword::Gosub, Keyword::Call];
-    let parts = |jump: Keyword| Some((jump, word.strip_prefix(jump.word())?));
-    let is_label = |(_, label): &(Keyword, &str)| names::is_label(label);
-    jumps.into_iter().filter_map(parts).find(is_label)
-}
-
-/// Returns the name of a routine that another language gives arguments: `WALK` of `WALK(3)`.
-fn with_parameters(name: &str) -> Option<SmolStr> {
-    let (name, rest) = name.split_once('(')?;
-    (!name.is_empty() && rest != ")").then(|| name.into())
-}
-
-/// Returns a name in one piece: `MAIN_LOOP` of `MAIN-LOOP` and `MAIN LOOP`.
-pub(super) fn joined(written: &str) -> SmolStr {
-    let words = written.split(['-', ' ', '\t', ',', '\u{3000}']);
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    words.join("_").into()
-}
-
-/// Finds the end of a label's name that has blanks or a `-` in it: the tokens after its first word, up to a colon.
-pub(super) fn spread(text: &str, first: Span, rest: &[Token]) -> Option<Span> {
-    let colon = rest.iter().position(|token| token.kind == Kind::Colon)?;
-    let (between, colon) = (&rest[..colon], rest[colon]);
-    let is_part = |token: &Token| {
-        let word = &text[token.span.start..token.span.end];
-        let is_word = token.kind == Kind::Word && commands::find(word).is_none();
-        is_word || token.kind == Kind::Arithmetic(Arithmetic::Sub)
-    };
-    let last = between.last().filter(|last| last.kind == Kind::Word)?;
-    (between.iter().all(is_part) && !colon.spaced).then(|| first.to(last.span))
-}
-
-/// The marks of labels in other languages that are part of a word.
-const MARKS: [char; 4] = ['@', '$', '&', '.'];
-
-/// `*L1`, `@L1`, labels of other languages: where one stands, and its name here.
-pub(super) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
-    let tokens = match tokens {
-        [rest @ .., colon] if colon.kind == Kind::Colon => rest,
-        all => all,
-    };
-    let word = |token: &Token| &text[token.span.start..token.span.end];
-    match tokens {
-        [name] => {
-            let bare = word(name).strip_prefix(MARKS)?;
-            names::is_variable(bare).then(|| (name.span, upper_case(bare)))
-        }
-        [star, name] => {
-            let is_label = star.kind != Kind::Word && name.kind == Kind::Word && !name.spaced;
-            is_label.then(|| (star.span.to(name.span), upper_case(word(name))))
-        }
-        _ => None,
-    }
-}
-
-/// Returns the mistake of a label in the form of another language: its jumps are wrong in the same way.
-pub(crate) fn label_of(name: &str) -> String {
-    format!("{name}:")
+fn as_in_for(fault: Fault) -> Fault {
+    fault.or_help(Parsing::WriteFor)
 }
 
 impl Reader<'_> {
-    /// Returns the whole name of a label that is not in one piece.
-    fn spread_label(&self, first: Span) -> Option<Span> {
-        self.left_tokens()
-            .split_last()
-            .filter(|(last, _)| last.kind == Kind::Colon)
-            .and_then(|_| spread(self.text, first, self.left_tokens()))
-    }
-
     /// `GOTO [NAME:]`; the jump's word is already taken.
     pub(super) fn goto(&mut self, keyword: Span) -> Parsed<(Jump, Parsed<()>)> {
         if self.left() == 0 {
@@ -566,81 +297,26 @@ impl Reader<'_> {
 
     /// Reads a label, and what is wrong with its colon.
     fn jump_label(&mut self, jump: Keyword) -> Parsed<(Word, Parsed<()>)> {
-        // `GOTO *L1`
-        if let Some((location, name)) = marked(self.text, self.left_tokens()) {
-            let reason = Naming::NoLabelName {
-                word: upper_case(self.slice(location)),
-            };
-            let fault = self.fault(location, reason).once(label_of(&name));
-            return Err(fault.help(Parsing::WriteLabel { name }).into());
+        if let Some(fault) = self.marked_label_of_jump() {
+            return Err(fault);
         }
+        let help = Parsing::WriteJump { jump: jump.into() };
         let word = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
             Some(token) => {
-                let help = Parsing::WriteJump { jump: jump.into() };
                 return Err(self.fault_with_help(token.span, Parsing::LabelBelongsHere, help));
             }
-            None => {
-                let help = Parsing::WriteJump { jump: jump.into() };
-                return Err(self.fault_with_help(self.here(), Parsing::LabelMissing, help));
-            }
+            None => return Err(self.fault_with_help(self.here(), Parsing::LabelMissing, help)),
         };
-        if let Some(location) = self.spread_label(word.span) {
-            let written = upper_case(self.slice(location));
-            let name = joined(&written);
-            let reason = Naming::NoLabelName { word: written };
-            let fault = self.fault(location, reason).once(label_of(&name));
-            return Err(fault.help(Parsing::WriteLabel { name }).into());
+        if let Some(fault) = self.label_in_pieces_of_jump(word.span) {
+            return Err(fault);
         }
         match self.peek() {
             Some(token) if token.kind == Kind::Colon && !token.spaced => {
                 self.take();
                 Ok((word, Ok(())))
             }
-            Some(token) if token.kind == Kind::Colon => {
-                let gap = Span::new(word.span.end, token.span.end);
-                let name = word.node.clone();
-                let help = Parsing::WriteLabel { name };
-                let fault = self.fault_with_help(gap, Parsing::BlankBeforeColon, help);
-                Ok((word, Err(fault)))
-            }
-            _ => {
-                if let Some(name) = with_parameters(&word.node) {
-                    let fault = self.fault(word.span, Parsing::LabelColonMissing);
-                    let fault = fault.once(name.clone());
-                    return Err(fault.help(Suggestion::NoParameters { name }).into());
-                }
-                let name = bare(&word.node);
-                let is_number = name.chars().all(|c| c.is_ascii_digit());
-                let help: Message = match is_number {
-                    true => Suggestion::NoLineNumbers { name: name.clone() }.into(),
-                    false => Parsing::WriteLabel { name: name.clone() }.into(),
-                };
-                let fault = self.fault_with_help(word.span, Parsing::LabelColonMissing, help);
-                match is_number || !names::is_label(&name) {
-                    true => Err(fault),
-                    false => Ok((Word { node: name, ..word }, Err(fault))),
-                }
-            }
-        }
-    }
-}
-
-impl Parser<'_> {
-    /// Reads a SUBROUTINE whose line is reported: what calls it is not wrong.
-    pub(super) fn broken_subroutine(&self, word: Span, tokens: &[Token]) -> StatementKind {
-        let name = tokens.get(1).filter(|token| token.kind == Kind::Word);
-        let Some(name) = name.map(|name| self.narrow_word(name.span)) else {
-            return StatementKind::Broken(Shape::Subroutine);
-        };
-        let written = name.node.split('(').next().unwrap_or_default();
-        let node = bare(written);
-        if node == LOOP {
-            return StatementKind::Broken(Shape::Subroutine);
-        }
-        StatementKind::Subroutine {
-            keyword: word,
-            name: Word { node, ..name },
+            next => self.label_without_colon(word, next),
         }
     }
 }

@@ -1,15 +1,19 @@
-//! `LHS op RHS` (T.I.P. 3.1 §5).
+//! Equations (T.I.P. 3.1 §5).
+//!
+//! ```text
+//! equation = variable ("=" | "+=" | "-=" | "*=" | "/=") value
+//! value    = operand | operand ("+" | "-" | "*" | "/") operand | FUNCTION {operand}
+//! ```
+//!
+//! What else stands there is worded in [`recover::equation`](super::recover::equation).
 
-use super::operand::{is_unit, no_function};
-use super::reader::{Fault, Parsed, Reader};
+use super::reader::{Parsed, Reader};
+use super::recover::equation::in_function;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
-use crate::language::commands::{self, Meaning};
 use crate::language::{Edition, functions};
 use crate::lex::{Kind, Token};
-use crate::message::{Message, Parsing, Suggestion};
-use crate::suggest::nearest;
-use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, upper_case};
+use crate::message::Parsing;
+use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind};
 
 /// Returns true if the tokens are meant as an equation: an assignment follows the first word, or a non-word starts it.
 pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
@@ -66,7 +70,7 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
     {
         reader.take();
         let (operands, read) = reader.operands();
-        read.map_err(with_help)?;
+        read.map_err(in_function)?;
         for operand in &operands {
             refuse_function(reader, operand, edition)?;
         }
@@ -83,21 +87,12 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
             kind: Kind::Arithmetic(operation),
             ..
         }) => operation,
-        Some(token) => {
-            if let Some(fault) = unknown_function(reader, &left, token) {
-                return Err(fault);
-            }
-            let reason = Parsing::OperatorOrNothing;
-            let help = suggest(reader, &left, token);
-            return Err(reader.fault_with_help(token.span, reason, help));
-        }
+        Some(token) => return Err(reader.behind_operand(&left, token)),
     };
-    if let Some(second) = reader.peek().filter(|_| operation == Arithmetic::Mul)
-        && second.kind == Kind::Arithmetic(Arithmetic::Mul)
+    if operation == Arithmetic::Mul
+        && let Some(fault) = reader.power()
     {
-        let text = reader.slice(second.span).into();
-        let reason = Parsing::NoOperand { text };
-        return Err(reader.fault_with_help(second.span, reason, Suggestion::Power));
+        return Err(fault);
     }
     let right = reader.operand()?;
     refuse_function(reader, &right, edition)?;
@@ -107,89 +102,8 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
             operation,
             right,
         }),
-        left => {
-            let ends_in_unit = left == 1 && is_unit(reader.slice(reader.here()));
-            let help: Message = match ends_in_unit {
-                true => Suggestion::NoUnit.into(),
-                false => Parsing::OneOperation.into(),
-            };
-            Err(reader.fault_with_help(reader.rest(), Parsing::EquationEnds, help))
-        }
+        _ => Err(reader.behind_operation()),
     }
-}
-
-/// `MAX A B`, `ARCTAN A`: a word before an operand, that is known or near to a function.
-fn unknown_function(reader: &Reader<'_>, left: &Operand, next: Token) -> Option<Fault> {
-    let word = upper_case(reader.slice(left.span));
-    let is_name = matches!(left.kind, OperandKind::Name(_)) && next.kind == Kind::Word;
-    let is_near =
-        || nearest(&word, functions::words()).is_some() && commands::find(&word).is_none();
-    let is_one = is_name && next.spaced && is_near();
-    is_one.then(|| {
-        let (reason, help) = no_function(&word);
-        reader.fault_with_help(left.span, reason, help)
-    })
-}
-
-/// Suggests a replacement for what follows the first operand.
-fn suggest(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
-    let word = upper_case(reader.slice(token.span));
-    let first = upper_case(reader.slice(left.span));
-    let next = reader.peek();
-    match word.as_str() {
-        "^" => return Suggestion::Power.into(),
-        "%" | "MOD" => return Suggestion::Remainder.into(),
-        "!" => return Suggestion::Comment.into(),
-        _ => {}
-    }
-    if let Some(number) = reader.comma_number(left.span, token.span) {
-        return number.into();
-    }
-    match commands::find(&first).map(|command| command.meaning) {
-        Some(Meaning::AdIn) => return Suggestion::AdIn.into(),
-        Some(Meaning::KeyIn) => return Suggestion::KeyIn.into(),
-        _ => {}
-    }
-    if let Some(command) = commands::find(&first).map(|command| command.name) {
-        return Suggestion::CommandFirst { command }.into();
-    }
-    if is_unit(&word) {
-        return Suggestion::NoUnit.into();
-    }
-    if token.kind == Kind::Colon && next.is_some() {
-        return Suggestion::ColonSeparates.into();
-    }
-    if token.kind == Kind::Assign(None) {
-        let name = reader.first_word();
-        return Suggestion::AssignEach { name }.into();
-    }
-    if matches!(token.kind, Kind::Relation(_)) {
-        return Suggestion::ChooseByIf.into();
-    }
-    match next.map(|next| next.kind) {
-        Some(Kind::Assign(_)) => Parsing::NextStatementElsewhere.into(),
-        Some(_) if is_number(&first) && is_number(&word) => Suggestion::EachMember.into(),
-        _ => Parsing::OneOperation.into(),
-    }
-}
-
-fn is_number(word: &str) -> bool {
-    word.starts_with(|c: char| c.is_ascii_digit() || c == '-')
-}
-
-/// Adds a help to a fault among the operands of a function: what looks like a sign there was to be a second operation.
-fn with_help(mut fault: Fault) -> Fault {
-    if fault.reason == Parsing::SignStandsBefore.into() {
-        fault = Box::new(Diagnostic::new(
-            Code::Equation,
-            fault.span,
-            Parsing::EquationEnds,
-        ));
-    }
-    fault
-        .help
-        .get_or_insert_with(|| Parsing::OneOperation.into());
-    fault
 }
 
 fn is_function(reader: &Reader<'_>, token: Token, edition: Edition) -> bool {

@@ -1,6 +1,5 @@
 //! Lines 1 and 2: the version of the language, and the program's title.
 
-use super::reader::Parsed;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
@@ -13,7 +12,7 @@ use crate::source::{Source, Span};
 const OLDER: &[f64] = &[1.0, 1.1, 2.0, 2.1, 3.0, 4.0];
 
 /// Returns the edition of line 1, which must name `demanded`, compared as numbers; without one, any edition.
-pub(super) fn version(source: &Source, demanded: Option<f64>) -> Parsed<Edition> {
+pub(super) fn version(source: &Source, demanded: Option<f64>) -> Result<Edition, Box<Diagnostic>> {
     let span = version_word(source);
     let word = source.slice(span);
     let editions = Edition::ALL.iter().map(|edition| edition.number());

@@ -1,20 +1,18 @@
-//! One line: its comment, its statements, their labels, and the words that need a line of their own.
+//! One line: labels and statements, separated by `;`, and a comment (T.I.P. 3.1 §4-2).
+//!
+//! ```text
+//! line = {NAME ":"} [statement] {";" {NAME ":"} [statement]} ["//" comment]
+//! ```
 
-use super::comment::{comment_after, comment_mark, ends_in_mark, is_comment};
-use super::operand::{is_range, is_unit};
-use super::{Flow, LINE_LIMIT, Parser};
+use super::recover::statement::not_alone;
+use super::{Flow, Parser};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
-use crate::language::commands::Meaning;
-use crate::language::{Keyword, commands, keywords, names};
-use crate::lex::{DELIMITERS, Piece, Pieces, foreign_run, split_comment, word_end};
-use crate::message::{Message, Naming, Parsing, Suggestion};
+use crate::diagnostic::{Diagnostic, Handle};
+use crate::language::{Keyword, names};
+use crate::lex::{Piece, Pieces, split_comment};
+use crate::message::{Parsing, Suggestion};
 use crate::source::Span;
-use crate::syntax::{Shape, StatementKind, Word, upper_case};
-use smol_str::SmolStr;
-
-/// Character that an IME may type for a minus.
-pub const LONG_VOWEL: &str = "ー";
+use crate::syntax::{StatementKind, Word, upper_case};
 
 /// The words that are alone on their line.
 const LONE: [Keyword; 4] = [
@@ -24,19 +22,16 @@ const LONE: [Keyword; 4] = [
     Keyword::Repeat,
 ];
 
-/// The longest statement that is shown whole.
-const SHOWN: usize = 120;
-
 impl Parser<'_> {
     /// Reads the statements of the current line.
     pub(super) fn statements_of_line(&mut self) -> Flow {
         let (code, comment) = split_comment(self.text, self.line.span);
         let first = self.module.statements.len();
-        let reported = self.diagnostics.len();
+        let reported = self.diagnostics.mark();
         let mut flow = Flow::Continue;
         for piece in Pieces::new(self.text, code, false).in_edition(self.module.edition) {
             match piece {
-                Piece::Label { name, span } => flow = self.label_or_word(name, span),
+                Piece::Label { name, span } => flow = self.label(name, span),
                 Piece::Statement {
                     word,
                     span,
@@ -54,81 +49,10 @@ impl Parser<'_> {
         flow
     }
 
-    /// Reads a label, or a word with a colon that it does not take.
-    fn label_or_word(&mut self, word: Span, span: Span) -> Flow {
-        let keyword = keywords::find(self.source.slice(word), self.module.edition);
-        let (shape, flow) = match keyword {
-            Some(Keyword::Else) => (Shape::Else, Flow::Continue),
-            Some(Keyword::EndIf) => (Shape::EndIf, Flow::Continue),
-            Some(Keyword::Wend) => (Shape::Wend, Flow::Continue),
-            // The rest of the line is a text.
-            Some(keyword) if keyword.takes_text() => (Shape::Plain, Flow::NextLine),
-            _ => {
-                return match self.after_colon(word, span) {
-                    Some(help) => self.command_with_colon(word, span, help),
-                    None => self.label(word, span),
-                };
-            }
-        };
-        let word_of = upper_case(self.source.slice(word));
-        let reason = Naming::WordOfLanguage {
-            word: word_of.clone(),
-        };
-        let help = Suggestion::WithoutColon { word: word_of };
-        self.report(Diagnostic::new(Code::Argument, word, reason).help(help));
-        self.push(StatementKind::Broken(shape), span);
-        flow
-    }
-
-    /// Suggests a replacement for a command with a colon, if its arguments follow: `SLEEP: 100`, `GOTO :L1`.
-    fn after_colon(&self, word: Span, span: Span) -> Option<Message> {
-        let text = self.source.slice(word);
-        let command = commands::find_in(text, self.module.edition)?;
-        let (code, _) = split_comment(self.text, self.line.span);
-        let rest = self
-            .source
-            .slice(Span::new(span.end, code.end.max(span.end)));
-        let next = rest.split(DELIMITERS).find(|next| !next.is_empty())?;
-        let is_apart = word.end + 1 < span.end;
-        let word = upper_case(text);
-        match command.meaning {
-            Meaning::Keyword(Keyword::Goto | Keyword::Gosub | Keyword::Call) => {
-                let name = upper_case(next.trim_end_matches(':'));
-                Some(Parsing::WriteLabel { name }.into())
-            }
-            Meaning::Keyword(Keyword::Return | Keyword::Exit) if is_apart => {
-                Some(Suggestion::ColonSeparates.into())
-            }
-            Meaning::Keyword(_) => None,
-            _ if is_apart => Some(Suggestion::ColonSeparates.into()),
-            _ => Some(Suggestion::WithoutColon { word }.into()),
-        }
-    }
-
-    fn command_with_colon(&mut self, word: Span, span: Span, help: Message) -> Flow {
-        let reason = Naming::WordOfLanguage {
-            word: upper_case(self.source.slice(word)),
-        };
-        self.report(Diagnostic::new(Code::Argument, word, reason).help(help));
-        self.push(StatementKind::Broken(Shape::Plain), span);
-        Flow::NextLine
-    }
-
+    /// `NAME:`
     fn label(&mut self, word: Span, span: Span) -> Flow {
-        if let Some(foreign) = foreign_run(self.text, word) {
-            self.report_foreign(foreign);
-            let name = self.narrow_word(word);
-            self.push(
-                match names::is_label(&name.node) {
-                    true => StatementKind::Label(name),
-                    false => StatementKind::Broken(Shape::Plain),
-                },
-                span,
-            );
-            return Flow::Continue;
-        }
-        if word.start == word.end {
-            return self.nameless(span);
+        if let Some(flow) = self.no_label(word, span) {
+            return flow;
         }
         let name = Word {
             node: upper_case(self.source.slice(word)),
@@ -137,21 +61,6 @@ impl Parser<'_> {
         self.check_name_length(&name);
         self.push(StatementKind::Label(name), span);
         Flow::Continue
-    }
-
-    /// Reads a colon without a name before it, or with one after it: `:L1`.
-    fn nameless(&mut self, colon: Span) -> Flow {
-        let fault = Diagnostic::new(Code::Argument, colon, Parsing::LabelNameMissing);
-        self.push(StatementKind::Broken(Shape::Plain), colon);
-        let next = self.text[colon.end..self.line.span.end.max(colon.end)].trim();
-        let is_name = |it: u8| it.is_ascii_alphanumeric() || it == b'_';
-        if next.is_empty() || !next.bytes().all(is_name) || self.is_command(next) {
-            self.report(fault);
-            return Flow::Continue;
-        }
-        let name = upper_case(next);
-        self.report(fault.help(Parsing::WriteLabel { name }));
-        Flow::NextLine
     }
 
     /// Checks that a declared name is not too long.
@@ -166,99 +75,10 @@ impl Parser<'_> {
         }
     }
 
-    /// Characters that only comments and texts may hold.
-    pub(super) fn report_foreign(&mut self, location: Span) {
-        let text = self.source.slice(location);
-        let reason = match text.chars().next() {
-            Some(first) if first.is_ascii_control() => Parsing::ControlCharacter,
-            _ => Parsing::ForeignCharacters,
-        };
-        let mut diagnostic = Diagnostic::new(Code::Format, location, reason);
-        let before = &self.text[self.line.span.start..location.start];
-        if let Some(plain) = text.chars().next().and_then(plain) {
-            diagnostic = diagnostic.help(Suggestion::Plain { plain });
-        } else if text == LONG_VOWEL && self.text[location.end..].starts_with(is_digit) {
-            diagnostic = diagnostic.help(Suggestion::Plain { plain: "-" });
-        } else if is_range(text) && is_between_digits(before, &self.text[location.end..]) {
-            diagnostic = diagnostic.help(Suggestion::CountTo);
-        } else if text == "。" && is_between_digits(before, &self.text[location.end..]) {
-            diagnostic = diagnostic.help(Suggestion::Plain { plain: "." });
-        } else if text.chars().all(is_invisible) {
-            diagnostic = diagnostic.help(Suggestion::Invisible);
-        } else if self.is_unit(location) {
-            diagnostic = diagnostic.help(Suggestion::NoUnit);
-        } else if let Some(character) = self.quoted_key(location) {
-            diagnostic = diagnostic.help(Suggestion::Character { character });
-        } else if text.chars().all(char::is_whitespace) {
-            diagnostic = diagnostic.help(Suggestion::PlainBlank);
-        } else if ends_in_mark(before)
-            || comment_mark(text).is_some_and(|mark| !text[mark.len()..].is_ascii())
-        {
-            diagnostic = diagnostic.help(Suggestion::Comment);
-        } else if let Some(narrow) = half_width(text) {
-            diagnostic = diagnostic.once(wide_name(&narrow));
-            let narrow = self.narrow_statement(location).unwrap_or(narrow);
-            diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
-        } else if self.is_in_foreign_comment(location) {
-            diagnostic = diagnostic.help(Suggestion::Comment);
-        } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(location) {
-            diagnostic = diagnostic.help(Suggestion::CommentOrName);
-        } else if text.chars().all(char::is_alphabetic) {
-            diagnostic = diagnostic.once(text).help(Parsing::PlainNames);
-        } else {
-            diagnostic = diagnostic.help(Parsing::TakeOut);
-        }
-        self.report(diagnostic);
-    }
-
-    /// Returns the statement around a location in half-width characters, if more than one of its words is full-width.
-    fn narrow_statement(&self, location: Span) -> Option<String> {
-        let (code, _) = split_comment(self.text, self.line.span);
-        let start = self.text[code.start..location.start].rfind(';');
-        let start = start.map_or(code.start, |at| code.start + at + 1);
-        let end = self.text[location.end..code.end.max(location.end)].find(';');
-        let end = end.map_or(code.end.max(location.end), |at| location.end + at);
-        let statement = self.source.slice(Span::new(start, end));
-        let words = statement.split_whitespace().collect::<Vec<_>>();
-        let wide = words.iter().filter(|word| !word.is_ascii()).count();
-        let narrow = narrow(&words.join(" "));
-        (wide > 1 && statement.len() <= SHOWN && narrow.is_ascii()).then_some(narrow)
-    }
-
-    /// `30°`, `100ミリ`: whether a location is a unit right after a number.
-    fn is_unit(&self, location: Span) -> bool {
-        let before = &self.text[self.line.span.start..location.start];
-        before.ends_with(is_digit) && is_unit(self.source.slice(location))
-    }
-
-    /// Returns true if a colon or `=` follows: the name is a label, or is assigned.
-    fn is_named(&self, location: Span) -> bool {
-        let rest = self.text[location.end..].trim_start();
-        rest.starts_with([':', '='])
-    }
-
-    /// Returns the key between quotes of typesetting that begin at a location.
-    fn quoted_key(&self, location: Span) -> Option<SmolStr> {
-        let mut chars = self.text[location.start..].chars();
-        let is_quote = |char: char| matches!(char, '‘' | '’' | '“' | '”');
-        let (open, key, close) = (chars.next()?, chars.next()?, chars.next()?);
-        let is_key = is_quote(open) && is_quote(close) && key.is_ascii_alphanumeric();
-        is_key.then(|| SmolStr::from_iter([key.to_ascii_uppercase()]))
-    }
-
-    /// Returns true if a comment of another language begins before a location on its line.
-    fn is_in_foreign_comment(&self, location: Span) -> bool {
-        let line = self.line.span;
-        let before = self.source.slice(Span::new(line.start, location.start));
-        // Of a line that is too long it does not matter.
-        let is_after = || before.len() <= LINE_LIMIT && comment_after(before).is_some();
-        is_comment(self.source.slice(line).trim()) || is_after()
-    }
-
     /// Checks that ELSE, ENDIF, WEND and REPEAT are alone on their line.
     ///
     /// The line's statements start at `first`, its diagnostics at `reported`.
-    fn check_lone_words(&mut self, first: usize, reported: usize) {
+    fn check_lone_words(&mut self, first: usize, reported: Handle) {
         let statements = &self.module.statements[first..];
         let labels = statements
             .iter()
@@ -268,7 +88,9 @@ impl Parser<'_> {
         if statements.len() < 2 {
             return;
         }
-        let mut known: Vec<usize> = self.diagnostics[reported..]
+        let mut known: Vec<usize> = self
+            .diagnostics
+            .since(reported)
             .iter()
             .map(|diagnostic| diagnostic.span.start)
             .collect();
@@ -287,133 +109,5 @@ impl Parser<'_> {
             })
             .collect();
         self.diagnostics.extend(faults);
-    }
-}
-
-/// Reports ELSE, ENDIF, WEND or REPEAT on one line with something else.
-pub(super) fn not_alone(name: Keyword, location: Span, other: Span) -> Diagnostic {
-    let reason = Parsing::NotAlone { word: name.into() };
-    Diagnostic::new(Code::Format, location, reason)
-        .label(other, Parsing::WantsOwnLine)
-        .help(Parsing::LabelBeforeCommentBehind)
-}
-
-/// Returns the plain spelling of a typographic character.
-pub fn plain(typeset: char) -> Option<&'static str> {
-    Some(match typeset {
-        '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
-        '×' => "*",
-        '÷' => "/",
-        '≠' => "<>",
-        '≧' | '≥' => ">=",
-        '≦' | '≤' => "<=",
-        '、' => ",",
-        '←' => "=",
-        _ => return None,
-    })
-}
-
-/// Returns true if a character is a full-width or typographic operator.
-pub(super) fn is_sign(char: char) -> bool {
-    let half = narrow_char(char).is_some_and(|it| "=+-*/<>:!".contains(it));
-    half || plain(char).is_some_and(|it| it != ",")
-}
-
-/// Returns true if a character has no width, so that nobody sees it.
-fn is_invisible(char: char) -> bool {
-    matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
-}
-
-/// Returns the mistake of a full-width name, with or without its colon.
-fn wide_name(narrow: &str) -> String {
-    let name = narrow.trim_end_matches(':').to_ascii_uppercase();
-    format!("{name} wide")
-}
-
-/// Returns the text with half-width letters, digits and signs for full-width ones.
-pub fn narrow(text: &str) -> String {
-    text.chars()
-        .map(|char| narrow_char(char).unwrap_or(char))
-        .collect()
-}
-
-/// Converts full-width letters, digits or signs to half-width; `None` if there are others.
-fn half_width(text: &str) -> Option<String> {
-    text.chars().map(narrow_char).collect()
-}
-
-/// Returns true if a text is rather a remark in Japanese than a name: it has letters of the kind that joins words.
-fn is_sentence(text: &str) -> bool {
-    let is_hiragana = |char: char| matches!(char, '\u{3041}'..='\u{3096}');
-    text.chars().any(is_hiragana)
-}
-
-/// Returns true if a location is inside a number.
-fn is_between_digits(before: &str, after: &str) -> bool {
-    before.ends_with(is_digit) && after.starts_with(is_digit)
-}
-
-fn is_digit(char: char) -> bool {
-    char.is_ascii_digit()
-}
-
-/// Returns the half-width form of a full-width letter, digit or sign.
-fn narrow_char(char: char) -> Option<char> {
-    match char {
-        '\u{FF01}'..='\u{FF5E}' => char::from_u32(char as u32 - 0xFEE0),
-        _ => None,
-    }
-}
-
-/// The colon of full-width text.
-const COLON: char = '：';
-
-impl Parser<'_> {
-    /// Reads a name as it was meant to be typed.
-    pub(super) fn narrow_word(&self, span: Span) -> Word {
-        let word = self.source.slice(span);
-        Word {
-            node: match word.is_ascii() {
-                true => upper_case(word),
-                false => upper_case(&narrow(word)),
-            },
-            span,
-        }
-    }
-
-    /// `L1：`, `Ｌ１：`: where the name of a label ends that a full-width colon follows.
-    pub(super) fn ends_with_wide_colon(&self, word: Span) -> Option<Span> {
-        let text = self.source.slice(word);
-        let name = &text[..text.find(COLON)?];
-        let meant = upper_case(&narrow(name));
-        let is_name = names::is_label(&meant) && !self.is_command(&meant);
-        is_name.then(|| Span::new(word.start, word.start + name.len()))
-    }
-
-    /// Reads a label with a full-width colon, and the statement after it.
-    pub(super) fn wide_label(
-        &mut self,
-        name: Span,
-        span: Span,
-        text_end: usize,
-        comment: Option<Span>,
-    ) -> Flow {
-        let whole = Span::new(name.start, name.end + COLON.len_utf8());
-        let label = self.narrow_word(name);
-        let location = foreign_run(self.text, whole).unwrap_or(whole);
-        let narrow = narrow(self.source.slice(whole));
-        let fault = Diagnostic::new(Code::Format, location, Parsing::ForeignCharacters);
-        let fault = fault.once(wide_name(&super::narrow(self.source.slice(location))));
-        self.report(fault.help(Parsing::WriteHalfWidth { narrow }));
-        self.check_name_length(&label);
-        self.push(StatementKind::Label(label), whole);
-        let rest = self.source.slice(Span::new(whole.end, span.end));
-        let start = span.end - rest.trim_start_matches(DELIMITERS).len();
-        if start == span.end {
-            return Flow::Continue;
-        }
-        let word = word_end(&self.text.as_bytes()[..span.end], start);
-        let rest = Span::new(start, span.end);
-        self.statement(Span::new(start, word), rest, text_end, comment)
     }
 }

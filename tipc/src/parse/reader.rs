@@ -1,18 +1,70 @@
 //! A walk over the tokens of one statement.
 
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, MistakeId};
 use crate::language::{Edition, Keyword, commands};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
 use crate::message::{Message, Parsing, Suggestion};
 use crate::source::Span;
-use crate::syntax::{Word, upper_case};
+use crate::syntax::{Relation, Word, upper_case};
 use smol_str::SmolStr;
 use tip_runtime::command::READING;
 
+/// Part of a statement that is broken, as far as what follows depends on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Broken {
+    /// Something else than THEN or a jump stands in its place, or nothing.
+    Then,
+    /// Signs that were meant as this relation.
+    Relation(Relation),
+    /// A sign that belongs to no operand.
+    Sign,
+    /// Something else.
+    Other,
+}
+
 /// Fault of a statement.
-pub(super) type Fault = Box<Diagnostic>;
+#[derive(Clone, Debug)]
+pub(super) struct Fault {
+    pub(super) broken: Broken,
+    pub(super) diagnostic: Box<Diagnostic>,
+}
+
+impl Fault {
+    /// Names the part that is broken.
+    pub(super) fn of(self, broken: Broken) -> Self {
+        Fault { broken, ..self }
+    }
+
+    /// Names the mistake, which is reported once.
+    pub(super) fn once(mut self, mistake: MistakeId) -> Self {
+        self.diagnostic.once = Some(mistake);
+        self
+    }
+
+    /// Adds the help: what to do about it.
+    pub(super) fn help(mut self, help: impl Into<Message>) -> Self {
+        self.diagnostic.help = Some(help.into());
+        self
+    }
+
+    /// Adds a help unless there is one.
+    pub(super) fn or_help(mut self, help: impl Into<Message>) -> Self {
+        self.diagnostic.help.get_or_insert_with(|| help.into());
+        self
+    }
+}
+
+impl From<Diagnostic> for Fault {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Fault {
+            broken: Broken::Other,
+            diagnostic: Box::new(diagnostic),
+        }
+    }
+}
+
 /// A piece of a statement, or what is wrong with it.
 pub(super) type Parsed<T> = Result<T, Fault>;
 
@@ -156,7 +208,7 @@ impl<'a> Reader<'a> {
 
     /// Creates a fault of this statement at `span`.
     pub(super) fn fault(&self, span: Span, reason: impl Into<Message>) -> Fault {
-        Box::new(Diagnostic::new(self.code, span, reason))
+        Diagnostic::new(self.code, span, reason).into()
     }
 
     /// Creates a fault of this statement at `span`, with a help.
@@ -166,17 +218,17 @@ impl<'a> Reader<'a> {
         reason: impl Into<Message>,
         help: impl Into<Message>,
     ) -> Fault {
-        Box::new(Diagnostic::new(self.code, span, reason).help(help))
+        self.fault(span, reason).help(help)
     }
 
     /// Checks that nothing is left; `help` unless another statement follows.
     pub(super) fn expect_end_or(&self, end: End, help: impl Into<Message>) -> Parsed<()> {
-        self.expect_end(end).map_err(|mut fault| {
+        self.expect_end(end).map_err(|fault| {
             let next = self.slice(self.here());
-            if commands::find_in(next, self.edition).is_none() {
-                fault.help = Some(help.into());
+            match commands::find_in(next, self.edition) {
+                Some(_) => fault,
+                None => fault.help(help),
             }
-            fault
         })
     }
 

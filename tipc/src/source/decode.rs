@@ -211,7 +211,7 @@ impl Source {
         let first = self.slice(self.line(1).end);
         let usual = if first.is_empty() { "\n" } else { first };
         let mut out = self.mark().to_vec();
-        for line in Lines::of(text) {
+        for line in Lines::of(text.as_bytes()) {
             let own = text.get(line.span.start..line.span.end).unwrap_or_default();
             let here = self.line(line.number);
             let known = match self.slice(here.span) == own {

@@ -1,6 +1,6 @@
-//! Lines, found by counting: the index knows how many end before each stretch of the text, and nothing of any line.
+//! Lines, and the index of their starts.
 
-use super::{STRETCH, Source, Span, boundary};
+use super::{Source, Span};
 
 /// A line of a source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,10 +22,10 @@ pub struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// Finds the lines of any text.
-    pub(super) fn of(text: &'a str) -> Self {
+    /// Finds the lines of any text, decoded or not.
+    pub(super) fn of(bytes: &'a [u8]) -> Self {
         Lines {
-            bytes: text.as_bytes(),
+            bytes,
             at: 0,
             number: 0,
         }
@@ -58,49 +58,50 @@ impl Iterator for Lines<'_> {
     }
 }
 
-/// Index of the lines of a text.
+/// The first byte of each line of a text; there is at least one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct LineIndex {
-    /// Number of line ends before each multiple of [`STRETCH`] bytes.
-    ends: Vec<u32>,
-    /// Number of lines.
-    count: u32,
-}
+pub(super) struct LineIndex(Vec<usize>);
 
 impl LineIndex {
-    pub(super) fn new(text: &str) -> Self {
-        let bytes = text.as_bytes();
-        let mut ends = Vec::with_capacity(bytes.len() / STRETCH + 1);
-        let mut before: u32 = 0;
-        for start in (0..=bytes.len()).step_by(STRETCH) {
-            ends.push(before);
-            before = before.saturating_add(count_ends(bytes, start, start + STRETCH));
-        }
-        // An end after the last line opens no further one.
-        let is_open = bytes.is_empty() || !ends_line(bytes, bytes.len() - 1);
-        LineIndex {
-            ends,
-            count: before.saturating_add(u32::from(is_open)),
-        }
+    pub(super) fn new(bytes: &[u8]) -> Self {
+        let mut starts = Vec::with_capacity(Lines::of(bytes).count());
+        starts.extend(Lines::of(bytes).map(|line| line.span.start));
+        LineIndex(starts)
+    }
+
+    /// Returns the number of lines.
+    fn count(&self) -> u32 {
+        u32::try_from(self.0.len()).unwrap_or(u32::MAX)
+    }
+
+    /// Returns the start of a line, counted from 1; `None` if there is no such line.
+    pub(super) fn start(&self, number: u32) -> Option<usize> {
+        self.0.get(number.checked_sub(1)? as usize).copied()
+    }
+
+    /// Returns the number of the line that holds a byte; after the text it is the last line.
+    fn number(&self, offset: usize) -> u32 {
+        let number = self.0.partition_point(|start| *start <= offset);
+        u32::try_from(number).unwrap_or(u32::MAX)
     }
 }
 
 impl Source {
     /// Returns the number of lines; at least one.
     pub fn line_count(&self) -> u32 {
-        self.lines.count
+        self.lines.count()
     }
 
     /// Returns all lines in order. An end after the last line opens no further one.
     pub fn lines(&self) -> Lines<'_> {
-        Lines::of(&self.text)
+        Lines::of(self.text.as_bytes())
     }
 
     /// Returns the lines from one on, counted from 1.
     pub fn lines_from(&self, number: u32) -> Lines<'_> {
         Lines {
             bytes: self.text.as_bytes(),
-            at: self.line_start(number),
+            at: self.lines.start(number).unwrap_or(self.text.len()),
             number: number.saturating_sub(1),
         }
     }
@@ -123,74 +124,13 @@ impl Source {
     /// Returns the number of the line that holds a byte of the text, its end included; after the text it is the last
     /// line.
     pub(super) fn line_number(&self, offset: usize) -> u32 {
-        let bytes = self.text.as_bytes();
-        let offset = offset.min(bytes.len());
-        let stretch = offset / STRETCH;
-        let ends = self.lines.ends[stretch];
-        let ends = ends.saturating_add(count_ends(bytes, stretch * STRETCH, offset));
-        ends.saturating_add(1).min(self.lines.count)
-    }
-
-    /// Returns the start of a line; for a line that does not exist, the end.
-    fn line_start(&self, number: u32) -> usize {
-        let bytes = self.text.as_bytes();
-        if number == 0 || number > self.lines.count {
-            return bytes.len();
-        }
-        let ends = number - 1;
-        let Some(stretch) = self
-            .lines
-            .ends
-            .partition_point(|before| *before < ends)
-            .checked_sub(1)
-        else {
-            return 0;
-        };
-        let missing = ends - self.lines.ends[stretch];
-        (stretch * STRETCH..bytes.len())
-            .filter(|at| ends_line(bytes, *at))
-            .nth(missing as usize - 1)
-            .map_or(bytes.len(), |at| at + 1)
+        self.lines.number(offset)
     }
 
     /// Returns the start of the line of a byte.
     pub(crate) fn start_of_line_at(&self, offset: usize) -> usize {
-        let last = boundary(&self.text, offset.min(self.text.len().saturating_sub(1)));
-        let from = boundary(&self.text, last.saturating_sub(STRETCH));
-        let feed = self.text[from..last].rfind('\n');
-        let start = feed.map_or(from, |feed| from + feed + 1);
-        let before = &self.text[start..last];
-        let before = match self.text.as_bytes().get(last) {
-            Some(b'\n') => before.strip_suffix('\r').unwrap_or(before),
-            _ => before,
-        };
-        match before.rfind('\r') {
-            Some(alone) => start + alone + 1,
-            None if feed.is_some() || start == 0 => start,
-            // Few lines are so long.
-            None => self.line_start(self.line_number(last)),
-        }
+        self.lines
+            .start(self.line_number(offset))
+            .unwrap_or_default()
     }
-}
-
-/// Returns true if a line end ends with the byte at `at`.
-fn ends_line(bytes: &[u8], at: usize) -> bool {
-    match bytes[at] {
-        b'\n' => true,
-        b'\r' => bytes.get(at + 1) != Some(&b'\n'),
-        _ => false,
-    }
-}
-
-/// Counts the line ends that end with a byte from `start` up to `end`.
-fn count_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
-    let end = end.min(bytes.len());
-    let count = |wanted: u8| bytes[start..end].iter().filter(|it| **it == wanted).count();
-    let (returns, feeds) = (count(b'\r'), count(b'\n'));
-    if returns == 0 {
-        return feeds as u32;
-    }
-    let pairs = &bytes[start..bytes.len().min(end + 1)];
-    let pairs = pairs.windows(2).filter(|pair| *pair == b"\r\n").count();
-    (feeds + returns - pairs) as u32
 }

@@ -2,7 +2,8 @@
 //! and back.
 
 use super::decode::Charset;
-use super::{STRETCH, Source, boundary, next_boundary};
+use super::lines::LineIndex;
+use super::{Source, Span, boundary, next_boundary};
 use encoding_rs::SHIFT_JIS;
 use std::sync::LazyLock;
 
@@ -28,49 +29,6 @@ pub struct Position {
     pub column: u32,
 }
 
-/// Numbers of units before each multiple of [`STRETCH`] bytes; empty if the text is ASCII, where all units are one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct ColumnIndex(Vec<Counts>);
-
-/// Numbers of units before some byte of the text, other than bytes of UTF-8.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Counts {
-    bytes: usize,
-    utf16: usize,
-    characters: usize,
-}
-
-impl ColumnIndex {
-    pub(super) fn new(text: &str, original: &Original) -> Self {
-        if text.is_ascii() {
-            return ColumnIndex(Vec::new());
-        }
-        let mut before = Counts::default();
-        let stretches = (0..=text.len()).step_by(STRETCH).map(|start| {
-            let here = before;
-            let end = text.len().min(start + STRETCH);
-            before.bytes += original.count(text, here.bytes, start, end);
-            before.utf16 += utf16_units(text, start, end);
-            before.characters += characters(text, start, end);
-            here
-        });
-        ColumnIndex(stretches.collect())
-    }
-
-    /// Returns the last stretch that starts with at most `wanted` units before it; none if units are bytes of the
-    /// text.
-    fn known_before(&self, wanted: usize, unit: Unit) -> Option<usize> {
-        let fits = |counts: &Counts| match unit {
-            Unit::Byte => counts.bytes <= wanted,
-            Unit::Utf8 => false,
-            Unit::Utf16 => counts.utf16 <= wanted,
-            Unit::Character => counts.characters <= wanted,
-        };
-        let stretch = self.0.partition_point(fits).checked_sub(1)?;
-        Some(stretch * STRETCH)
-    }
-}
-
 impl Source {
     /// Returns the position of a byte of the text. Inside a character it is the character's, inside a line end the end
     /// of the line; after the last line end it is the first column of one more line, after the text it is the text's
@@ -86,10 +44,9 @@ impl Source {
             };
         }
         let is_in_end = offset > 0 && bytes.get(offset - 1..=offset) == Some(b"\r\n");
-        let start = self.start_of_line_at(offset);
         Position {
             line: number,
-            column: self.column_from(start, offset - usize::from(is_in_end), unit),
+            column: self.column_on(number, offset - usize::from(is_in_end), unit),
         }
     }
 
@@ -97,18 +54,14 @@ impl Source {
     /// line is the line's end, a line after the last one the text's end; lines and columns before the first are the
     /// first.
     pub fn offset(&self, position: Position, unit: Unit) -> usize {
-        let unit = self.unit(unit);
-        let line = self.line(position.line.max(1)).span;
-        let ahead = position.column.saturating_sub(1) as usize;
-        let wanted = self.units_before(line.start, unit).saturating_add(ahead);
-        let Some(known) = self.columns.known_before(wanted, unit) else {
-            return boundary(&self.text, wanted.min(line.end));
-        };
-        let mut at = next_boundary(&self.text, known).clamp(line.start, line.end);
-        let mut units = self.units_before(at, unit);
-        for char in self.text[at..line.end].chars() {
+        let number = position.line.max(1);
+        let line = self.line(number).span;
+        let wanted = position.column.saturating_sub(1) as usize;
+        let file_start = self.original.line_start(line.start, number);
+        let (mut at, mut units) = (line.start, 0);
+        for char in self.slice(line).chars() {
             units += match unit {
-                Unit::Byte => self.original.length(char, units),
+                Unit::Byte => self.original.length(char, file_start + units),
                 Unit::Utf8 => char.len_utf8(),
                 Unit::Utf16 => char.len_utf16(),
                 Unit::Character => 1,
@@ -129,56 +82,34 @@ impl Source {
 
     /// Returns the column in characters, from 1, of a byte in or after its line.
     pub(crate) fn column(&self, offset: usize) -> u32 {
-        self.column_from(self.start_of_line_at(offset), offset, Unit::Character)
+        self.column_on(self.line_number(offset), offset, Unit::Character)
     }
 
-    fn column_from(&self, start: usize, offset: usize, unit: Unit) -> u32 {
-        let offset = offset.min(self.text.len());
-        // Nearly every line is shorter than what an index counts together.
-        let is_short = !self.columns.0.is_empty() && (start..start + STRETCH).contains(&offset);
+    /// Returns the column, from 1, of a byte of the line of this number. Characters that begin before it count.
+    fn column_on(&self, number: u32, offset: usize, unit: Unit) -> u32 {
+        let start = self.start_of_line_at(offset);
+        let before = Span::new(start, next_boundary(&self.text, offset));
+        let text = self.slice(before);
         let units = match unit {
-            Unit::Utf16 if is_short => utf16_units(&self.text, start, offset),
-            Unit::Character if is_short => characters(&self.text, start, offset),
-            _ => self.units_before(offset, unit) - self.units_before(start, unit),
+            Unit::Byte => self
+                .original
+                .count(text, self.original.line_start(start, number)),
+            Unit::Utf8 => text.len(),
+            // Four bytes are two units.
+            Unit::Utf16 => text.chars().count() + text.bytes().filter(|it| *it >= 0xF0).count(),
+            Unit::Character => text.chars().count(),
         };
         u32::try_from(units).map_or(u32::MAX, |units| units.saturating_add(1))
     }
 
-    /// Simplifies a unit: in a file of UTF-8 the bytes are those of the text.
-    fn unit(&self, unit: Unit) -> Unit {
-        match (unit, &self.original) {
-            (Unit::Byte, Original::Text) => Unit::Utf8,
-            _ => unit,
-        }
+    /// Returns the byte of the file, without its byte order mark, for the start of a character.
+    pub(super) fn byte_of(&self, offset: usize) -> usize {
+        let number = self.line_number(offset);
+        let start = self.start_of_line_at(offset);
+        let text = self.slice(Span::new(start, offset));
+        let file_start = self.original.line_start(start, number);
+        file_start + self.original.count(text, file_start)
     }
-
-    /// Returns the number of units before a byte of the text.
-    pub(super) fn units_before(&self, offset: usize, unit: Unit) -> usize {
-        let offset = offset.min(self.text.len());
-        let unit = self.unit(unit);
-        let Some(known) = self.columns.0.get(offset / STRETCH) else {
-            return offset;
-        };
-        let start = offset / STRETCH * STRETCH;
-        match unit {
-            Unit::Utf8 => offset,
-            Unit::Byte => known.bytes + self.original.count(&self.text, known.bytes, start, offset),
-            Unit::Utf16 => known.utf16 + utf16_units(&self.text, start, offset),
-            Unit::Character => known.characters + characters(&self.text, start, offset),
-        }
-    }
-}
-
-/// Counts the characters that start in a stretch of text.
-fn characters(text: &str, start: usize, end: usize) -> usize {
-    let (start, end) = (next_boundary(text, start), next_boundary(text, end));
-    text[start..end].chars().count()
-}
-
-/// Counts the units of UTF-16 of the characters that start in a stretch of text: four bytes are two units.
-fn utf16_units(text: &str, start: usize, end: usize) -> usize {
-    let bytes = &text.as_bytes()[start..end];
-    characters(text, start, end) + bytes.iter().filter(|byte| **byte >= 0xF0).count()
 }
 
 /// One bit for each character of the basic plane: set if code page 932 has two bytes for it.
@@ -242,8 +173,9 @@ fn is_double_byte(char: char) -> bool {
 pub(super) enum Original {
     /// The bytes of the text.
     Text,
-    /// Others. They are kept, since encoding the text again would not always lead back to them.
-    Bytes(Charset, Box<[u8]>),
+    /// Others, with the starts of their lines, which are the lines of the text. They are kept, since encoding the text
+    /// again would not always lead back to them.
+    Bytes(Charset, Box<[u8]>, LineIndex),
 }
 
 impl Original {
@@ -251,32 +183,40 @@ impl Original {
         if text.as_bytes() == bytes {
             return Original::Text;
         }
-        Original::Bytes(charset, bytes.into())
+        Original::Bytes(charset, bytes.into(), LineIndex::new(bytes))
     }
 
-    /// Counts the bytes of the file, from `at` on there, of the characters that start from `start` up to `end`. Bytes
-    /// of the text itself need not be counted.
-    pub(super) fn count(&self, text: &str, at: usize, start: usize, end: usize) -> usize {
-        if let Original::Text = self {
-            return 0;
+    /// Returns the byte of the file at which the line of this number starts, whose start in the text is `start`.
+    fn line_start(&self, start: usize, number: u32) -> usize {
+        match self {
+            Original::Text => start,
+            Original::Bytes(_, bytes, lines) => lines.start(number).unwrap_or(bytes.len()),
         }
-        let (start, end) = (next_boundary(text, start), next_boundary(text, end));
-        let lengths = |at, char| at + self.length(char, at);
-        text[start..end].chars().fold(at, lengths) - at
+    }
+
+    /// Counts the bytes of the file, from `at` on there, for a piece of the text.
+    fn count(&self, text: &str, at: usize) -> usize {
+        match self {
+            Original::Text => text.len(),
+            Original::Bytes(..) => {
+                let lengths = |at, char| at + self.length(char, at);
+                text.chars().fold(at, lengths) - at
+            }
+        }
     }
 
     /// Returns the bytes of the file from `start` up to `end`; `text` is what they encode.
     pub(super) fn get<'a>(&'a self, text: &'a str, start: usize, end: usize) -> &'a [u8] {
         let bytes = match self {
             Original::Text => text.as_bytes(),
-            Original::Bytes(_, bytes) => bytes,
+            Original::Bytes(_, bytes, _) => bytes,
         };
         bytes.get(start..end).unwrap_or_default()
     }
 
     /// Returns the number of bytes of the file for `char`, which is at `at`.
-    pub(super) fn length(&self, char: char, at: usize) -> usize {
-        let Original::Bytes(charset, bytes) = self else {
+    fn length(&self, char: char, at: usize) -> usize {
+        let Original::Bytes(charset, bytes, _) = self else {
             return char.len_utf8();
         };
         let bytes = bytes.get(at..).unwrap_or_default();

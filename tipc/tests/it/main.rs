@@ -1,5 +1,6 @@
 //! The tests of the compiler, in one binary.
 
+mod depth;
 mod descriptions;
 mod messages;
 mod reasons;

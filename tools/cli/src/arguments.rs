@@ -1,6 +1,6 @@
 //! The option groups that several commands share: the program with its robot, and the inputs of a run.
 
-use super::choices::{EncodingName, OutputOptions};
+use super::choices::{EncodingName, LAST, OutputOptions};
 use super::error::Error;
 use super::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
 use super::sticks;
@@ -28,13 +28,13 @@ pub(super) struct SourceArguments {
     /// The version in line 1
     ///
     /// The version of the language that line 1 must name; by default that of any edition, 3.1 or 3.2
-    #[arg(long, value_name = "NUMBER", value_parser = version_number)]
+    #[arg(long, value_name = "NUMBER", value_parser = version_number, display_order = LAST)]
     pub(super) tip_version: Option<f64>,
 
     /// The encoding: auto, utf-8 or shift_jis
     ///
     /// auto, the default without tip.toml, is UTF-8 if that is valid, else Shift_JIS
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, display_order = LAST)]
     pub(super) encoding: Option<EncodingName>,
 
     #[command(flatten)]

@@ -101,23 +101,26 @@ pub(super) enum Format {
     Sarif,
 }
 
+/// The place in help of options that many commands share: after those of the command.
+pub(super) const LAST: usize = 900;
+
 /// The options of the output.
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct OutputOptions {
     /// Diagnostics: human, short, json or sarif
     ///
     /// Snippets for people, or lines for tools
-    #[arg(long, value_name = "FORMAT", value_enum, default_value = "human")]
+    #[arg(long, value_name = "FORMAT", value_enum, default_value = "human", display_order = LAST)]
     pub(super) message_format: Format,
 
     /// The language of messages; else the locale's
-    #[arg(long, value_enum, value_name = "en|ja")]
+    #[arg(long, value_enum, value_name = "en|ja", display_order = LAST)]
     lang: Option<LangName>,
 
     /// Colours: auto, always or never
     ///
     /// For people; auto: on a terminal, unless NO_COLOR is set
-    #[arg(long, value_enum, value_name = "WHEN", default_value = "auto")]
+    #[arg(long, value_enum, value_name = "WHEN", default_value = "auto", display_order = LAST)]
     color: ColourName,
 }
 

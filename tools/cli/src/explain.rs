@@ -27,14 +27,29 @@ pub(super) struct Explain {
     lang: Option<LangName>,
 }
 
+/// Largest number of codes that are suggested.
+const MAX_NEAR: usize = 5;
+
 /// Prints the page of a code.
 pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
     let code = arguments.code.to_ascii_uppercase();
     let lang = choices::lang(arguments.lang);
     let Some(text) = page(&code, lang) else {
-        let codes = Code::ALL.iter().map(|code| code.id().to_owned());
-        let codes = Each(codes.collect());
-        return Err(Error::usage(Using::NoCode { code, codes }, lang));
+        // The class of a finer code that is not there, or the codes that differ by one letter.
+        let known = || PAGES.iter().map(|page| page.code);
+        let class = code.split('-').next().unwrap_or_default();
+        let near = known().filter(|known| strsim::osa_distance(known, &code) == 1);
+        let near: Vec<&str> = match known().find(|known| *known == class) {
+            Some(class) => vec![class],
+            None => near.take(MAX_NEAR).collect(),
+        };
+        return Err(match near.is_empty() {
+            true => Error::usage(Using::NoCode { code }, lang),
+            false => {
+                let near = Each(near.into_iter().map(str::to_owned).collect());
+                Error::usage(Using::NearCodes { code, near }, lang)
+            }
+        });
     };
     output::print(format!("{text}{}", related(&code, lang)))?;
     Ok(Status::Success)

@@ -1,8 +1,12 @@
 //! Programs, descriptions and scenes from files, and the paths of these.
 
+use crate::error::Error;
+use crate::interrupt;
 use std::fs::File;
 use std::path::{Path, PathBuf, absolute};
-use std::{env, fs, io};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
+use std::{env, fs, io, thread};
 use tip_drives::model::{MODELS, Model};
 use tip_lint::migrate::Migration;
 use tip_runtime::model::Range;
@@ -16,6 +20,34 @@ use tipc::language::Edition;
 use tipc::message::Reading;
 use tipc::source::{Encoding, Source, Span};
 use tipc::{Loaded, Options, embed};
+
+/// Time between two looks for an interrupt while a line is awaited.
+const POLL_INTERVAL: Duration = Duration::from_millis(20);
+
+/// Reads a line of standard input; `None` at its end, or if the command is interrupted meanwhile.
+pub(super) fn line() -> Result<Option<String>, Error> {
+    let (sender, receiver) = channel();
+    // A signal does not end the reading; the thread ends with the process then.
+    thread::spawn(move || {
+        let mut line = String::new();
+        let read = io::stdin().read_line(&mut line);
+        // Nobody may wait for it any more.
+        let _ = sender.send(read.map(|count| (count > 0).then_some(line)));
+    });
+    loop {
+        let line = match receiver.recv_timeout(POLL_INTERVAL) {
+            Ok(line) => Some(line.map_err(|error| Error::Failed(error.to_string()))?),
+            Err(RecvTimeoutError::Timeout) => None,
+            Err(RecvTimeoutError::Disconnected) => Some(None),
+        };
+        if interrupt::is_requested() {
+            return Ok(None);
+        }
+        if let Some(line) = line {
+            return Ok(line);
+        }
+    }
+}
 
 /// Loads the program at `path`; a file that cannot be read is a diagnostic like any other.
 pub(super) fn load(path: &Path, options: &Options) -> Loaded {
@@ -105,7 +137,7 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
 pub(super) fn servos() -> Vec<description::Servo> {
     let servo = |model: &Model| description::Servo {
         name: model.name,
-        family: model.family.name,
+        family: model.family.name(),
         travel: Range::new(model.angle(0.0), model.angle(model.largest.into())),
     };
     MODELS.iter().map(servo).collect()

@@ -1,5 +1,9 @@
-//! Ctrl-C, and the signals by which the system asks a process to end: SIGINT, SIGTERM and SIGHUP.
+//! Ctrl-C, and the signals by which the system asks a process to end: SIGINT, SIGTERM, SIGHUP and SIGQUIT.
+//!
+//! The first one is a request, which the command obeys. A second one, or time, ends a command that is stuck. Before the process
+//! ends so, a robot whose torque is on is left in the state that its file names.
 
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
@@ -18,6 +22,12 @@ const SIGINT: u8 = 2;
 /// The cleanup of a process that ends immediately; `None` while files are being completed.
 static LAST: Mutex<Option<Last>> = Mutex::new(None);
 
+/// Leaves the robot whose torque is on, and returns what its operator has to know.
+type Leave = Box<dyn FnMut() -> String + Send>;
+
+/// The robot whose torque is on, if there is one.
+static ROBOT: Mutex<Option<Leave>> = Mutex::new(None);
+
 /// Time after a signal until a command counts as stuck, in a full pipe or before one that nobody reads.
 const PATIENCE: Duration = Duration::from_secs(3);
 
@@ -27,7 +37,7 @@ struct Last {
     part: Option<PathBuf>,
 }
 
-/// Makes the first Ctrl-C a request; a second one, or time, ends a command that is stuck.
+/// Makes the first signal a request; a second one, or time, ends a command that is stuck.
 pub(super) fn catch() {
     static ONCE: Once = Once::new();
     release();
@@ -35,43 +45,45 @@ pub(super) fn catch() {
 }
 
 /// Handles signals in a thread. A signal that was ignored before the process began, as with `nohup` and background jobs, stays
-/// ignored. Blocked signals wait for the thread, so that none is lost while it starts, as it could be between installing a handler
-/// and its data. The standard library unblocks them in child processes.
+/// ignored.
 #[cfg(unix)]
 fn listen() {
-    use nix::sys::signal::{SigSet, Signal};
-    let signals = [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP].into_iter();
-    let signals: SigSet = signals
-        .filter(|signal| !is_ignored(*signal as i32))
-        .collect();
-    if signals.thread_block().is_ok() {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    let signals = [SIGINT, SIGTERM, SIGHUP, SIGQUIT].into_iter();
+    if let Ok(mut signals) = Signals::new(signals.filter(|signal| !is_ignored(*signal))) {
         thread::spawn(move || {
-            while let Ok(signal) = signals.wait() {
-                signalled(u8::try_from(signal as i32).unwrap_or(SIGINT));
+            for signal in signals.forever() {
+                signalled(u8::try_from(signal).unwrap_or(SIGINT as u8));
             }
         });
     }
 }
 
+/// Handles Ctrl-C in a thread that looks for it.
 #[cfg(not(unix))]
 fn listen() {
-    let _ = ctrlc::set_handler(|| signalled(SIGINT));
+    use std::sync::Arc;
+    let flag = Arc::new(AtomicBool::new(false));
+    if signal_hook::flag::register(SIGINT.into(), Arc::clone(&flag)).is_ok() {
+        thread::spawn(move || {
+            loop {
+                thread::sleep(Duration::from_millis(20));
+                if flag.swap(false, Ordering::Relaxed) {
+                    signalled(SIGINT);
+                }
+            }
+        });
+    }
 }
 
-/// Returns true if the process ignores a signal, according to the system or to a shell that it starts.
+/// Returns true if the process ignores a signal, as far as the system says so in a file: elsewhere, none is ignored.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    match ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()) {
-        Some(mask) => mask >> (signal - 1) & 1 == 1,
-        None => {
-            let mut shell = process::Command::new("sh");
-            shell.arg("-c").arg(format!("kill -{signal} $$"));
-            shell.stdin(process::Stdio::null());
-            shell.status().is_ok_and(|status| status.success())
-        }
-    }
+    let mask = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
 }
 
 fn signalled(signal: u8) {
@@ -88,13 +100,14 @@ fn signalled(signal: u8) {
     });
 }
 
-/// Returns the exit status of an interrupted command: 130 after Ctrl-C, 143 after SIGTERM, 129 after SIGHUP.
+/// Returns the exit status of an interrupted command: 130 after Ctrl-C, 143 after SIGTERM, 129 after SIGHUP, 131 after SIGQUIT.
 pub(super) fn status() -> u8 {
     128 + SIGNAL.load(Ordering::Relaxed)
 }
 
-/// Ends the process unless its files are being completed.
+/// Ends the process unless its files are being completed. A robot whose torque is on is left first.
 fn end() {
+    let left = lock(&ROBOT).as_mut().map(|leave| leave());
     if let Some(last) = last().as_ref() {
         last.terminal.restore();
         if let Some(part) = &last.part {
@@ -102,6 +115,8 @@ fn end() {
             let _ = fs::remove_file(part);
         }
         tip_sim::end_processes();
+        // The process ends in any case.
+        let _ = io::stderr().write_all(left.unwrap_or_default().as_bytes());
         process::exit(status().into());
     }
 }
@@ -126,6 +141,11 @@ pub(super) fn release() {
     });
 }
 
+/// Sets the robot whose torque is on. It is left before the process ends for a signal, whatever the rest of the process waits for.
+pub(super) fn leaves_first(leave: impl FnMut() -> String + Send + 'static) {
+    *lock(&ROBOT) = Some(Box::new(leave));
+}
+
 /// Ends the run as Ctrl-C does.
 pub(super) fn request() {
     REQUESTED.store(true, Ordering::Relaxed);
@@ -137,5 +157,9 @@ pub(super) fn is_requested() -> bool {
 }
 
 fn last() -> MutexGuard<'static, Option<Last>> {
-    LAST.lock().unwrap_or_else(PoisonError::into_inner)
+    lock(&LAST)
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

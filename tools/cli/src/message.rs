@@ -52,9 +52,12 @@ tipc::message_table! {
     NoFile { command: String }
         "which program? `tip {command}` needs a file, as in `tip {command} walk.prg`",
         "どのプログラムですか? `tip {command} walk.prg` のようにファイルを指定してください";
-    NoCode { code: String, codes: Each }
-        "there is no code {code}; the codes are {codes}",
-        "{code}というコードはありません。コードは{codes}です";
+    NoCode { code: String }
+        "there is no code {code}: messages show a code in brackets, such as E205, E205-03 or W109",
+        "{code}というコードはありません。コードは E205、E205-03、W109 のように、メッセージの角括弧の中にあります";
+    NearCodes { code: String, near: Each }
+        "there is no code {code}; near it are {near}",
+        "{code}というコードはありません。近いコードは{near}です";
     NotACount { text: String }
         "`{text}` is not a count: write a whole number, 0 or more",
         "`{text}` は数えられません。0以上の整数を指定してください";
@@ -113,8 +116,20 @@ tipc::message_table! {
         "{file} is where the specification of the sweep goes, and has something else: move it, or choose another name with -o",
         "{file} にはスイープの仕様を書きますが、別の内容があります。移動するか、-oで別の名前を指定してください";
     OtherSweep { file: Text }
-        "{file} belongs to another sweep, with another program, robot, scene or options: use its options, or another file",
-        "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプションのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+        "{file} belongs to another sweep, with another program, robot, scene, options or version of tip: use its options, or another file",
+        "{file} は別のスイープの表です(プログラム、ロボット、シーン、オプション、tipのバージョンのどれかが違います)。同じオプションにするか、別のファイルを指定してください";
+    NotATableName { file: Text }
+        "{file} is not the name of a table: write a name that ends in .csv, or '-o -' for standard output",
+        "{file} は表の名前ではありません。.csvで終わる名前か、標準出力を表す '-o -' を指定してください";
+    NotAPart { part: Text }
+        "{part}, where an unfinished table goes, is not a regular file: remove it, or choose another name with -o",
+        "書きかけの表を置く {part} は通常のファイルではありません。削除するか、-oで別の名前を指定してください";
+    IsLocked { part: Text }
+        "another process is writing {part}: wait for its end, or choose another name with -o",
+        "別のプロセスが {part} に書いています。終わるのを待つか、-oで別の名前を指定してください";
+    ForeignLines { part: Text }
+        "{part} has a byte order mark or CR LF line ends, so another program has saved it: restore it, or remove it to start again",
+        "{part} にBOMまたはCR LFの改行があります。別のプログラムで保存されたものです。元に戻すか、削除して最初から実行してください";
     OneTable
         "a table is not compared with another file: give it alone",
         "表はほかのファイルと比べられません。表だけを指定してください";
@@ -370,8 +385,11 @@ tipc::message_table! {
         "{file}: {runs} runs, {size} kB",
         "{file}: {runs}回の実行、{size} kB";
     NoTable { file: Text }
-        "{file} is not a table of `tip sweep`: its first line must begin with `case,`",
-        "{file} は `tip sweep` の表ではありません。先頭の行が `case,` で始まっていません";
+        "{file} is not the table of its specification: its first line has other columns",
+        "{file} は仕様に対応する表ではありません。先頭の行の列が違います";
+    OtherRow { file: Text, line: String, specification: Text }
+        "line {line} of {file} is not a row of the sweep in {specification}: it was changed, or is of another sweep or version of tip; run the sweep again",
+        "{file} の{line}行目は {specification} のスイープの行ではありません。変更されたか、別のスイープまたは別のバージョンのtipのものです。スイープを実行し直してください";
 }
 
 tipc::message_table! {
@@ -520,9 +538,12 @@ tipc::message_table! {
     Nonsense { sensor: SmolStr }
         "the sensor of {sensor} reads invalid values: check the sensor and its cable",
         "{sensor}のセンサの値が異常です。センサと配線を確かめてください";
-    Broken { what: &'static str }
+    Broken { what: Text }
         "the hardware of the robot failed: {what}",
         "ロボットのハードウェアの異常です: {what}";
+    NotStopped { what: Text }
+        "the robot could not be stopped ({what}): switch its power off",
+        "ロボットを停止できませんでした({what})。電源を切ってください";
     KeyPressed
         "RETURN, the emergency stop, was pressed",
         "RETURNキー(非常停止)が押されました";
@@ -781,6 +802,24 @@ tipc::message_table! {
     /// Messages of `tip drives` and of runs on a real robot.
     Driving;
 
+    LateFrom "late", "遅れ";
+    CycleShare "share", "割合";
+    CycleCount "cycles", "周期数";
+    JitterFigures { p50: usize, p99: usize, p999: usize, worst: String, missed: String, cycles: String }
+        "half of the cycles start at most {p50} µs late, 99 % {p99} µs, 99.9 % {p999} µs, all {worst} µs; {missed} of {cycles} missed",
+        "遅れは周期の半数で{p50} µs以下、99%で{p99} µs、99.9%で{p999} µs、最大{worst} µs。{cycles}周期のうち{missed}周期は間に合わず";
+    KeepsPeriod { period: String, share: String }
+        "a period of {period} ms is kept: cycles start late by {share} % of it at most",
+        "周期{period} msは守られます: 遅れは最大で周期の{share}%です";
+    KeepsPeriodUnevenly { period: String, share: String }
+        "a period of {period} ms is kept unevenly: a cycle starts late by {share} % of it; try --fifo, a longer period or a less busy machine",
+        "周期{period} msは守られますが不均一です: 遅れが周期の{share}%に達します。--fifo、長い周期、負荷の低いマシンを試してください";
+    MissesPeriod { period: String, missed: String, cycles: String }
+        "a period of {period} ms is not kept: {missed} of {cycles} cycles are missed; try --fifo, a longer period or a less busy machine",
+        "周期{period} msは守られません: {cycles}周期のうち{missed}周期が間に合いません。--fifo、長い周期、負荷の低いマシンを試してください";
+    NoCycles
+        "no cycle was measured",
+        "1周期も測定できませんでした";
     NoBus { file: Text }
         "{file} has no [bus]: docs/drives.md shows how to describe the servos",
         "{file}に[bus]がありません。サーボの書き方はdocs/drives.mdにあります";
@@ -790,12 +829,21 @@ tipc::message_table! {
     CannotOpen { port: Text, error: Text }
         "cannot open {port}: {error}. Is it plugged in, used by another program, or yours to open (group dialout)?",
         "{port}を開けません: {error}。接続、他のプログラムによる使用、権限(dialoutグループ)を確かめてください";
+    PortInUse { port: Text, process: Text, id: u32 }
+        "{port} is in use by {process} (process {id}): end it first, because two masters on one bus move a robot to angles of neither",
+        "{port}は{process}(プロセス{id})が使用中です。先に終了してください。一つのバスに二つのマスターは使えません";
+    PortTaken { port: Text }
+        "{port} is in use by another program: end it first, because two masters on one bus move a robot to angles of neither",
+        "{port}は他のプログラムが使用中です。先に終了してください。一つのバスに二つのマスターは使えません";
     NoSimulatedPort
         "'simulated' needs the servos of a robot.toml: start `tip drives simulate robot.toml`, and give the port that it prints",
         "'simulated' にはrobot.tomlのサーボが必要です。`tip drives simulate robot.toml` を起動し、表示されるポートを指定してください";
     NotSimulated { text: String }
         "`{text}` is not a list of faults: write faults=0.01 (or corrupt, drop, duplicate, delay, truncate) and unplug=ID@S (or reset, overheat, block, sag), separated by commas",
         "`{text}` は故障の並びではありません。faults=0.01(または corrupt、drop、duplicate、delay、truncate)と unplug=ID@S(または reset、overheat、block、sag)をコンマで区切ってください";
+    NoServoToFail { text: String, id: u32 }
+        "`{text}` can never happen: the robot has no servo {id}",
+        "`{text}` は起こりません。サーボ{id}はありません";
     NeedsYes
         "the robot is about to move, and no one can press a key: give --yes if that is safe",
         "ロボットが動きますが、キーを押す人がいません。安全なら--yesを付けてください";
@@ -814,12 +862,39 @@ tipc::message_table! {
     PressReturn
         "keep clear; RETURN starts, Ctrl-C ends",
         "ロボットから離れてください。RETURNで開始、Ctrl-Cで終了します";
+    StillStiff { joints: String }
+        "still stiff, although they were to relax: {joints}. Switch their power off",
+        "脱力しなかったサーボがあります: {joints}。電源を切ってください";
+    PerhapsStiff { joints: String }
+        "perhaps still stiff, because they did not confirm that they relaxed: {joints}. Switch their power off",
+        "脱力を確認できないサーボがあります: {joints}。電源を切ってください";
+    WithoutTorque { joints: String }
+        "without torque, although they were to hold: {joints}",
+        "保持するはずのサーボにトルクがありません: {joints}";
+    PerhapsLimp { joints: String }
+        "perhaps without torque or not where they are to be, because they did not confirm that they hold: {joints}",
+        "保持を確認できないサーボがあります: {joints}";
     NoSuchJoint { joint: String }
         "the robot has no joint {joint}",
         "関節{joint}はありません";
     Found { servos: usize }
         "{servos} servos found",
         "サーボが{servos}台見つかりました";
+    Scans { family: &'static str, last: u32 }
+        "asking {family}, identities 0 to {last}",
+        "{family}のID 0から{last}を調べています";
+    NewModel { id: u32, number: u32 }
+        "servo {id} reports the model number {number}, which no model here has: its scales are not known",
+        "サーボ{id}の型番{number}は登録されていないため、換算係数が分かりません";
+    OtherFamily { id: u32, model: &'static str, key: &'static str }
+        "servo {id} is of another family: it reports to be {model} (--family {key})",
+        "サーボ{id}は別の系列で、{model}です(--family {key})";
+    Doubtful { id: u32, family: &'static str }
+        "servo {id} answers as {family} would, but with values that such a servo cannot have: is it of another family?",
+        "サーボ{id}の応答は{family}の形式ですが、値がありえません。別の系列ではありませんか?";
+    NoServo { id: u32 }
+        "servo {id} does not answer: look at power, wiring, --baud and --family",
+        "サーボ{id}が応答しません。電源、配線、--baud、--familyを確かめてください";
     NothingFound
         "no servo answers: look at power, wiring, --baud and --family",
         "応答するサーボがありません。電源、配線、--baud、--familyを確かめてください";
@@ -835,6 +910,18 @@ tipc::message_table! {
     ZeroHow
         "the torque is off. For each joint: turn it by hand to its angle 0, press RETURN; turn it a little in its positive direction, press RETURN. 's' and RETURN skips a joint",
         "トルクを切りました。関節ごとに、手で角度0に合わせてRETURN、正の向きに少し回してRETURNを押してください。's'とRETURNで飛ばします";
+    ZeroReleases { joints: String }
+        "these servos hold: {joints}. Support the robot; RETURN switches their torque off",
+        "保持中のサーボがあります: {joints}。ロボットを支えてください。RETURNでトルクを切ります";
+    NotStill { joints: String }
+        "{joints} gave no two equal positions in a row: keep the joint still, look at its cables, and do it again",
+        "{joints}の位置が定まりません。関節を動かさず、ケーブルを確かめて、やり直してください";
+    TurnedTooFar { joint: String, angle: String }
+        "{joint} has turned by {angle} deg or the other way round, nobody can tell: turn it by less than a third of a turn, and do it again",
+        "{joint}は{angle}度回ったのか逆向きなのか判別できません。3分の1回転未満にして、やり直してください";
+    OverTheEnd { joint: String, end: u32 }
+        "{joint} turned over the end of its servo's travel ({end} to 0), where the servo cannot follow: mount its horn turned if the joint has to go there",
+        "{joint}はサーボの可動範囲の端({end}と0の間)を越えました。サーボはそこを通れないので、必要ならホーンを回して付け直してください";
     AtZero { joint: String }
         "{joint} at 0",
         "{joint}を角度0に";
@@ -857,8 +944,8 @@ tipc::message_table! {
         "these keys belong to the [[drive]] tables of {file}:",
         "次のキーを{file}の[[drive]]表に書いてください:";
     JogHow { joint: String }
-        "{joint}: + and - turn it by 1 deg, q ends",
-        "{joint}: +と-で1度ずつ動かし、qで終わります";
+        "{joint}: + and - turn it by 1 deg, q ends, RETURN is the emergency stop",
+        "{joint}: +と-で1度ずつ動かし、qで終わります。RETURNは非常停止です";
     Simulates { servos: usize, port: Text }
         "{servos} simulated servos on {port}; Ctrl-C ends",
         "{port}に模擬サーボが{servos}台あります。Ctrl-Cで終わります";
@@ -882,9 +969,21 @@ tipc::message_table! {
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";
-    WrongMode { joint: String, id: u32, register: u32, value: u32, right: u32 }
-        "{joint} (servo {id}) does not go to positions: its register {register} is {value}. Write {right} to it with the maker's tool while the torque is off (Operating Mode, or CCW Angle Limit of AX and MX)",
-        "{joint}(サーボ{id})は位置制御モードではありません(レジスタ{register}の値は{value})。トルクを切り、製造元のツールで{right}を書き込んでください(Operating Mode、AX・MXではCCW Angle Limit)";
+    BusLoad { percent: String, cycles: u32 }
+        "reading and commanding all servos takes {percent} % of a cycle; each servo is read in one of {cycles} cycles",
+        "全サーボの読み取りと指令に制御周期の{percent} %が必要です。各サーボの読み取りは{cycles}周期に1回です";
+    ShortTimeout { time: String, cycles: String }
+        "without the host the servos stop after {time} ms, their longest time-out: {cycles} cycles",
+        "ホストが止まると、サーボは最長のタイムアウトである{time} ms({cycles}周期)で停止します";
+    BusTooSlow { percent: String, cycles: u32, silence: u32 }
+        "the bus cannot carry a cycle: reading and commanding all servos takes {percent} % of it, each servo would be read in one of {cycles} cycles, and `silence` is {silence}. A longer sampling time, a faster bus, two of them or a larger `silence` help",
+        "バスの通信が制御周期に収まりません。全サーボの読み取りと指令に周期の{percent} %が必要で、各サーボの読み取りは{cycles}周期に1回になります(`silence` は{silence})。サンプリング時間を長くするか、バスを速くするか、2本に分けるか、`silence` を大きくしてください";
+    PeriodTooLong { most: String }
+        "the servos' watchdogs would stop a healthy robot: with them the sampling time is {most} ms at most",
+        "サーボのウォッチドッグが正常な動作を止めてしまいます。サンプリング時間は{most} ms以下にしてください";
+    WrongRegister { joint: String, id: u32, name: &'static str, register: u32, value: String, wanted: String }
+        "{joint} (servo {id}) would not go where it is sent: its register {register} ({name}) is {value}. Write {wanted} to it with the maker's tool while the torque is off",
+        "{joint}(サーボ{id})は指令した角度に動きません(レジスタ{register}、{name}の値は{value})。トルクを切り、製造元のツールで{wanted}を書き込んでください";
     Hot { joint: String, id: u32, now: f64, most: f64 }
         "{joint} (servo {id}) has {now} °C, and {most} at most is allowed: let it cool, and look for what loads it",
         "{joint}(サーボ{id})が{now} °Cで、上限{most} °Cを超えました。冷まして、負荷の原因を調べてください";
@@ -906,6 +1005,9 @@ tipc::message_table! {
     Outside { joint: String, id: u32, angle: String, min: f64, max: f64 }
         "{joint} (servo {id}) is at {angle} deg, outside of {min} to {max}: move it by hand, or look at sign and offset (tip drives zero)",
         "{joint}(サーボ{id})の角度{angle}度が範囲{min}から{max}の外です。手で動かすか、符号とオフセットを確かめてください(tip drives zero)";
+    NotHeld
+        "the robot was left: a signal ended this command while it was stuck",
+        "コマンドが停止したままだったため、シグナルによりロボットの制御を終えました";
     NoTorques { joint: String }
         "{joint} is commanded a torque, and position servos take angles only",
         "{joint}にトルクが指令されましたが、位置サーボは角度しか受け付けません";

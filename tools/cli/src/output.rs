@@ -43,6 +43,21 @@ pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Erro
     written.map_err(|error| Error::cannot_write(path, error))
 }
 
+/// Replaces the content of a file with much content. A signal that comes before all of it is written ends the process, and the earlier
+/// file stays.
+pub(super) fn replace_unless_interrupted(path: &Path, content: &[u8]) -> Result<(), Error> {
+    if is_standard(path) || is_pipe(path) {
+        return replace(path, content);
+    }
+    let written = begin(path).and_then(|mut file| {
+        interrupt::discards(file.part());
+        file.write_all(content)?;
+        interrupt::hold();
+        file.commit()
+    });
+    written.map_err(|error| Error::cannot_write(path, error))
+}
+
 /// Replaces the content of a file, unless it differs from what was `read`: an editor may have saved it since.
 pub(super) fn update(path: &Path, read: &[u8], content: &[u8], lang: Lang) -> Result<(), Error> {
     let changed = || io::Error::other(Reading::Changed.in_lang(lang).to_string());

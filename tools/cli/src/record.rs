@@ -6,7 +6,7 @@ use crate::loader::{self, Subject};
 use crate::message::{Running, Sweeping, Using};
 use crate::report::plural;
 use crate::run::{LONG_WAIT, wait_message};
-use crate::usage::{count, quoted};
+use crate::usage::count;
 use crate::{Status, input, interrupt, output, report, sweep};
 use clap::{Args, ValueEnum};
 use std::io::{self, Cursor};
@@ -246,17 +246,12 @@ impl View {
             }
             return Ok(Status::Success);
         }
-        let (name, table) = self.text(file)?;
-        if !table.starts_with("case,") {
-            let file = name.into();
-            return Err(Error::failed(Sweeping::NoTable { file }, lang));
-        }
-        let page = tip_view::sweep_page(&name, &table, &format!("tip view {}", quoted(&name)));
+        let (page, runs) = sweep::page(file, lang)?;
         output::replace(&out, &page)?;
         if !self.quiet {
             let page = Sweeping::Page {
                 file: Printable::line(out.display()).to_string().into(),
-                runs: (table.lines().count() - 1).to_string(),
+                runs: runs.to_string(),
                 size: (page.len() / 1000).to_string(),
             };
             report::say(page, lang);
@@ -409,6 +404,8 @@ pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
     output::refuse_inputs(out, &arguments.run.files())?;
     let recorded = arguments.run.record(kind.pace(arguments.every), "log")?;
     let recording = &recorded.recording;
+    // A long log takes seconds, during which a signal ends the command. Nothing is written until all of it is there.
+    interrupt::release();
     let mut bytes = Vec::new();
     let written: io::Result<()> = match kind {
         LogFormat::Mcap => tip_log::mcap(
@@ -419,10 +416,10 @@ pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
         LogFormat::Csv => tip_log::csv(recording, &mut bytes),
     };
     written.map_err(|reason| Error::cannot_write(out, reason))?;
-    output::replace(out, &bytes)?;
+    output::replace_unless_interrupted(out, &bytes)?;
     let (cycles, frames) = (recording.cycles, recording.frames.len());
     report::complain(&format!(
-        "{}: {cycles} cycles, the motion of {frames} of them, {}\n",
+        "{}: {cycles} cycles, poses and forces of {frames} cycles, {}\n",
         output::name(out),
         recording.outcome
     ));

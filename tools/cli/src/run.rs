@@ -21,7 +21,7 @@ use files::Trace;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use summary::{driven, fall, summary};
-use tip_runtime::console::LogFiles;
+use tip_runtime::console::{LogFiles, Terminal};
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, WaitDetector};
 use tipc::Loaded;
@@ -53,7 +53,8 @@ pub(super) const LONG_WAIT: f64 = 60_000.0;
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
 program sets another. On a terminal, keys reach the program as they are pressed; RETURN is the
 emergency stop and ESC the halt request; Ctrl-C ends the run and completes its files,
-a second one ends a run that is stuck. On standard error a run says when the robot falls, and at
+a second one ends a run that is stuck. On a real robot the keys count from the first torque
+to the last, and no signal ends the process before the servos are as their file says. On standard error a run says when the robot falls, and at
 its end what it did.
 
 Exit status; the first that applies:
@@ -142,10 +143,23 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         chosen,
         robot,
     } = loader::load(&arguments.run.file, &arguments.run, None)?;
+    let mut inputs = arguments.run.inputs.inputs(&robot);
+    let is_live = arguments.realtime || arguments.hardware.is_some();
+    let is_steered = is_live && io::stdin().is_terminal();
+    // Sticks that keys move are inputs of a robot on servos.
+    if let (true, Some(program)) = (is_steered, &loaded.program) {
+        inputs.events = sticks::let_rest(program, inputs.events);
+    }
+    if arguments.hardware.is_some() {
+        let unconnected = robot.unconnected(&loaded, &inputs.events);
+        if !unconnected.is_empty() {
+            loaded.program = None;
+            loaded.report(unconnected.into());
+        }
+    }
     if loaded.program.is_none() || !arguments.quiet {
         report::diagnostics(&loaded, arguments.run.source.output_options);
     }
-    let mut inputs = arguments.run.inputs.inputs(&robot);
     if arguments.deny.rejects(&loaded) {
         return Ok(Status::Failure);
     }
@@ -153,16 +167,11 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         files::check(arguments)?;
     }
     let program = loaded.program.take();
-    let is_live = arguments.realtime || arguments.hardware.is_some();
-    let is_steered = is_live && io::stdin().is_terminal();
-    if let (true, Some(program)) = (is_steered, &program) {
-        inputs.events = sticks::let_rest(program, inputs.events);
-    }
     let connection = match (&arguments.hardware, chosen, &program) {
         (Some(file), ChosenRobot::Described(robot), Some(_)) => {
             match connected(arguments, file, &robot)? {
-                Some(connection) => Some(connection),
-                None => return Ok(Status::Interrupted),
+                Ok(connection) => Some(connection),
+                Err(status) => return Ok(status),
             }
         }
         _ => None,
@@ -206,15 +215,22 @@ struct Job<'a> {
     connection: Option<Connection>,
 }
 
-/// Finds the servos of a real robot, and moves it to its initial posture after a key; `None` if it was interrupted.
+/// Returns the keyboard, if standard input is a terminal.
+fn terminal() -> Option<Terminal<io::Sink>> {
+    let is_terminal = io::stdin().is_terminal();
+    is_terminal.then(|| Terminal::on(io::sink(), false).report_interrupts())
+}
+
+/// Finds the servos of a real robot, and moves it to its initial posture after a key. Returns the status with which the command
+/// ends if it was interrupted or stopped.
 fn connected(
     arguments: &Run,
     file: &Path,
     description: &Description,
-) -> Result<Option<Connection>, Error> {
+) -> Result<Result<Connection, Status>, Error> {
     let lang = arguments.lang();
     let setup = Setup::new(file, description, lang)?;
-    let mut connection = setup.open(file, arguments.port.as_deref(), lang)?;
+    let connection = setup.open(file, arguments.port.as_deref(), lang)?;
     connection.connect(arguments.quiet)?;
     if !connection.is_simulated() && !arguments.yes {
         connection.announce();
@@ -222,16 +238,15 @@ fn connected(
             return Err(Error::usage(Driving::NeedsYes, lang));
         }
         report::say(Driving::PressReturn, lang);
-        let mut line = String::new();
-        let read = io::stdin().read_line(&mut line);
-        if !read.is_ok_and(|count| count > 0) || interrupt::is_requested() {
-            return Ok(None);
+        // RETURN alone: not what someone answers who does not want it.
+        if !input::line()?.is_some_and(|line| line.trim().is_empty()) {
+            return Ok(Err(Status::Interrupted));
         }
     }
     if arguments.fifo {
         realtime::warn(&realtime::prioritise(), lang);
     }
-    Ok(connection.stand_ready()?.then_some(connection))
+    Ok(connection.stand_ready().map_or(Ok(connection), Err))
 }
 
 impl Job<'_> {
@@ -251,7 +266,11 @@ impl Job<'_> {
         logs: Option<LogFiles<()>>,
     ) -> Result<Status, Error> {
         let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
-        let mut screen = Screen::new(self.progress(), messages, logs);
+        let keyboard = match &self.connection {
+            Some(connection) => connection.keyboard(),
+            None => terminal(),
+        };
+        let mut screen = Screen::new(keyboard, self.progress(), messages, logs);
         let program = begun.engine::<Interpreter>().map(Interpreter::program);
         let has_sticks = self.is_live() && program.is_some_and(|program| sticks::are_read(program));
         if has_sticks {
@@ -262,7 +281,7 @@ impl Job<'_> {
         let (options, lang) = (source.options(robot.options().robot), self.arguments.lang());
         let mut run = begun.with_console(screen);
         let is_live = self.is_live();
-        let mut connection = self.connection.take();
+        let connection = self.connection.take();
         let mut watch = Watch {
             job: self,
             trace: trace.as_mut(),
@@ -276,15 +295,23 @@ impl Job<'_> {
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
         let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
-        if let Some(connection) = &mut connection {
-            connection.finish(matches!(ending, Ending::Emergency(_)));
-        }
+        // From here on a signal ends nothing: neither the leaving of the robot nor the files.
         interrupt::hold();
+        let is_stopped = connection.as_ref().is_some_and(|connection| {
+            let keyboard = run.console_mut().and_then(Screen::release);
+            connection.finish(keyboard)
+        });
         let logged = run.console_mut().map_or(Ok(()), Screen::close);
         if trace.as_ref().is_some_and(Trace::is_straight) {
             interrupt::release();
         }
         let traced = trace.map_or(Ok(()), |trace| trace.end(ending, run.cycles()));
+        // The servo first: it is what people look at.
+        if let Some(connection) = &connection
+            && let Some(failure) = connection.failure()
+        {
+            report::complain(&format!("{}\n", connection.explain(failure)));
+        }
         if let (Ending::Emergency(emergency), Some(program)) = (ending, run.engine()) {
             let stopped = Stopped {
                 emergency,
@@ -311,13 +338,11 @@ impl Job<'_> {
                 report::complain(&driven(connection, live.as_ref().map(Live::jitter), lang));
             }
         }
-        if let Some(connection) = &connection
-            && let Some(failure) = connection.drives().failure()
-        {
-            report::complain(&format!("{}\n", connection.explain(failure)));
-        }
         traced.and(logged)?;
-        Ok(self.status(&ending, fell))
+        Ok(match is_stopped {
+            true => Status::Emergency,
+            false => self.status(&ending, fell),
+        })
     }
 
     /// Puts the program on its robot.

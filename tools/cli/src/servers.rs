@@ -148,12 +148,11 @@ impl Workspace for Files {
 
     #[cfg(unix)]
     fn is_running(&mut self, process: u32) -> bool {
-        use nix::errno::Errno;
-        use nix::sys::signal::kill;
-        use nix::unistd::Pid;
-        let process = i32::try_from(process).map(Pid::from_raw);
+        use rustix::io::Errno;
+        use rustix::process::{Pid, test_kill_process};
+        let process = i32::try_from(process).ok().and_then(Pid::from_raw);
         // A process of another user refuses signals.
-        process.is_ok_and(|process| kill(process, None) != Err(Errno::ESRCH))
+        process.is_some_and(|process| test_kill_process(process) != Err(Errno::SRCH))
     }
 
     #[cfg(not(unix))]

@@ -3,6 +3,7 @@
 //! The table grows in `OUT.part`, in the order of cases, and gets its name when it is complete. The specification of the sweep is
 //! written next to it; `--resume` and `tip view` read it.
 
+mod summary;
 mod table;
 
 use crate::arguments::RunArguments;
@@ -11,21 +12,22 @@ use crate::loader::{self, Subject};
 use crate::message::{Sweeping, Using};
 use crate::report::{Deny, RATE, progress_style};
 use crate::setup::{PlantChoice, RobotChoice, SceneChoice};
-use crate::usage::{count, positive};
+use crate::usage::{count, positive, quoted};
 use crate::{Status, input, interrupt, output, report};
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressDrawTarget};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
-use std::{fs, thread};
-pub(super) use table::{Saved, is_table, specification};
-use table::{Table, Tally};
+use std::{fmt, fs, thread};
+use summary::Summary;
+use table::Table;
+pub(super) use table::{is_table, specification};
 use tip_runtime::plant::Simulation;
 use tip_runtime::printable::Printable;
-use tip_sweep::{Axis, AxisError, Columns, PlantSpec, RobotSpec, Sampling, Spec, SweepError, Text};
-use tip_view::{Extent, Pace, Recording};
+use tip_sweep::{Axis, AxisError, PlantSpec, RobotSpec, Row, Sampling, Spec, SweepError, Text};
+use tip_view::{Extent, MAX_RUNS, Pace, Recording, SweepTable};
 use tipc::message::Lang;
 
 #[derive(Debug, Args)]
@@ -135,8 +137,12 @@ fn seconds(text: &str) -> Result<f64, Using> {
     }
 }
 
-/// Number of cases that a thread runs before it hands them over.
-const CHUNK: u64 = 32;
+/// Largest number of cases that a thread runs before it hands them over.
+const MAX_CHUNK: u64 = 32;
+/// Smallest number of chunks of a thread, if there are as many cases: the last threads to end do so at nearly the same time.
+const CHUNKS: u64 = 4;
+/// Largest number of threads.
+const MAX_THREADS: u64 = 1024;
 /// Largest number of chunks per thread that wait for one before them to be written.
 const AHEAD: u64 = 16;
 
@@ -153,60 +159,54 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     }
     let spec = arguments.spec(&subject)?;
     let usage = |error: SweepError| Error::Usage(error.text(lang));
-    let sweep = tip_sweep::Sweep::new(spec.clone()).map_err(usage)?;
+    let sweep = tip_sweep::Sweep::new(spec).map_err(usage)?;
     if let Some(axis) = sweep.idle_axis().filter(|_| !arguments.quiet) {
         let axis = axis.to_owned();
         report::say(Sweeping::Idle { axis }, lang);
     }
-    let (mut table, mut tally) = match input::is_stream(&arguments.out) {
+    let (mut table, mut summary) = match input::is_stream(&arguments.out) {
         true if arguments.resume => {
             return Err(Error::usage(Using::ResumesNothing, lang));
         }
-        true => (Table::stream(), Tally::default()),
+        true => (Table::Stream, Summary::default()),
         false => {
             output::refuse_inputs(&arguments.out, &run.files())?;
-            // A run says which columns there are.
-            let header = arguments.resume.then(|| sweep.run(0, 1)).transpose();
-            let header = header.map_err(usage)?.map(|columns| columns.csv_header());
-            Table::open(&arguments.out, &Saved::new(spec), header.as_deref(), lang)?
+            Table::open(&arguments.out, &sweep, arguments.resume, lang)?
         }
     };
-    let began = tally.runs;
+    let began = summary.runs;
     let cores = || thread::available_parallelism().map_or(1, |cores| cores.get() as u64);
-    let work = Work {
-        cases: sweep.cases(),
-        first: began,
-        threads: arguments.jobs.unwrap_or_else(cores),
-        lang,
-        progress: Mutex::default(),
-        written: Condvar::new(),
-    };
+    let threads = arguments.jobs.unwrap_or_else(cores);
+    let work = Work::new(sweep.cases(), began, threads, lang);
     let bar = arguments.bar(work.cases, began, lang);
-    let ended = work.run(&sweep, &mut table, &mut tally, &bar);
+    let ended = work.run(&sweep, &mut table, &mut summary, &bar);
     let elapsed = bar.elapsed();
     bar.finish_and_clear();
     interrupt::hold();
-    let complete = tally.runs == work.cases;
+    let complete = summary.runs == work.cases;
     if complete {
         table.finish()?;
     }
     let name = Printable::line(arguments.out.display()).to_string();
     if !arguments.quiet {
-        let rate = (tally.runs - began, elapsed);
-        report::complain(&tally.summary(&name, table.is_stream(), arguments.until, rate, lang));
+        let rate = (summary.runs - began, elapsed);
+        report::complain(&summary.text(&name, table.is_stream(), arguments.until, rate, lang));
     }
     if complete {
         ended?;
-        return Ok(match arguments.deny.falls() && tally.fell > 0 {
+        return Ok(match arguments.deny.falls() && summary.fell() > 0 {
             true => Status::Fell,
             false => Status::Success,
         });
     }
     if !table.is_stream() {
         let kept = Sweeping::Kept {
-            runs: tally.runs.to_string(),
+            runs: summary.runs.to_string(),
             all: work.cases.to_string(),
-            part: table::part(&arguments.out).display().to_string().into(),
+            part: table::with_part(&arguments.out)
+                .display()
+                .to_string()
+                .into(),
         };
         report::say(kept, lang);
     }
@@ -265,19 +265,22 @@ impl Sweep {
             true => ProgressDrawTarget::hidden(),
             false => ProgressDrawTarget::stderr_with_hz(RATE),
         };
-        let bar = ProgressBar::with_draw_target(Some(cases), target);
+        // The rate is that of the cases that are run now.
+        let bar = ProgressBar::with_draw_target(Some(cases - began), target);
         let hole = |name: &str| name.to_owned().into();
         let progress = Sweeping::Progress {
-            at: hole("{pos}"),
-            all: hole("{len}"),
+            at: hole("{at}"),
+            all: cases.to_string().into(),
             fell: hole("{msg}"),
             rate: hole("{per_sec}"),
             left: hole("{eta}"),
         };
         let template = format!("{{wide_bar}} {}", progress.in_lang(lang));
-        bar.set_style(progress_style(&template));
-        bar.set_position(began);
-        bar.reset_eta();
+        let at = move |state: &ProgressState, out: &mut dyn fmt::Write| {
+            // Writing to memory cannot fail.
+            let _ = write!(out, "{}", began + state.pos());
+        };
+        bar.set_style(progress_style(&template).with_key("at", at));
         bar
     }
 }
@@ -301,6 +304,8 @@ struct Work {
     /// The first case that is left.
     first: u64,
     threads: u64,
+    /// Number of cases that a thread runs before it hands them over.
+    chunk: u64,
     lang: Lang,
     progress: Mutex<Progress>,
     /// Tells threads that a chunk was written, or that they are to end.
@@ -319,25 +324,46 @@ struct Progress {
 /// The results of some cases.
 struct Chunk {
     index: u64,
-    columns: Columns,
+    rows: Vec<Row>,
     /// The end of a sweep that ends early: an interruption, or an error.
     ended: Option<Result<(), Error>>,
 }
 
 impl Work {
+    /// Divides the cases from `first` on among at most `threads` threads.
+    fn new(cases: u64, first: u64, threads: u64, lang: Lang) -> Self {
+        let left = cases - first;
+        let threads = threads.min(MAX_THREADS).min(left).max(1);
+        Work {
+            cases,
+            first,
+            threads,
+            chunk: (left / (threads * CHUNKS)).clamp(1, MAX_CHUNK),
+            lang,
+            progress: Mutex::default(),
+            written: Condvar::new(),
+        }
+    }
+
     /// Runs all cases and writes them in order; an early end keeps those before it.
     fn run(
         &self,
         sweep: &tip_sweep::Sweep,
         table: &mut Table,
-        tally: &mut Tally,
+        summary: &mut Summary,
         bar: &ProgressBar,
     ) -> Result<(), Error> {
         let (sender, receiver) = channel();
         thread::scope(|scope| {
-            for _ in 0..self.threads {
+            for thread in 0..self.threads {
                 let (sender, sweep) = (sender.clone(), sweep.clone());
-                scope.spawn(move || self.chunks(&sweep, &sender));
+                let run = move || self.chunks(&sweep, &sender);
+                match thread::Builder::new().spawn_scoped(scope, run) {
+                    Err(error) if thread == 0 => return Err(Error::Failed(error.to_string())),
+                    // Fewer threads give the same table.
+                    Err(_) => break,
+                    Ok(_) => {}
+                }
             }
             drop(sender);
             let mut waiting = BTreeMap::new();
@@ -347,7 +373,8 @@ impl Work {
                     break Ok(());
                 };
                 waiting.insert(chunk.index, chunk);
-                if let Some(ended) = self.write(&mut waiting, &mut next, table, tally, bar) {
+                if let Some(ended) = self.write(&mut waiting, &mut next, sweep, table, summary, bar)
+                {
                     break ended;
                 }
             };
@@ -362,18 +389,19 @@ impl Work {
         &self,
         waiting: &mut BTreeMap<u64, Chunk>,
         next: &mut u64,
+        sweep: &tip_sweep::Sweep,
         table: &mut Table,
-        tally: &mut Tally,
+        summary: &mut Summary,
         bar: &ProgressBar,
     ) -> Option<Result<(), Error>> {
         while let Some(chunk) = waiting.remove(next) {
-            match table.add(&chunk.columns, tally) {
+            match table.add(&chunk.rows, sweep, summary) {
                 Err(error) => return Some(Err(error)),
                 Ok(false) => return Some(Ok(())),
                 Ok(true) => {}
             }
-            bar.set_message(tally.fell.to_string());
-            bar.set_position(tally.runs);
+            bar.set_message(summary.fell().to_string());
+            bar.set_position(summary.runs - self.first);
             if chunk.ended.is_some() {
                 return chunk.ended;
             }
@@ -386,21 +414,21 @@ impl Work {
 
     /// Runs chunks until none is left.
     fn chunks(&self, sweep: &tip_sweep::Sweep, sender: &Sender<Chunk>) {
-        let chunks = (self.cases - self.first).div_ceil(CHUNK);
+        let chunks = (self.cases - self.first).div_ceil(self.chunk);
         while let Some(index) = self.take(chunks) {
-            let first = self.first + index * CHUNK;
+            let first = self.first + index * self.chunk;
             let mut chunk = Chunk {
                 index,
-                columns: Columns::default(),
+                rows: Vec::new(),
                 ended: None,
             };
-            for case in first..(first + CHUNK).min(self.cases) {
+            for case in first..(first + self.chunk).min(self.cases) {
                 if interrupt::is_requested() {
                     chunk.ended = Some(Ok(()));
                     break;
                 }
-                match sweep.run(case, 1) {
-                    Ok(row) => chunk.columns.append(row),
+                match sweep.run_case(case) {
+                    Ok(row) => chunk.rows.push(row),
                     Err(error) => {
                         chunk.ended = Some(Err(Error::Failed(error.text(self.lang))));
                         break;
@@ -434,10 +462,49 @@ impl Work {
     }
 }
 
+/// Reads the specification of a table.
+fn specified(table: &Path, lang: Lang) -> Result<tip_sweep::Sweep, Error> {
+    let spec = table::saved(table, lang)?.spec;
+    tip_sweep::Sweep::new(spec).map_err(|error| Error::Usage(error.text(lang)))
+}
+
+/// Returns the page of a table, and the number of its runs.
+pub(super) fn page(file: &Path, lang: Lang) -> Result<(String, u64), Error> {
+    let sweep = specified(file, lang)?;
+    let (mut runs, mut every) = (0, 1);
+    let mut rows: Vec<Row> = Vec::new();
+    table::rows(file, &sweep, lang, |row| {
+        if runs % every == 0 {
+            rows.push(row);
+        }
+        runs += 1;
+        if rows.len() > MAX_RUNS {
+            every *= 2;
+            rows = std::mem::take(&mut rows).into_iter().step_by(2).collect();
+        }
+    })?;
+    rows.sort_by(|one, other| one.outcome().order(&other.outcome()));
+    let name = input::name(file);
+    let table = SweepTable {
+        columns: &**sweep.columns(),
+        rows: rows.iter().map(Row::cells).collect::<Vec<_>>(),
+        command: format!("tip view {}", quoted(&name)),
+        every,
+    };
+    Ok((tip_view::sweep_page(&name, &table), runs))
+}
+
 /// Records a case of a table.
+///
+/// # Errors
+/// There is no such case, or the table belongs to another specification.
 pub(super) fn record(file: &Path, number: u64, lang: Lang) -> Result<Recording, Error> {
     interrupt::catch();
-    let spec = Saved::of(file, lang)?.spec;
+    let sweep = specified(file, lang)?;
+    if file.exists() {
+        table::rows(file, &sweep, lang, drop)?;
+    }
+    let spec = sweep.spec();
     let usage = |error: SweepError| Error::Usage(error.text(lang));
     let extent = match spec.cycles {
         Some(cycles) => Extent::cycles(cycles),
@@ -446,11 +513,10 @@ pub(super) fn record(file: &Path, number: u64, lang: Lang) -> Result<Recording, 
             wait: f64::INFINITY,
         },
     };
-    let (name, program) = (spec.program.name.clone(), spec.program.text.clone());
-    let sweep = tip_sweep::Sweep::new(spec).map_err(usage)?;
+    let (name, program) = (&spec.program.name, spec.program.text.as_bytes());
     let case = sweep.case(number).map_err(usage)?;
     let run = sweep.start(&case).map_err(usage)?;
-    let loaded = tip_lint::load(&name, program.as_bytes(), &case.robot.options());
+    let loaded = tip_lint::load(name, program, &case.robot.options());
     let goes_on = || !interrupt::is_requested();
     Recording::of_run(run, &loaded, &case.robot, extent, Pace::Smooth, goes_on)
         .map_err(|reason| Error::Usage(reason.to_string()))

@@ -10,13 +10,15 @@ pub const LEGS: usize = <<legs>>;
 /// Joints of each.
 pub const JOINTS: usize = <<joints>>;
 
-/// The drives, one for each joint.
-#[derive(Clone, Debug)]
+/// The drives, one for each joint. They own the torque: there is no copy of them.
+#[derive(Debug)]
 pub struct Drives {
     /// deg.
     angles: [[f64; JOINTS]; LEGS],
     /// In the robot's torque unit; only a robot that senses torques is commanded any.
     torques: [[f64; JOINTS]; LEGS],
+    /// Place of the slider under a hand, mm.
+    slider: [f64; 3],
 }
 
 impl Drives {
@@ -25,6 +27,7 @@ impl Drives {
         Drives {
             angles: <<MODEL>>.legs.map(|leg| leg.initial),
             torques: [[0.0; JOINTS]; LEGS],
+            slider: <<MODEL>>.slider.map_or([0.0; 3], |slider| slider.initial),
         }
     }
 }
@@ -36,11 +39,13 @@ impl Default for Drives {
 }
 
 impl Hardware<LEGS, JOINTS> for Drives {
-    /// Measures. A drive that does not answer is an error, `Err(HardwareFault("bus: no answer"))`, which stops the robot: what
-    /// is not written here looks like a joint that stands still.
+    /// Measures. A drive that does not answer is an error, `Err(HardwareFault::new("no answer").at_joint(1, 2))`, which stops the
+    /// robot: an angle that is not written here looks like a joint that stands still. Knobs and other inputs are absent until
+    /// they are written to `into.inputs`; a program that reads an absent one stops with `Sensor fault`.
     fn read(&mut self, into: &mut Sensors<LEGS, JOINTS>) -> Result<(), HardwareFault> {
         into.angles = self.angles; // sign and offset of a motor belong here and into `write`
         into.torques = self.torques;
+        into.slider = self.slider;
         Ok(())
     }
 
@@ -54,11 +59,19 @@ impl Hardware<LEGS, JOINTS> for Drives {
                 }
             }
         }
+        self.slider = outputs.slider;
         Ok(())
     }
 
-    /// Stops every joint. It is called in place of `write`, in each cycle of an emergency.
-    fn stop(&mut self, why: &Fault) {
+    /// Stops every joint. It is called in place of `write`, in each cycle of an emergency. An error is reported, and the next
+    /// cycle tries again.
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
         let _ = why;
+        Ok(())
     }
+}
+
+impl Drop for Drives {
+    /// Leaves the robot: hold it, or take its torque away slowly. This comes at the end, whatever it is: a panic, too.
+    fn drop(&mut self) {}
 }

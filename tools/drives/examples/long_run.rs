@@ -13,7 +13,6 @@ use std::error::Error;
 use std::{env, fs};
 use tip_drives::bus::{Bus, Timing};
 use tip_drives::drives::{Drives, Joint, Settings};
-use tip_drives::frame::Protocol;
 use tip_drives::model::Model;
 use tip_drives::moteus;
 use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
@@ -26,9 +25,10 @@ const START: u64 = 5_000_000;
 /// The timing of a model's bus.
 fn timing(model: &Model) -> Timing {
     Timing {
-        baud: match model.family.protocol {
+        baud: match model.family.key() {
             // Lines of text are long, and USB is fast.
-            Protocol::Moteus => 4_000_000,
+            "moteus" => 4_000_000,
+            "lx" => 115_200,
             _ => 1_000_000,
         },
         return_delay: 0,
@@ -46,6 +46,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("AX-12", 18, 20),
         ("XL430-W250", 12, 20),
         ("STS3215", 12, 10),
+        // Their frames are long, and their bus is slow.
+        ("LX-16A", 18, 40),
         ("moteus-mj5208", 12, 20),
     ];
     let is_meant = |name: &str| only.as_deref().is_none_or(|only| only == name);
@@ -102,17 +104,18 @@ fn run(
         .collect();
     let timing = timing(model);
     let port = MemoryPort::new(SimulatedBus::new(servos, timing));
-    let bus = Bus::new(port, model.family.protocol, timing);
+    let bus = Bus::new(port, timing);
     let mut drives = Drives::new(bus, &joints, Settings::default())?;
     drives.connect()?;
     // Not long before the first cycle, because of watchdogs.
     drives.bus_mut().port_mut().pass(START - 100_000);
+    drives.set_period(period as f64);
     drives.hold()?;
     let bus = drives.bus().port().bus.clone();
     drives.bus_mut().port_mut().bus = bus.with_faults(faults, 3);
     let (mut wrong, mut worst, mut times, mut stopped) = (0, 0, Vec::new(), 0);
-    let allowed = match model.family.protocol {
-        Protocol::Moteus => moteus::BETWEEN,
+    let allowed = match model.family.key() {
+        "moteus" => moteus::BETWEEN,
         _ => 0,
     };
     for cycle in 0..cycles {

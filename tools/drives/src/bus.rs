@@ -1,12 +1,8 @@
-//! The master of a bus: requests, and answers within a bounded time. What the values mean belongs to `drives`.
+//! A serial bus as its master sees it: requests, and answers within a bounded time. The bytes of requests and answers belong to the
+//! [families](crate::family), the meaning of their values to [`drives`](crate::drives).
 
-use crate::frame::{
-    BROADCAST, Bytes, Decoder, Frame, LONGEST, Protocol, Reads, TooLong, instruction,
-};
-use crate::model::{Family, Register, Window};
-use crate::moteus::{self, Command, Line};
+use crate::frame::{Decoder, Frame, MAX_FRAME_BYTES, Parsed, TooLong};
 use core::fmt;
-use heapless::Vec;
 
 /// A serial port with a clock.
 pub trait Port: embedded_io::Read + embedded_io::Write {
@@ -27,7 +23,7 @@ pub struct Timing {
     pub baud: u32,
     /// Delay of the servos' answers, µs.
     pub return_delay: u32,
-    /// The most that adapter and driver add to a request and its answer, µs.
+    /// Maximum time that adapter and driver add to a request and its answer, µs.
     pub latency: u32,
 }
 
@@ -36,17 +32,24 @@ impl Timing {
     pub const fn bytes(&self, count: usize) -> u64 {
         (count as u64 * 10_000_000).div_ceil(self.baud as u64)
     }
+
+    /// Returns the time of an answer of this many bytes, without adapter and driver, µs.
+    pub const fn answer(&self, bytes: usize) -> u64 {
+        self.bytes(bytes) + self.return_delay as u64
+    }
 }
 
-/// A reason why a bus did not do what it was asked.
+/// A reason for which a bus did not do what it was asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BusError {
     /// The port cannot be read or written: unplugged, perhaps.
     Port,
     /// No valid answer came in time.
     NoAnswer,
-    /// The request is longer than a frame can be.
+    /// The request is longer than a frame can be, or has more servos than a bus.
     TooLong,
+    /// Servos of this family have no such request.
+    Unsupported,
 }
 
 impl fmt::Display for BusError {
@@ -55,6 +58,7 @@ impl fmt::Display for BusError {
             BusError::Port => "the port is gone",
             BusError::NoAnswer => "no answer",
             BusError::TooLong => "the request is too long",
+            BusError::Unsupported => "these servos have no such request",
         })
     }
 }
@@ -80,41 +84,123 @@ pub struct Counters {
     pub bytes: u64,
 }
 
-/// The most servos of one sync read or sync write.
-pub const SERVOS: usize = 81;
-/// Servos in one frame of a sync write: a frame of protocol 1 has 255 bytes at most.
-const IN_A_FRAME: usize = 40;
+/// Maximum number of servos on a bus.
+pub const MAX_SERVOS: usize = 81;
 
-/// A bus with servos of one protocol.
+/// The answers that a request waits for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wait {
+    /// Number of answers.
+    pub answers: usize,
+    /// Maximum time after the request, without adapter and driver, µs.
+    pub time: u64,
+    /// Time of the port's clock at which waiting ends in any case, µs.
+    pub limit: u64,
+}
+
+/// The bus as a family sees it, whatever its port.
+pub trait Wire {
+    /// Returns the time of the port's clock, µs.
+    fn now(&mut self) -> u64;
+
+    /// Returns the timing.
+    fn timing(&self) -> Timing;
+
+    /// Returns how often a request to one servo is sent until it is answered.
+    fn tries(&self) -> u32;
+
+    /// Returns a number that differs from that of the last 255 requests.
+    fn next_number(&mut self) -> u8;
+
+    /// Sends a request that has no answer.
+    ///
+    /// # Errors
+    /// The port is gone.
+    fn send(&mut self, request: &[u8]) -> Result<(), BusError>;
+
+    /// Forgets what has come so far, so that nothing old is taken for an answer, sends a request, and gives the frames that `parse`
+    /// finds to `take` until it returns true or the time is over.
+    ///
+    /// # Errors
+    /// The port is gone.
+    fn exchange(
+        &mut self,
+        request: &[u8],
+        wait: Wait,
+        parse: &dyn Fn(&[u8]) -> Parsed,
+        take: &mut dyn FnMut(Frame) -> bool,
+    ) -> Result<(), BusError>;
+
+    /// Counts answers that came intact.
+    fn count_answers(&mut self, count: u64);
+}
+
+impl dyn Wire + '_ {
+    /// Sends a request to one servo until it answers: `parse` accepts the bytes of its answers, `read` returns the value of one.
+    ///
+    /// # Errors
+    /// The port is gone, or no valid answer came.
+    pub fn ask<T>(
+        &mut self,
+        request: &[u8],
+        wait: Wait,
+        parse: &dyn Fn(&[u8]) -> Parsed,
+        mut read: impl FnMut(&Frame) -> Option<T>,
+    ) -> Result<T, BusError> {
+        let mut found = None;
+        self.exchange(request, wait, parse, &mut |frame| {
+            found = read(&frame);
+            found.is_some()
+        })?;
+        self.count_answers(found.is_some().into());
+        found.ok_or(BusError::NoAnswer)
+    }
+
+    /// Repeats a request that has no answer.
+    ///
+    /// # Errors
+    /// The last error.
+    pub fn repeat<T>(
+        &mut self,
+        mut request: impl FnMut(&mut Self) -> Result<T, BusError>,
+    ) -> Result<T, BusError> {
+        for _ in 1..self.tries() {
+            match request(self) {
+                Err(BusError::NoAnswer) => {}
+                done => return done,
+            }
+        }
+        request(self)
+    }
+}
+
+/// A bus with servos of one family.
 #[derive(Debug)]
 pub struct Bus<P> {
     port: P,
     timing: Timing,
+    tries: u32,
     decoder: Decoder,
-    protocol: Protocol,
     counters: Counters,
-    /// Registers of moteus controllers, of which commands are made.
-    commands: Vec<(u8, Command), SERVOS>,
-    /// Number of requests to moteus controllers.
-    requests: u8,
+    /// Number of the last request.
+    number: u8,
 }
 
 impl<P: Port> Bus<P> {
     /// Creates the master of a bus.
-    pub const fn new(port: P, protocol: Protocol, timing: Timing) -> Self {
+    pub const fn new(port: P, timing: Timing) -> Self {
         Bus {
             port,
             timing,
-            decoder: Decoder::new(protocol),
-            protocol,
+            tries: 3,
+            decoder: Decoder::new(),
             counters: Counters {
                 asked: 0,
                 answered: 0,
                 discarded: 0,
                 bytes: 0,
             },
-            commands: Vec::new(),
-            requests: 0,
+            number: 0,
         }
     }
 
@@ -138,379 +224,17 @@ impl<P: Port> Bus<P> {
         self.timing.return_delay = delay;
     }
 
+    /// Sets how often a request to one servo is sent until it is answered; 3 at first.
+    pub const fn set_tries(&mut self, tries: u32) {
+        self.tries = tries;
+    }
+
     /// Returns what was counted.
     pub const fn counters(&self) -> Counters {
         Counters {
             discarded: self.decoder.discarded(),
             ..self.counters
         }
-    }
-
-    /// Reads three registers or more from one servo.
-    ///
-    /// # Errors
-    /// The port is gone, or no valid answer came.
-    pub fn read(&mut self, id: u8, window: Window) -> Result<Frame, BusError> {
-        let limit = self.port.now() + self.longest(1, window.length.into());
-        self.read_until(id, window, limit)
-    }
-
-    /// Reads registers of one servo, but waits no longer than until a time of the port's clock.
-    ///
-    /// # Errors
-    /// The port is gone, or no valid answer came.
-    pub fn read_until(&mut self, id: u8, window: Window, limit: u64) -> Result<Frame, BusError> {
-        if self.protocol == Protocol::Moteus {
-            return self.exchange(id, moteus::query, limit);
-        }
-        let parameters = self.of_window(window)?;
-        let request = self.protocol.request(id, instruction::READ, &parameters)?;
-        self.ask_one(id, &request, window.length.into(), limit)
-    }
-
-    /// Reads one register of a servo.
-    ///
-    /// # Errors
-    /// The port is gone, or no valid answer came.
-    pub fn read_register(&mut self, id: u8, register: Register) -> Result<i32, BusError> {
-        // Shorter answers look like the echo of their request, which some adapters return.
-        let length = register.width.max(3);
-        let start = register
-            .address
-            .saturating_sub(u16::from(length - register.width));
-        let frame = self.read(id, Window { start, length })?;
-        let start = match self.protocol {
-            // Its answers always are the beginning of the table.
-            Protocol::Moteus => 0,
-            _ => start,
-        };
-        let value = register.decode(start, &frame.parameters);
-        value.ok_or(BusError::NoAnswer)
-    }
-
-    /// Writes a register of one servo, and waits for its confirmation.
-    ///
-    /// # Errors
-    /// The port is gone, or no valid answer came.
-    pub fn write(&mut self, id: u8, register: Register, value: i32) -> Result<u8, BusError> {
-        if self.protocol == Protocol::Moteus {
-            let limit = self.port.now() + self.longest(1, 0);
-            return match self.command(id, register, value)? {
-                Some(command) => self
-                    .exchange(id, |id, sender| command.line(id, sender, true), limit)
-                    .map(|answer| answer.code),
-                None => Ok(0),
-            };
-        }
-        let mut parameters = self.address(register.address)?;
-        let bytes = register.encode(value);
-        let bytes = &bytes[..register.width.into()];
-        parameters.extend_from_slice(bytes).map_err(|_| TooLong)?;
-        let request = self.protocol.request(id, instruction::WRITE, &parameters)?;
-        let answer = self.ask_one(id, &request, 0, u64::MAX)?;
-        Ok(answer.code)
-    }
-
-    /// Writes the same register of many servos. There are no answers.
-    ///
-    /// # Errors
-    /// The port is gone.
-    pub fn sync_write(&mut self, register: Register, values: &[(u8, i32)]) -> Result<(), BusError> {
-        if self.protocol == Protocol::Moteus {
-            for (id, value) in values {
-                if let Some(command) = self.command(*id, register, *value)? {
-                    self.send(&command.line(*id, moteus::sender(0), false))?;
-                }
-            }
-            return Ok(());
-        }
-        for values in values.chunks(IN_A_FRAME) {
-            let mut parameters = self.address(register.address)?;
-            match self.protocol {
-                Protocol::Dynamixel2 => add(&mut parameters, &[register.width, 0])?,
-                _ => add(&mut parameters, &[register.width])?,
-            }
-            for (id, value) in values {
-                add(&mut parameters, &[*id])?;
-                let bytes = register.encode(*value);
-                add(&mut parameters, &bytes[..register.width.into()])?;
-            }
-            let code = instruction::SYNC_WRITE;
-            let request = self.protocol.request(BROADCAST, code, &parameters)?;
-            self.send(&request)?;
-        }
-        Ok(())
-    }
-
-    /// Reads the same registers of many servos, in one request where the family allows it, else one by one until `limit`, a time of
-    /// the port's clock. `answer` gets the place of each servo in `ids` with its error byte and its registers; a servo that does not
-    /// answer is left out. Returns the number of servos that were asked.
-    ///
-    /// # Errors
-    /// The port is gone.
-    pub fn read_many(
-        &mut self,
-        family: &Family,
-        window: Window,
-        ids: &[u8],
-        limit: u64,
-        fast: bool,
-        mut answer: impl FnMut(usize, u8, &[u8]),
-    ) -> Result<usize, BusError> {
-        if !family.reads_many {
-            for (place, id) in ids.iter().enumerate() {
-                if place > 0 && self.port.now() + self.shortest(1, window.length.into()) > limit {
-                    return Ok(place);
-                }
-                match self.read_until(*id, window, limit) {
-                    Ok(frame) => answer(place, frame.code, &frame.parameters),
-                    Err(BusError::NoAnswer) => {}
-                    Err(error) => return Err(error),
-                }
-            }
-            return Ok(ids.len());
-        }
-        let mut parameters = self.of_window(window)?;
-        add(&mut parameters, ids)?;
-        if fast && self.protocol == Protocol::Dynamixel2 {
-            return self.read_fast(window, ids, limit, &parameters, answer);
-        }
-        let code = instruction::SYNC_READ;
-        let request = self.protocol.request(BROADCAST, code, &parameters)?;
-        self.ask(&request, ids.len())?;
-        let limit = limit.min(self.port.now() + self.longest(ids.len(), window.length.into()));
-        let mut found: Vec<Option<Answer>, SERVOS> = Vec::new();
-        found
-            .resize(ids.len().min(SERVOS), None)
-            .map_err(|_| BusError::TooLong)?;
-        let mut missing = found.len();
-        self.collect(Reads::Answers(window.length.into()), limit, |frame| {
-            let place = ids.iter().position(|id| *id == frame.id);
-            let Some(slot) = place.and_then(|place| found.get_mut(place)) else {
-                return false;
-            };
-            let new = Answer::of(&frame);
-            match slot {
-                None => {
-                    missing -= 1;
-                    *slot = Some(new);
-                }
-                Some(old) if *old != new => old.is_doubtful = true,
-                Some(_) => {}
-            }
-            missing == 0
-        })?;
-        for (place, frame) in found.iter().enumerate() {
-            if let Some(frame) = frame.as_ref().filter(|frame| !frame.is_doubtful) {
-                self.counters.answered += 1;
-                answer(place, frame.error, &frame.bytes);
-            }
-        }
-        Ok(ids.len())
-    }
-
-    /// Reads many servos that answer in one frame: it is valid as a whole or not at all.
-    fn read_fast(
-        &mut self,
-        window: Window,
-        ids: &[u8],
-        limit: u64,
-        parameters: &[u8],
-        mut answer: impl FnMut(usize, u8, &[u8]),
-    ) -> Result<usize, BusError> {
-        let length = usize::from(window.length);
-        // Between two servos there are two bytes of a checksum, and the next one's error and identity.
-        let each = length + 4;
-        // The error of the first is where that of any answer is.
-        let wanted = (each * ids.len()).saturating_sub(3);
-        let code = instruction::FAST_SYNC_READ;
-        let request = self.protocol.request(BROADCAST, code, parameters)?;
-        self.ask(&request, ids.len())?;
-        let limit = limit.min(self.port.now() + self.longest(ids.len(), length));
-        let mut whole = None;
-        self.collect(Reads::Answers(wanted), limit, |frame| {
-            whole = (frame.id == BROADCAST).then_some(frame);
-            whole.is_some()
-        })?;
-        let Some(frame) = whole else {
-            return Ok(ids.len());
-        };
-        let mut error = frame.code;
-        for (place, (id, part)) in ids.iter().zip(frame.parameters.chunks(each)).enumerate() {
-            let (Some(own), Some(bytes)) = (part.first(), part.get(1..=length)) else {
-                break;
-            };
-            if own == id {
-                self.counters.answered += 1;
-                answer(place, error, bytes);
-            }
-            error = part.last().copied().unwrap_or_default();
-        }
-        Ok(ids.len())
-    }
-
-    /// Repeats a request that has no answer.
-    fn again<T>(
-        &mut self,
-        times: u32,
-        mut request: impl FnMut(&mut Self) -> Result<T, BusError>,
-    ) -> Result<T, BusError> {
-        for _ in 1..times {
-            match request(self) {
-                Err(BusError::NoAnswer) => {}
-                done => return done,
-            }
-        }
-        request(self)
-    }
-
-    /// Asks every identity for its model, one after the other and twice if it is silent, and calls `found` with those that answer.
-    ///
-    /// # Errors
-    /// The port is gone.
-    pub fn scan(
-        &mut self,
-        family: &Family,
-        ids: impl IntoIterator<Item = u8>,
-        mut found: impl FnMut(u8, u16),
-    ) -> Result<(), BusError> {
-        for id in ids {
-            match self.again(2, |bus| bus.read_register(id, family.model)) {
-                Ok(number) => found(id, number as u16),
-                Err(BusError::NoAnswer) => {}
-                Err(error) => return Err(error),
-            }
-        }
-        Ok(())
-    }
-
-    /// Gives a servo another identity, which it keeps without power. Its torque is switched off.
-    ///
-    /// # Errors
-    /// The port is gone, or the servo does not answer.
-    pub fn set_id(&mut self, family: &Family, id: u8, to: u8) -> Result<(), BusError> {
-        self.again(3, |bus| bus.write(id, family.torque_enable, 0))?;
-        if let Some(lock) = family.lock {
-            self.again(3, |bus| bus.write(id, lock, 0))?;
-        }
-        // Some servos answer with the old identity, others with the new one.
-        match self.write(id, family.id, to.into()) {
-            Ok(_) | Err(BusError::NoAnswer) => {}
-            Err(error) => return Err(error),
-        }
-        if let Some(lock) = family.lock {
-            self.again(3, |bus| bus.write(to, lock, 1))?;
-        }
-        self.again(3, |bus| bus.read_register(to, family.model))
-            .map(drop)
-    }
-
-    /// Returns the longest time in which answers of this many servos with this many parameters come, µs.
-    pub fn longest(&self, servos: usize, parameters: usize) -> u64 {
-        self.shortest(servos, parameters) + u64::from(self.timing.latency)
-    }
-
-    /// Returns the time that answers take on the wire, µs.
-    fn shortest(&self, servos: usize, parameters: usize) -> u64 {
-        // A frame of protocol 2 has stuffed bytes sometimes.
-        let bytes = self.protocol.answer_length(parameters + parameters / 3);
-        servos as u64 * (self.timing.bytes(bytes) + u64::from(self.timing.return_delay))
-    }
-
-    /// Sends a request to a moteus and waits for its answer.
-    fn exchange(
-        &mut self,
-        id: u8,
-        request: impl FnOnce(u8, u8) -> Line,
-        limit: u64,
-    ) -> Result<Frame, BusError> {
-        if id > moteus::LAST_ID {
-            return Err(BusError::NoAnswer);
-        }
-        self.requests = self.requests.wrapping_add(1);
-        let sender = moteus::sender(self.requests);
-        self.ask(&request(id, sender), 1)?;
-        let limit = limit.min(self.port.now() + self.longest(1, 0));
-        self.answer_of(id, Reads::AnswersTo(sender), limit)
-    }
-
-    /// Sends a request to one servo and waits for its answer with this many parameters.
-    fn ask_one(
-        &mut self,
-        id: u8,
-        request: &[u8],
-        parameters: usize,
-        limit: u64,
-    ) -> Result<Frame, BusError> {
-        self.ask(request, 1)?;
-        let limit = limit.min(self.port.now() + self.longest(1, parameters));
-        self.answer_of(id, Reads::Answers(parameters), limit)
-    }
-
-    /// Waits for the answer of a servo.
-    fn answer_of(&mut self, id: u8, reads: Reads, limit: u64) -> Result<Frame, BusError> {
-        let mut found = None;
-        self.collect(reads, limit, |frame| {
-            found = (frame.id == id).then_some(frame);
-            found.is_some()
-        })?;
-        self.counters.answered += u64::from(found.is_some());
-        found.ok_or(BusError::NoAnswer)
-    }
-
-    /// Writes a register of a moteus; returns the command if the controller must hear of it.
-    fn command(
-        &mut self,
-        id: u8,
-        register: Register,
-        value: i32,
-    ) -> Result<Option<Command>, BusError> {
-        if !self.commands.iter().any(|(other, _)| *other == id) {
-            let new = (id, Command::default());
-            self.commands.push(new).map_err(|_| BusError::TooLong)?;
-        }
-        let mut own = self.commands.iter_mut().filter(|(other, _)| *other == id);
-        let command = own.next().map(|(_, command)| command);
-        Ok(command.and_then(|it| it.set(register.address, value).then_some(*it)))
-    }
-
-    fn address(&self, address: u16) -> Result<Bytes, TooLong> {
-        let mut parameters = Bytes::new();
-        let [low, high] = address.to_le_bytes();
-        match self.protocol {
-            Protocol::Dynamixel2 => add(&mut parameters, &[low, high])?,
-            _ => add(&mut parameters, &[low])?,
-        }
-        Ok(parameters)
-    }
-
-    fn of_window(&self, window: Window) -> Result<Bytes, TooLong> {
-        let mut parameters = self.address(window.start)?;
-        match self.protocol {
-            Protocol::Dynamixel2 => add(&mut parameters, &[window.length, 0])?,
-            _ => add(&mut parameters, &[window.length])?,
-        }
-        Ok(parameters)
-    }
-
-    /// Forgets what came so far, so that nothing old is taken for an answer, and sends a request for a number of answers.
-    fn ask(&mut self, request: &[u8], answers: usize) -> Result<(), BusError> {
-        self.counters.asked += answers as u64;
-        self.decoder.clear();
-        let now = self.port.now();
-        let mut old = 0;
-        // A port that never falls silent must not hold the cycle.
-        while old < LONGEST && self.port.wait(now).map_err(|_| BusError::Port)? {
-            old += self.receive()?;
-            self.decoder.clear();
-        }
-        self.send(request)
-    }
-
-    fn send(&mut self, bytes: &[u8]) -> Result<(), BusError> {
-        self.counters.bytes += bytes.len() as u64;
-        self.port.write_all(bytes).map_err(|_| BusError::Port)?;
-        self.port.flush().map_err(|_| BusError::Port)
     }
 
     /// Adds the bytes that have come to the decoder, and returns their number.
@@ -526,17 +250,55 @@ impl<P: Port> Bus<P> {
         self.counters.bytes += count as u64;
         Ok(count)
     }
+}
 
-    /// Gives frames to `take` until it returns true or it is `limit`.
-    fn collect(
+impl<P: Port> Wire for Bus<P> {
+    fn now(&mut self) -> u64 {
+        self.port.now()
+    }
+
+    fn timing(&self) -> Timing {
+        self.timing
+    }
+
+    fn tries(&self) -> u32 {
+        self.tries
+    }
+
+    fn next_number(&mut self) -> u8 {
+        self.number = self.number.wrapping_add(1);
+        self.number
+    }
+
+    fn send(&mut self, request: &[u8]) -> Result<(), BusError> {
+        self.counters.bytes += request.len() as u64;
+        self.port.write_all(request).map_err(|_| BusError::Port)?;
+        self.port.flush().map_err(|_| BusError::Port)
+    }
+
+    fn exchange(
         &mut self,
-        reads: Reads,
-        limit: u64,
-        mut take: impl FnMut(Frame) -> bool,
+        request: &[u8],
+        wait: Wait,
+        parse: &dyn Fn(&[u8]) -> Parsed,
+        take: &mut dyn FnMut(Frame) -> bool,
     ) -> Result<(), BusError> {
+        self.counters.asked += wait.answers as u64;
+        self.decoder.clear();
+        let now = self.port.now();
+        let mut old = 0;
+        // A port that never falls silent must not hold the cycle.
+        while old < MAX_FRAME_BYTES && self.port.wait(now).map_err(|_| BusError::Port)? {
+            old += self.receive()?;
+            self.decoder.clear();
+        }
+        self.send(request)?;
+        // A port may take the request before it is on the wire.
+        let time = self.timing.bytes(request.len()) + wait.time + u64::from(self.timing.latency);
+        let limit = wait.limit.min(self.port.now().saturating_add(time));
         while self.port.wait(limit).map_err(|_| BusError::Port)? {
             self.receive()?;
-            while let Some(frame) = self.decoder.next(reads) {
+            while let Some(frame) = self.decoder.next(parse) {
                 if take(frame) {
                     return Ok(());
                 }
@@ -545,34 +307,15 @@ impl<P: Port> Bus<P> {
                 break;
             }
         }
-        while let Some(frame) = self.decoder.next_after_silence(reads) {
+        while let Some(frame) = self.decoder.next_after_silence(parse) {
             if take(frame) {
                 return Ok(());
             }
         }
         Ok(())
     }
-}
 
-/// An answer of one servo to a sync read.
-#[derive(Clone, Debug, PartialEq)]
-struct Answer {
-    error: u8,
-    bytes: Vec<u8, 32>,
-    /// Another answer had other contents: neither is used.
-    is_doubtful: bool,
-}
-
-impl Answer {
-    fn of(frame: &Frame) -> Self {
-        Answer {
-            error: frame.code,
-            bytes: Vec::from_slice(&frame.parameters).unwrap_or_default(),
-            is_doubtful: false,
-        }
+    fn count_answers(&mut self, count: u64) {
+        self.counters.answered += count;
     }
-}
-
-fn add(to: &mut Bytes, bytes: &[u8]) -> Result<(), TooLong> {
-    to.extend_from_slice(bytes).map_err(|_| TooLong)
 }

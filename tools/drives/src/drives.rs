@@ -1,106 +1,16 @@
-//! The joints of a robot as servos on a bus: the [`Hardware`] of a machine, and the checks that keep a robot whole.
+//! The joints of a robot as servos on a bus, and the checks that keep a robot whole. Torque belongs to the
+//! [guard](crate::guard).
 //!
 //! Angles of this module are those of joints, in deg; counts are those of servos. Every command is limited here, before it leaves.
 
-use crate::bus::{Bus, BusError, Port, SERVOS};
-use crate::model::{Model, Window};
+use crate::bus::{Bus, BusError, MAX_SERVOS, Port, Wire};
+use crate::description;
+pub use crate::description::{Invalid, Joint, Policy, Settings};
+use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
 use core::fmt;
 use heapless::Vec;
-use tip_runtime::fault::Fault;
-use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
+use tip_runtime::hardware::{HardwareFault, JointCommand};
 use tip_runtime::model::Range;
-
-/// A joint and the servo that moves it. Motor angle = `sign` · `gear` · joint angle + `offset`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
-    /// Identity of the servo.
-    pub id: u8,
-    /// Model of the servo.
-    pub model: &'static Model,
-    /// +1, or -1 if the motor turns against the joint.
-    pub sign: f64,
-    /// Motor angle at a joint angle of 0, deg.
-    pub offset: f64,
-    /// Turns of the motor for each turn of the joint.
-    pub gear: f64,
-    /// Angles that are commanded, deg.
-    pub limits: Range,
-    /// The fastest that is commanded, deg/s.
-    pub speed: f64,
-    /// Torque limit, as a part of the full torque.
-    pub torque: f64,
-}
-
-impl Joint {
-    /// Returns the position of the servo at a joint angle, counts.
-    pub fn counts(&self, angle: f64) -> i32 {
-        let motor = self.sign * self.gear * angle + self.offset;
-        let counts = libm::round(self.model.counts(motor));
-        (counts as i32).clamp(0, self.model.largest)
-    }
-
-    /// Returns the joint angle at a position of the servo, deg.
-    pub fn angle(&self, counts: i32) -> f64 {
-        (self.model.angle(counts.into()) - self.offset) * self.sign / self.gear
-    }
-
-    /// Returns the value of its torque limit.
-    fn torque_limit(&self) -> i32 {
-        (self.torque * f64::from(self.model.full_torque)) as i32
-    }
-}
-
-/// Treatment of the robot when its program does not move it any more.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Policy {
-    /// The servos hold their position.
-    #[default]
-    Hold,
-    /// The torque falls to nothing, slowly.
-    Relax,
-}
-
-/// Limits beyond which the robot is stopped.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Number of cycles in a row for which a servo may be silent; its last angle stands for the missing ones.
-    pub silence: u32,
-    /// The hottest that a servo may be, °C.
-    pub temperature: f64,
-    /// Supply voltage, V.
-    pub voltage: Range,
-    /// Load, as a part of the stall torque, and the time for which a joint may have more, s.
-    pub overload: (f64, f64),
-    /// Distance from the command, deg, and the time for which a joint may be farther away, s.
-    pub lag: (f64, f64),
-    /// The part of a cycle in which servos are read one by one, where one request cannot read all.
-    pub reading: f64,
-    /// Time in which the torque falls to nothing, s.
-    pub relaxing: f64,
-    /// Treatment at END, at EXIT and when the run is interrupted.
-    pub at_end: Policy,
-    /// Treatment in an emergency.
-    pub in_emergency: Policy,
-    /// Servos of protocol 2 answer in one frame.
-    pub fast: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Settings {
-            silence: 5,
-            temperature: 65.0,
-            voltage: Range::new(6.0, 15.0),
-            overload: (0.9, 0.5),
-            lag: (25.0, 0.5),
-            reading: 0.6,
-            relaxing: 2.0,
-            at_end: Policy::Hold,
-            in_emergency: Policy::Hold,
-            fast: false,
-        }
-    }
-}
 
 /// A reason why the drives stop the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,8 +21,8 @@ pub enum Problem {
     Silent,
     /// A servo is of another model, whose number this is.
     Model(u16),
-    /// A servo is in a mode in which it does not go to positions; this is the register's value.
-    Mode(u16),
+    /// A register of a servo gives goals another meaning.
+    Register(Mismatch),
     /// °C.
     Hot(f64),
     /// V.
@@ -129,64 +39,101 @@ pub enum Problem {
     Outside(f64),
     /// The joint is commanded a torque.
     Torque,
+    /// The bus cannot carry the requests of a cycle.
+    Load(Load),
+    /// The sampling time is longer than this, ms, so that the watchdogs of the servos would stop a healthy robot.
+    Period(f64),
+    /// The robot was left, or its torque is not on yet.
+    NotHeld,
 }
 
 impl Problem {
-    /// Returns the words of the fault in an emergency report.
+    /// Returns the cause in an emergency report, which names the servo before it.
     pub const fn words(&self) -> &'static str {
         match self {
-            Problem::Port => "drives: the port is gone",
-            Problem::Silent => "drives: a servo does not answer",
-            Problem::Model(_) => "drives: a servo of another model",
-            Problem::Mode(_) => "drives: a servo in another mode",
-            Problem::Hot(_) => "drives: a servo is too hot",
-            Problem::Voltage(_) => "drives: the supply voltage",
-            Problem::Overload(_) => "drives: a servo is overloaded",
-            Problem::Alarm(_) => "drives: a servo has an alarm",
-            Problem::Reset => "drives: a servo was reset",
-            Problem::Lags(_) => "drives: a joint does not follow",
-            Problem::Outside(_) => "drives: a joint is outside of its limits",
-            Problem::Torque => "drives: position servos take no torques",
+            Problem::Port => "the port is gone",
+            Problem::Silent => "does not answer",
+            Problem::Model(_) => "is of another model",
+            Problem::Register(_) => "has other settings",
+            Problem::Hot(_) => "is too hot",
+            Problem::Voltage(_) => "supply voltage out of range",
+            Problem::Overload(_) => "is overloaded",
+            Problem::Alarm(_) => "has an alarm",
+            Problem::Reset => "was reset",
+            Problem::Lags(_) => "does not follow its command",
+            Problem::Outside(_) => "is outside of its limits",
+            Problem::Torque => "takes no torques",
+            Problem::Load(_) => "the bus is too slow",
+            Problem::Period(_) => "the sampling time is too long",
+            Problem::NotHeld => "the robot is not held",
         }
     }
 }
 
-/// A problem and its joint.
+/// A problem with its joint and servo.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Failure {
     /// The joint, leg by leg from 0; `None` if all are concerned.
     pub joint: Option<usize>,
+    /// Identity of the servo; `None` if all are concerned.
+    pub servo: Option<u8>,
     /// The problem.
     pub problem: Problem,
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(joint) = self.joint {
+            write!(f, "joint number {joint}: ")?;
+        }
         f.write_str(self.problem.words())
     }
 }
 
 impl core::error::Error for Failure {}
 
-impl From<Failure> for HardwareFault {
-    fn from(failure: Failure) -> Self {
-        HardwareFault(failure.problem.words())
+impl Failure {
+    /// Returns it as the fault of a robot with so many joints per leg.
+    pub fn fault(self, of_leg: usize) -> HardwareFault {
+        let fault = HardwareFault::new(self.problem.words());
+        let fault = self.servo.map_or(fault, |id| fault.of_servo(id.into()));
+        let place = |number: usize| u8::try_from(number + 1).ok();
+        let leg = self.joint.and_then(|joint| joint.checked_div(of_leg));
+        let joint = self.joint.and_then(|joint| joint.checked_rem(of_leg));
+        let place = leg.and_then(place).zip(joint.and_then(place));
+        place.map_or(fault, |(leg, joint)| fault.at_joint(leg, joint))
     }
 }
 
-/// The last answer of a servo.
+/// The failure of a port that is gone.
+const GONE: Failure = Failure {
+    joint: None,
+    servo: None,
+    problem: Problem::Port,
+};
+
+/// The last answer of a servo. A value that its family cannot measure, or has not yet, is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// Position, counts.
     pub counts: i32,
     /// Load, as a part of the stall torque.
-    pub load: f64,
+    pub load: Option<f64>,
     /// V.
-    pub voltage: f64,
+    pub voltage: Option<f64>,
     /// °C.
-    pub temperature: f64,
+    pub temperature: Option<f64>,
     /// Time of the answer on the port's clock, µs.
     pub at: u64,
+}
+
+/// The requests of a cycle on a bus.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load {
+    /// Time that reading and commanding all servos takes, as a part of the sampling time.
+    pub part: f64,
+    /// Number of cycles in which each servo is read once.
+    pub cycles: u32,
 }
 
 /// Counts of what the drives have done.
@@ -215,10 +162,16 @@ struct State {
     measured: Option<Measured>,
     /// An answer that was not believed: it is when the next one agrees.
     suspect: Option<Measured>,
+    voltage: Slow,
+    temperature: Slow,
     /// False until the position is known for sure.
     is_settled: bool,
-    /// Requests without an answer in a row.
-    silence: u32,
+    /// Number of requests.
+    turn: u32,
+    /// True if the last request was not answered.
+    is_late: bool,
+    /// Cycles since the last answer that was believed; 0 if it is of this cycle.
+    age: u32,
     /// Error byte of the answers, and another one that came once.
     error: u8,
     other_error: Option<u8>,
@@ -231,16 +184,44 @@ struct State {
     lagging: f64,
 }
 
+/// A value that changes slowly, and is not in every answer.
+#[derive(Clone, Copy, Debug, Default)]
+struct Slow {
+    /// The last value that was believed, and its time, µs.
+    known: Option<(f64, u64)>,
+    /// A value that was not believed: it is when the next one agrees.
+    suspect: Option<f64>,
+}
+
+impl Slow {
+    /// Returns true if a value can follow the last one, from which it differs by `most` and as much more in a second as `rate` says.
+    fn accept(&mut self, new: Option<f64>, now: u64, (most, rate): (f64, f64)) -> bool {
+        let (Some(new), Some((known, at))) = (new, self.known) else {
+            return true;
+        };
+        let time = now.saturating_sub(at) as f64 / 1e6;
+        let is_near = |other: f64, most: f64| (new - other).abs() <= most;
+        let is_accepted = is_near(known, most + rate * time)
+            || self.suspect.is_some_and(|suspect| is_near(suspect, most));
+        self.suspect = (!is_accepted).then_some(new);
+        is_accepted
+    }
+
+    /// Takes a value over, and returns the last one that is known.
+    fn take(&mut self, new: Option<f64>, now: u64) -> Option<f64> {
+        self.known = new.map(|new| (new, now)).or(self.known);
+        self.known.map(|(value, _)| value)
+    }
+}
+
 /// The servos of a robot.
 #[derive(Debug)]
 pub struct Drives<P> {
     bus: Bus<P>,
     settings: Settings,
-    joints: Vec<State, SERVOS>,
+    joints: Vec<State, MAX_SERVOS>,
     counts: Counts,
     failure: Option<Failure>,
-    /// Number of the next window.
-    turn: usize,
     /// The joint that is read first, where they are read one by one.
     first: usize,
     /// Part of the torque limits that is left while the robot relaxes.
@@ -251,8 +232,22 @@ pub struct Drives<P> {
     reading: u64,
     /// Sampling time, ms.
     period: f64,
+    /// Number of cycles that still send the time-outs of watchdogs, because one may not arrive.
+    timeouts: u32,
+    /// Time of reading all servos, µs.
+    read_time: u64,
 }
 
+/// Maximum number of repeats of a request at the start and at the end.
+const MAX_REPEATS: u32 = 20;
+/// Time-out of a watchdog, cycles and ms at least.
+const TIMEOUT: (f64, f64) = (10.0, 100.0);
+/// Time-out while the servos are switched on one after the other, ms.
+const TIMEOUT_AT_START: f64 = 2000.0;
+/// Minimum time-out with which a healthy robot goes on, cycles.
+const MIN_TIMEOUT: f64 = 3.0;
+/// Number of cycles that send a new time-out.
+const TIMEOUT_REPEATS: u32 = 3;
 /// A difference of positions that noise explains, counts.
 const NOISE: f64 = 12.0;
 /// The farthest that a servo is beside the way to its goal, deg.
@@ -262,14 +257,19 @@ impl<P: Port> Drives<P> {
     /// Creates the drives of a robot, joint by joint and leg by leg; nothing is sent.
     ///
     /// # Errors
-    /// There are more joints than a bus can have.
-    pub fn new(bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, BusError> {
+    /// No robot can have such joints or settings.
+    pub fn new(mut bus: Bus<P>, joints: &[Joint], settings: Settings) -> Result<Self, Invalid> {
+        description::check(joints, &settings)?;
         let states = joints.iter().map(|joint| State {
             joint: *joint,
             measured: None,
             suspect: None,
+            voltage: Slow::default(),
+            temperature: Slow::default(),
             is_settled: false,
-            silence: 0,
+            turn: 0,
+            is_late: false,
+            age: 0,
             error: 0,
             other_error: None,
             off: 0,
@@ -277,22 +277,21 @@ impl<P: Port> Drives<P> {
             overloaded: 0.0,
             lagging: 0.0,
         });
-        if joints.len() > SERVOS {
-            return Err(BusError::TooLong);
-        }
+        bus.set_tries(settings.silence.min(MAX_REPEATS) + 1);
         Ok(Drives {
             bus,
             settings,
             joints: states.collect(),
             counts: Counts::default(),
             failure: None,
-            turn: 0,
             first: 0,
             torque: 1.0,
             is_held: false,
             is_resting: false,
             reading: 0,
             period: 20.0,
+            timeouts: 0,
+            read_time: 0,
         })
     }
 
@@ -337,34 +336,87 @@ impl<P: Port> Drives<P> {
         self.failure
     }
 
-    /// Finds every servo, checks its model and its mode, takes over the delay of its answers, and reads its position. Nothing moves.
+    /// Returns the family of the servos; `None` if there are no joints.
+    pub fn family(&self) -> Option<&'static dyn Family> {
+        self.joints.first().map(|state| state.joint.model.family)
+    }
+
+    /// Returns the number of cycles since the last answer of a joint's servo that was believed; 0 if it is of this cycle.
+    pub fn age(&self, joint: usize) -> Option<u32> {
+        self.joints.get(joint).map(|state| state.age)
+    }
+
+    /// Finds every servo, checks its model and its settings, takes over the delay of its answers, and reads its position. Nothing
+    /// moves.
     ///
     /// # Errors
     /// A servo is missing or another one, is not well, or its joint is outside of its limits.
     pub fn connect(&mut self) -> Result<(), Failure> {
+        self.find(true)
+    }
+
+    /// Does the same for a robot that nobody commands: its joints may be anywhere, and the limits in its servos are not compared.
+    ///
+    /// # Errors
+    /// A servo is missing or another one, or is not well.
+    pub fn connect_to_measure(&mut self) -> Result<(), Failure> {
+        self.find(false)
+    }
+
+    fn find(&mut self, is_commanded: bool) -> Result<(), Failure> {
+        self.failure = None;
         let mut delay = 0;
         for number in 0..self.joints.len() {
-            let Joint { id, model, .. } = self.joints[number].joint;
+            let joint = self.joints[number].joint;
+            let (id, model) = (joint.id, joint.model);
             let family = model.family;
-            let reported = self.persist(number, |bus| bus.read_register(id, family.model))? as u16;
-            if model.number != 0 && reported != model.number {
+            let is_another = |reported: &Option<u16>| {
+                let pair = model.number.zip(*reported);
+                pair.is_some_and(|(wanted, reported)| reported != wanted)
+            };
+            let reported = self.confirmed(number, is_another, |wire| {
+                wire.repeat(|wire| family.identify(wire, id))
+            })?;
+            if let Some(reported) = reported.filter(|reported| is_another(&Some(*reported))) {
                 return self.fail(Some(number), Problem::Model(reported));
             }
-            if let Some((register, min, max)) = family.mode {
-                let mode = self.persist(number, |bus| bus.read_register(id, register))?;
-                if !(min..=max).contains(&mode) {
-                    return self.fail(Some(number), Problem::Mode(mode as u16));
-                }
+            let goals = match is_commanded {
+                true => joint.goals(),
+                // None that a limit could exclude.
+                false => (i32::MAX, i32::MIN),
+            };
+            let wrong = self.confirmed(number, Option::is_some, |wire| {
+                family.check(wire, (id, model), goals)
+            })?;
+            if let Some(mismatch) = wrong {
+                return self.fail(Some(number), Problem::Register(mismatch));
             }
-            if let Some(register) = family.return_delay {
-                let own = self.persist(number, |bus| bus.read_register(id, register))?;
-                delay = delay.max(own.unsigned_abs() * 2);
-            }
+            let own = self.confirmed(
+                number,
+                |delay| *delay > 0,
+                |wire| family.return_delay(wire, id),
+            )?;
+            delay = delay.max(own);
         }
         self.bus.set_return_delay(delay);
+        if let Some(family) = self.family() {
+            let (one, _) = family.times(self.bus.timing(), self.joints.len());
+            self.read_time = one * self.joints.len() as u64;
+        }
+        let mut times: Vec<u64, 9> = Vec::new();
         // Two readings that agree, so that a damaged one cannot be the first.
         for _ in 0..2 * (self.settings.silence as usize + 1) {
+            let begin = self.bus.now();
             self.measure(u64::MAX)?;
+            if self.joints.iter().all(|state| state.age == 0) {
+                // Enough of them, if there is no room.
+                let _ = times.push(self.bus.now() - begin);
+            }
+        }
+        times.sort_unstable();
+        // With the latency of the adapter, which is unknown before.
+        if let Some(median) = times.get(times.len() / 2) {
+            self.read_time = *median;
         }
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
@@ -374,48 +426,128 @@ impl<P: Port> Drives<P> {
             (state.sent, state.is_settled) = (angle, true);
             let Range { min, max } = state.joint.limits;
             // A joint that hangs may hang a little too far.
-            if !(min - 5.0..=max + 5.0).contains(&angle) {
+            if is_commanded && !(min - 5.0..=max + 5.0).contains(&angle) {
                 return self.fail(Some(number), Problem::Outside(angle));
             }
         }
         self.check(0.0)
     }
 
-    /// Sets speeds and torque limits, and switches the torque on, where each joint is.
+    /// Returns the requests of a cycle, as they were measured by the last `connect`, and the time in which servos are read, µs.
+    fn load_and_time(&self) -> (Load, u64) {
+        let servos = self.joints.len();
+        let Some(family) = self.family() else {
+            let none = Load {
+                part: 0.0,
+                cycles: 1,
+            };
+            return (none, 0);
+        };
+        let (_, write) = family.times(self.bus.timing(), servos);
+        let period = self.period * 1000.0;
+        let read = self.read_time as f64;
+        let allowed = (self.settings.reading * period)
+            .min(period - write as f64)
+            .max(0.0);
+        let in_a_cycle = match family.reads_together() {
+            true => servos,
+            // One is read in any case.
+            false => (allowed * servos as f64 / read.max(1.0)) as usize,
+        };
+        let cycles = servos.div_ceil(in_a_cycle.max(1)) as u32;
+        let part = (read + write as f64) / period;
+        (Load { part, cycles }, allowed as u64)
+    }
+
+    /// Returns the requests of a cycle, as they were measured by the last `connect`.
+    pub fn load(&self) -> Load {
+        self.load_and_time().0
+    }
+
+    /// Returns the time-out of the servos' watchdogs, ms; `None` if they have none. It is ten cycles, as far as they can have it.
+    pub fn timeout(&self) -> Option<f64> {
+        let (shortest, longest) = self.family()?.timeouts()?;
+        let (cycles, least) = TIMEOUT;
+        Some((cycles * self.period).max(least).clamp(shortest, longest))
+    }
+
+    /// Checks that the bus and the watchdogs can have the sampling time.
+    fn check_period(&mut self) -> Result<(), Failure> {
+        if let Some((_, longest)) = self.family().and_then(Family::timeouts)
+            && longest < MIN_TIMEOUT * self.period
+        {
+            return self.fail(None, Problem::Period(longest / MIN_TIMEOUT));
+        }
+        let (load, time) = self.load_and_time();
+        // One missing answer must not stop the robot.
+        let is_heard =
+            load.cycles == 1 || 2 * load.cycles <= self.settings.silence.saturating_add(1);
+        if time > 0 && is_heard || self.joints.is_empty() {
+            return Ok(());
+        }
+        self.fail(None, Problem::Load(load))
+    }
+
+    /// Returns the command to a joint.
+    fn setpoint(&self, joint: usize) -> Setpoint {
+        let State { joint, sent, .. } = self.joints[joint];
+        Setpoint {
+            id: joint.id,
+            model: joint.model,
+            position: joint.counts(sent),
+            speed: joint.speed * joint.gear,
+            torque: joint.torque * self.torque,
+            period: self.period,
+            timeout: self.timeout(),
+        }
+    }
+
+    fn setpoints(&self) -> Vec<Setpoint, MAX_SERVOS> {
+        let joints = 0..self.joints.len();
+        joints.map(|joint| self.setpoint(joint)).collect()
+    }
+
+    /// Sets speeds and torque limits, and switches the torque on, where each joint is. A [guard](crate::guard::TorqueGuard) does so for
+    /// robots that have to be left in a state; nobody takes this torque away again.
     ///
     /// # Errors
     /// A servo does not answer.
     pub fn hold(&mut self) -> Result<(), Failure> {
-        let period = self.period;
+        self.hold_while(|| true)
+    }
+
+    /// Does the same as long as `goes_on` returns true, which is asked before each servo.
+    ///
+    /// # Errors
+    /// A servo does not answer.
+    pub fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
+        self.check_period()?;
+        (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         for number in 0..self.joints.len() {
-            let State {
-                joint, measured, ..
-            } = self.joints[number];
-            let (id, family) = (joint.id, joint.model.family);
-            let units = joint.speed * joint.gear / joint.model.speed_unit;
-            // 0 would be as fast as it can.
-            let speed = (libm::ceil(units) as i32).clamp(1, 1023.max(joint.model.largest));
-            let torque = joint.torque_limit();
-            let here = measured.map_or(0, |measured| measured.counts);
-            if let Some(watchdog) = family.watchdog {
-                // Writing 0 ends the state that an old one has left.
-                self.persist(number, |bus| bus.write(id, watchdog, 0))?;
-                let units = libm::ceil(10.0 * period / 20.0).clamp(5.0, 127.0) as i32;
-                self.persist(number, |bus| bus.write(id, watchdog, units))?;
-            }
-            for (register, value) in [
-                (family.torque_limit, torque),
-                (family.goal_speed, speed),
-                (family.goal_position, here),
-                (family.torque_enable, 1),
-            ] {
-                self.persist(number, |bus| bus.write(id, register, value))?;
+            if !goes_on() {
+                return Ok(());
             }
             let state = &mut self.joints[number];
-            (state.sent, state.off) = (joint.angle(here), 0);
+            if let Some(measured) = state.measured {
+                state.sent = state.joint.angle(measured.counts);
+            }
+            state.off = 0;
+            let mut setpoint = self.setpoint(number);
+            let family = setpoint.model.family;
+            // Cycles begin when the last servo is on.
+            setpoint.timeout = family.timeouts().map(|(shortest, longest)| {
+                let time = setpoint.timeout.unwrap_or_default().max(TIMEOUT_AT_START);
+                time.clamp(shortest, longest)
+            });
+            self.request(number, |wire| family.hold(wire, &setpoint))?;
         }
-        (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
+        self.timeouts = TIMEOUT_REPEATS;
         Ok(())
+    }
+
+    /// Sets the length of the cycles that follow, ms.
+    pub const fn set_period(&mut self, period: f64) {
+        self.period = period;
     }
 
     /// Moves every joint one cycle of `period` ms towards an angle, at this many deg/s at most, and returns the largest angle
@@ -425,7 +557,7 @@ impl<P: Port> Drives<P> {
     /// Any failure that would stop a run.
     pub fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
         self.read_cycle()?;
-        let mut commands: Vec<JointCommand, SERVOS> = Vec::new();
+        let mut commands: Vec<JointCommand, MAX_SERVOS> = Vec::new();
         let mut left: f64 = 0.0;
         for (state, to) in self.joints.iter().zip(to) {
             let step = speed.min(state.joint.speed) * period / 1000.0;
@@ -443,21 +575,27 @@ impl<P: Port> Drives<P> {
     /// # Errors
     /// The reason to stop the robot.
     pub fn read_cycle(&mut self) -> Result<(), Failure> {
-        let begin = self.bus.port_mut().now();
-        let allowed = self.settings.reading * self.period * 1000.0;
+        let begin = self.bus.now();
+        let (_, allowed) = self.load_and_time();
         self.counts.cycles += 1;
-        self.measure(begin.saturating_add(allowed as u64))?;
-        self.reading = self.bus.port_mut().now() - begin;
+        self.measure(begin.saturating_add(allowed))?;
+        self.reading = self.bus.now() - begin;
         self.check(self.period / 1000.0)
     }
 
     /// Sends a command to each joint, at the end of a cycle of `period` ms.
     ///
     /// # Errors
-    /// The port is gone, or a joint is commanded a torque.
+    /// The port is gone, a joint is commanded a torque, or the bus or the watchdogs cannot have this sampling time.
     pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
-        let begin = self.bus.port_mut().now();
-        self.period = period;
+        let begin = self.bus.now();
+        if period != self.period {
+            self.period = period;
+            self.timeouts = TIMEOUT_REPEATS;
+            if self.is_held {
+                self.check_period()?;
+            }
+        }
         for (number, command) in commands.iter().enumerate().take(self.joints.len()) {
             let JointCommand::Angle { angle, .. } = *command else {
                 return self.fail(Some(number), Problem::Torque);
@@ -474,17 +612,19 @@ impl<P: Port> Drives<P> {
             }
         }
         self.send_goals()?;
-        let busy = self.bus.port_mut().now() - begin + self.reading;
+        let busy = self.bus.now() - begin + self.reading;
         self.counts.busy += busy;
         self.counts.longest = self.counts.longest.max(busy);
         Ok(())
     }
 
     /// Holds or relaxes the robot in place of a command; returns true when there is nothing left to do. Called in each cycle.
-    pub fn rest(&mut self, policy: Policy) -> bool {
-        let family = self.joints.first().map(|state| state.joint.model.family);
-        let Some(family) = family.filter(|_| self.is_held) else {
-            return true;
+    ///
+    /// # Errors
+    /// The commands could not be sent.
+    pub fn rest(&mut self, policy: Policy) -> Result<bool, Failure> {
+        let Some(family) = self.family().filter(|_| self.is_held) else {
+            return Ok(true);
         };
         if policy == Policy::Hold {
             if !self.is_resting {
@@ -496,118 +636,187 @@ impl<P: Port> Drives<P> {
                 }
                 self.is_resting = true;
             }
-            return self.send_goals().is_err();
+            if self.torque < 1.0 {
+                // An emergency stop while it relaxes.
+                self.torque = 1.0;
+                let setpoints = self.setpoints();
+                // Goals tell about a port that is gone.
+                let _ = family.write_torque_limits(&mut self.bus, &setpoints);
+            }
+            return self.send_goals().map(|()| false).map_err(|_| GONE);
         }
         let step = self.period / 1000.0 / self.settings.relaxing.max(0.001);
         self.torque = (self.torque - step).max(0.0);
-        let register = if self.torque > 0.0 {
-            family.torque_limit
-        } else {
-            family.torque_enable
-        };
-        let values: Vec<(u8, i32), SERVOS> = self
-            .joints
-            .iter()
-            .map(|state| {
-                let full = f64::from(state.joint.model.full_torque);
-                let left = state.joint.torque * self.torque * full;
-                (state.joint.id, left as i32)
-            })
-            .collect();
-        // Nothing is left to be done about a port that is gone.
-        let sent = self.bus.sync_write(register, &values);
-        self.is_held = self.torque > 0.0 && sent.is_ok();
-        !self.is_held
-    }
-
-    /// Ends the watchdogs, so that servos that are to hold go on holding without the host.
-    pub fn leave(&mut self) {
-        for number in 0..self.joints.len() {
-            let Joint { id, model, .. } = self.joints[number].joint;
-            if let Some(watchdog) = model.family.watchdog {
-                let _ = self.persist(number, |bus| bus.write(id, watchdog, 0));
-            }
+        if self.torque > 0.0 && family.limits_torque() {
+            let setpoints = self.setpoints();
+            let sent = family.write_torque_limits(&mut self.bus, &setpoints);
+            self.is_held = sent.is_ok();
+            return sent.map(|()| false).map_err(|_| GONE);
         }
+        self.release().map(|()| true)
     }
 
-    /// Repeats a request as often as a servo may be silent.
-    fn persist<T>(
+    /// Switches the torque of all servos off. Nothing confirms it.
+    ///
+    /// # Errors
+    /// The port is gone.
+    pub fn release(&mut self) -> Result<(), Failure> {
+        let joints = self.joints.iter();
+        let ids: Vec<u8, MAX_SERVOS> = joints.map(|state| state.joint.id).collect();
+        (self.is_held, self.torque) = (false, 0.0);
+        let family = self.family();
+        let sent = family.map_or(Ok(()), |family| family.release(&mut self.bus, &ids));
+        sent.map_err(|_| GONE)
+    }
+
+    /// Returns true if each servo has answered since a time of the port's clock, µs.
+    pub fn is_measured_since(&self, time: u64) -> bool {
+        let mut answers = self.joints.iter().map(|state| state.measured);
+        answers.all(|measured| measured.is_some_and(|measured| measured.at >= time))
+    }
+
+    /// Brings one servo into the state in which the robot is left, without watchdog; returns true if the servo confirms it, and
+    /// false if it reports the other state. It is tried once.
+    ///
+    /// # Errors
+    /// The port is gone, or the servo does not answer.
+    pub fn confirm(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
+        let tries = self.bus.tries();
+        self.bus.set_tries(1);
+        let left = self.leave_one(number, policy);
+        self.bus.set_tries(tries);
+        left
+    }
+
+    fn leave_one(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
+        let mut setpoint = self.setpoint(number);
+        (setpoint.timeout, setpoint.torque) = (None, self.joints[number].joint.torque);
+        let (id, family) = (setpoint.id, setpoint.model.family);
+        let hold = (policy == Policy::Hold).then_some(&setpoint);
+        family.leave(&mut self.bus, id, hold)
+    }
+
+    /// Asks the servo of a joint.
+    fn request<T>(
         &mut self,
         joint: usize,
-        mut request: impl FnMut(&mut Bus<P>) -> Result<T, BusError>,
+        request: impl FnOnce(&mut dyn Wire) -> Result<T, BusError>,
     ) -> Result<T, Failure> {
-        for _ in 0..=self.settings.silence {
-            match request(&mut self.bus) {
-                Ok(answer) => return Ok(answer),
-                Err(BusError::NoAnswer) => {}
-                Err(_) => return self.fail(None, Problem::Port),
-            }
+        match request(&mut self.bus) {
+            Ok(answer) => Ok(answer),
+            Err(BusError::NoAnswer) => self.fail(Some(joint), Problem::Silent),
+            Err(_) => self.fail(None, Problem::Port),
         }
-        self.fail(Some(joint), Problem::Silent)
+    }
+
+    /// Asks the servo of a joint, and again where the answer is doubtful: it counts when it comes twice in a row, because a checksum
+    /// of 8 bits lets some damaged answers pass.
+    fn confirmed<T: PartialEq>(
+        &mut self,
+        joint: usize,
+        is_doubtful: impl Fn(&T) -> bool,
+        request: impl Fn(&mut dyn Wire) -> Result<T, BusError>,
+    ) -> Result<T, Failure> {
+        let mut answer = self.request(joint, &request)?;
+        for _ in 0..MAX_REPEATS {
+            if !is_doubtful(&answer) {
+                break;
+            }
+            let again = self.request(joint, &request)?;
+            if again == answer {
+                break;
+            }
+            answer = again;
+        }
+        Ok(answer)
     }
 
     fn fail<T>(&mut self, joint: Option<usize>, problem: Problem) -> Result<T, Failure> {
-        let failure = Failure { joint, problem };
+        let own = joint.and_then(|joint| self.joints.get(joint));
+        let failure = Failure {
+            joint,
+            servo: own.map(|state| state.joint.id),
+            problem,
+        };
         Err(*self.failure.get_or_insert(failure))
     }
 
     /// Asks the servos until a time of the port's clock.
     fn measure(&mut self, limit: u64) -> Result<(), Failure> {
-        let Some(family) = self.joints.first().map(|state| state.joint.model.family) else {
+        let Some(family) = self.family() else {
             return Ok(());
         };
-        let window = family.windows[self.turn % family.windows.len()];
-        self.turn += 1;
-        let mut order: Vec<usize, SERVOS> = (0..self.joints.len()).collect();
+        let mut order: Vec<usize, MAX_SERVOS> = (0..self.joints.len()).collect();
         order.rotate_left(self.first);
-        let ids: Vec<u8, SERVOS> = order
+        let queries: Vec<Query, MAX_SERVOS> = order
             .iter()
-            .map(|number| self.joints[*number].joint.id)
+            .map(|number| {
+                let state = &self.joints[*number];
+                Query {
+                    id: state.joint.id,
+                    turn: state.turn,
+                    is_late: state.is_late,
+                }
+            })
             .collect();
-        let mut answers: Vec<Option<Reading>, SERVOS> = Vec::new();
+        let mut answers: Vec<Option<Reading>, MAX_SERVOS> = Vec::new();
         // As many as there are joints.
         let _ = answers.resize(order.len(), None);
         let fast = self.settings.fast;
-        let read = self
-            .bus
-            .read_many(family, window, &ids, limit, fast, |place, error, bytes| {
-                let state = &self.joints[order[place]];
-                answers[place] = Reading::of(&state.joint, window, error, bytes);
-            });
+        let read = family.read(
+            &mut self.bus,
+            &queries,
+            limit,
+            fast,
+            &mut |place, reading| {
+                answers[place] = Some(reading);
+            },
+        );
         let Ok(asked) = read else {
             return self.fail(None, Problem::Port);
         };
-        let now = self.bus.port_mut().now();
+        let now = self.bus.now();
+        for state in &mut self.joints {
+            state.age = state.age.saturating_add(1);
+        }
         for (number, reading) in order.iter().zip(&answers).take(asked) {
             let state = &mut self.joints[*number];
             let taken = reading
                 .as_ref()
-                .is_some_and(|reading| state.accept(reading, now, self.is_held));
-            state.silence = if taken { 0 } else { state.silence + 1 };
+                .is_some_and(|reading| state.accept(reading, now, self.is_held, self.torque));
+            state.turn = state.turn.wrapping_add(1);
+            state.is_late = reading.is_none();
             match reading {
                 Some(_) => self.counts.implausible += u64::from(!taken),
                 None => self.counts.missing += 1,
             }
-            if let Some(torque) = reading.as_ref().and_then(|reading| reading.torque) {
-                state.off = if torque == 0 { state.off + 1 } else { 0 };
+            // A goal switches the torque of AX, MX and STS servos on again after a reset; their limits are not the robot's then.
+            if let Some(reading) = reading.as_ref().filter(|reading| reading.is_on.is_some()) {
+                let joint = &state.joint;
+                let torque = joint.model.torque_limit(joint.torque * self.torque);
+                let speed = joint.model.speed_limit(joint.speed * joint.gear);
+                let is_reset = reading.is_on == Some(false)
+                    || reading.torque_limit.is_some_and(|own| Some(own) != torque)
+                    || reading.speed_limit.is_some_and(|own| own != speed);
+                state.off = if is_reset { state.off + 1 } else { 0 };
             }
-            let alarm = if taken {
-                state.error & family.alarms
-            } else {
-                0
-            };
-            if alarm != 0 {
-                let id = state.joint.id;
-                let status = family.alarm_status;
-                let bits = status.and_then(|status| self.bus.read_register(id, status).ok());
-                let bits = bits.map_or(alarm, |bits| bits as u8);
+            if !taken {
+                continue;
+            }
+            state.age = 0;
+            let (id, error) = (state.joint.id, state.error);
+            if family.alarms(error) != 0 {
+                let bits = family.alarm(&mut self.bus, id, error);
+                let bits = bits.unwrap_or_else(|_| family.alarms(error));
                 return self.fail(Some(*number), Problem::Alarm(bits));
             }
-            if state.off > 1 && self.is_held {
-                return self.fail(Some(*number), Problem::Reset);
-            }
         }
-        if !family.reads_many {
+        if self.is_held
+            && let Some(number) = self.joints.iter().position(|state| state.off > 1)
+        {
+            return self.fail(Some(number), Problem::Reset);
+        }
+        if !family.reads_together() {
             self.first = (self.first + asked) % self.joints.len();
         }
         Ok(())
@@ -623,17 +832,22 @@ impl<P: Port> Drives<P> {
             };
             let since = |sum: f64, is_so: bool| if is_so { sum + time } else { 0.0 };
             let lag = (state.joint.angle(measured.counts) - state.sent).abs();
-            state.overloaded = since(state.overloaded, measured.load.abs() > settings.overload.0);
+            let load = measured.load.map_or(0.0, f64::abs);
+            state.overloaded = since(state.overloaded, load > settings.overload.0);
             // Without torque it goes where a hand turns it.
             state.lagging = since(state.lagging, is_held && lag > settings.lag.0);
-            let problem = if state.silence > settings.silence {
+            let hot = measured.temperature.filter(|it| *it > settings.temperature);
+            let voltage = measured
+                .voltage
+                .filter(|it| !settings.voltage.contains(*it));
+            let problem = if state.age > settings.silence {
                 Problem::Silent
-            } else if measured.temperature > settings.temperature {
-                Problem::Hot(measured.temperature)
-            } else if !settings.voltage.contains(measured.voltage) {
-                Problem::Voltage(measured.voltage)
+            } else if let Some(temperature) = hot {
+                Problem::Hot(temperature)
+            } else if let Some(voltage) = voltage {
+                Problem::Voltage(voltage)
             } else if state.overloaded > settings.overload.1 {
-                Problem::Overload(measured.load.abs())
+                Problem::Overload(load)
             } else if state.lagging > settings.lag.1 {
                 Problem::Lags(lag)
             } else {
@@ -645,57 +859,28 @@ impl<P: Port> Drives<P> {
     }
 
     fn send_goals(&mut self) -> Result<(), Failure> {
-        let Some(family) = self.joints.first().map(|state| state.joint.model.family) else {
+        let Some(family) = self.family() else {
             return Ok(());
         };
-        let goals = self.joints.iter();
-        let goals: Vec<(u8, i32), SERVOS> = goals
-            .map(|state| (state.joint.id, state.joint.counts(state.sent)))
-            .collect();
-        match self.bus.sync_write(family.goal_position, &goals) {
+        let setpoints = self.setpoints();
+        let mut sent = Ok(());
+        if self.is_held && self.timeouts > 0 {
+            // Before a cycle that may be longer than the last one.
+            self.timeouts -= 1;
+            sent = family.write_timeouts(&mut self.bus, &setpoints);
+        }
+        let sent = sent.and_then(|()| family.write_goals(&mut self.bus, &setpoints));
+        match sent {
             Ok(()) => Ok(()),
             Err(_) => self.fail(None, Problem::Port),
         }
     }
 }
 
-/// The registers of an answer.
-#[derive(Clone, Debug)]
-struct Reading {
-    error: u8,
-    counts: i32,
-    load: f64,
-    voltage: f64,
-    temperature: f64,
-    /// Torque on or off, if it was read.
-    torque: Option<i32>,
-    /// Torque limit, if it was read.
-    limit: Option<i32>,
-    /// False if the lock is open, which nothing here leaves so.
-    is_locked: bool,
-}
-
-impl Reading {
-    fn of(joint: &Joint, window: Window, error: u8, bytes: &[u8]) -> Option<Self> {
-        let family = joint.model.family;
-        let get = |register: crate::model::Register| register.decode(window.start, bytes);
-        Some(Reading {
-            error,
-            counts: get(family.position)?,
-            load: f64::from(get(family.load)?) / joint.model.full_load,
-            voltage: f64::from(get(family.voltage)?) / 10.0,
-            temperature: f64::from(get(family.temperature)?),
-            torque: get(family.torque_enable),
-            limit: get(family.torque_limit),
-            is_locked: family.lock.and_then(get).is_none_or(|it| it == 1),
-        })
-    }
-}
-
 impl State {
     /// Takes a reading over, unless no servo could give it: a checksum of 8 bits lets some damaged frames pass. Returns true if it
     /// was taken.
-    fn accept(&mut self, reading: &Reading, now: u64, is_held: bool) -> bool {
+    fn accept(&mut self, reading: &Reading, now: u64, is_held: bool, torque: f64) -> bool {
         let model = self.joint.model;
         // An error byte counts when it has come twice.
         if reading.error != self.error {
@@ -707,67 +892,62 @@ impl State {
         }
         self.other_error = None;
         // The byte before the position belongs to one of these, or is the error byte.
-        let is_ours = reading.is_locked
-            && (!is_held
-                || reading
-                    .limit
-                    .is_none_or(|it| it == self.joint.torque_limit()));
-        let possible = is_ours
-            && (-model.largest..=2 * model.largest).contains(&reading.counts)
-            && reading.load.abs() <= 1.5
-            && (1.0..=60.0).contains(&reading.voltage)
-            && (-20.0..=120.0).contains(&reading.temperature);
+        let sent = model.torque_limit(self.joint.torque * torque);
+        let is_ours = reading.is_plausible
+            && (!is_held || reading.torque_limit.is_none_or(|it| Some(it) == sent));
+        let part = |load: i32| model.full_load.map(|full| f64::from(load) / full);
         let new = Measured {
-            counts: reading.counts,
-            load: reading.load,
+            counts: reading.position,
+            load: reading.load.and_then(part),
             voltage: reading.voltage,
             temperature: reading.temperature,
             at: now,
         };
-        let Some(old) = self.measured else {
-            self.measured = possible.then_some(new);
-            return possible;
-        };
-        let follows = |old: &Measured| {
-            let time = now.saturating_sub(old.at) as f64 / 1e6;
-            let degree = model.turn / 360.0;
-            let reach = 1.5 * model.speed * degree * time + NOISE.max(degree);
-            f64::from((new.counts - old.counts).abs()) <= reach
-                && (new.voltage - old.voltage).abs() <= 3.0
-                && (new.temperature - old.temperature).abs() <= 5.0 + 20.0 * time
-        };
-        // A servo that holds is between its last position and its goal, or close by.
-        let goal = self.joint.counts(self.sent);
-        let slack = (STRAY * model.turn / 360.0) as i32;
-        let (low, high) = (old.counts.min(goal) - slack, old.counts.max(goal) + slack);
-        let is_on_its_way = !is_held || (low..=high).contains(&new.counts);
-        let is_expected = follows(&old) && is_on_its_way;
-        let is_taken = possible && (is_expected || self.suspect.as_ref().is_some_and(follows));
+        let possible = is_ours
+            && (-model.largest..=2 * model.largest).contains(&new.counts)
+            && new.load.is_none_or(|it| it.abs() <= 1.5)
+            && new.voltage.is_none_or(|it| (1.0..=60.0).contains(&it))
+            && new
+                .temperature
+                .is_none_or(|it| (-20.0..=120.0).contains(&it));
+        let slow = possible
+            && self.voltage.accept(new.voltage, now, (3.0, 0.0))
+            && self.temperature.accept(new.temperature, now, (5.0, 20.0));
+        let is_taken = slow && self.follows(&new, now, is_held);
+        let old = self.measured;
         self.suspect = (possible && !is_taken).then_some(new);
         if is_taken {
-            self.measured = Some(new);
+            self.measured = Some(Measured {
+                load: new.load.or(old.and_then(|old| old.load)),
+                voltage: self.voltage.take(new.voltage, now),
+                temperature: self.temperature.take(new.temperature, now),
+                ..new
+            });
         } else if !self.is_settled {
             // The one before may have been the damaged one.
             self.measured = None;
+            (self.voltage, self.temperature) = (Slow::default(), Slow::default());
         }
         is_taken
     }
-}
 
-impl<P: Port, const L: usize, const J: usize> Hardware<L, J> for Drives<P> {
-    fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
-        self.read_cycle()?;
-        for (number, angle) in into.angles.as_flattened_mut().iter_mut().enumerate() {
-            *angle = self.angle(number).unwrap_or(*angle);
-        }
-        Ok(())
-    }
-
-    fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
-        Ok(self.write_cycle(outputs.joints.as_flattened(), outputs.period)?)
-    }
-
-    fn stop(&mut self, _why: &Fault) {
-        self.rest(self.settings.in_emergency);
+    /// Returns true if a position can follow the last one, or one that was not believed.
+    fn follows(&self, new: &Measured, now: u64, is_held: bool) -> bool {
+        let Some(old) = self.measured else {
+            return true;
+        };
+        let model = self.joint.model;
+        let degree = model.turn / 360.0;
+        let can_follow = |old: &Measured| {
+            let time = now.saturating_sub(old.at) as f64 / 1e6;
+            let reach = 1.5 * model.speed * degree * time + NOISE.max(degree);
+            f64::from((new.counts - old.counts).abs()) <= reach
+        };
+        // A servo that holds is between its last position and its goal, or close by.
+        let goal = self.joint.counts(self.sent);
+        let slack = (STRAY * degree) as i32;
+        let (low, high) = (old.counts.min(goal) - slack, old.counts.max(goal) + slack);
+        let is_on_its_way = !is_held || (low..=high).contains(&new.counts);
+        can_follow(&old) && is_on_its_way || self.suspect.as_ref().is_some_and(can_follow)
     }
 }

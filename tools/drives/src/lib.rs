@@ -7,10 +7,18 @@
 extern crate std;
 
 pub mod bus;
+pub mod description;
 pub mod drives;
+pub mod dynamixel1;
+pub mod dynamixel2;
+pub mod family;
+pub mod feetech;
 pub mod frame;
+pub mod guard;
+pub mod lx;
 pub mod model;
 pub mod moteus;
+pub mod registers;
 #[cfg(feature = "std")]
 pub mod serial;
 #[cfg(feature = "std")]
@@ -18,4 +26,6 @@ pub mod simulated;
 
 pub use bus::{Bus, BusError, Port};
 pub use drives::Drives;
-pub use model::{Family, Model};
+pub use family::Family;
+pub use guard::TorqueGuard;
+pub use model::Model;

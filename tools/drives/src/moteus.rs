@@ -1,12 +1,15 @@
 //! mjbots moteus controllers on CAN-FD behind an fdcanusb adapter, which takes and gives lines of text. The maker's crate writes
 //! requests and reads lines.
 //!
-//! A controller forgets the limits of a command with the next one. Here it has a register table as other servos have: a request is
-//! completed from what was written before, and an answer is the beginning of the table.
+//! A controller forgets the limits of a command with the next one, so that each command has all of them.
 //!
 //! The adapter's lines have no checksum, because USB and CAN have theirs. An answer must nevertheless prove itself: each request
 //! has another sender, to which the controller answers, and asks for its identity and twice for its position.
 
+use crate::bus::{BusError, Timing, Wait, Wire};
+use crate::family::Model;
+use crate::family::{Family, Mismatch, Query, Reading, Setpoint};
+use crate::frame::{Bytes, Frame, MAX_FRAME_BYTES, Parsed};
 use heapless::Vec;
 use moteus_protocol::command::{PositionCommand, PositionFormat, StopCommand};
 use moteus_protocol::fdcanusb::{
@@ -18,36 +21,6 @@ use moteus_protocol::{
     calculate_arbitration_id, parse_arbitration_id,
 };
 
-/// Addresses of the table: width in bytes after the name.
-pub mod address {
-    /// 2: always 0.
-    pub const MODEL: u16 = 0;
-    /// 1: identity.
-    pub const ID: u16 = 2;
-    /// 1: 1 if it follows positions.
-    pub const TORQUE_ENABLE: u16 = 3;
-    /// 4: measured position.
-    pub const POSITION: u16 = 4;
-    /// 2: torque, 0.01 Nm.
-    pub const LOAD: u16 = 8;
-    /// 2: 0.1 V.
-    pub const VOLTAGE: u16 = 10;
-    /// 1: °C.
-    pub const TEMPERATURE: u16 = 12;
-    /// 1: number of the fault.
-    pub const FAULT: u16 = 13;
-    /// 4: commanded position.
-    pub const GOAL_POSITION: u16 = 16;
-    /// 4: velocity limit, deg/s.
-    pub const GOAL_SPEED: u16 = 20;
-    /// 2: maximum torque, 0.01 Nm.
-    pub const TORQUE_LIMIT: u16 = 24;
-    /// 1: time-out of a command, 20 ms; 0 for none.
-    pub const WATCHDOG: u16 = 26;
-}
-
-/// Number of bytes of the table that an answer holds.
-pub const MEASURED: usize = 14;
 /// Counts of a turn: those of 32-bit positions of the protocol.
 pub const TURN: f64 = 100_000.0;
 /// Counts at the controller's position 0, in the middle of ten turns.
@@ -56,6 +29,10 @@ pub const MIDDLE: i32 = 500_000;
 pub const LAST_ID: u8 = 0x6F;
 /// Bytes of a request, of the adapter's consent and of the answer.
 pub const EXCHANGE: usize = 130;
+/// Bytes of a command.
+const REQUEST: usize = 90;
+/// Longest time-out of a command, ms: an hour.
+const MAX_TIMEOUT: f64 = 3_600_000.0;
 /// Number of senders.
 const SENDERS: u8 = 15;
 /// Difference of the two positions of an answer, counts: the controller measures between them. 0.07 deg.
@@ -77,16 +54,22 @@ const ASKED: [(Register, Resolution); 8] = [
 ];
 
 /// An answer to a request.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Answer {
     /// Identity of the controller.
     pub id: u8,
-    /// The sender of the request.
-    pub to: u8,
-    /// True if the controller has stopped for a fault.
-    pub is_faulty: bool,
-    /// Its registers.
-    pub table: [u8; MEASURED],
+    /// True if it follows positions.
+    pub is_on: bool,
+    /// Position, counts.
+    pub position: i32,
+    /// Torque, 0.01 Nm.
+    pub torque: i16,
+    /// Supply voltage, 0.1 V.
+    pub voltage: i16,
+    /// Temperature, °C.
+    pub temperature: i8,
+    /// Number of the fault for which it has stopped, or 0.
+    pub fault: u8,
 }
 
 /// Returns the sender of a request.
@@ -94,10 +77,16 @@ pub const fn sender(number: u8) -> u8 {
     LAST_ID + 1 + number % SENDERS
 }
 
-/// Reads a line without its end as an answer to [`query`] or to [`Command::line`].
-pub fn answer(line: &[u8]) -> Option<Answer> {
+/// Reads a line without its end as an answer to [`query`] or [`command`]; returns the sender of the request as well.
+pub fn answer(line: &[u8]) -> Option<(Answer, u8)> {
     let frame = received(line)?;
     let (id, to, _) = parse_arbitration_id(frame.arbitration_id);
+    let id = u8::try_from(id).ok().filter(|id| *id <= LAST_ID)?;
+    Some((contents(id, frame.payload())?, to as u8))
+}
+
+/// Returns the contents of an answer of a controller.
+fn contents(id: u8, payload: &[u8]) -> Option<Answer> {
     let [
         mode,
         position,
@@ -107,26 +96,43 @@ pub fn answer(line: &[u8]) -> Option<Answer> {
         fault,
         own,
         again,
-    ] = values(frame.payload())?;
-    let id = u8::try_from(id).ok().filter(|id| *id <= LAST_ID)?;
+    ] = values(payload)?;
     if own != i32::from(id) || position.abs_diff(again) > BETWEEN {
         return None;
     }
-    let is_on = mode == i32::from(i8::from(Mode::Position));
-    let mut table = [0; MEASURED];
-    table[usize::from(address::ID)] = id;
-    table[usize::from(address::TORQUE_ENABLE)] = is_on.into();
-    table[4..8].copy_from_slice(&position.saturating_add(MIDDLE).to_le_bytes());
-    table[8..10].copy_from_slice(&(torque as i16).to_le_bytes());
-    table[10..12].copy_from_slice(&(voltage as i16).to_le_bytes());
-    table[usize::from(address::TEMPERATURE)] = temperature.max(0) as u8;
-    table[usize::from(address::FAULT)] = fault as u8;
+    let is_faulty = mode == i32::from(i8::from(Mode::Fault));
     Some(Answer {
         id,
-        to: to as u8,
-        is_faulty: mode == i32::from(i8::from(Mode::Fault)),
-        table,
+        is_on: mode == i32::from(i8::from(Mode::Position)),
+        position: position.saturating_add(MIDDLE),
+        torque: torque as i16,
+        voltage: voltage as i16,
+        temperature: temperature as i8,
+        fault: if is_faulty { (fault as u8).max(1) } else { 0 },
     })
+}
+
+/// Tries to read a line with an answer to a sender at the beginning of `bytes`.
+fn parse(bytes: &[u8], sender: u8) -> Parsed {
+    let Some(end) = bytes.iter().position(|byte| *byte == b'\n') else {
+        return match bytes.len() < MAX_FRAME_BYTES / 2 {
+            true => Parsed::Unfinished,
+            false => Parsed::Nothing,
+        };
+    };
+    let line = &bytes[..end];
+    if line.trim_ascii() == b"OK" {
+        return Parsed::Remark(end + 1);
+    }
+    let valid = answer(line).filter(|(_, to)| *to == sender);
+    let frame = valid.and_then(|(answer, to)| {
+        Some(Frame {
+            id: answer.id,
+            code: to,
+            parameters: Bytes::from_slice(received(line)?.payload()).ok()?,
+        })
+    });
+    frame.map_or(Parsed::Nothing, |frame| Parsed::Frame(frame, end + 1))
 }
 
 /// Reads the frame of a received line, whose checksum must be right where it has one.
@@ -208,90 +214,204 @@ fn line(frame: &CanFdFrame) -> Line {
     Line::from_slice(&bytes[..length]).unwrap_or_default()
 }
 
-/// The part of the table that commands are made of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Command {
-    goal: i32,
-    speed: i32,
-    torque: i32,
-    watchdog: i32,
-    is_on: bool,
+/// Returns a command, which asks for the registers as well if it is to be answered.
+pub fn command(servo: &Setpoint, from: u8, is_answered: bool) -> Line {
+    let mut frame = frame(servo.id, from, is_answered);
+    let torque = servo.model.torque_limit(servo.torque);
+    let timeout = servo.timeout.map_or(f32::NAN, |time| time as f32 / 1000.0);
+    PositionCommand::new()
+        .position(((f64::from(servo.position) - f64::from(MIDDLE)) / TURN) as f32)
+        .velocity_limit((servo.speed / 360.0) as f32)
+        .maximum_torque(torque.unwrap_or_default() as f32 / 100.0)
+        .watchdog_timeout(timeout)
+        .serialize(&mut frame, &PositionFormat::default());
+    if is_answered {
+        ask(&mut frame);
+    }
+    line(&frame)
 }
 
-impl Command {
-    /// Writes a register; returns true if the controller must hear of it.
-    pub fn set(&mut self, register: u16, value: i32) -> bool {
-        match register {
-            address::GOAL_POSITION => self.goal = value,
-            address::GOAL_SPEED => self.speed = value,
-            address::TORQUE_LIMIT => self.torque = value,
-            address::WATCHDOG => {
-                self.watchdog = value;
-                // Only a stop ends the state in which a time-out leaves the controller.
-                return self.is_on || value == 0;
-            }
-            address::TORQUE_ENABLE => {
-                self.is_on = value != 0;
-                return true;
-            }
-            _ => {}
+/// Returns a request to stop: without torque, and without the state in which a time-out or a fault leaves the controller.
+pub fn stop(id: u8, from: u8, is_answered: bool) -> Line {
+    let mut frame = frame(id, from, is_answered);
+    StopCommand::serialize(&mut frame);
+    if is_answered {
+        ask(&mut frame);
+    }
+    line(&frame)
+}
+
+/// mjbots moteus controllers.
+pub static MOTEUS: Moteus = Moteus;
+
+/// The family of moteus controllers.
+#[derive(Debug)]
+pub struct Moteus;
+
+impl Moteus {
+    /// Sends a request to a controller once, and returns its answer.
+    fn exchange(
+        wire: &mut dyn Wire,
+        id: u8,
+        request: impl FnOnce(u8) -> Line,
+        limit: u64,
+    ) -> Result<Answer, BusError> {
+        if id > LAST_ID {
+            return Err(BusError::NoAnswer);
         }
-        self.is_on
+        let sender = sender(wire.next_number());
+        let wait = Wait {
+            answers: 1,
+            time: wire.timing().answer(EXCHANGE),
+            limit,
+        };
+        let parse = |bytes: &[u8]| parse(bytes, sender);
+        wire.ask(&request(sender), wait, &parse, |frame| {
+            let is_its = frame.id == id;
+            contents(id, &frame.parameters).filter(|_| is_its)
+        })
     }
 
-    /// Returns the request, which asks for the registers as well if it is to be answered.
-    pub fn line(&self, id: u8, from: u8, is_answered: bool) -> Line {
-        let mut frame = frame(id, from, is_answered);
-        if self.is_on {
-            let timeout = match self.watchdog {
-                0 => f32::NAN,
-                units => units as f32 / 50.0,
-            };
-            PositionCommand::new()
-                .position(((f64::from(self.goal) - f64::from(MIDDLE)) / TURN) as f32)
-                .velocity_limit(self.speed as f32 / 360.0)
-                .maximum_torque(self.torque as f32 / 100.0)
-                .watchdog_timeout(timeout)
-                .serialize(&mut frame, &PositionFormat::default());
-        } else {
-            StopCommand::serialize(&mut frame);
-        }
-        if is_answered {
-            ask(&mut frame);
-        }
-        line(&frame)
+    fn query(wire: &mut dyn Wire, id: u8, limit: u64) -> Result<Answer, BusError> {
+        Self::exchange(wire, id, |sender| query(id, sender), limit)
+    }
+
+    fn stop(wire: &mut dyn Wire, id: u8) -> Result<(), BusError> {
+        wire.repeat(|wire| Self::exchange(wire, id, |sender| stop(id, sender, true), u64::MAX))
+            .map(drop)
+    }
+
+    fn command(wire: &mut dyn Wire, servo: &Setpoint) -> Result<(), BusError> {
+        let request = |sender| command(servo, sender, true);
+        wire.repeat(|wire| Self::exchange(wire, servo.id, request, u64::MAX))
+            .map(drop)
     }
 }
 
-/// A request as a controller receives it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Request {
-    /// The receiver.
-    pub id: u8,
-    /// The sender.
-    pub from: u8,
-    /// True if the controller answers.
-    pub is_answered: bool,
-    /// Registers to read and to write, as the frame encodes them.
-    pub payload: Vec<u8, 64>,
-}
+impl Family for Moteus {
+    fn key(&self) -> &'static str {
+        "moteus"
+    }
 
-/// Reads a line without its end as a request.
-pub fn request(line: &[u8]) -> Option<Request> {
-    let mut received = Line::from_slice(b"rcv ").ok()?;
-    let rest = line.strip_prefix(b"can send ")?;
-    received.extend_from_slice(rest).ok()?;
-    let frame = self::received(&received)?;
-    let (from, id, _) = parse_arbitration_id(frame.arbitration_id);
-    Some(Request {
-        id: id as u8,
-        from: from as u8,
-        is_answered: frame.arbitration_id & 0x8000 != 0,
-        payload: Vec::from_slice(frame.payload()).ok()?,
-    })
-}
+    fn name(&self) -> &'static str {
+        "mjbots moteus"
+    }
 
-/// Returns true if the adapter sends this line without an answer in it.
-pub fn is_consent(line: &[u8]) -> bool {
-    line.trim_ascii() == b"OK"
+    fn last_id(&self) -> u8 {
+        LAST_ID
+    }
+
+    fn timeouts(&self) -> Option<(f64, f64)> {
+        Some((1.0, MAX_TIMEOUT))
+    }
+
+    fn times(&self, timing: Timing, servos: usize) -> (u64, u64) {
+        let request = timing.bytes(REQUEST);
+        (timing.answer(EXCHANGE), request * servos as u64)
+    }
+
+    fn identify(&self, wire: &mut dyn Wire, id: u8) -> Result<Option<u16>, BusError> {
+        Self::query(wire, id, u64::MAX).map(|_| None)
+    }
+
+    fn set_id(&self, _: &mut dyn Wire, _: u8, _: u8) -> Result<(), BusError> {
+        Err(BusError::Unsupported)
+    }
+
+    fn return_delay(&self, _: &mut dyn Wire, _: u8) -> Result<u32, BusError> {
+        Ok(0)
+    }
+
+    fn check(
+        &self,
+        _: &mut dyn Wire,
+        _: (u8, &'static Model),
+        _: (i32, i32),
+    ) -> Result<Option<Mismatch>, BusError> {
+        Ok(None)
+    }
+
+    fn read(
+        &self,
+        wire: &mut dyn Wire,
+        servos: &[Query],
+        limit: u64,
+        _: bool,
+        take: &mut dyn FnMut(usize, Reading),
+    ) -> Result<usize, BusError> {
+        let time = wire.timing().answer(EXCHANGE);
+        for (place, servo) in servos.iter().enumerate() {
+            if place > 0 && wire.now() + time > limit {
+                return Ok(place);
+            }
+            match Self::query(wire, servo.id, limit) {
+                Ok(answer) => take(
+                    place,
+                    Reading {
+                        error: answer.fault,
+                        position: answer.position,
+                        load: Some(answer.torque.into()),
+                        voltage: Some(f64::from(answer.voltage) / 10.0),
+                        temperature: Some(answer.temperature.into()),
+                        is_on: Some(answer.is_on),
+                        torque_limit: None,
+                        speed_limit: None,
+                        is_plausible: true,
+                    },
+                ),
+                Err(BusError::NoAnswer) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(servos.len())
+    }
+
+    fn hold(&self, wire: &mut dyn Wire, servo: &Setpoint) -> Result<(), BusError> {
+        Self::stop(wire, servo.id)?;
+        Self::command(wire, servo)
+    }
+
+    fn write_goals(&self, wire: &mut dyn Wire, servos: &[Setpoint]) -> Result<(), BusError> {
+        for servo in servos {
+            wire.send(&command(servo, sender(0), false))?;
+        }
+        Ok(())
+    }
+
+    fn write_torque_limits(
+        &self,
+        wire: &mut dyn Wire,
+        servos: &[Setpoint],
+    ) -> Result<(), BusError> {
+        self.write_goals(wire, servos)
+    }
+
+    fn release(&self, wire: &mut dyn Wire, ids: &[u8]) -> Result<(), BusError> {
+        for id in ids {
+            wire.send(&stop(*id, sender(0), false))?;
+        }
+        Ok(())
+    }
+
+    fn leave(
+        &self,
+        wire: &mut dyn Wire,
+        id: u8,
+        hold: Option<&Setpoint>,
+    ) -> Result<bool, BusError> {
+        match hold {
+            Some(servo) => Self::command(wire, servo)?,
+            None => Self::stop(wire, id)?,
+        }
+        let answer = wire.repeat(|wire| Self::query(wire, id, u64::MAX))?;
+        Ok(answer.is_on == hold.is_some())
+    }
+
+    fn cause(&self, alarm: u8) -> &'static str {
+        match alarm {
+            34 | 40 => "voltage",
+            38 => "temperature",
+            _ => "sensor or current",
+        }
+    }
 }

@@ -1,13 +1,52 @@
-//! A serial port of this machine.
+//! A serial port of this machine, which no other program uses.
 
 use crate::bus::Port;
-use serial2::SerialPort;
+use core::fmt;
+use serial2::{KeepSettings, SerialPort};
 use std::io;
 use std::path::Path;
 use std::string::String;
 use std::time::{Duration, Instant};
 use std::vec::Vec;
 use std::{format, fs};
+
+/// A reason why a port cannot be opened.
+#[derive(Debug)]
+pub enum OpenError {
+    /// Another program has it open, as far as the system says which.
+    InUse(Option<Process>),
+    /// Another reason.
+    Io(io::Error),
+}
+
+/// A process of this machine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Process {
+    /// Number of the process.
+    pub id: u32,
+    /// Name of its program.
+    pub name: String,
+}
+
+impl fmt::Display for OpenError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            OpenError::InUse(Some(Process { id, name })) => {
+                write!(f, "{name} (process {id}) uses it")
+            }
+            OpenError::InUse(None) => f.write_str("another process uses it"),
+            OpenError::Io(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for OpenError {}
+
+impl From<io::Error> for OpenError {
+    fn from(error: io::Error) -> Self {
+        OpenError::Io(error)
+    }
+}
 
 /// A serial port. What comes is buffered here, so that waiting for a byte may take it from the system.
 #[derive(Debug)]
@@ -18,12 +57,23 @@ pub struct Serial {
 }
 
 impl Serial {
-    /// Opens a port, such as `/dev/ttyUSB0`.
+    /// Opens a port, such as `/dev/ttyUSB0`, for this process alone. Nothing about it changes if another process has it.
     ///
     /// # Errors
     /// There is no such port, it is in use, or the speed is not possible.
-    pub fn open(path: &Path, baud: u32) -> io::Result<Self> {
-        let mut port = SerialPort::open(path, baud)?;
+    pub fn open(path: &Path, baud: u32) -> Result<Self, OpenError> {
+        let opened = SerialPort::open(path, KeepSettings);
+        let mut port = opened.map_err(|error| match error.kind() {
+            io::ErrorKind::ResourceBusy => OpenError::InUse(user_of(path)),
+            _ => OpenError::Io(error),
+        })?;
+        if !is_ours(&port)? {
+            return Err(OpenError::InUse(user_of(path)));
+        }
+        let mut settings = port.get_configuration()?;
+        settings.set_raw();
+        settings.set_baud_rate(baud)?;
+        port.set_configuration(&settings)?;
         port.set_write_timeout(Duration::from_millis(100))?;
         port.discard_buffers()?;
         Ok(Serial {
@@ -41,6 +91,53 @@ impl Serial {
         let text = fs::read_to_string(format!("/sys/class/tty/{name}/device/latency_timer"));
         text.ok()?.trim().parse().ok()
     }
+}
+
+/// Locks a port; returns false if another process has locked it. `flock` keeps programs away that lock too, those of the system
+/// administrator included; the terminal's own lock keeps all others away, except those.
+#[cfg(unix)]
+fn is_ours(port: &SerialPort) -> io::Result<bool> {
+    use rustix::fs::{FlockOperation, flock};
+    use rustix::io::Errno;
+    match flock(port, FlockOperation::NonBlockingLockExclusive) {
+        Err(Errno::WOULDBLOCK) => return Ok(false),
+        locked => locked?,
+    }
+    rustix::termios::ioctl_tiocexcl(port)?;
+    Ok(true)
+}
+
+/// Ports are exclusive where there is no such lock.
+#[cfg(not(unix))]
+fn is_ours(_: &SerialPort) -> io::Result<bool> {
+    Ok(true)
+}
+
+#[cfg(unix)]
+impl Drop for Serial {
+    /// The terminal's lock would outlive this process where another one keeps the terminal open.
+    fn drop(&mut self) {
+        let _ = rustix::termios::ioctl_tiocnxcl(&self.port);
+    }
+}
+
+/// Returns the process that has a file open, where the system lists open files and lets us read the list.
+#[allow(clippy::disallowed_methods, reason = "Linux tells it in files")]
+fn user_of(path: &Path) -> Option<Process> {
+    let path = fs::canonicalize(path).ok()?;
+    let folders = fs::read_dir("/proc").ok()?.flatten();
+    let mut users = folders.filter_map(|folder| {
+        let id: u32 = folder.file_name().to_str()?.parse().ok()?;
+        let mut files = fs::read_dir(folder.path().join("fd")).ok()?.flatten();
+        let has_it = files.any(|file| fs::read_link(file.path()).is_ok_and(|it| it == path));
+        let is_other = id != std::process::id();
+        let name = || fs::read_to_string(folder.path().join("comm")).unwrap_or_default();
+        (has_it && is_other).then(|| Process {
+            id,
+            name: String::from(name().trim()),
+        })
+    });
+    users.next()
 }
 
 impl embedded_io::ErrorType for Serial {
@@ -61,7 +158,13 @@ impl embedded_io::Read for Serial {
 
 impl embedded_io::Write for Serial {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.port.write(bytes)
+        loop {
+            match self.port.write(bytes) {
+                // A signal is no fault of the port.
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                written => return written,
+            }
+        }
     }
 
     fn flush(&mut self) -> io::Result<()> {

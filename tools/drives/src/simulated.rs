@@ -1,27 +1,39 @@
 //! Simulated servos on a bus that can fail. They see bytes and a clock, so that they work in memory and on a pseudo-terminal.
 //!
 //! A servo turns towards its goal with the lag and the speed of its model, and warms up under load. Nothing loads it but its own
-//! motion.
+//! motion. Its registers, scales and limits are written from its maker's manual, each family in a module of its own: the master's
+//! tables are not used here, so that a wrong address or scale of the master shows.
+
+mod ax_mx;
+mod firmware;
+mod lx;
+mod moteus;
+mod servo;
+mod sts;
+mod table;
+mod wire;
+mod x;
+
+pub use servo::Servo;
 
 use crate::bus::{Port, Timing};
-use crate::frame::{BROADCAST, Decoder, Frame, Protocol, Reads, instruction};
-use crate::model::{Model, Register};
-use crate::moteus;
 use core::convert::Infallible;
-use moteus_protocol::{
-    CanFdFrame, Mode, REPLY_INT8, Resolution, Subframe, Value, WriteCanData, parse_frame,
-};
-use std::format;
+use firmware::{Registers, Reply};
 use std::vec::Vec;
+use wire::{Reader, Request, Wire};
 
-/// Time constant of a servo's remaining distance, s.
-const LAG: f64 = 0.02;
-/// Rise of the temperature at full load, °C per s.
-const HEATING: f64 = 0.5;
-/// Temperature of a servo that rests, °C.
-const ROOM: f64 = 30.0;
-/// Temperature of a servo that was made to overheat, °C.
-const HOT: f64 = 85.0;
+/// The identity that every servo listens to; of a moteus it is 0.
+const BROADCAST: u8 = 0xFE;
+
+/// Instructions of servos with registers: ROBOTIS e-Manual, "DYNAMIXEL Protocol 2.0", section "Instruction".
+mod instruction {
+    pub(super) const PING: u8 = 0x01;
+    pub(super) const READ: u8 = 0x02;
+    pub(super) const WRITE: u8 = 0x03;
+    pub(super) const SYNC_READ: u8 = 0x82;
+    pub(super) const SYNC_WRITE: u8 = 0x83;
+    pub(super) const FAST_SYNC_READ: u8 = 0x8A;
+}
 
 /// Probabilities of what can happen to an answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -67,317 +79,15 @@ pub struct Happened {
     pub truncated: u64,
 }
 
-/// A simulated servo.
-#[derive(Clone, Debug)]
-pub struct Servo {
-    model: &'static Model,
-    memory: [u8; 256],
-    /// counts
-    position: f64,
-    /// counts/s
-    velocity: f64,
-    temperature: f64,
-    is_gone: bool,
-    is_hot: bool,
-    /// Something holds it: it does not turn, with all its torque.
-    is_blocked: bool,
-    /// V
-    voltage: f64,
-    /// A moteus without commands for too long, which only a stop ends.
-    is_timed_out: bool,
-    /// Time of the last instruction, µs.
-    heard: u64,
-    /// The position that it reported last, counts.
-    reported: Option<i32>,
-}
-
-impl Servo {
-    /// Creates a servo of a model with an identity, at rest at a position, without torque.
-    pub fn new(model: &'static Model, id: u8, position: f64) -> Self {
-        let family = model.family;
-        let mut servo = Servo {
-            model,
-            memory: [0; 256],
-            position,
-            velocity: 0.0,
-            temperature: ROOM,
-            is_gone: false,
-            is_hot: false,
-            is_blocked: false,
-            voltage: 12.0,
-            is_timed_out: false,
-            heard: 0,
-            reported: None,
-        };
-        servo.set(family.model, model.number.into());
-        servo.set(family.id, id.into());
-        if let Some((mode, _, value)) = family.mode {
-            servo.set(mode, value);
-        }
-        servo.power_on();
-        servo
-    }
-
-    fn power_on(&mut self) {
-        let family = self.model.family;
-        self.set(family.torque_enable, 0);
-        self.set(family.goal_speed, 0);
-        self.set(family.torque_limit, self.model.full_torque.into());
-        self.set(family.goal_position, self.position as i32);
-        if let Some(lock) = family.lock {
-            self.set(lock, 1);
-        }
-        if let Some(watchdog) = family.watchdog {
-            self.set(watchdog, 0);
-        }
-    }
-
-    fn get(&self, register: Register) -> i32 {
-        register.decode(0, &self.memory).unwrap_or_default()
-    }
-
-    fn set(&mut self, register: Register, value: i32) {
-        let first = usize::from(register.address);
-        let bytes = register.encode(value);
-        let width = usize::from(register.width);
-        self.memory[first..first + width].copy_from_slice(&bytes[..width]);
-    }
-
-    /// Returns its identity.
-    pub fn id(&self) -> u8 {
-        self.get(self.model.family.id) as u8
-    }
-
-    /// Returns its position, counts.
-    pub fn position(&self) -> f64 {
-        self.position
-    }
-
-    /// Returns its speed, counts/s.
-    pub fn velocity(&self) -> f64 {
-        self.velocity
-    }
-
-    /// Returns the position of its last answer as it was sent, counts.
-    pub fn reported(&self) -> Option<i32> {
-        self.reported
-    }
-
-    /// Returns true if it holds with torque.
-    pub fn has_torque(&self) -> bool {
-        self.get(self.model.family.torque_enable) == 1
-    }
-
-    /// Returns its torque limit, from 0 to 1.
-    pub fn torque_limit(&self) -> f64 {
-        let family = self.model.family;
-        f64::from(self.get(family.torque_limit)) / f64::from(self.model.full_torque)
-    }
-
-    /// Moves for some time, s.
-    fn advance(&mut self, time: f64, now: u64) {
-        let family = self.model.family;
-        let sleeps = family.watchdog.is_some_and(|watchdog| {
-            let after = self.get(watchdog) as u8;
-            after > 0 && now.saturating_sub(self.heard) > u64::from(after) * 20_000
-        });
-        if sleeps {
-            self.set(family.goal_position, self.position as i32);
-            if family.protocol == Protocol::Moteus {
-                self.set(family.torque_enable, 0);
-                self.is_timed_out = true;
-            }
-        }
-        let limit = self.torque_limit();
-        let (from, most) = (self.position, self.model.speed * self.model.turn / 360.0);
-        if self.has_torque() && limit > 0.02 && !self.is_blocked {
-            let own = f64::from(self.get(family.goal_speed)) * self.model.speed_unit;
-            let most = match own * self.model.turn / 360.0 {
-                speed if speed > 0.0 => speed.min(most),
-                _ => most,
-            };
-            let goal = f64::from(self.get(family.goal_position));
-            let share = time / (time + LAG);
-            let step = ((goal - from) * share).clamp(-most * time, most * time);
-            self.position = (from + step).clamp(0.0, self.model.largest.into());
-        }
-        if time > 0.0 {
-            self.velocity = (self.position - from) / time;
-        }
-        let load = match self.is_blocked && self.has_torque() {
-            true => 1.0,
-            false => 0.5 * (self.velocity / most).clamp(-1.0, 1.0),
-        };
-        let target = if self.is_hot {
-            HOT
-        } else {
-            ROOM + 40.0 * load.abs().min(0.5)
-        };
-        let rate = if self.is_hot { 20.0 } else { HEATING };
-        self.temperature += (target - self.temperature).clamp(-rate * time, rate * time);
-        self.set(family.position, libm::round(self.position) as i32);
-        self.set(family.load, (load * self.model.full_load) as i32);
-        self.set(family.voltage, (self.voltage * 10.0) as i32);
-        self.set(family.temperature, self.temperature as i32);
-        let is_alarmed = self.temperature > 70.0;
-        if is_alarmed {
-            self.set(family.torque_enable, 0);
-        }
-        if let Some(status) = family.alarm_status {
-            let bits = if is_alarmed { family.alarm_bits[1] } else { 0 };
-            self.set(status, bits.into());
-        }
-    }
-
-    /// Returns the error byte of its answers.
-    fn error(&self) -> u8 {
-        let family = self.model.family;
-        match (self.temperature > 70.0, family.alarm_status) {
-            (false, _) => 0,
-            (true, Some(_)) => family.alarms,
-            (true, None) => family.alarm_bits[1],
-        }
-    }
-
-    /// Executes a request to a moteus, and returns its answer.
-    fn serve(&mut self, payload: &[u8], now: u64) -> CanFdFrame {
-        let family = self.model.family;
-        let mut answer = CanFdFrame::new();
-        let mut mode = None;
-        for part in parse_frame(payload) {
-            let Subframe::Register {
-                register,
-                resolution,
-                value,
-                ..
-            } = part
-            else {
-                continue;
-            };
-            let Some(register) = moteus_protocol::Register::from_address(register) else {
-                continue;
-            };
-            let Some(value) = value else {
-                self.tell(register, resolution, &mut answer);
-                continue;
-            };
-            let float = f64::from(match value {
-                Value::Float(float) => float,
-                other => other.to_i32() as f32,
-            });
-            use moteus_protocol::Register as R;
-            match register {
-                R::Mode => mode = Mode::try_from(value.to_i32() as u8).ok(),
-                R::CommandPosition if !self.is_timed_out => {
-                    let counts = libm::round(float * moteus::TURN) as i32 + moteus::MIDDLE;
-                    self.set(family.goal_position, counts);
-                }
-                R::CommandVelocityLimit => {
-                    self.set(family.goal_speed, libm::round(float * 360.0) as i32);
-                }
-                R::CommandPositionMaxTorque => {
-                    let full = self.model.full_torque;
-                    let torque = libm::round(float * 100.0).min(full.into()) as i32;
-                    self.set(family.torque_limit, torque);
-                }
-                R::CommandTimeout => {
-                    // NAN gives 0.
-                    let units = libm::round(float / 0.02) as u8;
-                    if let Some(watchdog) = family.watchdog {
-                        self.set(watchdog, units.into());
-                    }
-                }
-                _ => {}
-            }
-        }
-        if mode.is_some() {
-            self.heard = now;
-        }
-        match mode {
-            Some(Mode::Stopped) => {
-                self.is_timed_out = false;
-                self.set(family.torque_enable, 0);
-            }
-            Some(Mode::Position) if !self.is_timed_out => self.set(family.torque_enable, 1),
-            _ => {}
-        }
-        answer
-    }
-
-    /// Adds a register of a moteus to its answer.
-    fn tell(
-        &mut self,
-        register: moteus_protocol::Register,
-        resolution: Resolution,
-        answer: &mut CanFdFrame,
-    ) {
-        use moteus_protocol::Register as R;
-        let family = self.model.family;
-        let mode = match (
-            self.temperature > 70.0,
-            self.is_timed_out,
-            self.has_torque(),
-        ) {
-            (true, ..) => Mode::Fault,
-            (_, true, _) => Mode::Timeout,
-            (_, _, true) => Mode::Position,
-            _ => Mode::Stopped,
-        };
-        let counts = self.get(family.position);
-        // The units of numbers of 8, 16 and 32 bits.
-        let (value, units) = match register {
-            R::Mode => (f64::from(i8::from(mode)), [1.0; 3]),
-            R::Position => {
-                self.reported = Some(counts);
-                let turns = f64::from(counts - moteus::MIDDLE) / moteus::TURN;
-                (turns, [0.01, 1e-4, 1e-5])
-            }
-            R::Velocity => (self.velocity / moteus::TURN, [0.1, 0.000_25, 1e-5]),
-            R::Torque => (f64::from(self.get(family.load)) / 100.0, [0.5, 0.01, 0.001]),
-            R::Voltage => (
-                f64::from(self.get(family.voltage)) / 10.0,
-                [0.5, 0.1, 0.001],
-            ),
-            R::Temperature => (self.temperature, [1.0, 0.1, 0.001]),
-            R::Fault if mode == Mode::Fault => (family.alarm_bits[1].into(), [1.0; 3]),
-            R::MultiplexId => (self.id().into(), [1.0; 3]),
-            _ => (0.0, [1.0; 3]),
-        };
-        let mut writer = WriteCanData::new(answer);
-        writer.write_u8(REPLY_INT8 | resolution.type_code() | 1);
-        writer.write_varuint(register.address().into());
-        match resolution {
-            Resolution::Float => writer.write_f32(value as f32),
-            _ => {
-                let unit = units[resolution.size() / 2];
-                writer.write_int(libm::round(value / unit) as i32, resolution);
-            }
-        }
-    }
-
-    fn write(&mut self, address: u16, bytes: &[u8]) {
-        let family = self.model.family;
-        let first = usize::from(address);
-        let touches_id = (first..first + bytes.len()).contains(&family.id.address.into());
-        let is_locked = family.lock.is_some_and(|lock| self.get(lock) != 0);
-        if let (false, Some(memory)) = (
-            touches_id && is_locked,
-            self.memory.get_mut(first..first + bytes.len()),
-        ) {
-            memory.copy_from_slice(bytes);
-        }
-    }
-}
-
 /// A bus of simulated servos, with everything that can go wrong.
 #[derive(Clone, Debug)]
 pub struct SimulatedBus {
     servos: Vec<Servo>,
     faults: Faults,
     happened: Happened,
-    protocol: Protocol,
+    wire: Wire,
     timing: Timing,
-    decoder: Decoder,
+    reader: Reader,
     random: u64,
     /// µs
     time: u64,
@@ -388,18 +98,18 @@ pub struct SimulatedBus {
 }
 
 impl SimulatedBus {
-    /// Creates a bus; all servos must be of one protocol.
+    /// Creates a bus; the frames of its first servo are the frames of all.
     pub fn new(servos: Vec<Servo>, timing: Timing) -> Self {
-        let protocol = servos
+        let wire = servos
             .first()
-            .map_or(Protocol::Dynamixel1, |servo| servo.model.family.protocol);
+            .map_or(Wire::Dynamixel1, |servo| servo.firmware.wire());
         SimulatedBus {
             servos,
             faults: Faults::default(),
             happened: Happened::default(),
-            protocol,
+            wire,
             timing,
-            decoder: Decoder::new(protocol),
+            reader: Reader::new(wire),
             random: 0x9E37_79B9_7F4A_7C15,
             time: 0,
             answers: Vec::new(),
@@ -437,22 +147,27 @@ impl SimulatedBus {
 
     /// Lets a servo start anew, as after a loose power connector: without torque, at its own speed.
     pub fn reset(&mut self, id: u8) {
-        self.change(id, Servo::power_on);
+        self.change(id, Servo::reset);
     }
 
     /// Lets a servo get too hot in a few seconds.
     pub fn overheat(&mut self, id: u8) {
-        self.change(id, |servo| servo.is_hot = true);
+        self.change(id, Servo::overheat);
     }
 
     /// Lets something hold a servo, which needs all its torque then.
     pub fn block(&mut self, id: u8) {
-        self.change(id, |servo| servo.is_blocked = true);
+        self.change(id, Servo::block);
     }
 
     /// Lets the supply of a servo drop to 7 V.
     pub fn sag(&mut self, id: u8) {
-        self.change(id, |servo| servo.voltage = 7.0);
+        self.change(id, Servo::sag);
+    }
+
+    /// Turns the shaft of a servo by hand, deg.
+    pub fn turn(&mut self, id: u8, by: f64) {
+        self.change(id, |servo| servo.turn(by));
     }
 
     fn change(&mut self, id: u8, change: impl FnMut(&mut Servo)) {
@@ -477,10 +192,9 @@ impl SimulatedBus {
     pub fn receive(&mut self, bytes: &[u8], now: u64) {
         self.advance(now);
         for byte in bytes {
-            self.decoder.push(*byte);
-            while let Some(frame) = self.decoder.next(Reads::Requests) {
+            if let Some(request) = self.reader.push(*byte) {
                 self.understood += 1;
-                self.execute(&frame);
+                self.execute(&request);
             }
         }
     }
@@ -497,24 +211,6 @@ impl SimulatedBus {
         self.answers.drain(..count).map(|(_, byte)| byte).collect()
     }
 
-    /// Executes a request of an fdcanusb adapter's line.
-    fn forward(&mut self, frame: &Frame) {
-        self.append(b"OK\n", false);
-        for place in self.addressed(frame.id) {
-            let servo = &mut self.servos[place];
-            let answer = servo.serve(&frame.parameters, self.time);
-            if frame.code & 0x80 == 0 {
-                continue;
-            }
-            let mut line = format!("rcv {:02x}{:02x} ", servo.id(), frame.code & 0x7F);
-            for byte in answer.payload() {
-                line.push_str(&format!("{byte:02X}"));
-            }
-            line.push_str(" B F\n");
-            self.append(line.as_bytes(), true);
-        }
-    }
-
     /// Puts a line after those that are on the way.
     fn append(&mut self, line: &[u8], can_fail: bool) {
         let last = self.answers.last().map_or(0, |(at, _)| *at);
@@ -525,79 +221,114 @@ impl SimulatedBus {
         }
     }
 
-    fn execute(&mut self, frame: &Frame) {
-        if self.protocol == Protocol::Moteus {
-            return self.forward(frame);
+    fn execute(&mut self, request: &Request) {
+        match self.wire {
+            Wire::Fdcanusb => self.forward(request),
+            Wire::Lx => self.command(request),
+            Wire::Dynamixel1 | Wire::Dynamixel2 => self.instruct(request),
         }
-        let is_wide = self.protocol == Protocol::Dynamixel2;
-        let word = |bytes: &[u8]| match bytes {
-            [low, high] if is_wide => Some(u16::from_le_bytes([*low, *high])),
-            [low] if !is_wide => Some(u16::from(*low)),
-            _ => None,
+    }
+
+    /// Executes a line of an fdcanusb: identity 0 means all.
+    fn forward(&mut self, request: &Request) {
+        self.append(wire::CONSENT, false);
+        for place in self.addressed(request.id, 0) {
+            let now = self.time;
+            let servo = &mut self.servos[place];
+            let answer = servo.serve(request.code, &request.parameters, now);
+            // The highest bit of the sender asks for an answer.
+            if let Some(payload) = answer.filter(|_| request.code & 0x80 != 0) {
+                let line = self
+                    .wire
+                    .answer(servo.id(), 0, request.code & 0x7F, &payload);
+                self.append(&line, true);
+            }
+        }
+    }
+
+    /// Executes a command of an LX. All servos answer to no other broadcast than a question for their identity.
+    fn command(&mut self, request: &Request) {
+        const ID_READ: u8 = 14;
+        for place in self.addressed(request.id, BROADCAST) {
+            let now = self.time;
+            let servo = &mut self.servos[place];
+            // It answers with the identity that it had.
+            let id = servo.id();
+            let answer = servo.serve(request.code, &request.parameters, now);
+            let is_wanted = request.id != BROADCAST || request.code == ID_READ;
+            if let Some(parameters) = answer.filter(|_| is_wanted) {
+                let frame = self.wire.answer(id, request.code, 0, &parameters);
+                self.transmit(&frame, 0);
+            }
+        }
+    }
+
+    /// Executes an instruction for servos with registers.
+    fn instruct(&mut self, request: &Request) {
+        let size = if self.wire == Wire::Dynamixel2 { 2 } else { 1 };
+        let word = |bytes: &[u8]| {
+            bytes
+                .iter()
+                .rev()
+                .fold(0, |word, byte| word << 8 | u16::from(*byte))
         };
-        let size = if is_wide { 2 } else { 1 };
-        let parameters = &frame.parameters[..];
+        let parameters = &request.parameters[..];
         let (first, rest) = parameters.split_at(size.min(parameters.len()));
         let (second, others) = rest.split_at(size.min(rest.len()));
-        let now = self.time;
-        for servo in &mut self.servos {
-            if frame.id == BROADCAST || frame.id == servo.id() {
-                servo.heard = now;
-            }
+        let (start, length) = (word(first), word(second));
+        let meant = self.addressed(request.id, BROADCAST);
+        for place in &meant {
+            self.servos[*place].firmware.hear(self.time);
         }
-        match frame.code {
+        let is_broadcast = request.id == BROADCAST;
+        match request.code {
             instruction::PING => {
-                for place in self.addressed(frame.id) {
-                    let family = self.servos[place].model.family;
-                    let number = self.servos[place].get(family.model).to_le_bytes();
-                    let parameters: &[u8] = match is_wide {
-                        true => &[number[0], number[1], 1],
-                        false => &[],
-                    };
-                    self.answer(place, parameters, 0);
+                for place in meant {
+                    let parameters = self.registers(place).map(|it| it.ping());
+                    self.answer(place, parameters.map(Reply::of), 0);
                 }
             }
-            instruction::READ => {
-                if let (Some(start), Some(length)) = (word(first), word(second)) {
-                    for place in self.addressed(frame.id) {
-                        self.answer_read(place, start, length, 0);
-                    }
+            instruction::READ if second.len() == size && !is_broadcast => {
+                for place in meant {
+                    self.answer_read(place, start, length, 0);
                 }
             }
             instruction::WRITE => {
-                if let Some(start) = word(first) {
-                    for place in self.addressed(frame.id) {
-                        // The answer has the identity that it had.
-                        if frame.id != BROADCAST {
-                            self.answer(place, &[], 0);
-                        }
-                        self.servos[place].write(start, rest);
+                for place in meant {
+                    // The answer has the identity that it had.
+                    let id = self.servos[place].id();
+                    let registers = self.servos[place].firmware.registers_mut();
+                    let reply = registers.map(|registers| registers.write(start, rest));
+                    let answers = self.registers(place).is_some_and(|it| it.answers().1);
+                    if answers && !is_broadcast {
+                        self.answer_as(place, id, reply, 0);
                     }
                 }
             }
-            instruction::SYNC_READ | instruction::FAST_SYNC_READ => {
-                let (Some(start), Some(length)) = (word(first), word(second)) else {
-                    return;
-                };
-                if frame.code == instruction::FAST_SYNC_READ {
-                    self.answer_fast(start, length, others);
-                    return;
-                }
+            instruction::FAST_SYNC_READ if self.wire == Wire::Dynamixel2 => {
+                self.answer_fast(start, length, others);
+            }
+            instruction::SYNC_READ => {
                 let mut after = 0;
                 for id in others {
-                    for place in self.addressed(*id) {
+                    for place in self.addressed(*id, BROADCAST) {
                         after += self.answer_read(place, start, length, after);
                     }
                 }
             }
             instruction::SYNC_WRITE => {
-                let (Some(start), Some(length)) = (word(first), word(second)) else {
-                    return;
-                };
                 for part in others.chunks_exact(usize::from(length) + 1) {
-                    for place in self.addressed(part[0]) {
-                        self.servos[place].write(start, &part[1..]);
+                    for place in self.addressed(part[0], BROADCAST) {
+                        if let Some(registers) = self.servos[place].firmware.registers_mut() {
+                            registers.write(start, &part[1..]);
+                        }
                     }
+                }
+            }
+            _ if !is_broadcast => {
+                for place in meant {
+                    let error = self.registers(place).map(|it| it.instruction_error());
+                    self.answer(place, error.map(Reply::error), 0);
                 }
             }
             _ => {}
@@ -605,68 +336,51 @@ impl SimulatedBus {
     }
 
     /// Returns the places of the servos that an identity means.
-    fn addressed(&self, id: u8) -> Vec<usize> {
+    fn addressed(&self, id: u8, all: u8) -> Vec<usize> {
         let servos = self.servos.iter().enumerate();
-        let meant =
-            servos.filter(|(_, servo)| !servo.is_gone && (id == BROADCAST || servo.id() == id));
+        let meant = servos.filter(|(_, servo)| !servo.is_gone && (id == all || servo.id() == id));
         meant.map(|(place, _)| place).collect()
     }
 
-    fn registers(&mut self, place: usize, start: u16, length: u16) -> Option<Vec<u8>> {
-        let servo = &mut self.servos[place];
-        let family = servo.model.family;
-        let first = usize::from(start);
-        let bytes = servo
-            .memory
-            .get(first..first + usize::from(length))?
-            .to_vec();
-        if let Some(position) = family.position.decode(start, &bytes) {
-            servo.reported = Some(position);
-        }
-        Some(bytes)
+    fn registers(&self, place: usize) -> Option<&dyn Registers> {
+        self.servos[place].firmware.registers()
     }
 
     /// Sends registers `after` µs, and returns how long that takes.
     fn answer_read(&mut self, place: usize, start: u16, length: u16, after: u64) -> u64 {
-        let bytes = self.registers(place, start, length);
-        bytes.map_or(0, |bytes| self.answer(place, &bytes, after))
+        if !self.registers(place).is_some_and(|it| it.answers().0) {
+            return 0;
+        }
+        let reply = self.servos[place].read(start, length);
+        self.answer(place, reply, after)
     }
 
     fn answer_fast(&mut self, start: u16, length: u16, ids: &[u8]) {
-        let mut parameters = Vec::new();
-        let mut error = None;
+        let mut parts = Vec::new();
         for id in ids {
-            for place in self.addressed(*id) {
-                let Some(bytes) = self.registers(place, start, length) else {
-                    continue;
-                };
-                let own = self.servos[place].error();
-                match error {
-                    None => error = Some(own),
-                    // The checksum up to here, which masters need not look at.
-                    Some(_) => parameters.extend([0, 0, own]),
+            for place in self.addressed(*id, BROADCAST) {
+                if let Some(reply) = self.servos[place].read(start, length) {
+                    let alarm = self.registers(place).map_or(0, |it| it.alarm());
+                    let error = alarm | reply.error;
+                    parts.push((self.servos[place].id(), error, reply.parameters));
                 }
-                parameters.push(self.servos[place].id());
-                parameters.extend(bytes);
             }
         }
-        let Some(error) = error else {
-            return;
-        };
-        if let Ok(frame) = self.protocol.answer(BROADCAST, error, &parameters) {
-            self.transmit(&frame, 0);
-        }
+        self.transmit(&Wire::fast_answer(&parts), 0);
     }
 
     /// Sends an answer `after` µs, and returns how long that takes.
-    fn answer(&mut self, place: usize, parameters: &[u8], after: u64) -> u64 {
-        let servo = &self.servos[place];
-        let delay = servo.model.family.return_delay;
-        let delay = delay.map_or(0, |delay| servo.get(delay) as u64 * 2);
-        let frame = self.protocol.answer(servo.id(), servo.error(), parameters);
-        let Ok(frame) = frame else {
+    fn answer(&mut self, place: usize, reply: Option<Reply>, after: u64) -> u64 {
+        self.answer_as(place, self.servos[place].id(), reply, after)
+    }
+
+    fn answer_as(&mut self, place: usize, id: u8, reply: Option<Reply>, after: u64) -> u64 {
+        let (Some(reply), Some(registers)) = (reply, self.registers(place)) else {
             return 0;
         };
+        let delay = registers.return_delay();
+        let error = registers.alarm() | reply.error;
+        let frame = self.wire.answer(id, error, 0, &reply.parameters);
         self.transmit(&frame, after + delay);
         delay + self.timing.bytes(frame.len())
     }

@@ -6,7 +6,7 @@
 use crate::message::Allowing;
 use std::collections::HashMap;
 use tipc::code::{Code, Level};
-use tipc::diagnostic::Diagnostic;
+use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::Edition;
 use tipc::lex::split_comment;
 use tipc::source::{Source, Span, Unit};
@@ -119,7 +119,7 @@ impl Allows {
     }
 
     /// Takes out the warnings that a comment silences.
-    pub(crate) fn silence(&mut self, source: &Source, diagnostics: &mut Vec<Diagnostic>) {
+    pub(crate) fn silence(&mut self, source: &Source, diagnostics: &mut Diagnostics) {
         if !self.allows.is_empty() {
             diagnostics.retain(|one| !self.silences(source, one));
         }
@@ -142,7 +142,7 @@ impl Allows {
     }
 
     /// Warnings about the comments: what they say wrong, and those that silence nothing.
-    pub(crate) fn warnings(&mut self, source: &Source) -> Vec<Diagnostic> {
+    pub(crate) fn warnings(&mut self, source: &Source) -> Diagnostics {
         let is_judged = |code: Code| code != Code::Allow && !is_found_later(code);
         let idle = |allow: &&Allow| !allow.silences && is_judged(allow.code);
         let idle = self.allows.iter().filter(idle).map(|allow| {
@@ -150,7 +150,8 @@ impl Allows {
                 Diagnostic::new(Code::Allow, allow.location, Allowing::SilencesNothing);
             diagnostic.help(Allowing::TakeOut)
         });
-        let mut found: Vec<Diagnostic> = self.faults.iter().cloned().chain(idle).collect();
+        let mut found = Diagnostics::default();
+        found.extend(self.faults.iter().cloned().chain(idle));
         self.silence(source, &mut found);
         found
     }

@@ -66,49 +66,49 @@ pub(crate) fn find(
 }
 
 /// Adds warnings that others found about a program, except those that a comment silences.
-pub(crate) fn add(loaded: &mut Loaded, mut found: Vec<Diagnostic>) {
+pub(crate) fn add(loaded: &mut Loaded, found: Vec<Diagnostic>) {
     if !found.is_empty() {
+        let mut found = Diagnostics::from(found);
         Allows::of(&loaded.source, &loaded.module).silence(&loaded.source, &mut found);
-        loaded.report(found.into());
+        loaded.report(found);
     }
 }
 
 impl LintContext<'_> {
     /// Adds everything that its analysis gives reason to warn of to what was found before.
     fn warn(&self, found: &mut Diagnostics) {
-        let warnings = self.warnings();
-        let meant = message::placeholder_names(&warnings);
-        let is_meant = |name: &String| meant.contains(name.as_str());
-        let follows = |diagnostic: &Diagnostic| {
-            matches!(diagnostic.code, Code::Unused | Code::NeverRead)
-                && diagnostic.subject.as_ref().is_some_and(is_meant)
-        };
-        let means_any = message::means_any(&warnings);
-        let is_unread = |diagnostic: &Diagnostic| means_any && diagnostic.code == Code::NeverRead;
-        found.retain(|diagnostic| !follows(diagnostic) && !is_unread(diagnostic));
+        let mut warnings = Diagnostics::default();
+        let meant = self.add_warnings(&mut warnings);
+        // That nothing reads what a text was to show is the same mistake.
+        let is_meant = |name: &String| meant.names.contains(name.as_str());
+        found.retain(|diagnostic| match diagnostic.code {
+            Code::NeverRead if meant.any => false,
+            Code::Unused | Code::NeverRead => !diagnostic.subject.as_ref().is_some_and(is_meant),
+            _ => true,
+        });
         found.append(warnings);
     }
 
-    fn warnings(&self) -> Diagnostics {
-        let mut found = Diagnostics::default();
+    /// Adds all warnings, and returns what texts were to show.
+    fn add_warnings(&self, found: &mut Diagnostics) -> message::MeantValues {
         // Statements by themselves, and the values that they read.
-        statements::unassigned(self, &mut found);
-        statements::commands(self, &mut found);
-        statements::swapped_signs(self, &mut found);
-        message::warn(self, &mut found);
-        statements::threads(self, &mut found);
-        motions::overridden(self, &mut found);
+        statements::unassigned(self, found);
+        statements::commands(self, found);
+        statements::swapped_signs(self, found);
+        let meant = message::warn(self, found);
+        statements::threads(self, found);
+        motions::overridden(self, found);
         // Conditions and jumps.
         let constant = flow::constant(self);
         let open: Vec<StepId> = constant.iter().map(|one| one.step).collect();
         let unreachable = flow::Unreachable::of(self, &open);
-        flow::conditions(self, &constant, &unreachable, &mut found);
-        flow::routines(self, &unreachable, &mut found);
-        motions::waits(self, &unreachable, &mut found);
-        unreachable.warn(self, &mut found);
-        // It takes back what follows from it.
-        flow::glued_jumps(self, &mut found);
-        found
+        flow::conditions(self, &constant, &unreachable, found);
+        flow::routines(self, &unreachable, found);
+        motions::waits(self, &unreachable, found);
+        let glued = flow::GluedJumps::of(self);
+        unreachable.warn(self, &glued, found);
+        glued.warn(found);
+        meant
     }
 
     fn statement(&self, step: StepId) -> Option<&Statement> {

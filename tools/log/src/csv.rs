@@ -123,22 +123,28 @@ impl<'a> Table<'a> {
         ];
         self.from = cycle + 1;
         row.extend(self.body(frame));
-        row.extend(frame.angles.iter().flatten().map(|angle| number(*angle)));
-        row.extend(frame.torques.iter().flatten().map(|torque| number(*torque)));
+        row.extend(frame.angles.iter().flatten().map(|angle| measured(*angle)));
+        row.extend(
+            frame
+                .torques
+                .iter()
+                .flatten()
+                .map(|torque| measured(*torque)),
+        );
         for (leg, foot) in recording.robot.feet(frame).enumerate() {
-            row.extend(foot.map(number));
+            row.extend(foot.map(measured));
             row.push(
                 frame
                     .loads
                     .get(leg)
-                    .map(|load| number(*load))
+                    .map(|load| measured(*load))
                     .unwrap_or_default(),
             );
         }
-        row.extend(frame.slider.iter().flatten().map(|at| number(*at)));
+        row.extend(frame.slider.iter().flatten().map(|at| measured(*at)));
         for thing in &frame.objects {
             let [x, y, _] = thing.position;
-            row.extend([x, y, thing.angle].map(number));
+            row.extend([x, y, thing.angle].map(measured));
         }
         row.extend(
             self.values
@@ -179,8 +185,8 @@ impl<'a> Table<'a> {
             let [x, y, z] = pose.position;
             [x, y, z, pose.roll, pose.pitch, pose.yaw]
         });
-        let pose = pose.map_or([const { String::new() }; 6], |pose| pose.map(number));
-        let margin = frame.margin.map(number).unwrap_or_default();
+        let pose = pose.map_or([const { String::new() }; 6], |pose| pose.map(measured));
+        let margin = frame.margin.map(measured).unwrap_or_default();
         pose.into_iter()
             .chain([margin, falls.to_string()])
             .collect()
@@ -203,6 +209,14 @@ fn shown(text: &str) -> String {
         true => format!("'{text}"),
         false => text.to_owned(),
     }
+}
+
+/// Least size of a measured number, in mm, deg, N, N·m or mN·m. What is smaller is an error of rounding.
+const LEAST: f64 = 1e-9;
+
+/// Returns a measured number.
+fn measured(value: f64) -> String {
+    number(if value.abs() < LEAST { 0.0 } else { value })
 }
 
 /// Returns a number that reads back to the same bits; −0 is 0. What is no number is an empty field.

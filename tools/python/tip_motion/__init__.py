@@ -7,11 +7,11 @@ machines give the same table. Lengths are mm, angles deg, times s, forces N, tor
 from ._check import Diagnostic, check
 from ._falsify import Falsified, falsify
 from ._native import __version__
-from ._run import Run
+from ._run import Run, Snapshot
 from ._sweep import latin_hypercube, load, normal, save, spec, sweep, table_hash, uniform
 
 __all__ = [
-    "Diagnostic", "Falsified", "Run", "VecEnv", "__version__", "check", "falsify", "latin_hypercube", "load", "normal",
+    "Diagnostic", "Falsified", "Run", "Snapshot", "VecEnv", "__version__", "check", "falsify", "latin_hypercube", "load", "normal",
     "save", "spec", "sb3_vec_env", "sweep", "table_hash", "uniform",
 ]
 

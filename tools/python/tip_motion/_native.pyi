@@ -8,8 +8,14 @@ def cases(spec: str) -> int:
 def case_values(spec: str, case: int) -> list[tuple[str, float]]:
     """Returns the names of the axes and their values in a case."""
 
-def run_chunk(spec: str, first: int, count: int) -> list[tuple[str, str, str, bytes | list[str]]]:
-    """Runs some cases, and returns name, unit, type and values of each column."""
+def run_chunk(spec: str, first: int, count: int) -> list[tuple[str, str, str, str, bytes | list[str]]]:
+    """Runs some cases, and returns name, unit, meaning, type and values of each column."""
+
+def saved(spec: str) -> str:
+    """Returns the contents of the file next to a table."""
+
+def has_forces(spec: str) -> bool:
+    """Returns true if the simulation of the robot has torques."""
 
 def check(name: str, text: bytes, robot: str, japanese: bool) -> list[str]:
     """Checks a program, and returns its diagnostics, one JSON object each."""
@@ -23,7 +29,7 @@ class Run:
     line: int
     end: str | None
     def __new__(cls, spec: str, case: int, trace: bool) -> Run: ...
-    def step(self, count: int, until: float) -> bool: ...
+    def step(self, count: int) -> bool: ...
     def set(self, name: str, value: float) -> None: ...
     def event(self, text: str) -> None: ...
     def read(self, name: str) -> float: ...

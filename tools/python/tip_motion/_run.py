@@ -5,7 +5,15 @@ from os import PathLike
 import numpy as np
 
 from . import _native
+from ._arguments import count, number
 from ._sweep import spec
+
+
+class Snapshot:
+    """The state of a run at a moment."""
+
+    def __init__(self, native, arguments):
+        self._native, self._arguments = native, arguments
 
 
 class Run:
@@ -16,25 +24,26 @@ class Run:
     """
 
     def __init__(self, program: str | PathLike, *, case: int = 0, trace: bool = True, **options):
+        case = count("case", case)
         self._arguments = program, case, trace, options
-        self._until = float(options.get("until", 60.0))
         self._native = _native.Run(spec(program, **options), case, trace)
 
     def step(self, cycles: int = 1) -> bool:
-        """Runs some control cycles. Returns true while the program goes on."""
-        return self._native.step(int(cycles), self._until)
+        """Runs some control cycles. Returns true while the program goes on, and false from the longest time `until` on, or when
+        the number `cycles` of `spec` is used up."""
+        return self._native.step(count("cycles", cycles))
 
     def run_to_end(self) -> str:
         """Runs until the program ends or the time on the robot is `until`, and returns the end as in tables."""
-        self._native.step(2**62, self._until)
+        self._native.step(2**62)
         return self.end
 
     def set(self, name: str, value: float) -> None:
         """Sets a variable. Before the first cycle any quantity of a sweep can be set, such as friction."""
         if self._native.cycles > 0:
-            return self._native.set(name, float(value))
+            return self._native.set(name, number(name, value))
         program, case, trace, options = self._arguments
-        vary = {**(options.get("vary") or {}), name: [float(value)]}
+        vary = {**(options.get("vary") or {}), name: [number(name, value)]}
         changed = {**options, "vary": vary}
         self._native = _native.Run(spec(program, **changed), case, trace)
         self._arguments = program, case, trace, changed
@@ -49,13 +58,17 @@ class Run:
         margin, time, J11…, load1…; NaN where the robot has no such number."""
         return self._native.read(name)
 
-    def snapshot(self) -> "_native.Snapshot":
+    def snapshot(self) -> Snapshot:
         """Marks the present state."""
-        return self._native.snapshot()
+        return Snapshot(self._native.snapshot(), self._arguments)
 
-    def restore(self, mark: "_native.Snapshot") -> None:
-        """Takes the run back to a mark; from there it repeats itself to the bit."""
-        self._native.restore(mark)
+    def restore(self, mark: Snapshot) -> None:
+        """Takes the run back to a mark; from there it repeats itself to the bit. The mark may be of another run of the same program
+        on the same robot, in the same scene and simulation."""
+        if not isinstance(mark, Snapshot):
+            raise ValueError(f"restore: a snapshot is needed, not {mark!r:.60}")
+        self._native.restore(mark._native)
+        self._arguments = mark._arguments
 
     @property
     def joints(self) -> np.ndarray:

@@ -4,9 +4,12 @@ A worker of an executor runs chunks of cases. With a folder it writes each chunk
 renames it, and returns a receipt, so that results never pass through a scheduler and a killed worker loses one chunk.
 """
 
+import csv
 import hashlib
 import json
+import numbers
 import os
+import stat
 import uuid
 from collections.abc import Iterable, Mapping
 from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
@@ -19,16 +22,17 @@ import pyarrow.dataset
 import pyarrow.parquet
 
 from . import _native
+from . import _arguments as arguments
 
 
 def uniform(low: float, high: float) -> dict:
     """Samples that are equally likely between two bounds."""
-    return {"uniform": {"low": float(low), "high": float(high)}}
+    return {"uniform": {"low": arguments.number("low", low), "high": arguments.number("high", high)}}
 
 
 def normal(mean: float, deviation: float) -> dict:
     """Normally distributed samples."""
-    return {"normal": {"mean": float(mean), "deviation": float(deviation)}}
+    return {"normal": {"mean": arguments.number("mean", mean), "deviation": arguments.number("deviation", deviation)}}
 
 
 #: The sampling method that gives the repeats one sample in each of as many equally likely intervals.
@@ -58,27 +62,33 @@ def spec(
     "quasi-static" or "dynamic". `until` is the longest time of a run on the robot, s. The last values of the variables
     in `record` become columns.
     """
-    name, text = _file(program, "program.prg")
+    name, text = _file(arguments.place("program", program), "program.prg")
+    if vary is not None and not isinstance(vary, Mapping):
+        raise arguments.wrong("vary", "a mapping of names to values", vary)
+    if not isinstance(events, str):
+        raise arguments.wrong("events", "a text", events)
     document = {
         "program": {"name": name, "text": text},
         "robot": _robot(robot),
-        "plant": plant,
-        "vary": [{"name": name, "values": _values(values)} for name, values in (vary or {}).items()],
-        "sampling": sampling,
-        "repeat": int(repeat),
-        "seed": int(seed),
+        "plant": arguments.one_of("plant", plant, ("scene", "quasi-static", "dynamic")),
+        "vary": [{"name": str(name), "values": _values(name, values)} for name, values in (vary or {}).items()],
+        "sampling": arguments.one_of("sampling", sampling, ("random", latin_hypercube)),
+        "repeat": arguments.count("repeat", repeat, 1),
+        "seed": arguments.count("seed", seed),
         "events": events,
-        "until": float(until),
-        "record": list(record),
+        "until": arguments.number("until", until),
+        "record": arguments.names("record", record),
     }
     if scene is not None:
+        arguments.place("scene", scene)
         document["scene"] = _file(scene, "scene.toml")[1] if _is_description(scene) else str(scene)
     if cycles is not None:
-        document["cycles"] = int(cycles)
+        document["cycles"] = arguments.count("cycles", cycles)
     return json.dumps(document)
 
 
 def _robot(robot):
+    arguments.place("robot", robot)
     if str(robot).endswith(".urdf") or _is_xml(robot):
         return {"urdf": _file(robot, "robot.urdf")[1]}
     return {"description": _file(robot, "robot.toml")[1]} if _is_description(robot) else {"name": str(robot)}
@@ -105,11 +115,17 @@ def _file(place, name, encoding="utf-8"):
         return str(place), data.decode("cp932")
 
 
-def _values(values):
+def _values(name, values):
+    name = f"vary[{name!r}]"
     if isinstance(values, Mapping):
+        if set(values) not in ({"uniform"}, {"normal"}):
+            raise arguments.wrong(name, "uniform(…) or normal(…)", values)
         return dict(values)
-    numbers = [values] if isinstance(values, (int, float)) else values
-    return {"list": [float(number) for number in numbers]}
+    if isinstance(values, numbers.Real):
+        return {"list": [arguments.number(name, values)]}
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise arguments.wrong(name, "a list of numbers, a number, uniform(…) or normal(…)", values)
+    return {"list": [arguments.number(f"{name}[{place}]", value) for place, value in enumerate(values)]}
 
 
 def sweep(
@@ -117,7 +133,7 @@ def sweep(
     *,
     executor: Executor | None = None,
     directory: str | PathLike | None = None,
-    chunk: int = 100,
+    chunk: int | None = None,
     **options,
 ):
     """Runs every case and returns a `pyarrow.Table`, in the order of cases; the options are those of `spec`.
@@ -125,12 +141,15 @@ def sweep(
     `executor` is any `concurrent.futures.Executor`, such as `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
     default threads on all cores. With `directory` the workers write Parquet files there and the result is a
     `pyarrow.dataset.Dataset`, which need not fit into memory. Chunks that are there already are skipped: after an error,
-    a killed worker or a lost machine the same call goes on.
+    a killed worker or a lost machine the same call goes on. `chunk` is the number of cases that a worker runs at a time: 100 with
+    a directory, else such that all cores have work.
     """
     document = spec(program, **options)
     cases = _native.cases(document)
-    if chunk < 1:
-        raise ValueError("chunk must be 1 or more")
+    if chunk is not None:
+        chunk = arguments.count("chunk", chunk, 1)
+    else:
+        chunk = 100 if directory is not None else min(max(cases // (4 * (os.cpu_count() or 1)), 1), 100)
     chunks = [(first, min(chunk, cases - first)) for first in range(0, cases, chunk)]
     own = executor is None
     pool = ThreadPoolExecutor(os.cpu_count()) if own else executor
@@ -152,6 +171,9 @@ def _to_directory(document, chunks, pool, directory):
     temporary = directory / f".{uuid.uuid4().hex}.json"
     temporary.write_text(document, "utf-8")
     os.replace(temporary, known)
+    expected = {_part(directory, *each) for each in chunks}
+    if not expected.issuperset(directory.glob("part-*.parquet")):
+        raise ValueError(f"{directory} holds chunks of another size: use the same chunk, or choose another directory")
     missing = [each for each in chunks if not _part(directory, *each).exists()]
     futures = [pool.submit(_write, document, *each, str(directory)) for each in missing]
     for future in as_completed(futures):
@@ -191,11 +213,11 @@ def _write(document, first, count, directory):
 
 
 def _table(columns, document):
-    """Makes a table, with units in the metadata of its columns and the specification in that of the table."""
+    """Makes a table, with unit and meaning in the metadata of its columns and the specification in that of the table."""
     fields, arrays = [], []
-    for name, unit, kind, values in columns:
+    for name, unit, meaning, kind, values in columns:
         array = pa.array(values, pa.string()) if kind == "str" else pa.array(np.frombuffer(values, kind))
-        fields.append(pa.field(name, array.type, metadata={"unit": unit}))
+        fields.append(pa.field(name, array.type, metadata={"unit": unit, "meaning": meaning}))
         arrays.append(array)
     return pa.Table.from_arrays(arrays, schema=pa.schema(fields, metadata={"tip.spec": document}))
 
@@ -215,27 +237,44 @@ def table_hash(table) -> str:
 
 
 def save(table, path: str | PathLike) -> None:
-    """Writes a table as `tip sweep` does: `tip view PATH` shows it, `tip view PATH --case N` replays a run."""
-    path = Path(path)
+    """Writes a table as `tip sweep` does: `tip view PATH` shows it, `tip view PATH --case N` replays a run. The specification goes to
+    a file next to it, whose name ends in .sweep.json; the name of the table ends in .csv."""
     table = table.to_table() if isinstance(table, pyarrow.dataset.Dataset) else table
-    names = []
+    document = (table.schema.metadata or {}).get(b"tip.spec", b"").decode()
+    if not document:
+        raise ValueError("the table is not one of tip_motion.sweep: it has no specification in its metadata")
+    known = [name for name, *_ in _native.run_chunk(document, 0, 0)]
+    if table.column_names != known:
+        raise ValueError(f"the table has other columns than its sweep, which are {', '.join(known)}")
+    # A table takes the place of a file, not of a link to it.
+    path = Path(os.path.realpath(arguments.place("path", path)))
+    if path.suffix != ".csv":
+        raise ValueError(f"{path} is not the name of a table: it must end in .csv")
+    specification = path.with_suffix(".sweep.json")
+    for file in (path, specification):
+        if file.exists() and not (stat.S_ISREG(file.stat().st_mode) and file.stat().st_mode & stat.S_IWUSR):
+            raise ValueError(f"{file} is not a file that can be replaced: it is read-only, a folder, a device or a pipe")
+    titles = []
     for field in table.schema:
         unit = (field.metadata or {}).get(b"unit", b"").decode()
-        names.append(_quoted(f"{field.name} [{unit}]" if unit else field.name))
-    temporary = path.with_name(f".{path.name}-{uuid.uuid4().hex}")
-    with temporary.open("w", encoding="utf-8", newline="\n") as file:
-        file.write(",".join(names) + "\n")
-        for batch in table.to_batches():
-            for row in zip(*(column.to_pylist() for column in batch.columns)):
-                file.write(",".join(map(_quoted, row)) + "\n")
-    document = json.loads(table.schema.metadata[b"tip.spec"])
-    saved = {"tip": _native.__version__, "spec": document}
-    path.with_suffix(".sweep.json").write_text(json.dumps(saved, indent=2), "utf-8")
-    os.replace(temporary, path)
+        titles.append(f"{field.name} [{unit}]" if unit else field.name)
+    temporary = [file.with_name(f".{file.name}-{uuid.uuid4().hex}") for file in (specification, path)]
+    try:
+        temporary[0].write_text(_native.saved(document), "utf-8")
+        with temporary[1].open("w", encoding="utf-8", newline="") as file:
+            rows = csv.writer(file, lineterminator="\n")
+            rows.writerow(titles)
+            for batch in table.to_batches():
+                rows.writerows([_cell(cell) for cell in row] for row in zip(*(column.to_pylist() for column in batch.columns)))
+        os.replace(temporary[0], specification)
+        os.replace(temporary[1], path)
+    finally:
+        for file in temporary:
+            file.unlink(missing_ok=True)
 
 
-def _quoted(cell):
+def _cell(cell):
+    """Returns a cell as text. A number reads back to the same bits; a missing one is empty."""
     if isinstance(cell, float):
         return "" if cell != cell else np.format_float_positional(cell, trim="-")
-    text = str(cell)
-    return f'"{text.replace(chr(34), chr(34) * 2)}"' if any(mark in text for mark in ',"\n\r') else text
+    return cell

@@ -7,6 +7,7 @@ import gymnasium as gym
 import numpy as np
 from gymnasium.vector.utils import batch_space
 
+from . import _arguments as arguments
 from . import _native
 from ._sweep import spec
 
@@ -35,12 +36,16 @@ class VecEnv(gym.vector.VectorEnv):
         **options,
     ):
         options.setdefault("repeat", 1_000_000)
-        self.num_envs = num_envs
-        self._fall = fall
+        self.num_envs = arguments.count("num_envs", num_envs, 1)
+        self._fall = arguments.number("fall", fall)
+        cycles = arguments.count("cycles", cycles, 1)
+        if not isinstance(reward, str):
+            raise arguments.wrong("reward", "a name", reward)
+        observations = arguments.names("observations", observations)
+        low, high = _bounds(actions)
         names = [*observations, reward, "falls"]
         self._batch = _native.Batch(spec(program, **options), num_envs, list(actions), names, cycles)
         self._next = num_envs
-        low, high = (np.array(bound, np.float32) for bound in zip(*actions.values()))
         self.single_action_space = gym.spaces.Box(low, high)
         self.single_observation_space = gym.spaces.Box(-np.inf, np.inf, (len(observations),), np.float32)
         self.action_space = batch_space(self.single_action_space, num_envs)
@@ -58,7 +63,7 @@ class VecEnv(gym.vector.VectorEnv):
     def reset(self, *, seed=None, options=None):
         """Starts all environments. With a seed, their cases count from there."""
         if seed is not None:
-            self._next = int(seed)
+            self._next = arguments.count("seed", seed)
         for index in range(self.num_envs):
             self._restart(index)
         self._last = self._read()
@@ -74,13 +79,29 @@ class VecEnv(gym.vector.VectorEnv):
         terminated, truncated = (ends == 1) | falls, (ends == 2) & ~falls
         done, infos = terminated | truncated, {}
         if done.any():
-            final = now[:, :-2].astype(np.float32)
-            infos = {"final_obs": np.array([row if over else None for row, over in zip(final, done)], object), "_final_obs": done}
+            # One element for each environment, as gymnasium's own environments have it: an array, or None.
+            final = np.full(self.num_envs, None, object)
+            for index in np.flatnonzero(done):
+                final[index] = now[index, :-2].astype(np.float32)
+            infos = {"final_obs": final, "_final_obs": done}
             for index in np.flatnonzero(done):
                 self._restart(index)
             now = self._read()
         self._last = now
         return now[:, :-2].astype(np.float32), rewards, terminated, truncated, infos
+
+
+def _bounds(actions):
+    """Returns the least and the greatest values of actions."""
+    if not isinstance(actions, Mapping) or not actions:
+        raise arguments.wrong("actions", "a mapping of variables to their bounds", actions)
+    for name, bounds in actions.items():
+        if not isinstance(bounds, Sequence) or isinstance(bounds, str) or len(bounds) != 2:
+            raise arguments.wrong(f"actions[{name!r}]", "a pair of bounds", bounds)
+        low, high = (arguments.number(f"actions[{name!r}]", bound) for bound in bounds)
+        if low >= high:
+            raise arguments.wrong(f"actions[{name!r}]", "a lower bound and a higher one", bounds)
+    return (np.array(bound, np.float32) for bound in zip(*actions.values()))
 
 
 def sb3_vec_env(*arguments, **options):

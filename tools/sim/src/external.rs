@@ -265,7 +265,7 @@ impl ExternalHardware {
 
     fn fault(&self) -> Result<(), HardwareFault> {
         let word = self.error.as_ref().map(PlantError::word);
-        word.map_or(Ok(()), |word| Err(HardwareFault(word)))
+        word.map_or(Ok(()), |word| Err(HardwareFault::new(word)))
     }
 }
 
@@ -296,6 +296,9 @@ impl DynHardware for ExternalHardware {
         self.fault()?;
         let unit = self.layout.per_newton_metre;
         into.angles.copy_from_slice(&self.measured.angles);
+        // Sensors that a simulation does not drive read 0.
+        into.torques.fill(0.0);
+        *into.inputs = Inputs::all(0.0);
         for (into, torque) in into.torques.iter_mut().zip(&self.measured.torques) {
             *into = torque * unit;
         }
@@ -323,11 +326,12 @@ impl DynHardware for ExternalHardware {
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         if let (Some(link), None, false) = (&mut self.link, &self.error, self.is_stopped) {
             link.notify(protocol::stop(self.number));
         }
         self.is_stopped = true;
+        Ok(())
     }
 
     fn has_input(&self, port: Port) -> bool {

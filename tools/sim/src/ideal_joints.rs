@@ -1,7 +1,7 @@
 //! Joints that are where they are commanded to be in the next cycle: a robot that is cheap to simulate.
 
 use crate::model::Anatomy;
-use crate::sim_hardware::{Commands, DynHardware, Reading};
+use crate::sim_hardware::{Commands, DynHardware, Reading, has_input};
 use std::any::Any;
 use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;
@@ -100,11 +100,12 @@ impl DynHardware for IdealJoints {
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {}
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        Ok(())
+    }
 
     fn has_input(&self, port: Port) -> bool {
-        let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > self.soles);
-        !lacks && port.place().is_some()
+        has_input(self.soles, port)
     }
 
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {

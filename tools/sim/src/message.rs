@@ -101,6 +101,17 @@ tipc::message_table! {
     /// Reasons and helps of such lints.
     Linting;
 
+    // Inputs.
+    NotConnected { input: Text }
+        "nothing is connected to {input}: the servos of a real robot measure its joints alone",
+        "{input}には何も接続されていません。実機のサーボが計測するのは関節だけです";
+    OpenChannel { channel: Text }
+        "nothing is connected to channel {channel}",
+        "チャンネル{channel}には何も接続されていません";
+    GiveInput { input: Text }
+        "give it a value in V: `--sensor {input}=2.5@0`",
+        "値(V)を `--sensor {input}=2.5@0` のように指定してください";
+
     // SPECIAL.
     AnswersNone { robot: &'static str }
         "{robot} has no SPECIAL of its own",

@@ -1,25 +1,36 @@
 //! A real robot as the hardware of a run: joints that this process reaches over a bus. A copy of such a run reaches none.
+//!
+//! Nothing but joints is connected to the bus. Other inputs exist as far as events give them a value; the rest is absent,
+//! which is a NaN and a `Sensor fault` where a program reads it.
 
+use crate::event::Events;
+use crate::message::Linting;
 use crate::motion::Limbs;
 use crate::program_runner::ProgramRunner;
 use crate::robot::Robot;
 use crate::run::Run;
-use crate::sim_hardware::{Commands, DynHardware, Reading};
+use crate::sim_hardware::{Commands, DynHardware, Reading, has_input};
 use std::any::Any;
 use std::fmt;
-use tip_runtime::command::Port;
+use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::fault::Fault;
-use tip_runtime::hardware::{HardwareFault, JointCommand};
+use tip_runtime::hardware::{HardwareFault, Inputs, JointCommand};
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::Program;
+use tipc::Loaded;
+use tipc::code::Code;
+use tipc::diagnostic::Diagnostic;
+use tipc::language::flags::{self, Cause};
+use tipc::message::Text;
+use tipc::program::{Action, Condition};
 
 /// The joints of a real robot, leg by leg: [`Hardware`](tip_runtime::hardware::Hardware) for a robot of any size.
 pub trait Joints: Send {
-    /// Measures the angle of each joint, deg.
+    /// Measures the angle of each joint, deg, and says how many cycles ago it did, where it could not in this one.
     ///
     /// # Errors
     /// The fault; the machine answers with an emergency stop.
-    fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault>;
+    fn read(&mut self, angles: &mut [f64], ages: &mut [u32]) -> Result<(), HardwareFault>;
 
     /// Sends a command to each joint, for a cycle of `period` ms.
     ///
@@ -28,7 +39,10 @@ pub trait Joints: Send {
     fn write(&mut self, commands: &[JointCommand], period: f64) -> Result<(), HardwareFault>;
 
     /// Stops the robot: called in every cycle of an emergency, in place of [`write`](Self::write).
-    fn stop(&mut self, why: &Fault);
+    ///
+    /// # Errors
+    /// The robot could not be stopped in this cycle.
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 }
 
 impl Run {
@@ -41,14 +55,74 @@ impl Run {
         robot: &Robot,
         joints: impl Joints + 'static,
     ) -> Result<Self, Mismatch> {
+        let anatomy = robot.anatomy();
+        let legs = anatomy.legs.len();
         let hardware = Box::new(RealHardware {
             joints: Some(Box::new(joints)),
-            legs: robot.anatomy().legs.len(),
+            legs,
+            soles: anatomy.body.map_or(0, |_| legs),
             angles: Vec::new(),
-            knobs: [None; KNOBS],
+            inputs: Inputs::all(f64::NAN),
         });
         let machine = robot.start_on(hardware, ProgramRunner::new(program));
         Ok(Run::on(machine?))
+    }
+}
+
+impl Robot {
+    /// Returns an error for each statement that reads an input which a real robot of this kind lacks, and which no event
+    /// gives a value.
+    pub fn unconnected(&self, loaded: &Loaded, events: &Events) -> Vec<Diagnostic> {
+        let Some(program) = &loaded.program else {
+            return Vec::new();
+        };
+        let anatomy = self.anatomy();
+        let joints = anatomy.legs.len() * anatomy.joints;
+        let soles = anatomy.body.map_or(0, |_| anatomy.legs.len());
+        let is_given = |port: Port| events.ports().any(|given| given == port);
+        let steps = loaded.module.steps().zip(program.steps());
+        let read = steps.filter_map(|(statement, step)| {
+            let mut ports = inputs(&step.action, joints, soles).into_iter();
+            let port = ports.find(|port| !is_given(*port))?;
+            let input = Text::from(port.to_string());
+            let diagnostic = |reason| Diagnostic::new(Code::Argument, statement.span, reason);
+            Some(match port {
+                Port::Channel(_) => diagnostic(Linting::OpenChannel { channel: input }),
+                _ => diagnostic(Linting::NotConnected {
+                    input: input.clone(),
+                })
+                .help(Linting::GiveInput { input }),
+            })
+        });
+        read.collect()
+    }
+}
+
+/// Returns the inputs that an action reads, joints excepted, on a robot with so many joints and soles.
+fn inputs(action: &Action, joints: usize, soles: usize) -> Vec<Port> {
+    match action {
+        Action::AdIn { port, .. } => match port.by_name() {
+            Port::Joint(..) => Vec::new(),
+            Port::Channel(channel) if usize::from(channel) < joints => Vec::new(),
+            port => vec![port],
+        },
+        Action::Command {
+            op: Op::DetectFloor,
+            target,
+            ..
+        } => {
+            let searches =
+                |leg: &u8| matches!(target, Target::All) || *target == Target::Foot(*leg);
+            let legs = (1..).take(soles).filter(searches);
+            legs.map(Port::Paw).collect()
+        }
+        action => match action.condition() {
+            Some(Condition::Flag { flag, .. }) => match flags::row(*flag).map(|row| row.cause) {
+                Some(Cause::Input(port)) => vec![port],
+                _ => Vec::new(),
+            },
+            _ => Vec::new(),
+        },
     }
 }
 
@@ -56,14 +130,12 @@ struct RealHardware {
     /// None in a copy.
     joints: Option<Box<dyn Joints>>,
     legs: usize,
+    soles: usize,
     /// The last measured angles, deg.
     angles: Vec<f64>,
-    /// Readings of VR1 to VR3 that events set, V: the host of a robot without a control box has its sticks.
-    knobs: [Option<f64>; KNOBS],
+    /// Values that events gave to inputs, V; NaN for all others.
+    inputs: Inputs,
 }
-
-/// Number of knobs of the control box.
-const KNOBS: usize = 3;
 
 impl fmt::Debug for RealHardware {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -72,7 +144,7 @@ impl fmt::Debug for RealHardware {
 }
 
 /// The fault of a copy.
-const COPY: HardwareFault = HardwareFault("a copy of a run has no robot");
+const COPY: HardwareFault = HardwareFault::new("a copy of a run has no robot");
 
 impl DynHardware for RealHardware {
     fn boxed(&self) -> Box<dyn DynHardware> {
@@ -88,14 +160,13 @@ impl DynHardware for RealHardware {
     }
 
     fn read(&mut self, into: Reading<'_>) -> Result<(), HardwareFault> {
-        self.joints.as_mut().ok_or(COPY)?.read(into.angles)?;
+        self.joints
+            .as_mut()
+            .ok_or(COPY)?
+            .read(into.angles, into.ages)?;
         self.angles.clear();
         self.angles.extend_from_slice(into.angles);
-        for (number, volts) in (1..).zip(self.knobs) {
-            if let Some(volts) = volts {
-                into.inputs.set(Port::Knob(number), volts);
-            }
-        }
+        *into.inputs = self.inputs;
         Ok(())
     }
 
@@ -104,23 +175,16 @@ impl DynHardware for RealHardware {
         joints.write(commands.joints, commands.period)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        if let Some(joints) = &mut self.joints {
-            joints.stop(why);
-        }
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.joints.as_mut().ok_or(COPY)?.stop(why)
     }
 
     fn has_input(&self, port: Port) -> bool {
-        matches!(port, Port::Knob(number) if (1..=KNOBS).contains(&usize::from(number)))
+        has_input(self.soles, port)
     }
 
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
-        let place = match port {
-            Port::Knob(number) => usize::from(number).checked_sub(1),
-            _ => None,
-        };
-        let knob = place.and_then(|place| self.knobs.get_mut(place));
-        knob.map(|knob| *knob = Some(volts)).is_some()
+        self.has_input(port) && self.inputs.set(port, volts)
     }
 
     fn limbs(&self) -> Option<Limbs> {

@@ -16,6 +16,7 @@ const PRESSED: f64 = 2.0;
 /// The sensors of a robot, to be filled in.
 pub(crate) struct Reading<'a> {
     pub(crate) angles: &'a mut [f64],
+    pub(crate) ages: &'a mut [u32],
     pub(crate) torques: &'a mut [f64],
     pub(crate) inputs: &'a mut Inputs,
     pub(crate) slider: &'a mut Point,
@@ -30,6 +31,12 @@ pub(crate) struct Commands<'a> {
     pub(crate) period: f64,
 }
 
+/// Returns true if a robot with so many soles may have this input by its name.
+pub(crate) fn has_input(soles: usize, port: Port) -> bool {
+    let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > soles);
+    !lacks && port.place().is_some()
+}
+
 /// A simulated robot of any size. A method that is not overridden belongs to a robot that lacks it.
 pub(crate) trait DynHardware: Send {
     fn boxed(&self) -> Box<dyn DynHardware>;
@@ -37,7 +44,7 @@ pub(crate) trait DynHardware: Send {
     fn plant(&self) -> &dyn Any;
     fn read(&mut self, into: Reading<'_>) -> Result<(), HardwareFault>;
     fn write(&mut self, commands: &Commands<'_>) -> Result<(), HardwareFault>;
-    fn stop(&mut self, why: &Fault);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 
     /// Returns true if the robot has this input.
     fn has_input(&self, port: Port) -> bool;
@@ -157,8 +164,8 @@ where
         self.plant.write(&outputs)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        self.plant.stop(why);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.plant.stop(why)
     }
 
     fn has_input(&self, port: Port) -> bool {
@@ -233,14 +240,14 @@ impl SimHardware {
 
     fn measure(&mut self, into: Reading<'_>) -> Result<(), HardwareFault> {
         match std::mem::take(&mut self.read_fails) {
-            true => Err(HardwareFault("read")),
+            true => Err(HardwareFault::new("read")),
             false => self.simulated.read(into),
         }
     }
 
     fn drive(&mut self, commands: &Commands<'_>) -> Result<(), HardwareFault> {
         match self.write_fails {
-            true => Err(HardwareFault("write")),
+            true => Err(HardwareFault::new("write")),
             false => self.simulated.write(commands),
         }
     }
@@ -264,6 +271,7 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimHardware {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
         self.measure(Reading {
             angles: into.angles.as_flattened_mut(),
+            ages: into.ages.as_flattened_mut(),
             torques: into.torques.as_flattened_mut(),
             inputs: &mut into.inputs,
             slider: &mut into.slider,
@@ -279,7 +287,7 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimHardware {
         })
     }
 
-    fn stop(&mut self, why: &Fault) {
-        self.simulated.stop(why);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.simulated.stop(why)
     }
 }

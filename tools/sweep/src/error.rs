@@ -1,6 +1,7 @@
 //! Errors of a specification, found before the first run, and of cases; and their messages: reasons why a sweep cannot run, each
 //! with a way out.
 
+use serde::Serialize;
 use std::fmt;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::say::Say;
@@ -24,8 +25,8 @@ tipc::message_table! {
         "case {case} ({values}): {reason}",
         "ケース{case} ({values}): {reason}";
     UnknownQuantity
-        "this is neither a variable of the program nor a quantity of robot, scene, push, noise or sensor",
-        "プログラムの変数でも、robot・scene・push・noise・sensor の量でもありません";
+        "this is neither a variable of the program nor one of friction, scene.KEY, robot.KEY, push.x, push.y, push.z, push.at, push.for, noise.angle, noise.sole and sensor.NAME",
+        "プログラムの変数でも、friction、scene.キー、robot.キー、push.x、push.y、push.z、push.at、push.for、noise.angle、noise.sole、sensor.名前 のどれでもありません";
     UnknownVariable { name: String }
         "cannot record '{name}': this is not a variable of the program",
         "'{name}' を記録できません: プログラムの変数ではありません";
@@ -106,10 +107,12 @@ tipc::message_table! {
         "{text}";
 }
 
-/// A text of another crate in each language.
-#[derive(Clone, Debug, PartialEq)]
+/// A text in each language.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Texts {
+    #[serde(rename = "en")]
     english: String,
+    #[serde(rename = "ja")]
     japanese: String,
 }
 
@@ -121,6 +124,11 @@ impl Texts {
             english: of(Lang::English),
             japanese: of(Lang::Japanese),
         }
+    }
+
+    /// Returns the text in a language.
+    pub fn text(&self, lang: Lang) -> &str {
+        lang.pick(&self.english, &self.japanese)
     }
 
     /// Returns the errors of a file, one line each.
@@ -150,7 +158,7 @@ impl Texts {
 
 impl Say for Texts {
     fn say(&self, lang: Lang, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(lang.pick(&self.english, &self.japanese))
+        f.write_str(self.text(lang))
     }
 }
 
@@ -192,6 +200,12 @@ impl SweepError {
     pub(crate) fn found(loaded: &Loaded) -> Self {
         let text = Texts::found(loaded);
         Sweeping::Says { text }.into()
+    }
+
+    /// Adds the name that was probably meant.
+    pub(crate) fn near(mut self, name: String) -> Self {
+        self.0.near = Some(name);
+        self
     }
 
     /// Adds the nearest of the known names, if one is near.

@@ -1,9 +1,11 @@
 //! Quantities that a sweep varies: their names, and how a value reaches a run.
 
-use crate::error::{SweepError, Sweeping};
+use crate::columns::{Column, Meaning, Measure};
+use crate::error::{SweepError, Sweeping, Texts};
 use tip_runtime::command::Port;
 use tipc::analysis::{access, flow::Flow};
 use tipc::description::{Key, Part};
+use tipc::message::Lang;
 use tipc::program::{Action, Operand, Program, ScalarExpression, StepId};
 use toml::{Table, Value};
 
@@ -103,6 +105,18 @@ impl Quantity {
             .map(String::as_str)
             .chain(NAMES.iter().map(|(known, _)| *known))
             .chain(["friction"]);
+        // A key of a file that lacks the file's name.
+        if name == "floor.friction" {
+            let near = SweepError::from(Sweeping::UnknownQuantity).near("friction".to_owned());
+            return Err(SweepError::axis(name, near));
+        }
+        for (file, parts) in [("scene", Part::SCENE), ("robot", Part::ALL)] {
+            if name.contains('.') && key(parts, &keys(name)).is_some() {
+                let near =
+                    SweepError::from(Sweeping::UnknownQuantity).near(format!("{file}.{name}"));
+                return Err(SweepError::axis(name, near));
+            }
+        }
         let unknown = SweepError::from(Sweeping::UnknownQuantity).suggest(name, known);
         Err(SweepError::axis(name, unknown))
     }
@@ -113,34 +127,45 @@ fn keys(path: &str) -> Vec<String> {
 }
 
 impl Quantity {
-    /// Returns its unit; empty if it has none or the program decides.
-    pub fn unit(&self) -> &'static str {
-        match self {
-            Quantity::Variable(_) => "",
-            Quantity::Scene(path) => unit_in(Part::SCENE, path),
-            Quantity::Robot(path) => unit_in(Part::ALL, path),
-            Quantity::Push(Push::Force(_)) => "N",
-            Quantity::Push(Push::At | Push::For) => "s",
-            Quantity::Noise(Noise::Angle) => "deg",
-            Quantity::Noise(Noise::Sole) | Quantity::Sensor(_) => "V",
-        }
+    /// Returns the column of an axis that varies the quantity.
+    pub(crate) fn column(&self, axis: usize, name: &str) -> Column {
+        let mut column = Measure::Axis(axis).column(name);
+        let (unit, meaning) = match self {
+            Quantity::Variable(_) => ("", Meaning::Variable),
+            Quantity::Push(Push::Force(_)) => ("N", Meaning::Force),
+            Quantity::Push(Push::At) => ("s", Meaning::ForceStart),
+            Quantity::Push(Push::For) => ("s", Meaning::ForceTime),
+            Quantity::Noise(Noise::Angle) => ("deg", Meaning::AngleNoise),
+            Quantity::Noise(Noise::Sole) => ("V", Meaning::SoleNoise),
+            Quantity::Sensor(_) => ("V", Meaning::Reading),
+            Quantity::Scene(path) => return of_file(column, key(Part::SCENE, path)),
+            Quantity::Robot(path) => return of_file(column, key(Part::ALL, path)),
+        };
+        column.unit = unit;
+        column.meaning = meaning.into();
+        column
     }
 }
 
-/// Returns the unit of the number at a path of a file with these tables.
-fn unit_in(tables: &[Part], path: &[String]) -> &'static str {
+/// Gives a column unit and meaning of a key of a file.
+fn of_file(mut column: Column, key: Option<&Key>) -> Column {
+    if let Some(key) = key {
+        column.unit = key.unit();
+        let of = |lang: Lang| lang.pick(key.meaning.english, key.meaning.japanese);
+        column.meaning = Texts::of(|lang| of(lang).to_owned());
+    }
+    column
+}
+
+/// Returns the key at a path of a file with these tables.
+fn key(tables: &[Part], path: &[String]) -> Option<&'static Key> {
     // The others are places in lists.
     let is_key = |word: &&String| word.parse::<usize>().is_err();
     let mut keys = path.iter().rev().filter(is_key);
-    let (key, table) = (keys.next(), keys.next().map_or("", String::as_str));
+    let (key, table) = (keys.next()?, keys.next().map_or("", String::as_str));
     let is_table = |part: &&Part| part.name().trim_matches(['[', ']']) == table;
-    let mut keys = tables
-        .iter()
-        .find(is_table)
-        .into_iter()
-        .flat_map(|part| part.keys());
-    keys.find(|known| key.is_some_and(|key| key == known.name))
-        .map_or("", Key::unit)
+    let mut keys = tables.iter().find(is_table)?.keys();
+    keys.find(|known| *key == known.name)
 }
 
 /// The places where a varied scalar gets its value.
@@ -153,7 +178,7 @@ pub(crate) struct Override {
 }
 
 impl Override {
-    /// Finds the constant assignments to a scalar that come before its first use on some path.
+    /// Finds the constant assignments to a scalar that come before its first use on some path of the program or of a thread.
     ///
     /// # Errors
     /// A path assigns a computed value first; the error names its line.
@@ -162,7 +187,9 @@ impl Override {
         let returns: Vec<usize> = flow.calls().map(|call| call.back).collect();
         // Each node as it is reached with the scalar unassigned, and assigned.
         let mut seen = vec![[false; 2]; flow.nodes().len()];
-        let mut open = vec![(0, false)];
+        // A thread may come to its first use before or after an assignment of another one.
+        let starts = flow.starts().iter();
+        let mut open: Vec<_> = starts.map(|start| (*start, false)).collect();
         let mut found = Override::default();
         while let Some((id, mut is_assigned)) = open.pop() {
             let node = &flow.nodes()[id];
@@ -205,25 +232,28 @@ impl Override {
 #[derive(Clone, Debug)]
 pub(crate) struct Settings {
     table: Table,
+    /// The tables that the file may have.
+    parts: &'static [Part],
 }
 
 impl Settings {
-    /// Reads the file.
+    /// Reads a file with these tables.
     ///
     /// # Errors
     /// It is not TOML.
-    pub(crate) fn read(text: &str) -> Result<Self, SweepError> {
+    pub(crate) fn read(text: &str, parts: &'static [Part]) -> Result<Self, SweepError> {
         let table = text.parse().map_err(SweepError::says)?;
-        Ok(Settings { table })
+        Ok(Settings { table, parts })
     }
 
-    /// Sets the number at a path; elements of lists count from 1.
+    /// Sets the number at a path; elements of lists count from 1. A list that the file leaves out has its default.
     ///
     /// # Errors
     /// The path leads through a number or beyond a list's end.
     pub(crate) fn set(&mut self, path: &[String], number: f64) -> Result<(), Sweeping> {
         let mut file = Value::Table(std::mem::take(&mut self.table));
-        let done = put(&mut file, path, number);
+        let default = || default_list(self.parts, path);
+        let done = put(&mut file, path, number, &default);
         if let Value::Table(table) = file {
             self.table = table;
         }
@@ -236,23 +266,50 @@ impl Settings {
     }
 }
 
-fn put(value: &mut Value, path: &[String], number: f64) -> Result<(), Sweeping> {
+/// Returns the default of the list at a path; `None` if the key is required or no list.
+fn default_list(parts: &[Part], path: &[String]) -> Option<Value> {
+    let text = key(parts, path)?.default?;
+    let list: Value = toml::from_str::<Table>(&format!("list = {text}"))
+        .ok()?
+        .remove("list")?;
+    list.is_array().then_some(list)
+}
+
+fn put(
+    value: &mut Value,
+    path: &[String],
+    number: f64,
+    default: &dyn Fn() -> Option<Value>,
+) -> Result<(), Sweeping> {
     let Some((key, rest)) = path.split_first() else {
         *value = Value::Float(number);
         return Ok(());
     };
     match value {
         Value::Table(table) => {
-            let new = || Value::Table(Table::new());
-            put(table.entry(key.clone()).or_insert_with(new), rest, number)
+            let in_list = rest.first().filter(|word| word.parse::<usize>().is_ok());
+            let new = match in_list.filter(|_| !table.contains_key(key)) {
+                None => Value::Table(Table::new()),
+                Some(index) if rest.len() > 1 => {
+                    return Err(Sweeping::NoElement {
+                        index: index.clone(),
+                    });
+                }
+                Some(index) => {
+                    let missing = || Sweeping::NoElement {
+                        index: index.clone(),
+                    };
+                    default().ok_or_else(missing)?
+                }
+            };
+            let value = table.entry(key.clone()).or_insert(new);
+            put(value, rest, number, default)
         }
         Value::Array(list) => {
-            let index = key
-                .parse::<usize>()
-                .ok()
-                .and_then(|index| index.checked_sub(1));
+            let index = key.parse::<usize>().ok();
+            let index = index.and_then(|index| index.checked_sub(1));
             match index.and_then(|index| list.get_mut(index)) {
-                Some(element) => put(element, rest, number),
+                Some(element) => put(element, rest, number, default),
                 None => Err(Sweeping::NoElement { index: key.clone() }),
             }
         }

@@ -53,6 +53,14 @@ pub struct Spec {
     pub record: Vec<String>,
 }
 
+impl Spec {
+    /// Returns a hash of everything that determines the results.
+    pub(crate) fn hash(&self) -> u64 {
+        // The document has string keys and no values that JSON lacks.
+        hash_bytes(&serde_json::to_vec(self).unwrap_or_default(), 0)
+    }
+}
+
 const fn one() -> u64 {
     1
 }
@@ -366,6 +374,16 @@ pub(crate) fn hash(words: [u64; 4]) -> u64 {
         mixed = (mixed ^ mixed >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
         mixed ^ mixed >> 31
+    })
+}
+
+/// Hashes bytes and their number.
+pub(crate) fn hash_bytes(bytes: &[u8], seed: u64) -> u64 {
+    let start = hash([seed, bytes.len() as u64, 0, 0]);
+    bytes.chunks(8).fold(start, |state, bytes| {
+        let mut word = [0; 8];
+        word[..bytes.len()].copy_from_slice(bytes);
+        hash([state, u64::from_le_bytes(word), 0, 0])
     })
 }
 

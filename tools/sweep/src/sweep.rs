@@ -1,19 +1,20 @@
 //! A sweep that is ready to run.
 
-use crate::columns::{Cell, Columns};
+use crate::columns::{self, Column, LIMIT, Measure, Row};
 use crate::error::{SweepError, Sweeping, Texts};
+use crate::measure::{Figures, Schema};
 use crate::quantity::{Noise, Override, Push, Quantity, Settings};
-use crate::spec::{Draw, PlantSpec, Spec, Values, hash, noise_seed};
+use crate::spec::{Draw, PlantSpec, Spec, Values, noise_seed};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 use tip_runtime::machine::Status;
-use tip_runtime::model::TorqueUnit;
 use tip_runtime::plant::{self, Scene};
 use tip_runtime::program::{End, Program as _};
 use tip_sim::{Event, Events, Interpreter, ProgramRunner, Replacement, Robot, Run, Timed};
 use tipc::Loaded;
 use tipc::analysis::access;
+use tipc::description::Part;
 use tipc::language::Keyword;
 use tipc::program::Program;
 
@@ -22,9 +23,6 @@ const CASE_LIMIT: u64 = 1_000_000_000;
 
 /// Largest number of robots that are kept for cases with the same one.
 const KEPT_ROBOTS: usize = 100;
-
-/// The end of a run that was cut off.
-pub const LIMIT: &str = "limit";
 
 /// Start of a push that does not vary, s.
 const PUSH_AT: f64 = 1.0;
@@ -47,11 +45,9 @@ pub struct Sweep {
     /// The scene file, if one of its numbers varies.
     scene: Option<Settings>,
     axes: Vec<Axis>,
-    /// Scalars that are recorded.
-    record: Vec<usize>,
     cases: u64,
-    /// Number of the robot's units of torque in 1 N·m.
-    torque_unit: f64,
+    /// The columns of the table.
+    schema: Schema,
     /// True if the robot walks without mass.
     is_massless: bool,
 }
@@ -130,7 +126,7 @@ impl Sweep {
         let varies = |kind: fn(&Quantity) -> bool| axes.iter().any(|axis| kind(&axis.quantity));
         let description = match (varies(|of| matches!(of, Quantity::Robot(_))), description) {
             (false, _) => None,
-            (true, Some(text)) => Some(Settings::read(&text)?),
+            (true, Some(text)) => Some(Settings::read(&text, Part::ALL)?),
             (true, None) => {
                 let robot = robot.name().to_owned();
                 return Err(Sweeping::NoDescription { robot }.into());
@@ -143,27 +139,27 @@ impl Sweep {
                 let scene = text.to_owned();
                 return Err(Sweeping::NoSceneFile { scene }.into());
             }
-            true => Some(Settings::read(text)?),
+            true => Some(Settings::read(text, Part::SCENE)?),
             false => None,
         };
         let mut record = Vec::new();
         for name in &spec.record {
             let wanted = name.to_ascii_uppercase();
             let scalar = names.iter().position(|known| *known == wanted);
-            record.push(scalar.ok_or_else(|| {
+            let scalar = scalar.ok_or_else(|| {
                 let known = names.iter().map(String::as_str);
                 let name = name.clone();
                 SweepError::from(Sweeping::UnknownVariable { name: name.clone() })
                     .suggest(&name, known)
-            })?);
+            })?;
+            record.push((scalar, wanted));
         }
         if !(spec.until > 0.0 && spec.until.is_finite()) {
             return Err(Sweeping::NoTime.into());
         }
         let cases = count(&axes, spec.repeat)?;
-        let forces = robot.anatomy().forces;
-        let unit = forces.map_or(TorqueUnit::NewtonMetre, |forces| forces.unit);
         let interpreted = Interpreter::new(Arc::clone(&program));
+        let schema = Schema::new(&spec, &robot);
         let mut sweep = Sweep {
             spec,
             program,
@@ -175,14 +171,20 @@ impl Sweep {
             described: Arc::default(),
             scene,
             axes,
-            record,
             cases,
-            torque_unit: unit.per_newton_metre(),
+            schema,
             is_massless: false,
         };
         // Refuses what only a run can refuse: keys of files, values out of range, inputs that the robot lacks.
         let first = sweep.case(0)?;
-        let motion = sweep.start(&first)?.motion();
+        let run = sweep.start(&first)?;
+        let axes = sweep.axes.iter().enumerate();
+        let axes = axes.map(|(index, axis)| axis.quantity.column(index, &axis.name));
+        sweep.schema = sweep
+            .schema
+            .clone()
+            .with_columns(&run, axes.collect(), &record);
+        let motion = run.motion();
         sweep.is_massless = motion.is_some_and(|motion| motion.unmodelled.is_some());
         sweep.try_bounds(&first.values)?;
         Ok(sweep)
@@ -440,18 +442,18 @@ impl Sweep {
     ///
     /// # Errors
     /// There is no such case, or robot or scene do not allow its values.
-    pub fn run(&self, first: u64, count: u64) -> Result<Columns, SweepError> {
-        let mut columns = Columns::default();
-        for number in first..first.saturating_add(count) {
-            let case = self.case(number)?;
-            let run = self.start(&case)?;
-            self.measure(run, &case, &mut columns);
-        }
-        Ok(columns)
+    pub fn run(&self, first: u64, count: u64) -> Result<Vec<Row>, SweepError> {
+        let cases = first..first.saturating_add(count);
+        cases.map(|number| self.run_case(number)).collect()
     }
 
-    /// Runs a case to its end, and adds its row.
-    fn measure(&self, mut run: Run, case: &Case, columns: &mut Columns) {
+    /// Runs a case to its end.
+    ///
+    /// # Errors
+    /// There is no such case, or robot or scene do not allow its values.
+    pub fn run_case(&self, number: u64) -> Result<Row, SweepError> {
+        let case = self.case(number)?;
+        let mut run = self.start(&case)?;
         let limit = self.spec.until * 1000.0;
         let cycles = self.spec.cycles.unwrap_or(u64::MAX);
         let mut figures = Figures::new(&run);
@@ -471,127 +473,29 @@ impl Sweep {
                 }
             }
         };
-        self.row(&run, case, end, &figures, columns);
+        let values = &case.values;
+        Ok(self.schema.row(&run, number, values, &end, &figures))
     }
 
-    fn row(&self, run: &Run, case: &Case, end: String, figures: &Figures, columns: &mut Columns) {
-        let mut index = 0;
-        let mut add = |name: &str, unit: &'static str, cell: Cell| {
-            columns.push(index, name, unit, cell);
-            index += 1;
-        };
-        add("case", "", Cell::Count(case.number));
-        for (axis, value) in self.axes.iter().zip(&case.values) {
-            add(&axis.name, axis.quantity.unit(), Cell::Number(*value));
-        }
-        let step = run
-            .emergency()
-            .map_or(run.program().at(), |emergency| emergency.step);
-        add("end", "", Cell::Text(end));
-        add("line", "", Cell::Count(u64::from(run.program().line(step))));
-        add("cycles", "", Cell::Count(run.cycles()));
-        add("time", "s", Cell::Number(run.time() / 1000.0));
-        if let Some(travel) = run.travel() {
-            add("forward", "mm", Cell::Number(travel.y));
-            add("right", "mm", Cell::Number(travel.x));
-            add("up", "mm", Cell::Number(travel.z));
-            add("turn", "deg", Cell::Number(travel.turn));
-        }
-        if let Some(motion) = run.motion() {
-            let fall = run.first_fall().map_or(f64::NAN, |fall| fall.time / 1000.0);
-            add("falls", "", Cell::Count(u64::from(motion.falls)));
-            add(
-                "upright_falls",
-                "",
-                Cell::Count(u64::from(motion.upright_falls)),
-            );
-            add("first_fall", "s", Cell::Number(fall));
-            add("slip", "mm", Cell::Number(motion.slip));
-            add("least_margin", "mm", Cell::Number(motion.least_margin));
-            add("tilt", "deg", Cell::Number(figures.tilt));
-        }
-        add("peak_speed", "deg/s", Cell::Number(figures.speed));
-        if figures.has_mass {
-            let torque = figures.torque / self.torque_unit;
-            add("peak_torque", "N·m", Cell::Number(torque));
-            let energy = figures.energy / self.torque_unit;
-            add("energy", "J", Cell::Number(energy));
-        }
-        if let Some(grasp) = run.grasp() {
-            for (number, object) in (1..).zip(&grasp.objects) {
-                let name = |of: &str| format!("object{number}_{of}");
-                add(&name("x"), "mm", Cell::Number(object.position[0]));
-                add(&name("y"), "mm", Cell::Number(object.position[1]));
-                add(&name("angle"), "deg", Cell::Number(object.angle));
-                add(&name("highest"), "mm", Cell::Number(object.highest));
-            }
-        }
-        for scalar in &self.record {
-            let value = run.program().scalar(*scalar).and_then(|(_, value)| value);
-            add(
-                &format!("final_{}", self.names[*scalar]),
-                "",
-                Cell::Number(value.unwrap_or(f64::NAN)),
-            );
-        }
-        add("hash", "", Cell::Text(format!("{:016x}", figures.hash)));
-    }
-}
-
-/// Figures that are gathered cycle by cycle.
-#[derive(Debug, Default)]
-struct Figures {
-    hash: u64,
-    angles: Vec<f64>,
-    /// Greatest speed of a joint, deg/s.
-    speed: f64,
-    /// Greatest angle between the body's z axis and the vertical, deg.
-    tilt: f64,
-    has_mass: bool,
-    /// Greatest torque of a joint, in the robot's unit.
-    torque: f64,
-    /// Sum over joints and cycles of |torque · rotation|, in the robot's unit of torque.
-    energy: f64,
-}
-
-impl Figures {
-    fn new(run: &Run) -> Self {
-        let has_mass =
-            run.limbs().is_some_and(|limbs| !limbs.forces.is_empty()) || run.grasp().is_some();
-        Figures {
-            has_mass,
-            ..Figures::default()
-        }
+    /// Returns the columns of the table.
+    pub fn columns(&self) -> &Arc<[Column]> {
+        &self.schema.columns
     }
 
-    fn after(&mut self, run: &Run) {
-        let step = u64::from(run.program().at());
-        self.hash = hash([self.hash, step, run.state_hash(), 0]);
-        if let Some(pose) = run.pose() {
-            let cosine = libm::cos(pose.roll.to_radians()) * libm::cos(pose.pitch.to_radians());
-            self.tilt = self
-                .tilt
-                .max(libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees());
-        }
-        // Measured angles have the errors of sensors; those of a robot with mass are at hand without.
-        let limbs = self.has_mass.then(|| run.limbs()).flatten();
-        match limbs {
-            Some(limbs) => self.moved(run, &limbs.angles.concat(), &limbs.torques.concat()),
-            None => self.moved(run, run.angles(), &[]),
-        }
+    /// Returns the first line of the table as a CSV file, with its end.
+    pub fn header(&self) -> String {
+        columns::header(self.columns())
     }
 
-    fn moved(&mut self, run: &Run, angles: &[f64], torques: &[f64]) {
-        let seconds = run.period() / 1000.0;
-        for (now, before) in angles.iter().zip(&self.angles) {
-            self.speed = self.speed.max(libm::fabs(now - before) / seconds);
-        }
-        for ((torque, now), before) in torques.iter().zip(angles).zip(&self.angles) {
-            self.torque = self.torque.max(libm::fabs(*torque));
-            self.energy += libm::fabs(torque * (now - before).to_radians());
-        }
-        self.angles.clear();
-        self.angles.extend_from_slice(angles);
+    /// Reads a line of the table as a CSV file. Returns `None` if this sweep has not written it so.
+    pub fn read_row(&self, line: &str) -> Option<Row> {
+        Row::read(self.columns(), line, self.schema.spec_hash)
+    }
+
+    /// Returns true if the robot's simulation has torques.
+    pub fn has_forces(&self) -> bool {
+        let torque = |column: &Column| column.measure == Measure::PeakTorque;
+        self.columns().iter().any(torque)
     }
 }
 

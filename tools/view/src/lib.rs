@@ -10,7 +10,7 @@ mod recording;
 mod trace;
 mod updates;
 
-pub use page::sweep_page;
+pub use page::{MAX_RUNS, SweepTable, sweep_page};
 pub use recorder::{Extent, RecordError};
 pub use recording::{
     Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Skeleton, Slip, Stop, Tick,

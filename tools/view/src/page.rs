@@ -4,6 +4,7 @@ use crate::recording::Recording;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec;
+use serde::Serialize;
 
 /// The page without its script and what it shows.
 const PAGE: &str = include_str!("../page/dist/page.html");
@@ -11,8 +12,8 @@ const PAGE: &str = include_str!("../page/dist/page.html");
 /// The page of a table of runs, which has its own script.
 const SWEEP: &str = include_str!("../page/sweep.html");
 
-/// Largest number of runs that the page of a table holds; of more, it shows every second, third and so on.
-const MAX_RUNS: usize = 50_000;
+/// Largest number of runs that the page of a table holds.
+pub const MAX_RUNS: usize = 50_000;
 
 /// The script, deflated by `build.rs`.
 const SCRIPT: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/page.js"));
@@ -47,16 +48,24 @@ impl Recording {
     }
 }
 
-/// Returns one HTML file that shows a table of runs, as `tip sweep` writes it, and makes no network requests. `command` with
-/// ` --case N` replays a run.
-pub fn sweep_page(name: &str, table: &str, command: &str) -> String {
-    let every = table.lines().count().div_ceil(MAX_RUNS + 1).max(1);
-    let lines = table.lines().enumerate();
-    let lines = lines.filter(|(line, _)| *line == 0 || (line - 1) % every == 0);
-    let table = lines.flat_map(|(_, line)| [line, "\n"]).collect::<String>();
-    let data = serde_json::json!({ "table": table, "command": command, "every": every });
-    // Nothing in the data ends the script element.
-    let data = data.to_string().replace('<', "\\u003c");
+/// The table of a sweep, as its page shows it.
+#[derive(Debug, Serialize)]
+pub struct SweepTable<C, R> {
+    /// The columns: a list of objects with `name`, `unit`, `type` and `meaning`.
+    pub columns: C,
+    /// The cells of each row, the worst first; at most [`MAX_RUNS`].
+    pub rows: R,
+    /// The command that replays a run if ` --case N` is added.
+    pub command: String,
+    /// 1, or the distance of the rows that were taken from a larger table.
+    pub every: u64,
+}
+
+/// Returns one HTML file that shows a table of runs, as `tip sweep` writes it, and makes no network requests.
+pub fn sweep_page(name: &str, table: &SweepTable<impl Serialize, impl Serialize>) -> String {
+    // The data has string keys and no values that JSON lacks; nothing in it ends the script element.
+    let data = serde_json::to_string(table).unwrap_or_default();
+    let data = data.replace('<', "\\u003c");
     let (before, after) = SWEEP.split_once("TIP-DATA").unwrap_or((SWEEP, ""));
     before.replace("TIP-TITLE", &escaped(name)) + &data + after
 }

@@ -3,7 +3,7 @@
 use custom_hardware::Feet;
 use custom_hardware::bus::{BROADCAST, DRIVES, Frame, Instruction, Link, ServoBus};
 use custom_hardware::servos::MemoryLink;
-use tip_runtime::fault::Fault;
+use tip_runtime::fault::{Fault, HardwareFault};
 use tip_runtime::machine::{Machine, Status};
 use tip_runtime::model::titan8;
 use tip_runtime::program::End;
@@ -99,7 +99,8 @@ fn a_servo_that_falls_silent_is_an_emergency_stop() {
         .retain(|servo| servo.id != 32);
     assert_eq!(machine.cycle(), Status::Emergency);
     let fault = machine.emergency().map(|emergency| emergency.fault);
-    assert_eq!(fault, Some(Fault::Hardware("servo bus: no answer")));
+    let silent = HardwareFault::new("no answer").at_joint(3, 2).of_servo(32);
+    assert_eq!(fault, Some(Fault::Hardware(silent)));
     let positions = |machine: &Machine<_, ServoBus<MemoryLink>, _, _, 4, 3>| -> Vec<f64> {
         let servos = machine.hardware().0.servos.iter();
         servos.map(|servo| servo.position).collect()

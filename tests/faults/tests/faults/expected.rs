@@ -4,7 +4,7 @@ use crate::defect::{Defect, Reading};
 use crate::place::Place;
 use crate::trial::Outcome;
 use tip_runtime::command::Port;
-use tip_runtime::fault::Fault;
+use tip_runtime::fault::{Fault, HardwareFault};
 use tip_runtime::model::{Family, Model};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,8 +30,10 @@ impl Expected {
     pub(crate) fn of<const L: usize, const J: usize>(defect: Defect, model: &Model<L, J>) -> Self {
         match defect {
             Defect::Sensor(place, reading) => Self::of_sensor(place, reading, model),
-            Defect::ReadError => Expected::StopsAtOnce(Fault::Hardware("bus")),
-            Defect::WriteError => Expected::StopsInNextCycle(Fault::Hardware("bus")),
+            Defect::ReadError => Expected::StopsAtOnce(Fault::Hardware(HardwareFault::new("bus"))),
+            Defect::WriteError => {
+                Expected::StopsInNextCycle(Fault::Hardware(HardwareFault::new("bus")))
+            }
             Defect::LostCommand | Defect::LateCycles | Defect::Jitter => Expected::GoesOnWithIt,
             Defect::KeyFlood | Defect::LogFull => Expected::GoesOn,
             Defect::ReturnAfterKeys => Expected::StopsAfterKeys(Fault::EmergencyKey),

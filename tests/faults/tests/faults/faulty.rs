@@ -88,7 +88,7 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Hardware<L, J> for Fault
         self.plant.read(into)?;
         if let Some(Defect::ReadError) = self.defect {
             into.angles = [[f64::NAN; J]; L];
-            return Err(HardwareFault("bus"));
+            return Err(HardwareFault::new("bus"));
         }
         if let Some(defect) = self.defect {
             self.spoil(defect, into);
@@ -101,7 +101,7 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Hardware<L, J> for Fault
         self.require_within_limits(outputs);
         self.writes += 1;
         match self.defect {
-            Some(Defect::WriteError) => Err(HardwareFault("bus")),
+            Some(Defect::WriteError) => Err(HardwareFault::new("bus")),
             Some(Defect::LostCommand) => {
                 self.defect = None;
                 Ok(())
@@ -120,9 +120,9 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Hardware<L, J> for Fault
         }
     }
 
-    fn stop(&mut self, why: &Fault) {
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
         self.stops += 1;
-        self.plant.stop(why);
+        self.plant.stop(why)
     }
 }
 

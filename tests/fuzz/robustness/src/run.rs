@@ -59,8 +59,8 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Hardware<L, J> for Guard
         self.0.write(outputs)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        self.0.stop(why);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.0.stop(why)
     }
 }
 

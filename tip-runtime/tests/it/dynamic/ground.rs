@@ -308,10 +308,11 @@ fn a_simulation_that_diverges_says_so_and_stays_as_it_was() {
         let before = (plant.body(), plant.angles());
         assert!(plant.push([force, 0.0, 0.0], 3));
         let outputs = all(initial().map(|leg| leg.map(JointCommand::at)), 20.0);
-        let HardwareFault(what) = plant.write(&outputs).expect_err("no robot bears it");
-        assert!(what.starts_with("the simulation diverged"), "{what}");
+        let fault = plant.write(&outputs).expect_err("no robot bears it");
+        let HardwareFault { cause, .. } = fault;
+        assert!(cause.starts_with("the simulation diverged"), "{cause}");
         assert_eq!((plant.body(), plant.angles()), before);
-        plant.stop(&Fault::EmergencyKey);
+        assert_eq!(plant.stop(&Fault::EmergencyKey), Err(fault));
         let limbs = plant.limbs().expect("legs");
         let loads = limbs.loads.expect("it walks");
         let numbers = limbs.angles.into_iter().flatten().chain(loads);

@@ -151,12 +151,12 @@ fn in_an_emergency_the_motors_hold_where_they_are() {
     write(&mut plant, &outputs(commands), 20);
     let caught = plant.angles()[0][0];
     for _ in 0..cycles(0.5) {
-        plant.stop(&Fault::EmergencyKey);
+        assert_eq!(plant.stop(&Fault::EmergencyKey), Ok(()));
     }
     let held = plant.angles()[0][0];
     close(held, caught, 0.5);
     for _ in 0..cycles(0.5) {
-        plant.stop(&Fault::EmergencyKey);
+        assert_eq!(plant.stop(&Fault::EmergencyKey), Ok(()));
     }
     close(plant.angles()[0][0], held, 1e-9);
 }

@@ -148,7 +148,7 @@ fn things_go_on_falling_in_an_emergency() {
     let mut plant = over(&Scene::EMPTY.with_object(falling).expect("a good object"));
     write(&mut plant, &outputs(limp()), 1);
     for _ in 0..cycles(1.0) {
-        plant.stop(&Fault::EmergencyKey);
+        assert_eq!(plant.stop(&Fault::EmergencyKey), Ok(()));
     }
     // 5.9 N on two contacts of 15 N/mm.
     close(object(&plant).position[1], -100.196, 0.001);

@@ -93,7 +93,7 @@ fn a_stopped_robot_stays_where_it_is() {
     let mut rig = Rig::standing();
     let (body, angles) = (rig.plant.body(), rig.plant.angles());
     for _ in 0..50 {
-        rig.plant.stop(&Fault::EmergencyKey);
+        assert_eq!(rig.plant.stop(&Fault::EmergencyKey), Ok(()));
     }
     assert_eq!((rig.plant.body(), rig.plant.angles()), (body, angles));
 }

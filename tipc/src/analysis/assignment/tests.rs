@@ -216,7 +216,9 @@ fn long(steps: usize) -> String {
 #[test]
 fn a_long_program_is_judged() {
     let program = program(&long(10_000));
-    let read: usize = Assignment::of(&program).reads().len();
+    let assignment = Assignment::of(&program);
+    assert!(assignment.is_complete());
+    let read: usize = assignment.reads().len();
     // One MESSAGE in each of the thousand turns.
     assert_eq!(read, 1_000);
 }

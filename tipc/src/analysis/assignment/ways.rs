@@ -10,8 +10,9 @@ use crate::analysis::flow::{Flow, NodeId};
 use crate::program::{LabelKind, Program, StepId};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most times that the ways of a start are followed anew, since a read that fails has cut some of them.
-const TURNS: usize = 32;
+/// Maximum number of times that the ways are followed anew, since a read that fails has cut some of them. What is found
+/// by then holds: fewer reads are known to fail.
+const MAX_TURNS: usize = 64;
 
 /// Ways of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,8 +35,8 @@ pub struct NoValue {
 }
 
 /// Ways from one start.
-struct From {
-    start: NodeId,
+struct Start {
+    node: NodeId,
     /// The nodes behind which no way goes on, each with its first read that fails.
     fails: BTreeMap<NodeId, usize>,
     judged: Judged,
@@ -46,39 +47,27 @@ impl Ways {
     pub fn of(program: &Program) -> Self {
         let flow = Flow::of(program);
         let given = predeclared(program);
-        let starts = flow.starts().iter();
-        // At first no read fails, so that this only ever takes ways and assignments away.
-        let mut all: Vec<From> = starts
-            .map(|start| From {
-                start: *start,
-                fails: BTreeMap::new(),
-                judged: judged(program, &flow, &[*start], &given),
-            })
-            .collect();
-        for _ in 0..TURNS {
-            let assigned: Vec<Vec<bool>> = all
-                .iter()
-                .map(|from| from.assigned(program, &flow))
-                .collect();
-            let next: Vec<From> = (0..all.len())
-                .map(|this| {
-                    let mut given = given.clone();
-                    let others = assigned.iter().enumerate();
-                    for (_, assigned) in others.filter(|(other, _)| *other != this) {
-                        given
-                            .iter_mut()
-                            .zip(assigned)
-                            .for_each(|(it, set)| *it |= set);
-                    }
-                    From::of(program, &flow, all[this].start, &given)
-                })
-                .collect();
-            let is_same = |(one, other): (&From, &From)| {
-                one.judged.reached == other.judged.reached && one.fails == other.fails
-            };
-            let is_done = all.iter().zip(&next).all(is_same);
-            all = next;
-            if is_done {
+        // At first no read fails, so that each turn only takes ways and assignments away.
+        let starts = flow.starts().iter().map(|node| Start {
+            node: *node,
+            fails: BTreeMap::new(),
+            judged: judged(program, &flow, &[*node], &given),
+        });
+        let mut all: Vec<Start> = starts.collect();
+        for _ in 0..MAX_TURNS {
+            let assigned = all.iter().map(|start| start.assigned(program, &flow));
+            let assigned: Vec<Vec<bool>> = assigned.collect();
+            let mut changes = false;
+            for (this, start) in all.iter_mut().enumerate() {
+                let mut given = given.clone();
+                let others = assigned.iter().enumerate();
+                for (_, assigned) in others.filter(|(other, _)| *other != this) {
+                    let both = given.iter_mut().zip(assigned);
+                    both.for_each(|(it, set)| *it |= set);
+                }
+                changes |= start.follow(program, &flow, &given);
+            }
+            if !changes {
                 break;
             }
         }
@@ -90,25 +79,15 @@ impl Ways {
     }
 }
 
-impl From {
-    fn of(program: &Program, flow: &Flow, start: NodeId, given: &[bool]) -> Self {
-        let mut fails = BTreeMap::new();
-        let mut judged = judged(program, flow, &[start], given);
-        for _ in 0..TURNS {
-            let failing = failing(program, flow, &judged.reads);
-            let before = fails.len();
-            fails.extend(failing);
-            if fails.len() == before {
-                break;
-            }
-            let cuts: BTreeSet<NodeId> = fails.keys().copied().collect();
-            judged = super::judged(program, &flow.cut(&cuts), &[start], given);
-        }
-        From {
-            start,
-            fails,
-            judged,
-        }
+impl Start {
+    /// Follows the ways up to the reads that fail; returns true if further reads fail, or fewer nodes are reached.
+    fn follow(&mut self, program: &Program, flow: &Flow, given: &[bool]) -> bool {
+        let cuts: BTreeSet<NodeId> = self.fails.keys().copied().collect();
+        let judged = judged(program, &flow.cut(&cuts), &[self.node], given);
+        self.fails.extend(failing(program, flow, &judged.reads));
+        let changes = self.fails.len() > cuts.len() || judged.reached != self.judged.reached;
+        self.judged = judged;
+        changes
     }
 
     /// Returns true for each scalar that its ways assign.
@@ -144,9 +123,9 @@ fn failing(program: &Program, flow: &Flow, reads: &[NodeRead]) -> BTreeMap<NodeI
 }
 
 /// Returns the reads of all ways together.
-fn assignment(flow: &Flow, all: &[From]) -> Assignment {
+fn assignment(flow: &Flow, all: &[Start]) -> Assignment {
     let mut together: BTreeMap<(StepId, usize), Assigned> = BTreeMap::new();
-    for read in all.iter().flat_map(|from| &from.judged.reads) {
+    for read in all.iter().flat_map(|start| &start.judged.reads) {
         let key = (flow.nodes()[read.node].step, read.scalar);
         let known = together.entry(key).or_insert(read.assigned);
         if *known != read.assigned {
@@ -158,24 +137,25 @@ fn assignment(flow: &Flow, all: &[From]) -> Assignment {
         scalar,
         assigned,
     });
-    Assignment::new(reads.collect())
+    let is_complete = all.iter().all(|start| start.judged.is_complete);
+    Assignment::new(reads.collect(), is_complete)
 }
 
 /// Returns the first read of each variable that fails on every way that comes to it.
-fn no_value(program: &Program, flow: &Flow, all: &[From]) -> Vec<NoValue> {
+fn no_value(program: &Program, flow: &Flow, all: &[Start]) -> Vec<NoValue> {
     let finds = |node: NodeId, scalar: usize| {
-        let mut reads = all.iter().flat_map(|from| {
-            let is_before = from.fails.get(&node).is_none_or(|fails| *fails == scalar);
-            from.judged.reads.iter().filter(move |_| is_before)
+        let mut reads = all.iter().flat_map(|start| {
+            let is_before = start.fails.get(&node).is_none_or(|fails| *fails == scalar);
+            start.judged.reads.iter().filter(move |_| is_before)
         });
         reads.any(|read| {
             (read.node, read.scalar) == (node, scalar) && read.assigned != Assigned::Never
         })
     };
     let mut first: BTreeMap<usize, NoValue> = BTreeMap::new();
-    for from in all {
-        for (node, scalar) in &from.fails {
-            if !from.judged.reached[*node] || finds(*node, *scalar) {
+    for start in all {
+        for (node, scalar) in &start.fails {
+            if !start.judged.reached[*node] || finds(*node, *scalar) {
                 continue;
             }
             let found = NoValue {
@@ -192,7 +172,7 @@ fn no_value(program: &Program, flow: &Flow, all: &[From]) -> Vec<NoValue> {
 }
 
 /// Returns the steps of SUBROUTINE and THREAD that a way comes to from above.
-fn entered(program: &Program, flow: &Flow, all: &[From]) -> Vec<StepId> {
+fn entered(program: &Program, flow: &Flow, all: &[Start]) -> Vec<StepId> {
     let labels = program.labels().iter();
     let routines: BTreeSet<StepId> = labels
         .filter(|label| label.kind != LabelKind::Plain)
@@ -203,12 +183,12 @@ fn entered(program: &Program, flow: &Flow, all: &[From]) -> Vec<StepId> {
     if is_routine(0) {
         found.insert(0);
     }
-    for from in all {
+    for start in all {
         for (id, node) in flow.nodes().iter().enumerate() {
-            if !from.judged.reached[id] || from.fails.contains_key(&id) {
+            if !start.judged.reached[id] || start.fails.contains_key(&id) {
                 continue;
             }
-            let back = node.call.filter(|call| from.judged.comes_back[call.entry]);
+            let back = node.call.filter(|call| start.judged.comes_back[call.entry]);
             let next = node.next.iter().copied().chain(back.map(|call| call.back));
             let from_above = next
                 .filter(|next| is_routine(*next))

@@ -426,6 +426,35 @@ fn a_bus_has_a_drive_for_each_joint() {
 }
 
 #[test]
+fn a_servo_model_that_is_nearly_right_is_named() {
+    let help_of = |name: &str| {
+        let drive = "[[drive]]\njoint = \"J11\"\nid = 1\n";
+        let text = with(&format!("[bus]\nservo = \"{name}\"\n{drive}"));
+        let loaded = parse_for_servos("robot.toml", text.as_bytes(), &SERVOS);
+        let loaded = loaded.expect_err("no such model");
+        let [fault] = &loaded.diagnostics[..] else {
+            panic!("{:?}", loaded.diagnostics);
+        };
+        fault.help.as_ref().map(ToString::to_string)
+    };
+    for (name, near) in [
+        ("AX12", "AX-12"),
+        ("ax_12", "AX-12"),
+        ("MX28", "MX-28"),
+        ("STS-3215", "STS3215"),
+        ("sts", "STS3215"),
+    ] {
+        assert_eq!(
+            help_of(name),
+            Some(format!("did you mean `{near}`?")),
+            "{name}"
+        );
+    }
+    let none = help_of("Dynamixel").unwrap_or_default();
+    assert!(none.starts_with("`servo` is"), "{none}");
+}
+
+#[test]
 fn every_fault_of_a_drive_is_at_its_location() {
     let bus = "[bus]\nservo = \"AX-12\"\n[[drive]]\njoint = \"J11\"\n";
     for (more, expected) in [
@@ -437,7 +466,10 @@ fn every_fault_of_a_drive_is_at_its_location() {
             "[bus]\nservo = \"AX-12\"\n",
             "4:1: joint J11 has no [[drive]]",
         ),
-        ("[bus]\nservo = \"AX-13\"\n", "5:9: `servo` cannot be this"),
+        (
+            "[bus]\nservo = \"AX-13\"\n",
+            "5:9: no servo model has this name; there are AX-12, MX-28, STS3215",
+        ),
         (
             &format!("{bus}id = 253\nlimits = [-9, 9]\n"),
             "8:6: a whole number from 0 to 252 belongs here",

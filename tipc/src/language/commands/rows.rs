@@ -29,6 +29,7 @@ pub const COMMANDS: &[Command] = &[
         .unit("mm")
         .fails(outcome::REACH),
     Command::robot(Op::RelPtp)
+        .relative()
         .place("§7-1-2", "7.3")
         .does("Moves a foot relative to its target; three zeros stop it where it is.", "足先を現在の目標からの相対位置へ動かします。3つとも0なら、その場で止めます。")
         .takes(Arguments::motion(Targets::PLACE, Values::Position).plain().fast())
@@ -43,6 +44,7 @@ pub const COMMANDS: &[Command] = &[
         .unit("deg")
         .fails(outcome::TURN),
     Command::robot(Op::RelPtpAngle)
+        .relative()
         .place("§7-1-4", "7.4")
         .does("Turns joints relative to their targets; zeros stop them where they are.", "関節を現在の目標からの相対角度だけ回します。0なら、その場で止めます。")
         .takes(Arguments::motion(Targets::FOOT_JOINT, Values::Angles).plain().fast())
@@ -99,6 +101,7 @@ pub const COMMANDS: &[Command] = &[
         .only(Robots::FORCE)
         .fails(outcome::SWING),
     Command::robot(Op::RelComplianceAngle)
+        .relative()
         .place("§7-3-4", "7.11")
         .does("The same relative to their targets.", "同じ動作を、現在の目標からの相対値で行います。")
         .takes(Arguments::motion(Targets::ANY, Values::Angles).plain().fast())
@@ -115,6 +118,7 @@ pub const COMMANDS: &[Command] = &[
         .only(Robots::FORCE)
         .fails(outcome::SWING),
     Command::robot(Op::RelCompliancePosition)
+        .relative()
         .place("§7-3-6", "7.12")
         .does("The same relative to their targets.", "同じ動作を、現在の目標からの相対値で行います。")
         .takes(Arguments::motion(Targets::TIPS, Values::Position).from_target().fast())

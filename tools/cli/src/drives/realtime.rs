@@ -27,20 +27,21 @@ pub(crate) fn wait_until(due: Instant) -> Duration {
 
 /// Sleeps until a time of the system's clock: a signal or a delay before the call does not make it longer.
 #[cfg(target_os = "linux")]
-fn sleep(time: Duration) {
-    use nix::sys::time::TimeSpec;
-    use nix::time::{ClockId, ClockNanosleepFlags, clock_gettime, clock_nanosleep};
-    let clock = ClockId::CLOCK_MONOTONIC;
-    let Ok(now) = clock_gettime(clock) else {
-        return std::thread::sleep(time);
-    };
-    let due = now + TimeSpec::from_duration(time);
-    // After an interrupt the caller looks at the time again.
-    let _ = clock_nanosleep(clock, ClockNanosleepFlags::TIMER_ABSTIME, &due);
+pub(super) fn sleep(time: Duration) {
+    use rustix::thread::{ClockId, clock_nanosleep_absolute};
+    use rustix::time::{Timespec, clock_gettime};
+    let clock = ClockId::Monotonic;
+    let due = Timespec::try_from(time).ok();
+    let due = due.and_then(|time| clock_gettime(clock).checked_add(time));
+    match due {
+        // After an interrupt the caller looks at the time again.
+        Some(due) => drop(clock_nanosleep_absolute(clock, &due)),
+        None => std::thread::sleep(time),
+    }
 }
 
 #[cfg(not(target_os = "linux"))]
-fn sleep(time: Duration) {
+pub(super) fn sleep(time: Duration) {
     std::thread::sleep(time);
 }
 
@@ -71,9 +72,13 @@ pub(crate) fn prioritise() -> Vec<Driving> {
                 error: error.into(),
             });
         }
-        let all = nix::sys::mman::MlockAllFlags::all();
-        if let Err(error) = nix::sys::mman::mlockall(all) {
-            let error = error.desc().to_owned().into();
+    }
+    #[cfg(target_os = "linux")]
+    {
+        use rustix::mm::{MlockAllFlags, mlockall};
+        let all = MlockAllFlags::CURRENT | MlockAllFlags::FUTURE;
+        if let Err(error) = mlockall(all) {
+            let error = std::io::Error::from(error).to_string().into();
             refused.push(Driving::NoLock { error });
         }
     }
@@ -137,7 +142,7 @@ impl Histogram {
                 let share = count as f64 / total as f64;
                 let bar = "#".repeat((share * 50.0).ceil() as usize);
                 // Writing to a String cannot fail.
-                let _ = writeln!(text, "{from:6} µs {:8.3} % {count:8}  {bar}", share * 100.0);
+                let _ = writeln!(text, "{from:6} µs {:6.3} % {count:8}  {bar}", share * 100.0);
             }
             from = to;
         }
@@ -185,20 +190,78 @@ pub(crate) fn jitter(arguments: &Jitter) -> Result<Status, Error> {
     }
     let (mut pacer, mut histogram) = (Pacer::start(), Histogram::default());
     let cycles = (arguments.seconds * 1000.0 / arguments.period).ceil() as u64;
-    while pacer.cycles() < cycles && !interrupt::is_requested() {
+    while pacer.cycles() < cycles {
         let due = pacer.due(arguments.period);
-        histogram.add(wait_until(due));
+        let late = wait_until(due);
+        // The cycle that Ctrl-C ends has not started.
+        if interrupt::is_requested() {
+            break;
+        }
+        histogram.add(late);
     }
-    let mut text = histogram.table();
-    let [p50, p99, p999] = [0.5, 0.99, 0.999].map(|part| histogram.quantile(part));
-    let (worst, overruns) = (histogram.worst(), pacer.overruns());
-    // Writing to a String cannot fail.
-    let _ = writeln!(
-        text,
-        "p50 {p50} µs, p99 {p99} µs, p99.9 {p999} µs, max {worst} µs; {overruns} overruns / {cycles}"
-    );
-    output::print(text)?;
+    let lang = choices::lang(arguments.lang);
+    output::print(report_text(
+        &histogram,
+        pacer.overruns(),
+        arguments.period,
+        lang,
+    ))?;
     Ok(Status::Success)
+}
+
+/// Largest part of a period by which a cycle may start late without servos moving unevenly.
+const EVEN: f64 = 0.1;
+
+/// Returns the table of a measurement, its figures, and the verdict on the period, ms.
+fn report_text(histogram: &Histogram, missed: u64, period: f64, lang: Lang) -> String {
+    let cycles = histogram.total();
+    if cycles == 0 {
+        return format!("{}\n", Driving::NoCycles.in_lang(lang));
+    }
+    let [p50, p99, p999] = [0.5, 0.99, 0.999].map(|part| histogram.quantile(part));
+    let figures = Driving::JitterFigures {
+        p50,
+        p99,
+        p999,
+        worst: histogram.worst().to_string(),
+        missed: missed.to_string(),
+        cycles: cycles.to_string(),
+    };
+    let part = histogram.worst.as_secs_f64() * 1000.0 / period;
+    let (share, name) = (format!("{:.1}", part * 100.0), period.to_string());
+    let verdict = match (missed, part <= EVEN) {
+        (0, true) => Driving::KeepsPeriod {
+            period: name,
+            share,
+        },
+        (0, false) => Driving::KeepsPeriodUnevenly {
+            period: name,
+            share,
+        },
+        _ => Driving::MissesPeriod {
+            period: name,
+            missed: missed.to_string(),
+            cycles: cycles.to_string(),
+        },
+    };
+    let columns = [
+        (Driving::LateFrom, 9),
+        (Driving::CycleShare, 9),
+        (Driving::CycleCount, 9),
+    ];
+    let columns: String = columns
+        .into_iter()
+        .map(|(name, columns)| {
+            let name = name.in_lang(lang).to_string();
+            " ".repeat(columns - output::width(&name)) + &name
+        })
+        .collect();
+    let (table, figures, verdict) = (
+        histogram.table(),
+        figures.in_lang(lang),
+        verdict.in_lang(lang),
+    );
+    format!("{columns}\n{table}{figures}\n{verdict}\n")
 }
 
 /// Reports messages as warnings.
@@ -225,5 +288,32 @@ mod tests {
         assert_eq!(histogram.quantile(0.99), 990);
         assert_eq!(histogram.quantile(1.0), LONGEST);
         assert_eq!(histogram.worst(), 3_000_000);
+    }
+
+    /// The text counts the cycles that were measured, whatever number was asked for, and ends with a verdict.
+    #[test]
+    fn a_measurement_has_columns_and_a_verdict() {
+        let text = |late: &[u64], missed| {
+            let mut histogram = Histogram::default();
+            for late in late {
+                histogram.add(Duration::from_micros(*late));
+            }
+            report_text(&histogram, missed, 20.0, Lang::English)
+        };
+        let kept = text(&[5, 5, 5, 500], 0);
+        let lines: Vec<&str> = kept.lines().collect();
+        assert_eq!(
+            lines[0].split_whitespace().collect::<Vec<_>>(),
+            ["late", "share", "cycles"]
+        );
+        assert!(lines[1].contains(" 75.000 % "), "{kept}");
+        assert!(lines[3].ends_with("all 500 µs; 0 of 4 missed"), "{kept}");
+        assert_eq!(
+            lines[4],
+            "a period of 20 ms is kept: cycles start late by 2.5 % of it at most"
+        );
+        assert!(text(&[5, 5000], 0).contains("is kept unevenly: a cycle starts late by 25.0 %"));
+        assert!(text(&[5, 50_000], 1).contains("is not kept: 1 of 2 cycles are missed"));
+        assert_eq!(text(&[], 0), "no cycle was measured\n");
     }
 }

@@ -1,175 +1,30 @@
-//! A real robot, or simulated servos in its place: from its description to joints that a run can move. Simulated servos may also
-//! be on a pseudo-terminal, for other masters.
+//! A real robot, or one of simulated servos: from its description to joints that a run can move.
 
+use super::port::{AnyPort, SIMULATED, open_serial};
 use super::realtime;
+use super::simulated::Mishaps;
 use crate::error::Error;
-use crate::message::Driving;
+use crate::message::{Driving, Stopping};
 use crate::{Status, interrupt, report};
-use std::convert::Infallible;
 use std::io;
 use std::path::Path;
-use std::str::FromStr;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use tip_drives::bus::{Bus, Port, Timing};
 use tip_drives::drives::{Drives, Failure, Joint, Policy, Problem, Settings};
+use tip_drives::guard::{Host, Outcome, Request, Step, TorqueGuard};
 use tip_drives::model::Model;
-use tip_drives::serial::Serial;
-use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
+use tip_drives::simulated::{MemoryPort, Servo, SimulatedBus};
 use tip_runtime::command::Target;
+use tip_runtime::console::{Console, Terminal};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
-use tip_runtime::realtime::Pacer;
 use tip_sim::{Joints, Robot};
 use tipc::description::{self, Description};
 use tipc::message::Lang;
 
-/// The name of a port with simulated servos.
-pub(crate) const SIMULATED: &str = "simulated";
-
-/// A serial port, or simulated servos.
-#[derive(Debug)]
-pub(crate) enum AnyPort {
-    Serial(Serial),
-    Memory(Box<MemoryPort>),
-}
-
-fn never<T>(never: Result<T, Infallible>) -> io::Result<T> {
-    never.map_err(|never| match never {})
-}
-
-impl embedded_io::ErrorType for AnyPort {
-    type Error = io::Error;
-}
-
-impl embedded_io::Read for AnyPort {
-    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
-        match self {
-            AnyPort::Serial(port) => port.read(into),
-            AnyPort::Memory(port) => never(port.read(into)),
-        }
-    }
-}
-
-impl embedded_io::Write for AnyPort {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self {
-            AnyPort::Serial(port) => port.write(bytes),
-            AnyPort::Memory(port) => never(port.write(bytes)),
-        }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        match self {
-            AnyPort::Serial(port) => port.flush(),
-            AnyPort::Memory(port) => never(port.flush()),
-        }
-    }
-}
-
-impl Port for AnyPort {
-    fn now(&mut self) -> u64 {
-        match self {
-            AnyPort::Serial(port) => port.now(),
-            AnyPort::Memory(port) => port.now(),
-        }
-    }
-
-    fn wait(&mut self, until: u64) -> io::Result<bool> {
-        match self {
-            AnyPort::Serial(port) => port.wait(until),
-            AnyPort::Memory(port) => never(port.wait(until)),
-        }
-    }
-}
-
-pub(crate) fn open_serial(port: &str, baud: u32, lang: Lang) -> Result<AnyPort, Error> {
-    let opened = Serial::open(Path::new(port), baud).map_err(|error| {
-        let (name, error) = (port.to_owned().into(), error.to_string().into());
-        let reason = match port.split(':').next() {
-            Some(SIMULATED) => Driving::NoSimulatedPort,
-            _ => Driving::CannotOpen { port: name, error },
-        };
-        Error::failed(reason, lang)
-    })?;
-    if let Some(time) = Serial::latency_timer(Path::new(port)).filter(|time| *time > 2) {
-        realtime::warn(&[Driving::Adapter { time }], lang);
-    }
-    Ok(AnyPort::Serial(opened))
-}
-
-type Mishap = fn(&mut SimulatedBus, u8);
-
-/// Faults of a simulated bus: `faults=0.01,unplug=3@1.5`, or `corrupt=0.01`.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Mishaps {
-    /// Probabilities of what happens to an answer.
-    faults: Faults,
-    /// Events of servos: time, s, in any order; event; identity.
-    events: Vec<(f64, Mishap, u8)>,
-}
-
-impl FromStr for Mishaps {
-    type Err = Driving;
-
-    fn from_str(text: &str) -> Result<Self, Driving> {
-        let wrong = || Driving::NotSimulated {
-            text: text.to_owned(),
-        };
-        let mut mishaps = Mishaps::default();
-        for part in text.split(',').filter(|part| !part.is_empty()) {
-            let (name, value) = part.split_once('=').ok_or_else(wrong)?;
-            let faults = &mut mishaps.faults;
-            let probability = match name {
-                "corrupt" => Some(&mut faults.corrupt),
-                "drop" => Some(&mut faults.drop),
-                "duplicate" => Some(&mut faults.duplicate),
-                "delay" => Some(&mut faults.delay),
-                "truncate" => Some(&mut faults.truncate),
-                _ => None,
-            };
-            if name == "faults" || probability.is_some() {
-                let part = value.parse().ok();
-                let part = part.filter(|it| (0.0..=1.0).contains(it));
-                let part = part.ok_or_else(wrong)?;
-                match probability {
-                    Some(probability) => *probability = part,
-                    None => *faults = Faults::evenly(part),
-                }
-                continue;
-            }
-            let mishap: Mishap = match name {
-                "unplug" => SimulatedBus::unplug,
-                "reset" => SimulatedBus::reset,
-                "overheat" => SimulatedBus::overheat,
-                "block" => SimulatedBus::block,
-                "sag" => SimulatedBus::sag,
-                _ => return Err(wrong()),
-            };
-            let (id, time) = value.split_once('@').ok_or_else(wrong)?;
-            let event = id.parse().ok().zip(time.parse().ok());
-            let (id, time): (u8, f64) = event.ok_or_else(wrong)?;
-            mishaps.events.push((time, mishap, id));
-        }
-        Ok(mishaps)
-    }
-}
-
-impl Mishaps {
-    /// Lets happen what is due at a time, µs.
-    pub(crate) fn happen(&mut self, bus: &mut SimulatedBus, now: u64) {
-        self.events.retain(|(time, mishap, id)| {
-            let is_due = *time * 1e6 <= now as f64;
-            if is_due {
-                mishap(bus, *id);
-            }
-            !is_due
-        });
-    }
-}
-
 /// A described robot and the settings of its bus.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Setup {
     pub(crate) bus: description::Bus,
     pub(crate) joints: Vec<Joint>,
@@ -281,120 +136,244 @@ impl Setup {
             let file = file.display().to_string().into();
             return Err(fail(Driving::NoPort { file }));
         };
-        let simulated = port
-            .strip_prefix(SIMULATED)
-            .map(|rest| rest.trim_start_matches(':'));
+        let simulated = match port.strip_prefix(SIMULATED) {
+            Some("") => Some(""),
+            Some(list) => list.strip_prefix(':'),
+            None => None,
+        };
         let (opened, mishaps) = match simulated {
             Some(mishaps) => {
-                let mishaps: Mishaps = mishaps.parse().map_err(fail)?;
-                let port = MemoryPort::new(self.simulated(&mishaps));
-                (AnyPort::Memory(Box::new(port)), Some(mishaps))
+                let mut mishaps = Mishaps::new(mishaps, &self.ids()).map_err(fail)?;
+                let mut bus = self.simulated(&mishaps);
+                mishaps.happen(&mut bus, 0);
+                (
+                    AnyPort::Memory(Box::new(MemoryPort::new(bus))),
+                    Some(mishaps),
+                )
             }
             None => (open_serial(&port, self.bus.baud, lang)?, None),
         };
-        let protocol = self.joints.first().map(|joint| joint.model.family.protocol);
-        let Some(protocol) = protocol else {
+        if self.joints.is_empty() {
             let file = file.display().to_string().into();
             return Err(fail(Driving::NoBus { file }));
-        };
-        let bus = Bus::new(opened, protocol, self.timing());
+        }
+        let bus = Bus::new(opened, self.timing());
         let drives = Drives::new(bus, &self.joints, self.settings());
         let drives = drives.map_err(|error| Error::Failed(error.to_string()))?;
+        let (is_simulated, period) = (mishaps.is_some(), self.period);
+        let operator = Operator {
+            mishaps,
+            keyboard: None,
+            typed: Vec::new(),
+        };
+        let robot = TorqueGuard::new(drives, operator, period);
         Ok(Connection {
             setup: self,
             port,
-            reached: Reached {
-                drives: Arc::new(Mutex::new(drives)),
-                mishaps,
-                cycle: 0,
-                is_held: false,
-            },
+            robot: Arc::new(Mutex::new(robot)),
+            is_simulated,
             lang,
         })
     }
+
+    /// Returns the identities of the servos.
+    pub(super) fn ids(&self) -> Vec<u8> {
+        self.joints.iter().map(|joint| joint.id).collect()
+    }
+
+    /// Returns the names of joints and their servos.
+    pub(super) fn names(&self, joints: &[usize]) -> String {
+        let name = |joint: &usize| {
+            let id = self.joints.get(*joint).map_or(0, |joint| joint.id);
+            format!("{} (servo {id})", self.name(*joint))
+        };
+        joints.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Returns lines about the servos that are not in the state in which the robot was to be left.
+    fn left(&self, outcome: Option<&Outcome>, lang: Lang) -> String {
+        let Some(outcome) = outcome else {
+            return String::new();
+        };
+        let (other, unknown) = (self.names(&outcome.other), self.names(&outcome.unknown));
+        let messages = match outcome.policy {
+            Policy::Relax => [
+                Driving::StillStiff { joints: other },
+                Driving::PerhapsStiff { joints: unknown },
+            ],
+            Policy::Hold => [
+                Driving::WithoutTorque { joints: other },
+                Driving::PerhapsLimp { joints: unknown },
+            ],
+        };
+        let are = [&outcome.other, &outcome.unknown].map(|joints| !joints.is_empty());
+        let lines = messages.into_iter().zip(are).filter(|(_, are)| *are);
+        lines
+            .map(|(message, _)| format!("{}\n", message.in_lang(lang)))
+            .collect()
+    }
 }
 
-/// An open bus with the joints of a robot.
+/// The bytes of the keys RETURN and ESC.
+const RETURN: u8 = 0x0D;
+const ESCAPE: u8 = 0x1B;
+
+/// The operator of a robot: keys, signals, and the time of simulated servos.
+#[derive(Debug)]
+pub(crate) struct Operator {
+    /// Faults to inject; `None` on a real bus.
+    mishaps: Option<Mishaps>,
+    /// Reads keys from the first torque to the last.
+    keyboard: Option<Terminal<io::Sink>>,
+    /// Other keys than those that end.
+    typed: Vec<u8>,
+}
+
+/// Cycles that a watchdog should wait: it must not stop a robot whose host is late now and then.
+const SAFE_TIMEOUT: f64 = 10.0;
+
+/// The most keys that are kept.
+const MAX_TYPED: usize = 64;
+
+impl Operator {
+    /// Returns the oldest key that was typed.
+    pub(crate) fn key(&mut self) -> Option<u8> {
+        (!self.typed.is_empty()).then(|| self.typed.remove(0))
+    }
+}
+
+impl Host<AnyPort> for Operator {
+    fn wait(&mut self, port: &mut AnyPort, until: u64) {
+        match port {
+            AnyPort::Memory(port) => {
+                port.pass(until);
+                if let Some(mishaps) = &mut self.mishaps {
+                    mishaps.happen(&mut port.bus, until);
+                }
+            }
+            AnyPort::Serial(port) => {
+                realtime::sleep(Duration::from_micros(until.saturating_sub(port.now())));
+            }
+        }
+    }
+
+    fn request(&mut self) -> Option<Request> {
+        let mut request = None;
+        if let Some(keyboard) = &mut self.keyboard {
+            while let Some(key) = keyboard.key(0) {
+                match key {
+                    RETURN => return Some(Request::EmergencyStop),
+                    ESCAPE => request = Some(Request::End),
+                    _ if self.typed.len() < MAX_TYPED => self.typed.push(key),
+                    _ => {}
+                }
+            }
+            if keyboard.interrupted() {
+                interrupt::request();
+            }
+        }
+        request.or(interrupt::is_requested().then_some(Request::End))
+    }
+}
+
+type SharedGuard = Mutex<TorqueGuard<AnyPort, Operator>>;
+
+fn lock(robot: &SharedGuard) -> MutexGuard<'_, TorqueGuard<AnyPort, Operator>> {
+    robot.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// An open bus with the joints of a robot. A run shares it, and so does the thread of signals, which leaves the robot if this
+/// process is stuck.
 #[derive(Debug)]
 pub(crate) struct Connection {
     pub(crate) setup: Setup,
     port: String,
-    reached: Reached,
+    robot: Arc<SharedGuard>,
+    is_simulated: bool,
     lang: Lang,
-}
-
-/// Drives that a run moves, and that report after it.
-#[derive(Clone, Debug)]
-struct Reached {
-    drives: Arc<Mutex<Drives<AnyPort>>>,
-    /// Faults to inject; `None` on a real bus.
-    mishaps: Option<Mishaps>,
-    /// Time of the next cycle of simulated servos, µs.
-    cycle: u64,
-    is_held: bool,
-}
-
-impl Reached {
-    fn drives(&self) -> MutexGuard<'_, Drives<AnyPort>> {
-        self.drives.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Lets the time of simulated servos pass to the next cycle.
-    fn tick(&mut self, period: f64) {
-        let Some(mishaps) = &mut self.mishaps else {
-            return;
-        };
-        let mut drives = self.drives.lock().unwrap_or_else(PoisonError::into_inner);
-        if let AnyPort::Memory(port) = drives.bus_mut().port_mut() {
-            self.cycle = (self.cycle + (period * 1000.0) as u64).max(port.now());
-            port.pass(self.cycle);
-            mishaps.happen(&mut port.bus, self.cycle);
-        }
-    }
 }
 
 impl Connection {
     /// Returns true if the servos are simulated: nothing is in danger, and no time passes.
-    pub(crate) fn is_simulated(&self) -> bool {
-        self.reached.mishaps.is_some()
+    pub(crate) const fn is_simulated(&self) -> bool {
+        self.is_simulated
     }
 
-    pub(crate) fn drives(&self) -> MutexGuard<'_, Drives<AnyPort>> {
-        self.reached.drives()
-    }
-
-    /// Lets a cycle of simulated servos pass.
-    pub(crate) fn tick(&mut self) {
-        self.reached.tick(self.setup.period);
+    /// Returns the robot, while nobody else uses it.
+    pub(crate) fn robot(&self) -> MutexGuard<'_, TorqueGuard<AnyPort, Operator>> {
+        lock(&self.robot)
     }
 
     /// Returns the sampling time, ms.
-    pub(crate) fn period(&self) -> f64 {
+    pub(crate) const fn period(&self) -> f64 {
         self.setup.period
     }
 
-    /// Finds the servos, and says which.
-    pub(crate) fn connect(&mut self, quiet: bool) -> Result<(), Error> {
-        let connected = self.drives().connect();
+    /// Finds the servos of a robot that is to move, and says which, and whether the bus can carry a cycle.
+    pub(crate) fn connect(&self, quiet: bool) -> Result<(), Error> {
+        let connected = self.robot().connect();
+        self.connected(connected, quiet)?;
+        let robot = self.robot();
+        let (load, timeout, period) = (
+            robot.drives().load(),
+            robot.drives().timeout(),
+            self.period(),
+        );
+        let mut warnings = Vec::new();
+        if load.part > 1.0 || load.cycles > 1 {
+            let percent = format!("{:.0}", load.part * 100.0);
+            let cycles = load.cycles;
+            warnings.push(Driving::BusLoad { percent, cycles });
+        }
+        if let Some(timeout) = timeout.filter(|timeout| *timeout < SAFE_TIMEOUT * period) {
+            let (time, cycles) = (format!("{timeout:.0}"), format!("{:.1}", timeout / period));
+            warnings.push(Driving::ShortTimeout { time, cycles });
+        }
+        realtime::warn(&warnings, self.lang);
+        Ok(())
+    }
+
+    /// Finds the servos of a robot that nobody is going to move, and says which.
+    pub(crate) fn connect_to_measure(&self) -> Result<(), Error> {
+        let connected = self.robot().drives_mut().connect_to_measure();
+        self.connected(connected, false)
+    }
+
+    fn connected(&self, connected: Result<(), Failure>, quiet: bool) -> Result<(), Error> {
         connected.map_err(|failure| self.failed(failure))?;
         let Some(joint) = self.setup.joints.first().filter(|_| !quiet) else {
             return Ok(());
         };
         let connected = Driving::Connected {
             servos: self.setup.joints.len(),
-            family: joint.model.family.name,
+            family: joint.model.family.name(),
             port: self.port.clone().into(),
-            delay: self.drives().bus().timing().return_delay,
+            delay: self.robot().drives().bus().timing().return_delay,
         };
         report::say(connected, self.lang);
         Ok(())
     }
 
+    /// Reads the joints for a cycle, without torque.
+    pub(crate) fn measure(&self) -> Result<(), Failure> {
+        let mut robot = self.robot();
+        robot.wait();
+        robot.drives_mut().read_cycle()
+    }
+
+    /// Returns the measured angle of each joint, deg.
+    pub(crate) fn angles(&self) -> Vec<f64> {
+        let robot = self.robot();
+        let joints = 0..self.setup.joints.len();
+        let angle = |joint| robot.drives().angle(joint).unwrap_or_default();
+        joints.map(angle).collect()
+    }
+
     /// Says where the joints will go before the program starts.
     pub(crate) fn announce(&self) {
-        let drives = self.drives();
+        let robot = self.robot();
         let way = |joint: usize| {
-            let now = drives.angle(joint).unwrap_or_default();
+            let now = robot.drives().angle(joint).unwrap_or_default();
             (self.setup.initial[joint] - now).abs()
         };
         let joints = 0..self.setup.joints.len();
@@ -409,56 +388,85 @@ impl Connection {
         }
     }
 
-    /// Switches the torque on, and moves slowly to the initial posture; `false` if it was interrupted.
-    pub(crate) fn stand_ready(&mut self) -> Result<bool, Error> {
-        let held = self.drives().hold();
-        held.map_err(|failure| self.failed(failure))?;
-        self.reached.is_held = true;
-        let (mut pacer, mut settled) = (Pacer::start(), 0);
-        let period = self.setup.period;
-        // Some cycles more, so that the last command is reached.
-        while settled < 15 {
-            self.tick();
+    /// Reads keys from now on, and lets signals that end this process leave the robot first. It comes before the first torque.
+    pub(crate) fn take_over(&self) {
+        self.robot().host_mut().keyboard =
+            Some(Terminal::on(io::sink(), false).report_interrupts());
+        // Not an owner: the robot is left when the last of them is gone.
+        let (robot, setup) = (Arc::downgrade(&self.robot), self.setup.clone());
+        let lang = self.lang;
+        interrupt::leaves_first(move || {
+            let Some(robot) = robot.upgrade() else {
+                return String::new();
+            };
+            let mut robot = lock(&robot);
+            robot.leave();
+            setup.left(robot.outcome(), lang)
+        });
+    }
+
+    /// Switches the torque on, and moves slowly to the initial posture. Returns the status with which the command ends if the
+    /// robot was stopped on the way.
+    pub(crate) fn stand_ready(&self) -> Option<Status> {
+        self.take_over();
+        let step = {
             let (initial, speed) = (&self.setup.initial, self.setup.bus.start);
-            let left = self.drives().approach(initial, speed, period);
-            let left = left.map_err(|failure| {
-                self.finish(true);
-                self.failed(failure)
-            })?;
-            settled += u32::from(left == 0.0);
-            if interrupt::is_requested() {
-                self.finish(false);
-                return Ok(false);
+            self.robot().approach(initial, speed)
+        };
+        self.ended(step)
+    }
+
+    /// Reports the end of a robot that was left in a step, and returns the status of the command.
+    pub(crate) fn ended(&self, step: Result<Step, Failure>) -> Option<Status> {
+        let status = match step {
+            Ok(Step::Moving | Step::Arrived) => return None,
+            Ok(Step::Left(Request::End)) => Status::Interrupted,
+            Ok(Step::Left(Request::EmergencyStop)) => {
+                report::say(Stopping::KeyPressed, self.lang);
+                Status::Emergency
             }
-            if !self.is_simulated() {
-                realtime::wait_until(pacer.due(period));
+            Err(failure) => {
+                report::complain(&format!("{}\n", self.explain(failure)));
+                Status::Emergency
             }
-        }
-        Ok(true)
+        };
+        self.finish(None);
+        Some(status)
     }
 
     /// Returns the joints for a run.
     pub(crate) fn joints(&self) -> impl Joints + use<> {
-        self.reached.clone()
+        RunJoints {
+            robot: Arc::clone(&self.robot),
+            is_simulated: self.is_simulated,
+            of_leg: self.setup.of_leg,
+        }
     }
 
-    /// Holds or relaxes the robot for good.
-    pub(crate) fn finish(&mut self, in_emergency: bool) {
-        if !std::mem::take(&mut self.reached.is_held) {
-            return;
+    /// Returns the keyboard, which nobody reads here then.
+    pub(crate) fn keyboard(&self) -> Option<Terminal<io::Sink>> {
+        self.robot().host_mut().keyboard.take()
+    }
+
+    /// Holds or relaxes the robot for good, and reports servos that are in another state. The keyboard is read until then; returns
+    /// true if the emergency stop was pressed.
+    pub(crate) fn finish(&self, keyboard: Option<Terminal<io::Sink>>) -> bool {
+        let mut robot = self.robot();
+        let was_stopped = robot.is_stopped();
+        robot.host_mut().keyboard = keyboard;
+        robot.leave();
+        report::complain(&self.setup.left(robot.outcome(), self.lang));
+        robot.host_mut().keyboard = None;
+        let is_stopped = robot.is_stopped() && !was_stopped;
+        if is_stopped {
+            report::say(Stopping::KeyPressed, self.lang);
         }
-        let mut drives = self.reached.drives();
-        let settings = drives.settings();
-        let policy = match in_emergency {
-            true => settings.in_emergency,
-            false => settings.at_end,
-        };
-        while !drives.rest(policy) && policy == Policy::Relax {
-            if self.reached.mishaps.is_none() {
-                std::thread::sleep(Duration::from_secs_f64(self.setup.period / 1000.0));
-            }
-        }
-        drives.leave();
+        is_stopped
+    }
+
+    /// Returns the problem that stopped the robot.
+    pub(crate) fn failure(&self) -> Option<Failure> {
+        self.robot().drives().failure()
     }
 
     /// Returns the error for a failure.
@@ -487,16 +495,14 @@ impl Connection {
                 number: number.into(),
                 model: own.model.name,
             },
-            Problem::Mode(value) => {
-                let mode = own.model.family.mode;
-                Driving::WrongMode {
-                    joint,
-                    id,
-                    value: value.into(),
-                    register: mode.map_or(0, |(register, ..)| register.address.into()),
-                    right: mode.map_or(0, |(_, right, _)| right.unsigned_abs()),
-                }
-            }
+            Problem::Register(wrong) => Driving::WrongRegister {
+                joint,
+                id,
+                name: wrong.name,
+                register: wrong.register.into(),
+                value: wrong.value.to_string(),
+                wanted: wrong.wanted.to_string(),
+            },
             Problem::Hot(now) => Driving::Hot {
                 joint,
                 id,
@@ -537,105 +543,56 @@ impl Connection {
                 max: own.limits.max,
             },
             Problem::Torque => Driving::NoTorques { joint },
+            Problem::Load(load) => Driving::BusTooSlow {
+                percent: format!("{:.0}", load.part * 100.0),
+                cycles: load.cycles,
+                silence: bus.silence,
+            },
+            Problem::Period(most) => Driving::PeriodTooLong {
+                most: format!("{most:.0}"),
+            },
+            Problem::NotHeld => Driving::NotHeld,
         };
         message.in_lang(self.lang).to_string()
     }
 }
 
-impl Drop for Connection {
-    /// A panic of this process leaves the robot as an emergency does.
-    fn drop(&mut self) {
-        self.finish(true);
-    }
+/// The joints that a run moves.
+#[derive(Debug)]
+struct RunJoints {
+    robot: Arc<SharedGuard>,
+    is_simulated: bool,
+    /// Joints of each leg.
+    of_leg: usize,
 }
 
-impl Joints for Reached {
-    fn read(&mut self, angles: &mut [f64]) -> Result<(), HardwareFault> {
-        let mut drives = self.drives.lock().unwrap_or_else(PoisonError::into_inner);
-        drives.read_cycle()?;
+impl Joints for RunJoints {
+    fn read(&mut self, angles: &mut [f64], ages: &mut [u32]) -> Result<(), HardwareFault> {
+        let mut robot = lock(&self.robot);
+        let read = robot.read_cycle();
+        read.map_err(|failure| failure.fault(self.of_leg))?;
         for (joint, angle) in angles.iter_mut().enumerate() {
-            *angle = drives.angle(joint).unwrap_or(*angle);
+            *angle = robot.drives().angle(joint).unwrap_or(*angle);
+        }
+        for (joint, age) in ages.iter_mut().enumerate() {
+            *age = robot.drives().age(joint).unwrap_or_default();
         }
         Ok(())
     }
 
     fn write(&mut self, commands: &[JointCommand], period: f64) -> Result<(), HardwareFault> {
-        self.drives().write_cycle(commands, period)?;
-        self.tick(period);
+        let mut robot = lock(&self.robot);
+        let written = robot.write_cycle(commands, period);
+        written.map_err(|failure| failure.fault(self.of_leg))?;
+        // A run in real time has its own pace.
+        if self.is_simulated {
+            robot.wait();
+        }
         Ok(())
     }
 
-    fn stop(&mut self, _why: &Fault) {
-        let mut drives = self.drives();
-        let policy = drives.settings().in_emergency;
-        drives.rest(policy);
+    fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
+        let stopped = lock(&self.robot).stop_cycle();
+        stopped.map_err(|failure| failure.fault(self.of_leg))
     }
-}
-
-/// Serves a bus until it is interrupted; `announce` gets the name of its port.
-#[cfg(unix)]
-pub(super) fn serve(
-    setup: &Setup,
-    mut mishaps: Mishaps,
-    _: Lang,
-    announce: impl FnOnce(String) -> Result<(), Error>,
-) -> Result<Status, Error> {
-    use nix::fcntl::{OFlag, open};
-    use nix::poll::{PollFd, PollFlags, ppoll};
-    use nix::pty::{grantpt, posix_openpt, ptsname_r, unlockpt};
-    use nix::sys::stat::Mode;
-    use nix::sys::termios::{SetArg, cfmakeraw, tcgetattr, tcsetattr};
-    use nix::sys::time::TimeSpec;
-    use nix::unistd::{read, write};
-    use std::os::fd::AsFd;
-    let failed = |error: nix::Error| Error::Failed(io::Error::from(error).to_string());
-
-    let pty = posix_openpt(OFlag::O_RDWR | OFlag::O_NOCTTY).map_err(failed)?;
-    grantpt(&pty).map_err(failed)?;
-    unlockpt(&pty).map_err(failed)?;
-    let name = ptsname_r(&pty).map_err(failed)?;
-    // Kept open, so that masters can come and go.
-    let flags = OFlag::O_RDWR | OFlag::O_NOCTTY;
-    let other = open(name.as_str(), flags, Mode::empty()).map_err(failed)?;
-    let mut settings = tcgetattr(&other).map_err(failed)?;
-    cfmakeraw(&mut settings);
-    tcsetattr(&other, SetArg::TCSANOW, &settings).map_err(failed)?;
-    announce(name)?;
-
-    let mut bus = setup.simulated(&mishaps);
-    let start = Instant::now();
-    while !interrupt::is_requested() {
-        let now = start.elapsed().as_micros() as u64;
-        bus.advance(now);
-        mishaps.happen(&mut bus, now);
-        let due = bus.take_bytes(now, 4096);
-        let mut left = &due[..];
-        while !left.is_empty() {
-            let count = write(&pty, left).map_err(failed)?;
-            left = &left[count..];
-        }
-        let until = bus.next_byte().unwrap_or(now + 5000);
-        let wait = TimeSpec::from_duration(Duration::from_micros(until.saturating_sub(now)));
-        let mut polled = [PollFd::new(pty.as_fd(), PollFlags::POLLIN)];
-        match ppoll(&mut polled, Some(wait), None) {
-            Ok(0) | Err(nix::Error::EINTR) => continue,
-            Ok(_) => {}
-            Err(error) => return Err(failed(error)),
-        }
-        let mut bytes = [0; 1024];
-        let count = read(&pty, &mut bytes).map_err(failed)?;
-        bus.receive(&bytes[..count], start.elapsed().as_micros() as u64);
-    }
-    Ok(Status::Interrupted)
-}
-
-#[cfg(not(unix))]
-pub(super) fn serve(
-    _: &Setup,
-    _: Mishaps,
-    lang: Lang,
-    _: impl FnOnce(String) -> Result<(), Error>,
-) -> Result<Status, Error> {
-    let _ = (Instant::now(), interrupt::is_requested());
-    Err(Error::failed(Driving::NotHere, lang))
 }

@@ -358,20 +358,23 @@ impl Origin {
     }
 }
 
-/// Converts a path from here to one from a new folder.
+/// Returns the path from a new folder to another one, so that both can be moved together. It is relative if they share a folder below
+/// the root, and no link leads to the new one: `..` after a link leads elsewhere.
 fn seen_from(place: &Path, path: &Path) -> PathBuf {
-    // `..` after a link leads elsewhere.
-    let here = real(Path::new("."));
-    let is_below = place.is_relative() && real(place) == here.join(place);
-    if path.is_absolute() || !is_below {
-        return absolute(path).unwrap_or_else(|_| path.to_owned());
+    let is_linked = absolute(place).ok().as_ref() != Some(&real(place));
+    let (place, path) = (real(place), real(path));
+    let both = place.components().zip(path.components());
+    let shared = both.take_while(|(one, other)| one == other).count();
+    let mut folders = place.components().take(shared);
+    let is_below_root = folders.any(|part| matches!(part, Component::Normal(_)));
+    if is_linked || !is_below_root {
+        return path;
     }
-    let is_real = |part: &Component<'_>| *part != Component::CurDir;
     let up = place
         .components()
-        .filter(is_real)
+        .skip(shared)
         .map(|_| Component::ParentDir);
-    up.chain(path.components().filter(is_real)).collect()
+    up.chain(path.components().skip(shared)).collect()
 }
 
 /// Maximum length of a name in registries.
@@ -484,6 +487,11 @@ mod tests {
             let seen_from = seen_from(Path::new(place), Path::new(path));
             assert_eq!(seen_from, Path::new(seen), "{place}: {path}");
         }
+        let here = std::env::current_dir().expect("it exists");
+        assert_eq!(
+            seen_from(&here.join("demo"), &here.join("tip")),
+            Path::new("../tip")
+        );
         let far = seen_from(Path::new("/demo"), Path::new("tip"));
         assert!(far.is_absolute(), "{far:?}");
     }

@@ -37,15 +37,13 @@ pub(super) struct Screen {
 }
 
 impl Screen {
-    /// Returns a console with keys if standard input is a terminal, and messages if standard output is free for them.
+    /// Returns a console with keys, and messages if standard output is free for them.
     pub(super) fn new(
+        keyboard: Option<Terminal<Sink>>,
         progress: Progress,
         shows_messages: bool,
         logs: Option<LogFiles<()>>,
     ) -> Self {
-        let keyboard = io::stdin()
-            .is_terminal()
-            .then(|| Terminal::on(io::sink(), false).report_interrupts());
         Screen {
             keyboard,
             progress,
@@ -55,6 +53,12 @@ impl Screen {
             sticks: None,
             failure: None,
         }
+    }
+
+    /// Removes the line of progress, and returns the keyboard.
+    pub(super) fn release(&mut self) -> Option<Terminal<Sink>> {
+        self.progress.close();
+        self.keyboard.take()
     }
 
     /// Lets keys move sticks from now on.
@@ -75,8 +79,7 @@ impl Screen {
 
     /// Releases the terminal, so that the reports of the end appear where they should, and completes the log files.
     pub(super) fn close(&mut self) -> Result<(), Error> {
-        self.progress.close();
-        self.keyboard = None;
+        drop(self.release());
         self.logs.as_mut().map_or(Ok(()), finish)?;
         self.failure.take().map_or(Ok(()), Err)
     }

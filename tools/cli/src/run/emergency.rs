@@ -86,7 +86,11 @@ impl Stopped<'_> {
         {
             diagnostic = diagnostic.about(subject);
         }
-        if let Some(help) = help {
+        let not_stopped = self.emergency.stop_fault.map(|fault| {
+            let what = fault.to_string().into();
+            Stopping::NotStopped { what }.into()
+        });
+        if let Some(help) = not_stopped.or(help) {
             diagnostic = diagnostic.help(help);
         }
         for (place, text) in values.at_places() {
@@ -122,9 +126,12 @@ impl Stopped<'_> {
                 Stopping::OutOfReach { target }.into(),
                 self.joints_of(target),
             ),
-            Fault::Hardware(what) => match self.run.plant_error() {
+            Fault::Hardware(fault) => match self.run.plant_error() {
                 Some(trouble) => (trouble.message().into(), None),
-                None => (Stopping::Broken { what }.into(), None),
+                None => {
+                    let what = fault.to_string().into();
+                    (Stopping::Broken { what }.into(), None)
+                }
             },
             Fault::EmergencyKey => (Stopping::KeyPressed.into(), None),
             // Sensors: the message names the one that it is about.

@@ -78,7 +78,8 @@ pub(crate) fn line(figure: Figure, value: impl fmt::Display, lang: Lang) -> Stri
 
 /// Returns the lines about the bus of a real robot.
 pub(super) fn driven(connection: &Connection, jitter: Option<&Histogram>, lang: Lang) -> String {
-    let drives = connection.drives();
+    let robot = connection.robot();
+    let drives = robot.drives();
     let (counts, period) = (drives.counts(), connection.period());
     let mean = counts.busy as f64 / counts.cycles.max(1) as f64 / 1000.0;
     let time = Running::BusTime {

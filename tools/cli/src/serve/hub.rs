@@ -6,7 +6,7 @@ use crate::serve::ServedFile;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
 use tip_sim::Robot;
@@ -22,6 +22,17 @@ const TURN: Duration = Duration::from_millis(20);
 const MAX_EVENTS: usize = 64;
 /// Maximum number of requests of one viewer that wait for the thread that checks texts.
 const MAX_QUESTIONS: usize = 8;
+
+/// Time without requests to move after an emergency stop, until viewers other than the one that stopped the robot may move it: one
+/// that asks again and again must not undo the stop.
+const QUIET: Duration = Duration::from_secs(1);
+
+/// An emergency stop that lasts.
+struct Hold {
+    by: Weak<Outbox>,
+    /// The last request of another viewer to move the robot, or the stop.
+    since: Instant,
+}
 
 /// An event of the hub.
 pub(super) enum HubEvent {
@@ -74,6 +85,7 @@ pub(super) struct Hub {
     /// Emergency stops, which overtake all other events.
     stops: Receiver<(Arc<Outbox>, ClientRequest)>,
     stopped: Arc<AtomicU64>,
+    hold: Option<Hold>,
     checks: Arc<CheckQueue>,
     viewers: Vec<(Arc<Outbox>, Viewer)>,
 }
@@ -98,6 +110,7 @@ impl Hub {
             events: received,
             stops: received_stops,
             stopped: Arc::clone(&sender.stopped),
+            hold: None,
             checks,
             viewers: Vec::new(),
         };
@@ -148,10 +161,27 @@ impl Hub {
     /// Handles the emergency stops that have arrived.
     fn handle_stops(&mut self) {
         while let Ok((outbox, asked)) = self.stops.try_recv() {
+            self.hold = Some(Hold {
+                by: Arc::downgrade(&outbox),
+                since: Instant::now(),
+            });
             if let Some(answer) = self.session.ask(&asked, &mut self.file) {
                 outbox.put(answer);
             }
         }
+    }
+
+    /// Counts a request to move the robot; returns true if an emergency stop forbids it.
+    fn is_held(&mut self, outbox: &Arc<Outbox>) -> bool {
+        let Some(hold) = &mut self.hold else {
+            return false;
+        };
+        let now = Instant::now();
+        let is_quiet = now - std::mem::replace(&mut hold.since, now) >= QUIET;
+        if is_quiet || Weak::ptr_eq(&hold.by, &Arc::downgrade(outbox)) {
+            self.hold = None;
+        }
+        self.hold.is_some()
     }
 
     fn handle(&mut self, event: HubEvent) {
@@ -179,7 +209,8 @@ impl Hub {
 
     fn handle_request(&mut self, outbox: Arc<Outbox>, asked: ClientRequest, stops: u64) {
         // A stop overtakes requests: an earlier one must not move the robot after it.
-        let answer = if asked.moves() && stops != self.stopped.load(Ordering::Relaxed) {
+        let is_late = stops != self.stopped.load(Ordering::Relaxed);
+        let answer = if asked.moves() && (is_late || self.is_held(&outbox)) {
             Some(asked.refused_stopped())
         } else {
             self.session.ask(&asked, &mut self.file)

@@ -1,6 +1,9 @@
 //! `tip log` and `tip plot`.
 
 use crate::support::Folder;
+use rustix::process::{Pid, Signal, kill_process};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
 
 const TEXT: &str =
     "DEF_VAR COUNT\nCOUNT = 3\nMESSAGE count is %COUNT%\nPTP_ANGLE J11 9\nWAIT_INPOS ALL\nEND";
@@ -79,4 +82,28 @@ fn how_the_run_ends_is_the_exit_status() {
         .tip(&["plot", "stops.prg", "-o", "stops.prg"])
         .expect(1);
     assert!(itself.err.contains("which is being read"), "{}", itself.err);
+}
+
+/// Ctrl-C ends the command soon, whether it records or writes; the earlier file stays, or the new one is complete.
+#[test]
+fn ctrl_c_ends_a_log_soon_and_leaves_no_part() {
+    let folder = Folder::new("logged-ctrl-c").program("on.prg", "AGAIN:\nREM\nGOTO AGAIN:\nEND");
+    for wait in [0, 100, 600] {
+        std::fs::write(folder.path("on.csv"), "earlier").expect("it is ours");
+        let mut command =
+            folder.command(&["log", "on.prg", "--cycles", "100000000", "-o", "on.csv"]);
+        let mut child = command.stderr(Stdio::null()).spawn().expect("tip starts");
+        std::thread::sleep(Duration::from_millis(300 + wait));
+        let began = Instant::now();
+        while child.try_wait().expect("it was started").is_none() {
+            kill_process(Pid::from_child(&child), Signal::INT)
+                .expect("nobody has waited for it yet");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        assert!(began.elapsed() < Duration::from_secs(3), "{wait}");
+        assert_eq!(child.wait().expect("it ends").code(), Some(130));
+        assert_eq!(folder.names(), ["on.csv", "on.prg"]);
+        let table = folder.read("on.csv");
+        assert!(table == "earlier" || table.ends_with("\r\n"), "{wait}");
+    }
 }

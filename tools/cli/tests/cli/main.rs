@@ -9,6 +9,8 @@ mod dap;
 #[cfg(target_os = "linux")]
 mod drives;
 mod emit;
+#[cfg(target_os = "linux")]
+mod endings;
 #[cfg(unix)]
 mod external;
 #[cfg(target_os = "linux")]
@@ -41,10 +43,16 @@ mod sarif;
 mod script;
 #[cfg(target_os = "linux")]
 mod serve;
+#[cfg(target_os = "linux")]
+mod servo_bus;
+#[cfg(target_os = "linux")]
+mod servo_commands;
 mod stops;
 mod support;
 #[cfg(target_os = "linux")]
 mod sweep;
+#[cfg(target_os = "linux")]
+mod torque;
 mod usage;
 mod verify;
 mod view;

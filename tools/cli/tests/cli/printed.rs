@@ -1,11 +1,11 @@
 //! Every command line that help texts and documents print is run, and ends.
 
-use crate::support::Folder;
+use crate::support::{Folder, process};
 use rustix::process::{Pid, Signal, kill_process};
 use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs, thread};
 
@@ -56,11 +56,6 @@ fn provide(folder: &Folder, line: &str) {
         false => "examples/walk/motions/walk.prg",
     });
     let march = read("examples/six-legs/motions/tripod.prg");
-    let swept = serde_json::json!({ "tip": "0", "spec": {
-        "program": { "name": "walk.prg", "text": walk },
-        "vary": [{ "name": "STRIDE", "values": { "range": { "from": 160, "to": 240, "step": 20 } } }],
-    } });
-    let swept = swept.to_string();
     let files = [
         ("walk.prg", walk.as_str()),
         ("motions/walk.prg", &walk),
@@ -84,11 +79,6 @@ fn provide(folder: &Folder, line: &str) {
         ),
         ("scene.toml", &read("examples/grasp/scene.toml")),
         ("bin/python3", SIMULATOR),
-        (
-            "runs.csv",
-            "case,STRIDE,end,line\n0,160,EXIT,80\n1,180,EXIT,80\n",
-        ),
-        ("runs.sweep.json", &swept),
     ];
     for (name, text) in files {
         let path = folder.path(name);
@@ -115,6 +105,11 @@ fn provide(folder: &Folder, line: &str) {
         let _ = std::os::unix::fs::symlink(target, &link);
         assert!(link.exists(), "{name}");
     }
+    if !folder.has("runs.csv") {
+        let sweep = "sweep examples/walk/motions/walk.prg --vary STRIDE=160..240/20 --cycles 1 -q -o runs.csv";
+        let words: Vec<&str> = sweep.split(' ').collect();
+        folder.tip(&words).expect(0);
+    }
 }
 
 /// The hexapod with simulated servos.
@@ -136,7 +131,7 @@ fn run(folder: &Folder, line: &str) -> (i32, String) {
     ];
     let path = env::var_os("PATH").unwrap_or_default();
     let path = env::join_paths(first.into_iter().chain(env::split_paths(&path)));
-    let mut command = Command::new("sh");
+    let mut command = process("sh");
     command
         .args(["-c", &format!("exec 2>&1; {line}")])
         .current_dir(folder.path(""))

@@ -7,6 +7,8 @@ mod hostile;
 use crate::support::Folder;
 use client::{Server, Socket};
 use serde_json::json;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::Duration;
 
 /// Counts its cycles; says which key was pressed and what VR1 reads.
 const COUNTS: &str = "DEF_VAR N\nDEF_VAR K\nDEF_VAR V\nN = 0\nLOOP:\nN = N + 1\nAD_IN VR1 V\nIF KB_HIT THEN\nKEY_IN K\nMESSAGE key\nENDIF\nIF HALT_REQUEST THEN\nEXIT\nENDIF\nGOTO LOOP:\nEND";
@@ -85,6 +87,41 @@ fn an_emergency_stop_ends_the_run_and_it_begins_again() {
     assert_eq!(viewer.ask(json!({"do": "play"}))["error"], "over");
     viewer.does(json!({"do": "restart"}));
     viewer.until(|viewer| viewer.run == 2);
+}
+
+/// Each connection restarts the run, as often as it can; the stop of another viewer ends the run nonetheless.
+#[test]
+fn a_viewer_that_restarts_all_the_time_does_not_undo_a_stop() {
+    let server = Server::begin(&counts("serve-flood"), &["counts.prg"]);
+    let mut viewer = server.viewer();
+    viewer.until(|viewer| viewer.cycles > 10);
+    let is_over = AtomicBool::new(false);
+    let refused = AtomicU64::new(0);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while !is_over.load(Ordering::Relaxed) {
+                let answer = server.viewer().ask(json!({"do": "restart"}));
+                if answer["error"] == "over" {
+                    refused.fetch_add(1, Ordering::Relaxed);
+                }
+            }
+        });
+        viewer.until(|viewer| viewer.run > 5);
+        viewer.does(json!({"do": "event", "event": "key 0x0D"}));
+        viewer.until(|viewer| viewer.status["over"] == true);
+        let run = viewer.run;
+        while refused.load(Ordering::Relaxed) < 50 {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        // What was sent before the answer has arrived with it.
+        viewer.ask(json!({"do": "pause"}));
+        assert_eq!((viewer.run, &viewer.status["over"]), (run, &json!(true)));
+        is_over.store(true, Ordering::Relaxed);
+    });
+    // The one that stopped the robot moves it on when it wants to.
+    let run = viewer.run;
+    viewer.does(json!({"do": "restart"}));
+    viewer.until(|viewer| viewer.run > run);
 }
 
 #[test]

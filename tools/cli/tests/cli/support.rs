@@ -65,7 +65,7 @@ impl Folder {
 
     /// The command, in this folder, with these arguments.
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = tip();
+        let mut command = process(env!("CARGO_BIN_EXE_tip"));
         command
             .current_dir(&self.0)
             .args(arguments)
@@ -84,19 +84,18 @@ impl Folder {
     }
 }
 
-/// The command, with the signals of a shell in the foreground: what runs the tests may ignore Ctrl-C, as background jobs do.
-fn tip() -> Command {
+/// A process with the signals of a shell in the foreground: what runs the tests may ignore Ctrl-C, as background jobs do.
+pub(crate) fn process(program: &str) -> Command {
     static IS_IGNORED: OnceLock<bool> = OnceLock::new();
     let is_ignored = || {
         let survivor = Command::new("sh").args(["-c", "kill -INT $$"]).status();
         cfg!(unix) && survivor.is_ok_and(|status| status.success())
     };
-    let tip = env!("CARGO_BIN_EXE_tip");
     if !IS_IGNORED.get_or_init(is_ignored) {
-        return Command::new(tip);
+        return Command::new(program);
     }
     let mut command = Command::new("env");
-    command.args(["--default-signal=INT,HUP,TERM", tip]);
+    command.args(["--default-signal=INT,HUP,TERM", program]);
     command
 }
 

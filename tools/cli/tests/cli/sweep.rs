@@ -349,7 +349,7 @@ fn a_table_and_its_runs_have_pages() {
         page.contains("<title>runs.csv</title>")
             && page.contains(r#""command":"tip view runs.csv""#)
     );
-    assert!(page.contains(r"0,10,END,7,"), "the rows are in it");
+    assert!(page.contains(r#"[0,10.0,"END",7,"#), "the rows are in it");
 
     // The page of a case is that of a program with its constant, but for the constant in its text.
     let outcome = folder.tip(&["view", "runs.csv", "--case", "1"]).expect(0);
@@ -374,14 +374,21 @@ fn a_table_and_its_runs_have_pages() {
     folder.tip(&["view", "runs.csv", "--case", "2"]).expect(2);
     folder.tip(&["view", "lift.prg", "--case", "0"]).expect(2);
     let folder = folder.file("other.csv", "a,b\n1,2\n");
+    for arguments in [&["other.csv"][..], &["other.csv", "--case", "0"]] {
+        let outcome = folder.tip(&[&["view"], arguments].concat()).expect(1);
+        assert!(outcome.err.contains("other.sweep.json"), "{}", outcome.err);
+    }
+    std::fs::copy(
+        folder.path("runs.sweep.json"),
+        folder.path("other.sweep.json"),
+    )
+    .expect("a copy");
     let outcome = folder.tip(&["view", "other.csv"]).expect(1);
     assert!(
-        outcome.err.contains("not a table of `tip sweep`"),
+        outcome.err.contains("not the table of its specification"),
         "{}",
         outcome.err
     );
-    let outcome = folder.tip(&["view", "other.csv", "--case", "0"]).expect(1);
-    assert!(outcome.err.contains("other.sweep.json"), "{}", outcome.err);
 }
 
 #[test]
@@ -436,6 +443,10 @@ fn a_table_takes_the_place_of_files_only() {
     let outcome = sweep("foreign.csv").expect(1);
     assert!(outcome.err.contains("something else"), "{}", outcome.err);
     assert_eq!(folder.read("foreign.sweep.json"), "{\"mine\": 1}");
+    for out in ["runs.tsv", "runs", "runs.csv.part", "RUNS.CSV"] {
+        let outcome = sweep(out).expect(1);
+        assert!(outcome.err.contains("ends in .csv"), "{}", outcome.err);
+    }
     sweep("runs.csv").expect(0);
     for arguments in [
         &["runs.csv", "-o", "runs.sweep.json"][..],
@@ -458,4 +469,305 @@ fn friction_without_mass_is_warned_of() {
     assert!(sweep(&[]).contains(warning));
     assert!(!sweep(&["-q"]).contains(warning));
     assert!(!sweep(&["--plant", "dynamic", "--until", "0.1s"]).contains(warning));
+}
+
+/// Sweeps three heights into `runs.csv`.
+fn heights(folder: &Folder, options: &[&str]) -> Outcome {
+    let sweep = [
+        "sweep",
+        "lift.prg",
+        "--vary",
+        "Z=10..30/10",
+        "-o",
+        "runs.csv",
+    ];
+    folder.tip(&[&sweep[..], options].concat())
+}
+
+#[test]
+fn a_table_and_another_specification_are_refused() {
+    let folder = folder("sweep-pair");
+    heights(&folder, &[]).expect(0);
+    folder.tip(&["view", "runs.csv", "--case", "2"]).expect(0);
+    let table = folder.read("runs.csv");
+    // The specification of another sweep, of a killed newer one for example.
+    folder
+        .tip(&[
+            "sweep",
+            "lift.prg",
+            "--vary",
+            "Z=10..30/5",
+            "-q",
+            "-o",
+            "other.csv",
+        ])
+        .expect(0);
+    std::fs::copy(
+        folder.path("other.sweep.json"),
+        folder.path("runs.sweep.json"),
+    )
+    .expect("a copy");
+    for arguments in [&["runs.csv"][..], &["runs.csv", "--case", "2"]] {
+        let outcome = folder.tip(&[&["view"], arguments].concat()).expect(1);
+        let reason = "line 2 of runs.csv is not a row of the sweep in runs.sweep.json";
+        assert!(outcome.err.contains(reason), "{}", outcome.err);
+    }
+    heights(&folder, &["--resume"]).expect(1);
+    assert_eq!(folder.read("runs.csv"), table);
+}
+
+/// A new sweep leaves the complete one as it is until the new one is complete, whenever it is killed.
+#[test]
+fn a_killed_sweep_leaves_the_complete_one() {
+    let folder = folder("sweep-kept");
+    heights(&folder, &[]).expect(0);
+    let files = || ["runs.csv", "runs.sweep.json"].map(|name| folder.read(name));
+    let complete = files();
+    let newer = [
+        "sweep", "on.prg", "--vary", "A=1,2", "--until", "1e9s", "-q", "-o", "runs.csv",
+    ];
+    let mut child = folder.command(&newer).spawn().expect("tip starts");
+    while !folder.has("runs.sweep.json.part") {
+        thread::sleep(Duration::from_millis(2));
+    }
+    // Nobody else writes the same table.
+    let outcome = heights(&folder, &[]).expect(1);
+    assert!(
+        outcome.err.contains("another process is writing"),
+        "{}",
+        outcome.err
+    );
+    let outcome = heights(&folder, &["--resume"]).expect(0);
+    assert!(
+        outcome.err.contains("3 runs, 0 of them now"),
+        "{}",
+        outcome.err
+    );
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    assert_eq!(files(), complete);
+    folder.tip(&["view", "runs.csv", "--case", "2"]).expect(0);
+    // Nothing of the killed one is worth keeping.
+    heights(&folder, &[]).expect(0);
+    assert_eq!(files(), complete);
+    assert!(!folder.has("runs.csv.part") && !folder.has("runs.sweep.json.part"));
+}
+
+/// Both files get their names one after the other: a kill in between loses nothing.
+#[test]
+fn a_sweep_that_is_killed_as_it_becomes_complete_goes_on() {
+    let folder = folder("sweep-between");
+    heights(&folder, &[]).expect(0);
+    let complete = folder.read("runs.csv");
+    std::fs::rename(folder.path("runs.csv"), folder.path("runs.csv.part")).expect("a table");
+    folder.tip(&["view", "runs.csv.part", "-q"]).expect(0);
+    let outcome = heights(&folder, &["--resume"]).expect(0);
+    assert!(
+        outcome.err.contains("3 runs, 0 of them now"),
+        "{}",
+        outcome.err
+    );
+    assert_eq!(folder.read("runs.csv"), complete);
+}
+
+#[test]
+fn places_that_hold_something_else_are_refused() {
+    use rustix::fs::{CWD, FileType, Mode, mknodat};
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = folder("sweep-planted").file("victim", "precious");
+    let pipe = |name: &str| {
+        let mode = Mode::RUSR | Mode::WUSR;
+        mknodat(CWD, folder.path(name), FileType::Fifo, mode, 0).expect("a pipe");
+    };
+    let remove = |name: &str| std::fs::remove_file(folder.path(name)).expect("it is ours");
+    // Neither a link is followed nor a pipe waited for.
+    for name in ["runs.csv.part", "runs.sweep.json.part"] {
+        for target in ["victim", "nothing"] {
+            symlink(folder.path(target), folder.path(name)).expect("a link");
+            let outcome = heights(&folder, &[]).expect(1);
+            assert!(
+                outcome.err.contains("is not a regular file"),
+                "{}",
+                outcome.err
+            );
+            remove(name);
+        }
+        pipe(name);
+        heights(&folder, &[]).expect(1);
+        heights(&folder, &["--resume"]).expect(1);
+        remove(name);
+    }
+    assert_eq!(folder.read("victim"), "precious");
+    pipe("runs.sweep.json");
+    let outcome = heights(&folder, &[]).expect(1);
+    assert!(
+        outcome.err.contains("has something else"),
+        "{}",
+        outcome.err
+    );
+    let outcome = folder.tip(&["view", "runs.csv", "--case", "2"]).expect(1);
+    assert!(outcome.err.contains("runs.sweep.json"), "{}", outcome.err);
+    remove("runs.sweep.json");
+    heights(&folder, &[]).expect(0);
+    // Read-only files stay.
+    let table = folder.read("runs.csv");
+    for name in ["runs.csv", "runs.sweep.json"] {
+        let set = |mode| {
+            std::fs::set_permissions(folder.path(name), std::fs::Permissions::from_mode(mode))
+        };
+        set(0o444).expect("it is ours");
+        let outcome = heights(&folder, &[]).expect(1);
+        assert!(
+            outcome.err.contains(&format!("{name}: permission denied")),
+            "{}",
+            outcome.err
+        );
+        set(0o644).expect("it is ours");
+    }
+    assert_eq!(folder.read("runs.csv"), table);
+}
+
+#[test]
+fn an_empty_part_is_taken_and_a_full_disk_leaves_nothing() {
+    let folder = folder("sweep-empty").file("runs.csv.part", "");
+    heights(&folder, &[]).expect(0);
+    let table = folder.read("runs.csv");
+    std::fs::remove_file(folder.path("runs.csv")).expect("a table");
+    std::fs::write(folder.path("runs.csv.part"), "").expect("it is ours");
+    heights(&folder, &["--resume"]).expect(0);
+    assert_eq!(folder.read("runs.csv"), table);
+    // A limit of the file size is a full disk.
+    let limited = |kilobytes: u32, arguments: &str| {
+        let tip = env!("CARGO_BIN_EXE_tip");
+        let script =
+            format!("trap '' XFSZ; ulimit -f {kilobytes}; exec '{tip}' sweep lift.prg {arguments}");
+        let mut shell = std::process::Command::new("bash");
+        let output = shell
+            .args(["-c", &script])
+            .current_dir(folder.path("."))
+            .output();
+        let output = output.expect("bash");
+        (
+            output.status.code(),
+            String::from_utf8_lossy(&output.stderr).into_owned(),
+        )
+    };
+    let (status, said) = limited(0, "--vary Z=1,2 -o full.csv");
+    assert_eq!(status, Some(1), "{said}");
+    assert!(!folder.has("full.csv.part") && !folder.has("full.sweep.json.part"));
+    // The rows that are said to be kept are those in the file.
+    let (status, said) = limited(16, "--vary Z=1..2/0.001 -o full.csv");
+    assert_eq!(status, Some(1), "{said}");
+    let part = folder.read("full.csv.part");
+    let kept = part.matches('\n').count() - 1;
+    assert!(kept > 10, "{said}");
+    assert!(
+        said.contains(&format!("{kept} of 1001 runs are in full.csv.part")),
+        "{said}"
+    );
+    folder
+        .tip(&[
+            "sweep",
+            "lift.prg",
+            "--vary",
+            "Z=1..2/0.001",
+            "-q",
+            "-o",
+            "full.csv",
+            "--resume",
+        ])
+        .expect(0);
+    assert_eq!(folder.read("full.csv").lines().count(), 1002);
+}
+
+#[test]
+fn a_part_that_another_program_has_changed_is_not_believed() {
+    let folder = folder("sweep-edited");
+    heights(&folder, &[]).expect(0);
+    let table = folder.read("runs.csv");
+    let resume = |part: &[u8]| {
+        let _ = std::fs::remove_file(folder.path("runs.csv"));
+        std::fs::write(folder.path("runs.csv.part"), part).expect("it is ours");
+        heights(&folder, &["--resume"])
+    };
+    // A changed value: the row and those after it are run again.
+    let changed = table.replacen("1,20,END", "1,20,EXIT", 1);
+    let outcome = resume(changed.as_bytes()).expect(0);
+    assert!(
+        outcome.err.contains("3 runs, 2 of them now"),
+        "{}",
+        outcome.err
+    );
+    assert_eq!(folder.read("runs.csv"), table);
+    let lines = table.replace('\n', "\r\n");
+    let marked = [b"\xef\xbb\xbf", table.as_bytes()].concat();
+    for part in [lines.as_bytes(), &marked] {
+        let outcome = resume(part).expect(1);
+        assert!(
+            outcome.err.contains("byte order mark or CR LF"),
+            "{}",
+            outcome.err
+        );
+        assert!(std::fs::read(folder.path("runs.csv.part")).expect("it is there") == part);
+    }
+    // The rows of a version without checks.
+    let old: String = table
+        .lines()
+        .map(|line| {
+            let cells: Vec<&str> = line.split(',').collect();
+            cells[..cells.len() - 1].join(",") + "\n"
+        })
+        .collect();
+    let outcome = resume(old.as_bytes()).expect(1);
+    assert!(outcome.err.contains("version of tip"), "{}", outcome.err);
+}
+
+#[test]
+fn any_number_of_jobs_is_bounded() {
+    let folder = folder("sweep-jobs");
+    heights(&folder, &["--jobs", "1000000000000"]).expect(0);
+}
+
+#[test]
+fn a_slope_varies_without_a_scene_file() {
+    let folder = folder("sweep-slope");
+    let sweep = [
+        "sweep",
+        "lift.prg",
+        "--vary",
+        "scene.floor.slope.1=0,0.1",
+        "-q",
+        "-o",
+        "-",
+    ];
+    let table = folder.tip(&sweep).expect(0).out;
+    assert_eq!(table.lines().count(), 3);
+}
+
+#[test]
+fn a_variable_that_a_thread_assigns_varies() {
+    let program = "3.2\nt\nDEF_VAR A B\nSTART_THREAD T:\nWAIT_THREAD T:\nB = A\nEXIT\nTHREAD T:\nA = 500\nTHREADEND\nEND\n";
+    let folder = Folder::new("sweep-thread").file("thread.prg", program);
+    let sweep = [
+        "sweep",
+        "thread.prg",
+        "--vary",
+        "A=100,500,1000",
+        "--record",
+        "B",
+        "-q",
+        "-o",
+        "-",
+    ];
+    let table = folder.tip(&sweep).expect(0).out;
+    let lines: Vec<Vec<&str>> = table
+        .lines()
+        .map(|line| line.split(',').collect())
+        .collect();
+    let column = lines[0]
+        .iter()
+        .position(|name| *name == "final_B")
+        .expect("a column");
+    let values: Vec<&str> = lines[1..].iter().map(|row| row[column]).collect();
+    assert_eq!(values, ["100", "500", "1000"]);
 }

@@ -2,3 +2,7 @@
 
 mod drives;
 mod frames;
+mod guard;
+mod simulated;
+mod start;
+mod tables;

@@ -45,7 +45,9 @@ pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counte
         program,
         flow,
         called: BTreeMap::new(),
+        shared: BTreeSet::new(),
     };
+    assignments.find_shared();
     let mut all = BTreeMap::new();
     for (head, node) in flow.nodes().iter().enumerate() {
         if let Some(one) = candidate(program, flow, node.step)
@@ -119,12 +121,29 @@ struct Assignments<'a> {
     flow: &'a Flow,
     /// The scalars that a call of a routine may assign; `None` if that was more work than was left.
     called: BTreeMap<NodeId, Option<BTreeSet<usize>>>,
+    /// The scalars that more than one of the main program and the threads may assign.
+    shared: BTreeSet<usize>,
 }
 
 impl Assignments<'_> {
-    /// Returns true if the body of a loop, or what it calls, may assign the counter.
+    /// Finds the scalars that are shared. Their number is small, and so is that of threads.
+    fn find_shared(&mut self) {
+        let mut own = BTreeSet::new();
+        let starts = self.flow.starts().iter();
+        for start in starts.filter(|_| self.flow.starts().len() > 1) {
+            let work = Work::of(self.flow.nodes().len());
+            let assigned = self.assigned_in(*start, &work).unwrap_or_default();
+            let again = assigned.into_iter().filter(|scalar| !own.insert(*scalar));
+            self.shared.extend(again);
+        }
+    }
+
+    /// Returns true if the body of a loop, what it calls, or another thread may assign the counter.
     fn set_counter(&mut self, head: NodeId, one: &Counted, work: &Work) -> bool {
         let counter = self.assigned(head).start;
+        if self.shared.contains(&counter) {
+            return true;
+        }
         (one.nodes.start..one.next()).any(|id| {
             let call = self.flow.nodes()[id].call;
             self.assigned(id).contains(&counter)

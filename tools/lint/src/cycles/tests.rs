@@ -236,3 +236,29 @@ fn deep_nesting_ends_in_no_bound() {
     assert_eq!(own(33), None);
     assert_eq!(own(100), None);
 }
+
+/// A thread that assigns the counter of another one's loop changes the number of turns.
+#[test]
+fn a_loop_whose_counter_a_thread_assigns_is_not_counted() {
+    let text = |thread: &str| {
+        format!(
+            "3.2\ntest\nDEF_VAR I, J\nSTART_THREAD T:\nFOR I = 1 TO 3\nNEXT\nEXIT\nTHREAD T:\n{thread}\nTHREADEND\nEND\n"
+        )
+    };
+    let found = |thread: &str| {
+        let loaded = load("test.prg", text(thread).as_bytes(), &Options::default());
+        let program = loaded.program.expect("it has no errors");
+        short(&program, &parts(&program, TITAN), TITAN)
+    };
+    // START_THREAD, FOR, NEXT three times, EXIT: six steps.
+    assert!(
+        found("J = 9").contains("start to END: 6 cycles"),
+        "{}",
+        found("J = 9")
+    );
+    assert!(
+        !found("I = 9").contains("start to END: 6 cycles"),
+        "{}",
+        found("I = 9")
+    );
+}

@@ -252,8 +252,8 @@ fn is_stuck(
     reads(program, action(end), |scalar| {
         compared.insert(scalar);
     });
-    let own = walk.from(&[turn], Some(end), Into::Itself)?;
-    let all = walk.from(&[turn], Some(end), Into::Calls)?;
+    let own = walk.from(&[turn], Some(end), Calls::Passed)?;
+    let all = walk.from(&[turn], Some(end), Calls::Entered)?;
     let returns = own.iter().any(|id| flow.nodes()[*id].returns);
     let ends = all
         .iter()
@@ -274,7 +274,7 @@ fn is_stuck(
 pub(super) struct Unreachable(Vec<StepId>);
 
 impl Unreachable {
-    /// Creates each branch of the steps `open`, which have to be in order, counts as taken.
+    /// Finds the steps. Both branches of the steps `open`, which have to be in order, count as taken.
     pub(super) fn of(context: &LintContext<'_>, open: &[StepId]) -> Self {
         Unreachable(dead(context.program, context.flow, open))
     }
@@ -285,7 +285,12 @@ impl Unreachable {
 
     /// Warns once of each run of steps that would do something. Silent about routines that nothing calls: a program may
     /// have more of them than it needs.
-    pub(super) fn warn(&self, context: &LintContext<'_>, found: &mut Diagnostics) {
+    pub(super) fn warn(
+        &self,
+        context: &LintContext<'_>,
+        glued: &GluedJumps<'_>,
+        found: &mut Diagnostics,
+    ) {
         if self.0.is_empty() {
             return;
         }
@@ -296,7 +301,7 @@ impl Unreachable {
         };
         let belongs = |before: &StepId, step: &StepId| before + 1 == *step && !is_subroutine(*step);
         for run in self.0.chunk_by(belongs) {
-            found.extend(unreachable_warning(context, run, &sources));
+            found.extend(unreachable_warning(context, run, &sources, glued));
         }
     }
 }
@@ -315,6 +320,7 @@ fn unreachable_warning(
     context: &LintContext<'_>,
     run: &[StepId],
     sources: &HashMap<StepId, Vec<StepId>>,
+    glued: &GluedJumps<'_>,
 ) -> Option<Diagnostic> {
     let actions = run
         .iter()
@@ -337,6 +343,7 @@ fn unreachable_warning(
         return None;
     }
     let (reason, help) = match start.kind.label() {
+        Some((name, _)) if glued.mean(&name.node) => return None,
         Some((name, _)) => {
             let name = name.node.clone();
             (
@@ -472,7 +479,7 @@ fn one_way(program: &Program, flow: &Flow) -> Vec<(StepId, StepId)> {
 /// never returns;
 /// `None` if it is too long to say.
 fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
-    let path = walk.from(&[call.entry], None, Into::Itself)?;
+    let path = walk.from(&[call.entry], None, Calls::Passed)?;
     let nodes = || path.iter().map(|id| &flow.nodes()[*id]);
     let actions = || nodes().map(|node| &program.steps()[node.step as usize].action);
     if nodes().any(|node| node.returns) {
@@ -486,13 +493,13 @@ fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -
 /// Maximum number of nodes on a path that is followed: the time stays in proportion to the program.
 const FARTHEST: usize = 1_000;
 
-/// Nodes of a path that count.
+/// The way of a path at a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Into {
-    /// Nodes of its own routine: a call is passed.
-    Itself,
-    /// Nodes of called routines too.
-    Calls,
+enum Calls {
+    /// It goes on behind the call.
+    Passed,
+    /// It goes on behind the call and in the called routine.
+    Entered,
 }
 
 /// Follows paths from nodes, one search after the other.
@@ -515,7 +522,12 @@ impl<'a> Walk<'a> {
     /// Returns the nodes that paths from `starts` come to, themselves among them, without those behind `end`, where
     /// paths end;
     /// `None` if there are very many.
-    fn from(&mut self, starts: &[NodeId], end: Option<NodeId>, into: Into) -> Option<Vec<NodeId>> {
+    fn from(
+        &mut self,
+        starts: &[NodeId],
+        end: Option<NodeId>,
+        calls: Calls,
+    ) -> Option<Vec<NodeId>> {
         self.search += 1;
         let mut found = Vec::new();
         let mut open = starts.to_vec();
@@ -536,31 +548,44 @@ impl<'a> Walk<'a> {
             open.extend(node.next.iter());
             if let Some(call) = node.call {
                 open.push(call.back);
-                open.extend((into == Into::Calls).then_some(call.entry));
+                open.extend((calls == Calls::Entered).then_some(call.entry));
             }
         }
         Some(found)
     }
 }
 
-/// Warns of labels like `GOTOL1:`. Silent about a label that something jumps to, and where no label has the rest of
-/// its name. That nothing comes to the label that was meant follows from it.
-pub(super) fn glued_jumps(context: &LintContext<'_>, found: &mut Diagnostics) {
-    let suspects = suspects(context.symbols);
-    let meant: HashSet<&str> = suspects.iter().map(|it| it.meant).collect();
-    let follows = |diagnostic: &Diagnostic| match diagnostic.reason.get() {
-        Some(Linting::NothingJumps { name }) => meant.contains(name.as_str()),
-        _ => false,
-    };
-    found.retain(|diagnostic| !follows(diagnostic));
-    for Suspect { label, jump, meant } in suspects {
-        let help = Linting::JumpInTwoWords {
-            written: format!("{jump} {meant}:").into(),
-            word: label.name.clone(),
-        };
-        let reason = Linting::JumpInOneWord { jump };
-        let diagnostic = |location| Diagnostic::new(Code::GluedJump, location, reason).help(help);
-        found.extend(label.span.map(diagnostic));
+/// Labels like `GOTOL1:`, which look like jumps.
+pub(super) struct GluedJumps<'a> {
+    suspects: Vec<Suspect<'a>>,
+    /// The labels that they would jump to.
+    meant: HashSet<&'a str>,
+}
+
+impl<'a> GluedJumps<'a> {
+    /// Finds the labels. Silent about a label that something jumps to, and where no label has the rest of its name.
+    pub(super) fn of(context: &LintContext<'a>) -> Self {
+        let suspects = suspects(context.symbols);
+        let meant = suspects.iter().map(|it| it.meant).collect();
+        GluedJumps { suspects, meant }
+    }
+
+    /// Returns true if one of the jumps was to go to a label. That nothing comes to the label follows from that.
+    fn mean(&self, label: &str) -> bool {
+        self.meant.contains(label)
+    }
+
+    /// Warns of each of them.
+    pub(super) fn warn(self, found: &mut Diagnostics) {
+        for Suspect { label, jump, meant } in self.suspects {
+            let help = Linting::JumpInTwoWords {
+                written: format!("{jump} {meant}:").into(),
+                word: label.name.clone(),
+            };
+            let reason = Linting::JumpInOneWord { jump };
+            let warning = |location| Diagnostic::new(Code::GluedJump, location, reason).help(help);
+            found.extend(label.span.map(warning));
+        }
     }
 }
 

@@ -8,10 +8,9 @@ use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::Edition;
 use tipc::language::reserved::{JOINT, POSITION, reading};
-use tipc::message::Message;
 use tipc::message::phrase::Type;
 use tipc::parse::narrow;
-use tipc::program::{Reading, Target, Teach, Variable, VariableId, VariableKind};
+use tipc::program::{Variable, VariableId, VariableKind};
 use tipc::source::Span;
 use tipc::suggest::nearest;
 use tipc::symbols::{Access, DefinitionId, DefinitionKind};
@@ -69,7 +68,7 @@ impl<'a> Names<'a> {
         let name = parts.next().unwrap_or_default();
         let kind = match (self.find(name), reading(name, self.edition)) {
             (Some(variable), _) => variable.kind,
-            (None, Some(reading)) => kind_of(reading),
+            (None, Some(reading)) => VariableKind::of_reading(reading),
             (None, None) if self.constants.contains(name) => VariableKind::Var,
             (None, None) => return false,
         };
@@ -98,7 +97,18 @@ impl<'a> Names<'a> {
     }
 }
 
-pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
+/// Values that texts were to show and do not.
+#[derive(Default)]
+pub(super) struct MeantValues {
+    /// The variables.
+    pub(super) names: HashSet<SmolStr>,
+    /// True if a text was to show a value, and nothing says of which variable.
+    pub(super) any: bool,
+}
+
+/// Warns of texts, and returns what they were to show.
+pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) -> MeantValues {
+    let mut meant = MeantValues::default();
     let mut names = None;
     for statement in context.module.steps() {
         let (text, is_shown) = match &statement.kind {
@@ -108,12 +118,17 @@ pub(super) fn warn(context: &LintContext<'_>, found: &mut Diagnostics) {
         };
         let names = names.get_or_insert_with(|| Names::of(context));
         if is_shown {
-            found.extend(quoted(context.source.slice(text.span), text.span));
+            found.extend(quoted(
+                context.source.slice(text.span),
+                text.span,
+                &mut meant,
+            ));
         }
-        placeholders(context, names, text.span, found);
-        foreign_values(context, names, text.span, found);
-        wide_placeholder(context, names, text.span, found);
+        placeholders(context, names, text.span, &mut meant, found);
+        foreign_values(context, names, text.span, &mut meant, found);
+        wide_placeholder(context, names, text.span, &mut meant, found);
     }
+    meant
 }
 
 /// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
@@ -121,6 +136,7 @@ fn foreign_values(
     context: &LintContext<'_>,
     names: &Names<'_>,
     location: Span,
+    meant: &mut MeantValues,
     found: &mut Diagnostics,
 ) {
     let text = context.source.slice(location);
@@ -146,10 +162,16 @@ fn foreign_values(
     let span = Span::new(location.start + at, location.start + at + length);
     let diagnostic = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
     found.push(match name {
-        Some(name) => diagnostic
-            .about(name.as_str())
-            .help(Linting::ShowValue { name }),
-        None => diagnostic.help(Linting::ShowAnyValue),
+        Some(name) => {
+            meant.names.insert(name.clone());
+            diagnostic
+                .about(name.as_str())
+                .help(Linting::ShowValue { name })
+        }
+        None => {
+            meant.any = true;
+            diagnostic.help(Linting::ShowAnyValue)
+        }
     });
 }
 
@@ -172,7 +194,7 @@ fn is_format(text: &str) -> bool {
 }
 
 /// Returns the whole text in quotes or parentheses. Single words in them are part of a text.
-fn quoted(text: &str, location: Span) -> Option<Diagnostic> {
+fn quoted(text: &str, location: Span, meant: &mut MeantValues) -> Option<Diagnostic> {
     let mut inside = text.chars().skip(1);
     if text.starts_with('(')
         && inside.position(|it| it == ')') == text.chars().count().checked_sub(2)
@@ -195,7 +217,10 @@ fn quoted(text: &str, location: Span) -> Option<Diagnostic> {
     let help = match after.next()? {
         "" => Linting::LeaveQuotesOut,
         // `"N=" + N`
-        after if after.starts_with(['+', ',']) => Linting::ShowAnyValue,
+        after if after.starts_with(['+', ',']) => {
+            meant.any = true;
+            Linting::ShowAnyValue
+        }
         _ => return None,
     };
     let reason = Linting::QuotesShown;
@@ -208,6 +233,7 @@ fn placeholders(
     context: &LintContext<'_>,
     names: &Names<'_>,
     location: Span,
+    meant: &mut MeantValues,
     found: &mut Diagnostics,
 ) {
     let text = context.source.slice(location);
@@ -234,8 +260,9 @@ fn placeholders(
         }
         from = end;
         let span = Span::new(location.start + at, location.start + end);
-        let diagnostic = Diagnostic::new(Code::Placeholder, span, fault.0);
-        found.push(diagnostic.about(inner).help(fault.1));
+        let diagnostic = Diagnostic::new(Code::Placeholder, span, fault.reason);
+        found.push(diagnostic.about(inner).help(fault.help));
+        meant.names.extend(fault.meant);
     }
 }
 
@@ -258,32 +285,42 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
     (starts && is_word(name) && rest.is_none_or(is_word)).then_some((name, rest))
 }
 
-/// Returns the type of a special variable.
-fn kind_of(reading: Reading) -> VariableKind {
-    match reading {
-        Reading::Measured(Teach::Position | Teach::Force, _) => VariableKind::Pos,
-        Reading::Measured(_, Target::Foot(_)) => VariableKind::Joint,
-        Reading::Measured(..) | Reading::Timer(_) => VariableKind::Var,
-    }
+/// A text that looks like a placeholder and stands for nothing.
+struct Fault {
+    reason: Linting,
+    help: Linting,
+    /// The variable that it was to show.
+    meant: Option<SmolStr>,
 }
 
-/// Returns why what looks like a placeholder stands for nothing, and what to write.
-fn fault(names: &Names<'_>, inner: &str) -> Option<(Linting, Linting)> {
+/// Returns why what looks like a placeholder stands for nothing.
+fn fault(names: &Names<'_>, inner: &str) -> Option<Fault> {
     if names.is_later(inner) {
         return None;
     }
     let (name, rest) = split(inner)?;
     let name = || upper_case(name);
     let Some(variable) = names.find(&name()) else {
-        return Some((Linting::NoVar { name: name() }, declare(names, name())));
+        let meant = meant_variable(names, &name());
+        return Some(Fault {
+            reason: Linting::NoVar { name: name() },
+            help: match meant.clone() {
+                Some(near) => Linting::MeantPlaceholder { near },
+                None => Linting::DeclareOrLeaveOut { name: name() },
+            },
+            meant,
+        });
     };
     let found = match (variable.kind, rest) {
         (VariableKind::Var, None | Some("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7")) => {
             return None;
         }
         (VariableKind::Var, Some(_)) => {
-            let reason = Linting::Decimals { name: name() };
-            return Some((reason, Linting::SevenAtMost { name: name() }));
+            return Some(Fault {
+                reason: Linting::Decimals { name: name() },
+                help: Linting::SevenAtMost { name: name() },
+                meant: Some(name()),
+            });
         }
         (VariableKind::Pos, _) => Type::Pos,
         (VariableKind::Joint, _) => Type::Joint,
@@ -292,24 +329,24 @@ fn fault(names: &Names<'_>, inner: &str) -> Option<(Linting, Linting)> {
     let named = variable.scalar_names().find(is_named);
     let member = named.or_else(|| variable.scalar_names().next());
     let member = member.unwrap_or_default();
-    let reason = Linting::StructInMessage {
-        name: name(),
-        found,
-    };
-    Some((reason, Linting::ShowCopy { member }))
+    Some(Fault {
+        reason: Linting::StructInMessage {
+            name: name(),
+            found,
+        },
+        help: Linting::ShowCopy { member },
+        meant: Some(name()),
+    })
 }
 
-/// Returns what to write for a name that is not declared.
-fn declare(names: &Names<'_>, name: SmolStr) -> Linting {
-    if let Some(near) = numbered(&name).filter(|near| names.is_var(near)) {
-        return Linting::MeantPlaceholder { near };
+/// Returns the VAR that a name which is not declared was to be.
+fn meant_variable(names: &Names<'_>, name: &str) -> Option<SmolStr> {
+    if let Some(near) = numbered(name).filter(|near| names.is_var(near)) {
+        return Some(near);
     }
     let vars = names.variables.iter();
     let vars = vars.filter(|one| one.kind == VariableKind::Var);
-    match nearest(&name, vars.map(|one| one.name.as_str())) {
-        Some(near) => Linting::MeantPlaceholder { near: near.into() },
-        None => Linting::DeclareOrLeaveOut { name },
-    }
+    nearest(name, vars.map(|one| one.name.as_str())).map(SmolStr::from)
 }
 
 /// `VAR01` for `%d01%` or `%f01%`, as before version 3.0.
@@ -319,27 +356,6 @@ fn numbered(name: &str) -> Option<SmolStr> {
     is_number.then(|| format!("VAR{number}").into())
 }
 
-/// Returns true if a value was to be shown, and nothing says of which variable.
-pub(super) fn means_any(found: &[Diagnostic]) -> bool {
-    let any = Some(Linting::ShowAnyValue.into());
-    found.iter().any(|diagnostic| diagnostic.help == any)
-}
-
-/// Returns the variables that placeholders were meant to show. That nothing reads them is the same mistake.
-pub(super) fn placeholder_names(found: &[Diagnostic]) -> HashSet<SmolStr> {
-    let meant = found.iter().filter_map(|diagnostic| {
-        let help = diagnostic.help.as_ref().and_then(Message::get);
-        match (diagnostic.reason.get(), help) {
-            (_, Some(Linting::MeantPlaceholder { near: name } | Linting::ShowValue { name }))
-            | (Some(Linting::Decimals { name } | Linting::StructInMessage { name, .. }), _) => {
-                Some(name.clone())
-            }
-            _ => None,
-        }
-    });
-    meant.collect()
-}
-
 const SIGNS: [char; 2] = ['%', '％'];
 
 /// Warns of the first one that would show a VAR, were it half-width.
@@ -347,6 +363,7 @@ fn wide_placeholder(
     context: &LintContext<'_>,
     names: &Names<'_>,
     location: Span,
+    meant: &mut MeantValues,
     found: &mut Diagnostics,
 ) {
     let text = context.source.slice(location);
@@ -369,6 +386,7 @@ fn wide_placeholder(
             return;
         }
         let diagnostic = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
+        meant.names.insert(name.clone());
         found.push(
             diagnostic
                 .about(name.as_str())

@@ -227,7 +227,7 @@ impl<'a> Turns<'a> {
             return Some(());
         };
         let is_relative = |argument: &Argument| argument.mark == Mark::Relative;
-        if !op.name().starts_with("REL_") && !arguments.iter().any(is_relative) {
+        if !commands::is_relative(op) && !arguments.iter().any(is_relative) {
             let others = self.commanded.iter().filter(|other| other.part != part);
             let lost = others.filter(|other| other.joints.meet(joints));
             self.overridden.extend(lost.map(|other| (other.step, step)));

@@ -5,8 +5,11 @@ use crate::{sweep_of, value_error, within};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use std::num::NonZero;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use tip_sim::Run;
+use std::thread;
+use tip_runtime::record::Ending;
+use tip_sim::{Limit, Run};
 use tip_sweep::Sweep;
 
 /// Runs of cases of one specification.
@@ -25,7 +28,27 @@ struct State {
     runs: Vec<Run>,
 }
 
+/// Smallest number of runs that are worth a thread.
+const LEAST_RUNS: usize = 4;
+
 impl Batch {
+    /// Sets the actions of some runs, and runs the cycles of a step.
+    fn step_runs(&self, runs: &mut [Run], values: &[f64], limit: f64, ends: &mut [u8]) {
+        let values = values.chunks(self.actions.len());
+        for ((run, end), values) in runs.iter_mut().zip(ends).zip(values) {
+            for (name, value) in self.actions.iter().zip(values) {
+                // The values were accepted.
+                let _ = run.set(name, *value);
+            }
+            let last = run.cycles() + self.cycles;
+            *end = match run.to_end(Limit::cycles(last)) {
+                Ending::Limit if run.time() < limit => 0,
+                Ending::Limit => 2,
+                _ => 1,
+            };
+        }
+    }
+
     fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -41,6 +64,9 @@ impl Batch {
         observations: Vec<String>,
         cycles: u64,
     ) -> PyResult<Self> {
+        if actions.is_empty() {
+            return Err(PyValueError::new_err("a batch needs an action"));
+        }
         let sweep = sweep_of(spec)?;
         let mut runs = Vec::new();
         for number in 0..count {
@@ -81,30 +107,38 @@ impl Batch {
         let ends = py.detach(|| {
             let mut state = self.state();
             let State { sweep, runs } = &mut *state;
-            let values: Vec<f64> = actions
-                .as_chunks()
-                .0
+            let (values, _) = actions.as_chunks();
+            let values: Vec<f64> = values
                 .iter()
                 .map(|bytes| f64::from_le_bytes(*bytes))
                 .collect();
-            if values.len() != runs.len() * self.actions.len() {
+            let of_run = self.actions.len();
+            if values.len() != runs.len() * of_run {
                 return Err(PyValueError::new_err("the actions have another shape"));
             }
-            let limit = sweep.spec().until * 1000.0;
-            let mut ends = Vec::new();
-            for (index, run) in runs.iter_mut().enumerate() {
-                let values = &values[index * self.actions.len()..];
-                for (name, value) in self.actions.iter().zip(values) {
-                    run.set(name, *value).map_err(value_error)?;
-                }
-                let last = run.cycles() + self.cycles;
-                let ending = run.to_end(tip_sim::Limit::cycles(last));
-                ends.push(match ending {
-                    tip_runtime::record::Ending::Limit if run.time() < limit => 0,
-                    tip_runtime::record::Ending::Limit => 2,
-                    _ => 1,
-                });
+            // Nothing runs if a value is refused.
+            for (index, value) in values.iter().enumerate() {
+                let (run, name) = (index / of_run, &self.actions[index % of_run]);
+                let refused =
+                    |error| PyValueError::new_err(format!("actions[{run}]: {name}: {error}"));
+                runs[run].program().accepts(name, *value).map_err(refused)?;
             }
+            let limit = sweep.spec().until * 1000.0;
+            let mut ends = vec![0; runs.len()];
+            let cores = thread::available_parallelism().map_or(1, NonZero::get);
+            let share = runs.len().div_ceil(cores).max(LEAST_RUNS);
+            thread::scope(|scope| {
+                let shares = runs.chunks_mut(share).zip(ends.chunks_mut(share));
+                let mut shares = shares.zip(values.chunks((share * of_run).max(1)));
+                // This thread has the first share.
+                let own = shares.next();
+                for ((runs, ends), values) in shares {
+                    scope.spawn(move || self.step_runs(runs, values, limit, ends));
+                }
+                if let Some(((runs, ends), values)) = own {
+                    self.step_runs(runs, values, limit, ends);
+                }
+            });
             Ok(ends)
         })?;
         Ok(PyBytes::new(py, &ends))

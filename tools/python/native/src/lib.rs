@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
 use std::fmt::Display;
 use std::sync::{Mutex, PoisonError};
-use tip_sweep::{Data, RobotSpec, Spec, Sweep};
+use tip_sweep::{Cell, Kind, RobotSpec, Saved, Spec, Sweep};
 use tipc::message::Lang;
 use tipc::render;
 
@@ -58,8 +58,14 @@ fn within(sweep: &Sweep, case: u64) -> PyResult<tip_sweep::Case> {
         })
 }
 
-/// A column: its name, its unit, its type as NumPy names it, and its values.
-type Column<'py> = (String, &'static str, &'static str, Bound<'py, PyAny>);
+/// A column: its name, unit and meaning, its type as NumPy names it, and its values.
+type Column<'py> = (
+    String,
+    &'static str,
+    String,
+    &'static str,
+    Bound<'py, PyAny>,
+);
 
 /// Runs some cases, and returns their columns.
 #[pyfunction]
@@ -69,28 +75,50 @@ fn run_chunk<'py>(
     first: u64,
     count: u64,
 ) -> PyResult<Vec<Column<'py>>> {
-    let columns = py.detach(|| {
+    let (sweep, rows) = py.detach(|| {
         let sweep = sweep_of(spec)?;
-        if first + count > sweep.cases() {
-            within(&sweep, first + count - 1)?;
+        let end = first.saturating_add(count);
+        if end > sweep.cases() {
+            within(&sweep, end - 1)?;
         }
-        sweep.run(first, count).map_err(value_error)
+        let rows = sweep.run(first, count).map_err(value_error)?;
+        Ok::<_, PyErr>((sweep, rows))
     })?;
-    let columns = columns.0.into_iter().map(|column| {
-        let (kind, values) = match column.data {
-            Data::Number(values) => (
-                "<f8",
-                bytes(py, values.iter().map(|value| value.to_le_bytes())),
+    let columns = sweep.columns().iter().enumerate().map(|(index, column)| {
+        let cells = rows.iter().map(|row| &row.cells()[index]);
+        let (kind, values) = match column.kind {
+            Kind::Number => ("<f8", bytes(py, cells.map(to_bytes))),
+            Kind::Count => ("<u8", bytes(py, cells.map(to_bytes))),
+            Kind::Text => (
+                "str",
+                PyList::new(py, cells.map(Cell::to_string).collect::<Vec<_>>())?.into_any(),
             ),
-            Data::Count(values) => (
-                "<u8",
-                bytes(py, values.iter().map(|value| value.to_le_bytes())),
-            ),
-            Data::Text(values) => ("str", PyList::new(py, values)?.into_any()),
         };
-        Ok((column.name, column.unit, kind, values))
+        let meaning = column.meaning.text(Lang::English).to_owned();
+        Ok((column.name.clone(), column.unit, meaning, kind, values))
     });
     columns.collect()
+}
+
+/// Returns the bytes of a number.
+fn to_bytes(cell: &Cell) -> [u8; 8] {
+    match cell {
+        Cell::Number(number) => number.to_le_bytes(),
+        Cell::Count(count) => count.to_le_bytes(),
+        Cell::Text(_) => [0; 8],
+    }
+}
+
+/// Returns the contents of the file next to a table.
+#[pyfunction]
+fn saved(spec: &str) -> PyResult<String> {
+    Ok(Saved::of(&sweep_of(spec)?).text())
+}
+
+/// Returns true if the simulation of the robot has torques.
+#[pyfunction]
+fn has_forces(spec: &str) -> PyResult<bool> {
+    Ok(sweep_of(spec)?.has_forces())
 }
 
 fn bytes<'py>(py: Python<'py>, values: impl Iterator<Item = [u8; 8]>) -> Bound<'py, PyAny> {
@@ -122,6 +150,8 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(cases, module)?)?;
     module.add_function(wrap_pyfunction!(case_values, module)?)?;
     module.add_function(wrap_pyfunction!(run_chunk, module)?)?;
+    module.add_function(wrap_pyfunction!(saved, module)?)?;
+    module.add_function(wrap_pyfunction!(has_forces, module)?)?;
     module.add_function(wrap_pyfunction!(check, module)?)?;
     module.add_class::<run::Run>()?;
     module.add_class::<run::Snapshot>()?;

@@ -1,7 +1,7 @@
 //! A run that Python drives cycle by cycle, and its numbers by name.
 
 use crate::{sweep_of, value_error, within};
-use pyo3::exceptions::PyKeyError;
+use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -9,18 +9,31 @@ use tip_runtime::plant::Motion;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{Event, Limit, Timed};
+use tip_sweep::Spec;
 
 /// The run of a case.
 #[pyclass(module = "tip_motion._native")]
-pub(crate) struct Run(Mutex<tip_sim::Run>);
+pub(crate) struct Run {
+    run: Mutex<tip_sim::Run>,
+    spec: Spec,
+}
 
 /// A mark to which a run can be restored.
 #[pyclass(module = "tip_motion._native")]
-pub(crate) struct Snapshot(Mutex<tip_sim::Snapshot>);
+pub(crate) struct Snapshot {
+    mark: Mutex<tip_sim::Snapshot>,
+    spec: Spec,
+}
 
 impl Run {
     fn run(&self) -> MutexGuard<'_, tip_sim::Run> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.run.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Returns true if the run may go on: neither its longest time nor its largest number of cycles is used up.
+    fn has_time(&self, run: &tip_sim::Run) -> bool {
+        let cycles = self.spec.cycles.unwrap_or(u64::MAX);
+        run.time() < self.spec.until * 1000.0 && run.cycles() < cycles
     }
 }
 
@@ -31,19 +44,23 @@ impl Run {
         let sweep = sweep_of(spec)?;
         let case = within(&sweep, case)?;
         let run = sweep.start(&case).map_err(value_error)?;
-        Ok(Run(Mutex::new(match trace {
-            true => run.with_trace(false),
-            false => run,
-        })))
+        Ok(Run {
+            run: Mutex::new(match trace {
+                true => run.with_trace(false),
+                false => run,
+            }),
+            spec: sweep.spec().clone(),
+        })
     }
 
-    /// Runs up to `count` cycles, until the program ends or the time on the robot is `until` s. Returns true if the program goes on.
-    fn step(&self, py: Python<'_>, count: u64, until: f64) -> bool {
+    /// Runs up to `count` cycles, until the program ends or its longest time or largest number of cycles is used up. Returns true if
+    /// the program goes on: another call would run another cycle.
+    fn step(&self, py: Python<'_>, count: u64) -> bool {
         py.detach(|| {
             let mut run = self.run();
             for _ in 0..count {
-                if run.time() >= until * 1000.0 {
-                    break;
+                if !self.has_time(&run) {
+                    return false;
                 }
                 let last = run.cycles() + 1;
                 match run.to_end(Limit::cycles(last)) {
@@ -51,7 +68,7 @@ impl Run {
                     _ => return false,
                 }
             }
-            true
+            matches!(run.ending(), None | Some(Ending::Limit)) && self.has_time(&run)
         })
     }
 
@@ -84,12 +101,28 @@ impl Run {
     }
 
     fn snapshot(&self) -> Snapshot {
-        Snapshot(Mutex::new(self.run().snapshot()))
+        Snapshot {
+            mark: Mutex::new(self.run().snapshot()),
+            spec: self.spec.clone(),
+        }
     }
 
-    fn restore(&self, mark: &Snapshot) {
-        let mark = mark.0.lock().unwrap_or_else(PoisonError::into_inner);
+    /// Restores a mark of a run of the same program on the same robot.
+    fn restore(&self, mark: &Snapshot) -> PyResult<()> {
+        let (own, other) = (&self.spec, &mark.spec);
+        let differs = [
+            ("program", own.program.text != other.program.text),
+            ("robot", own.robot != other.robot),
+            ("scene", own.scene != other.scene),
+            ("plant", own.plant != other.plant),
+        ];
+        if let Some((what, _)) = differs.iter().find(|(_, differs)| *differs) {
+            let error = format!("the snapshot is of a run with another {what}");
+            return Err(PyValueError::new_err(error));
+        }
+        let mark = mark.mark.lock().unwrap_or_else(PoisonError::into_inner);
         self.run().restore(&mark);
+        Ok(())
     }
 
     /// Returns the measured joint angles, and the number of joints of a leg.

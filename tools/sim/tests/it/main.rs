@@ -11,6 +11,7 @@ mod mjcf;
 mod motion;
 mod published;
 mod reach;
+mod real;
 mod run;
 mod snapshot;
 mod special;

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use tip_runtime::command::{Op, Port, Target, Value};
 use tip_runtime::console::Transcript;
-use tip_runtime::fault::Fault;
-use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
+use tip_runtime::fault::{Fault, HardwareFault};
+use tip_runtime::hardware::{Hardware, Outputs, Sensors};
 use tip_runtime::machine::Status;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::{self, SimulatedPlant};
@@ -192,8 +192,11 @@ fn an_event_that_comes_too_late_comes_at_once() -> Outcome {
 #[test]
 fn failing_hardware_and_the_return_key_stop_the_robot() -> Outcome {
     for (event, expected) in [
-        ("3:read fails", Fault::Hardware("read")),
-        ("2:write fails", Fault::Hardware("write")),
+        ("3:read fails", Fault::Hardware(HardwareFault::new("read"))),
+        (
+            "2:write fails",
+            Fault::Hardware(HardwareFault::new("write")),
+        ),
         ("3:key 0x0D", Fault::EmergencyKey),
     ] {
         let mut run = run_on("titan8", LISTEN)?.events(event)?;
@@ -261,8 +264,8 @@ impl Hardware<4, 3> for Copied {
         self.plant.write(outputs)
     }
 
-    fn stop(&mut self, why: &Fault) {
-        self.plant.stop(why);
+    fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault> {
+        self.plant.stop(why)
     }
 }
 

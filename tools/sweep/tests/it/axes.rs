@@ -57,7 +57,7 @@ fn axes_are_lists_ranges_and_distributions() {
 fn numbers_of_files_have_the_units_of_their_keys() {
     let units = |spec: Spec| {
         let columns = run_chunk(&spec, 0, 1).expect("it runs");
-        let axes = columns.0.iter().take(1 + spec.vary.len()).skip(1);
+        let axes = columns.columns.iter().take(1 + spec.vary.len()).skip(1);
         axes.map(|column| column.unit).collect::<Vec<_>>()
     };
     let axes = [
@@ -161,6 +161,18 @@ fn unknown_quantities_are_refused_with_the_nearest_one() {
     let program = LIFT.replace('Z', "HEIGHT");
     assert!(refused(&program, &["HIEGHT=1,2"]).ends_with("; did you mean HEIGHT?"));
     assert!(refused(&program, &["fricton=1,2"]).ends_with("; did you mean friction?"));
+    for (name, near) in [
+        ("floor.friction", "friction"),
+        ("floor.slope.1", "scene.floor.slope.1"),
+        ("body.mass", "robot.body.mass"),
+    ] {
+        let said = refused(&program, &[&format!("{name}=1,2")]);
+        assert!(said.ends_with(&format!("; did you mean {near}?")), "{said}");
+        assert!(
+            said.contains("friction, scene.KEY, robot.KEY, push.x"),
+            "{said}"
+        );
+    }
     assert!(!refused(&program, &["W=1"]).contains("did you mean"));
     assert!(refused(&program, &["sensor.VR99=1"]).contains("'VR99' is not an input"));
     assert!(
@@ -175,9 +187,15 @@ fn unknown_quantities_are_refused_with_the_nearest_one() {
 
 #[test]
 fn keys_of_files_are_checked_before_the_first_run() {
+    // A list that the file leaves out, or that no file has, has its default.
+    let default = sweep(LIFT, &["scene.floor.slope.1=0,0.1"]);
+    assert_eq!(default.map(|sweep| sweep.cases()), Ok(2));
+    let block = sweep(LIFT, &["scene.block.1.height=5"]).expect_err("there is no block");
     assert!(
-        sweep(LIFT, &["scene.floor.slope.1=0,0.1"]).is_err(),
-        "a level floor has no slope to vary"
+        block
+            .to_string()
+            .ends_with("there is no element 1; elements count from 1"),
+        "{block}"
     );
     let with = |scene: &str, axis: &str| {
         let scene = Some(scene.to_owned());
@@ -189,6 +207,10 @@ fn keys_of_files_are_checked_before_the_first_run() {
     };
     let slope = "[floor]\nslope = [0, 0]\n";
     assert_eq!(with(slope, "scene.floor.slope.2=0,0.1"), Ok(2));
+    assert_eq!(
+        with("[floor]\nheight = 5\n", "scene.floor.slope.2=0,0.1"),
+        Ok(2)
+    );
     let third = with(slope, "scene.floor.slope.3=0").expect_err("it has two");
     assert_eq!(
         third.to_string(),

@@ -1,7 +1,7 @@
 //! Sweeps of compiled programs.
 
 use crate::{LIFT, spec};
-use tip_sweep::{Spec, Sweep};
+use tip_sweep::{Row, Spec, Sweep};
 
 tip_macros::tip!(
     Lift,
@@ -23,7 +23,10 @@ fn a_compiled_program_gives_the_rows_of_the_interpreter() {
     };
     let compiled = Sweep::of(spec(), Lift::new).expect("it is the same program");
     let interpreted = Sweep::new(spec()).expect("a sweep");
-    let rows = |sweep: &Sweep| sweep.run(0, 3).expect("it runs").to_string();
+    let rows = |sweep: &Sweep| {
+        let rows = sweep.run(0, 3).expect("it runs");
+        rows.iter().map(Row::line).collect::<String>()
+    };
     assert_eq!(rows(&compiled), rows(&interpreted));
 }
 

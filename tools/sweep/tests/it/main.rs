@@ -6,7 +6,7 @@ mod compiled;
 mod results;
 mod surroundings;
 
-use tip_sweep::{Axis, Spec, Sweep, SweepError};
+use tip_sweep::{Axis, Cell, Spec, Sweep, SweepError, Table};
 
 /// A specification of a program for TITAN VIII with these axes.
 fn spec(text: &str, axes: &[&str]) -> Spec {
@@ -21,6 +21,38 @@ fn spec(text: &str, axes: &[&str]) -> Spec {
 
 fn sweep(text: &str, axes: &[&str]) -> Result<Sweep, SweepError> {
     Sweep::new(spec(text, axes))
+}
+
+/// The rows of all cases.
+fn rows(spec: Spec) -> Table {
+    let sweep = Sweep::new(spec).expect("a sweep");
+    let rows = sweep.run(0, sweep.cases()).expect("it runs");
+    let columns = sweep.columns().clone();
+    Table { columns, rows }
+}
+
+/// The cells of a column.
+fn cells<'a>(table: &'a Table, name: &str) -> Vec<&'a Cell> {
+    let mut columns = table.columns.iter();
+    let column = columns.position(|column| column.name == name);
+    let column = column.unwrap_or_else(|| panic!("there is no column {name}"));
+    table.rows.iter().map(|row| &row.cells()[column]).collect()
+}
+
+fn numbers(table: &Table, name: &str) -> Vec<f64> {
+    let number = |cell: &&Cell| match cell {
+        Cell::Number(number) => *number,
+        other => panic!("{name} has {other:?}"),
+    };
+    cells(table, name).iter().map(number).collect()
+}
+
+fn texts<'a>(table: &'a Table, name: &str) -> Vec<&'a str> {
+    let text = |cell: &'a Cell| match cell {
+        Cell::Text(text) => text.as_str(),
+        other => panic!("{name} has {other:?}"),
+    };
+    cells(table, name).into_iter().map(text).collect()
 }
 
 /// The reason why a sweep is refused.

@@ -4,7 +4,7 @@ use super::peer::{ECHO, NOD, Outcome, PATIENCE, in_cycle_3, peer, ready, run, st
 use std::process::Command;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
-use tip_runtime::fault::Fault;
+use tip_runtime::fault::{Fault, HardwareFault};
 use tip_runtime::machine::Status;
 use tip_runtime::record::Ending;
 use tip_sim::external::{Ended, Head, PlantError, StartError, TimeLimits};
@@ -300,7 +300,9 @@ fn a_copy_has_no_process() -> Outcome {
     let mark = run.snapshot();
     let mut copy = run.clone();
     let why = |run: &Run| run.emergency().map(|emergency| emergency.fault);
-    let without = Some(Fault::Hardware("plant: a copy has no process"));
+    let without = Some(Fault::Hardware(HardwareFault::new(
+        "plant: a copy has no process",
+    )));
     assert_eq!(copy.cycle().status, Status::Emergency);
     assert_eq!(
         (why(&copy), copy.plant_error()),

@@ -80,9 +80,9 @@ pub(crate) fn stopped(
     let Ending::Emergency(emergency) = run.to_end(Limit::cycles(1000)) else {
         return Err("no emergency".into());
     };
-    let Fault::Hardware(word) = emergency.fault else {
+    let Fault::Hardware(fault) = emergency.fault else {
         return Err(emergency.to_string().into());
     };
     let trouble = run.plant_error().cloned().ok_or("no trouble")?;
-    Ok((word, emergency.cycle, trouble))
+    Ok((fault.cause, emergency.cycle, trouble))
 }

@@ -1,9 +1,9 @@
 //! Comments as other languages write them.
 
-use super::Parser;
 use crate::language::{Edition, flags};
 use crate::lex::foreign_run;
 use crate::message::{Commanding, Suggestion};
+use crate::parse::Parser;
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, upper_case};
 
@@ -34,7 +34,7 @@ fn is_banged(statement: &str) -> bool {
 }
 
 /// Returns true if a comment of another language, or what is taken for one, begins where this part of a line ends.
-pub(super) fn ends_in_mark(part: &str) -> bool {
+pub(in crate::parse) fn ends_in_mark(part: &str) -> bool {
     let part = part.trim_end();
     part.ends_with(';') || MARKS.iter().any(|mark| part.ends_with(mark))
 }
@@ -54,7 +54,7 @@ pub fn comment_after(line: &str) -> Option<usize> {
 
 impl Parser<'_> {
     /// Returns true if the line belongs to a comment of another language, `/* … */`, whose start is reported.
-    pub(super) fn is_in_comment(&mut self) -> bool {
+    pub(in crate::parse) fn pass_comment(&mut self) -> bool {
         let Some(closes) = self.in_comment else {
             return false;
         };
@@ -65,7 +65,7 @@ impl Parser<'_> {
     }
 
     /// `# …`, `' …`, `/* … */`: the rest of the line is part of it.
-    pub(super) fn foreign_comment(&mut self, span: Span) {
+    pub(in crate::parse) fn foreign_comment(&mut self, span: Span) {
         let text = self.source.slice(span);
         // A `;` and a `//` are part of it, too.
         let line = self.source.slice(Span::new(span.start, self.line.span.end));
@@ -94,7 +94,7 @@ mod tests {
     use super::is_comment;
 
     #[test]
-    fn comments_of_other_languages_are_known() {
+    pub(in crate::parse) fn comments_of_other_languages_are_known() {
         for text in ["# x", "#x", "'x", "/* x */", "-- x", "% x", "! x", "!x y"] {
             assert!(is_comment(text), "{text}");
         }

@@ -1,17 +1,18 @@
 //! Statements whose first word is none of the language: what can be told of each of them all the same, so that it is
 //! one mistake. A misspelt keyword of a block opens and closes as the keyword does.
 
-use super::control::{joined, label_of, marked, spread};
-use super::declaration::declared_kind;
+use super::characters::narrow;
+use super::control::{joined, marked, spread};
 use super::statement::intended_shape;
-use super::{Flow, Parser, narrow};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, MistakeId};
 use crate::language::commands::Meaning;
 use crate::language::reserved::{JOINT, POSITION};
 use crate::language::{Edition, Keyword, commands, keywords, names};
 use crate::lex::{Kind, Token, lex};
 use crate::message::{Commanding, Message, Naming, Parsing, Suggestion};
+use crate::parse::Parser;
+use crate::parse::declaration::declared_kind;
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Relation, Shape, StatementKind, VariableKind, Word, upper_case};
@@ -59,7 +60,7 @@ fn fits(keyword: Keyword, text: &str, tokens: &[Token]) -> bool {
 
 impl Parser<'_> {
     /// Returns the command whose name is nearest to a word of letters. Names with digits are rather labels.
-    fn misspelt(&self, word: &str) -> Option<&'static str> {
+    pub(in crate::parse) fn misspelt(&self, word: &str) -> Option<&'static str> {
         let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
         let is_searched = !self.diagnostics.are_many() && word.chars().all(is_letter);
         let names = commands::names(self.module.edition);
@@ -67,14 +68,18 @@ impl Parser<'_> {
     }
 
     /// Reads a statement that begins with no word of the language, if its form tells what it was to be.
-    pub(super) fn unknown(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+    pub(in crate::parse) fn unknown(
+        &mut self,
+        word: Span,
+        tokens: &[Token],
+    ) -> Option<StatementKind> {
         let other = self.assignment(tokens).or_else(|| self.brace(word, tokens));
         // Nearly all statements begin with a command.
         if other.is_some() || self.is_command(self.source.slice(word)) {
             return other;
         }
         self.line_number(word, tokens)
-            .or_else(|| self.goes_on(word))
+            .or_else(|| self.rest_of_unknown(word))
             .or_else(|| self.intended(word, tokens))
             .or_else(|| self.label_in_pieces(tokens))
             .or_else(|| self.marked_label(tokens))
@@ -82,7 +87,7 @@ impl Parser<'_> {
     }
 
     /// `PRINT "N="; N`: what follows an unknown statement on its line is part of it.
-    fn goes_on(&mut self, word: Span) -> Option<StatementKind> {
+    pub(in crate::parse) fn rest_of_unknown(&mut self, word: Span) -> Option<StatementKind> {
         let before = self.module.statements.last()?;
         let is_unknown = match &before.kind {
             StatementKind::Command { name, .. } => {
@@ -108,7 +113,11 @@ impl Parser<'_> {
 
     /// Reads a statement whose first word is a misspelt keyword, or one in two words or before a parenthesis, as that
     /// of the keyword.
-    fn intended(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+    pub(in crate::parse) fn intended(
+        &mut self,
+        word: Span,
+        tokens: &[Token],
+    ) -> Option<StatementKind> {
         let text = upper_case(self.source.slice(word));
         let reason = Commanding::NoCommand { word: text.clone() };
         if let Some((keyword, kind)) = self.second_of_two(tokens) {
@@ -141,7 +150,7 @@ impl Parser<'_> {
     }
 
     /// `MAIN-LOOP:`
-    fn label_in_pieces(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+    pub(in crate::parse) fn label_in_pieces(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let (first, rest) = tokens.split_first()?;
         let word = upper_case(self.source.slice(first.span));
         let is_known = self.is_command(&word) || self.misspelt(&word).is_some();
@@ -154,13 +163,14 @@ impl Parser<'_> {
         let written = upper_case(self.source.slice(location));
         let name = joined(&written);
         let reason = Naming::NoLabelName { word: written };
-        let fault = Diagnostic::new(Code::Argument, location, reason).once(label_of(&name));
+        let fault = Diagnostic::new(Code::Argument, location, reason)
+            .once(MistakeId::ForeignLabel(name.clone()));
         self.report(fault.help(Parsing::WriteLabel { name }));
         Some(StatementKind::Broken(Shape::Plain))
     }
 
     /// `*L1` where a label stands.
-    fn marked_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+    pub(in crate::parse) fn marked_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let (location, name) = marked(self.text, tokens)?;
         let node = name.clone();
         let span = Span::new(location.end - node.len(), location.end);
@@ -168,14 +178,14 @@ impl Parser<'_> {
         let word = upper_case(self.source.slice(first));
         let reason = Commanding::NoCommand { word: word.clone() };
         let fault = Diagnostic::new(Code::UnknownCommand, first, reason).about(word.as_str());
-        let fault = fault.once(label_of(&name));
+        let fault = fault.once(MistakeId::ForeignLabel(name.clone()));
         self.report(fault.help(Parsing::WriteLabel { name }));
         // What jumps there is not wrong.
         Some(StatementKind::Label(Word { node, span }))
     }
 
     /// `; a comment`: nothing but the mark stands before a word that is none of the language.
-    fn after_semicolon(&mut self, word: Span) -> Option<StatementKind> {
+    pub(in crate::parse) fn after_semicolon(&mut self, word: Span) -> Option<StatementKind> {
         let start = self.line.span.start;
         let before = self.source.slice(Span::new(start, word.start));
         let text = upper_case(self.source.slice(word));
@@ -188,7 +198,10 @@ impl Parser<'_> {
     }
 
     /// `DEF VAR`, which is one word.
-    fn second_of_two(&self, tokens: &[Token]) -> Option<(Keyword, VariableKind)> {
+    pub(in crate::parse) fn second_of_two(
+        &self,
+        tokens: &[Token],
+    ) -> Option<(Keyword, VariableKind)> {
         let [first, second, _, ..] = tokens else {
             return None;
         };
@@ -201,13 +214,13 @@ impl Parser<'_> {
     }
 
     /// `END.`
-    pub(super) fn is_end_with_dot(&self, word: Span) -> bool {
+    pub(in crate::parse) fn is_end_with_dot(&self, word: Span) -> bool {
         let text = self.source.slice(word);
         let bare = text.trim_matches('.');
         bare.len() < text.len() && Keyword::End.is(bare)
     }
 
-    pub(super) fn end_with_dot(&mut self, word: Span) {
+    pub(in crate::parse) fn end_with_dot(&mut self, word: Span) {
         let text = upper_case(self.source.slice(word));
         let reason = Commanding::NoCommand { word: text.clone() };
         let near = Keyword::End.word();
@@ -221,7 +234,7 @@ impl Parser<'_> {
     }
 
     /// Reports a first word that the language lacks.
-    pub(super) fn report_unknown(
+    pub(in crate::parse) fn report_unknown(
         &mut self,
         location: Span,
         word: &str,
@@ -233,19 +246,19 @@ impl Parser<'_> {
     }
 
     /// Returns the keyword that a first word in full-width letters is meant to be.
-    pub(super) fn narrow_keyword(&self, word: Span) -> Option<Keyword> {
+    pub(in crate::parse) fn narrow_keyword(&self, word: Span) -> Option<Keyword> {
         let word = self.source.slice(word);
         let narrow = (!word.is_ascii()).then(|| narrow(word))?;
         keywords::find(&narrow, self.module.edition)
     }
 
     /// `ELSE IF`, which is one word.
-    pub(super) fn is_else_if(&self, tokens: &[Token]) -> bool {
+    pub(in crate::parse) fn is_else_if(&self, tokens: &[Token]) -> bool {
         let second = tokens.get(1).map(|token| self.source.slice(token.span));
         second.is_some_and(|word| Keyword::If.is(word))
     }
 
-    pub(super) fn report_else_if(&mut self, tokens: &[Token]) {
+    pub(in crate::parse) fn report_else_if(&mut self, tokens: &[Token]) {
         let location = match tokens {
             [first, second, ..] => first.span.to(second.span),
             _ => return,
@@ -256,7 +269,7 @@ impl Parser<'_> {
     }
 
     /// Returns the word after END on its line.
-    pub(super) fn word_after(&self, word: Span, span: Span) -> Option<Word> {
+    pub(in crate::parse) fn word_after(&self, word: Span, span: Span) -> Option<Word> {
         let mut tokens = Vec::new();
         lex(
             self.text,
@@ -271,7 +284,7 @@ impl Parser<'_> {
     }
 
     /// Reads an assignment with an operator of another language.
-    pub(super) fn assignment(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+    pub(in crate::parse) fn assignment(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let [name, operator, rest @ ..] = tokens else {
             return None;
         };
@@ -346,7 +359,7 @@ impl Parser<'_> {
     }
 
     /// `A, B = 1, 2`
-    fn several_assigned(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+    pub(in crate::parse) fn several_assigned(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let equals = tokens.iter().position(|it| it.kind == Kind::Assign(None))?;
         let (names, _) = tokens.split_at(equals);
         let word = |token: &Token| self.source.slice(token.span);
@@ -376,7 +389,7 @@ impl Parser<'_> {
     }
 
     /// `++A`
-    fn increment_before(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+    pub(in crate::parse) fn increment_before(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let [first, second, name] = tokens else {
             return None;
         };
@@ -415,7 +428,11 @@ fn is_member(word: &str) -> bool {
 
 impl Parser<'_> {
     /// `10 PTP F1 P`: one mistake, however many lines have a number.
-    pub(super) fn line_number(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+    pub(in crate::parse) fn line_number(
+        &mut self,
+        word: Span,
+        tokens: &[Token],
+    ) -> Option<StatementKind> {
         let text = self.source.slice(word);
         let digits = text.trim_end_matches('.').trim_start_matches(['N', 'n']);
         let is_number = !digits.is_empty() && digits.bytes().all(|it| it.is_ascii_digit());
@@ -431,171 +448,20 @@ impl Parser<'_> {
         self.is_numbered = true;
         let reason = Commanding::NoCommand { word: text.into() };
         let fault = Diagnostic::new(Code::UnknownCommand, word, reason).about(text);
-        let fault = fault.once("line numbers").again(Suggestion::NumberedToo);
+        let fault = fault
+            .once(MistakeId::LineNumbers)
+            .again(Suggestion::NumberedToo);
         self.report(fault.help(Suggestion::NoNumbers));
         Some(StatementKind::Broken(shape))
     }
 
     /// `90 END` at the end of the file: its number is reported.
-    pub(super) fn ends_with_number(&self) -> bool {
+    pub(in crate::parse) fn ends_with_number(&self) -> bool {
         let last = self.module.statements.last();
         last.filter(|_| self.is_numbered).is_some_and(|last| {
             let mut words = self.source.slice(last.span).split_whitespace();
             let last_word = words.next_back().unwrap_or_default();
             matches!(last.kind, StatementKind::Broken(_)) && Keyword::End.is(last_word)
         })
-    }
-}
-
-const OPEN: &str = "{";
-const CLOSE: &str = "}";
-
-impl Parser<'_> {
-    /// Takes the brace or colon that opens a block off the end of a statement: the words before it count.
-    pub(super) fn take_brace(
-        &self,
-        keyword: Option<Keyword>,
-        tokens: &mut Vec<Token>,
-    ) -> Option<Token> {
-        let last = *tokens.last().filter(|_| tokens.len() > 1)?;
-        let opens = match last.kind {
-            Kind::Word => self.source.slice(last.span) == OPEN,
-            Kind::Colon => self.opens_with_colon(keyword?, tokens),
-            _ => false,
-        };
-        opens.then(|| tokens.pop())?
-    }
-
-    /// Returns true for a colon after a condition or THEN; one after the label of a jump is none of these.
-    fn opens_with_colon(&self, keyword: Keyword, tokens: &[Token]) -> bool {
-        let ends_condition = || match tokens {
-            [.., before, last, _] => {
-                let is_then = Keyword::Then.is(self.source.slice(last.span));
-                is_then || tokens.len() == 3 || before.kind != Kind::Word
-            }
-            _ => false,
-        };
-        match keyword {
-            Keyword::While | Keyword::Until | Keyword::For => true,
-            Keyword::If | Keyword::ElseIf => ends_condition(),
-            _ => false,
-        }
-    }
-
-    /// Reports what opened the block of a statement unless its words are reported, which `before` tells. Nothing else
-    /// is wrong with such a statement, or with the end of its block.
-    pub(super) fn opened_block(
-        &mut self,
-        location: Span,
-        opening: Token,
-        before: usize,
-        kind: StatementKind,
-    ) -> StatementKind {
-        let word = self.source.slice(location);
-        let (reason, help) = match opening.kind {
-            Kind::Colon => (Suggestion::NoColon, Suggestion::WriteThen),
-            // That closes and opens a block, which is reported: `} ELSE {`.
-            _ if word == CLOSE => return kind,
-            // All of the statement is unknown: `SWITCH (A) {`.
-            _ if !self.is_command(word) => {
-                self.braces.push(self.diagnostics.len() > before);
-                return kind;
-            }
-            _ => {
-                self.braces.push(true);
-                (Suggestion::NoBraces, Suggestion::Braces)
-            }
-        };
-        let lacks_then = |fault: &Diagnostic| {
-            [Parsing::ThenOrJumpBelongsHere, Parsing::ThenBelongsHere]
-                .into_iter()
-                .any(|reason| fault.reason == reason.into())
-        };
-        // It stands for the THEN.
-        if self.diagnostics[before..].iter().all(lacks_then) {
-            self.diagnostics.truncate(before);
-            let fault = Diagnostic::new(Code::Argument, opening.span, reason);
-            self.report(fault.help(help));
-        }
-        match kind.shape() {
-            Shape::Plain => kind,
-            shape => StatementKind::Broken(shape),
-        }
-    }
-
-    /// Reads a statement that begins with a brace.
-    fn brace(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
-        let shape = match self.source.slice(word) {
-            OPEN if tokens.len() == 1 => self.lone_brace(word),
-            CLOSE => {
-                let next = tokens.get(1).map(|token| self.source.slice(token.span));
-                let next = next.and_then(|next| keywords::find(next, self.module.edition));
-                let begins_block = match (self.braces.pop(), next) {
-                    (Some(begins_block), _) => begins_block,
-                    // The block that ends here began without a brace.
-                    (None, Some(Keyword::Else)) => {
-                        let reason = Commanding::NoCommand { word: CLOSE.into() };
-                        self.report_unknown(word, CLOSE, reason, Suggestion::Braces);
-                        true
-                    }
-                    (None, _) => return None,
-                };
-                match next {
-                    Some(Keyword::Else) => {
-                        self.braces.push(true);
-                        let is_else_if = self.is_else_if(&tokens[1..]);
-                        if is_else_if {
-                            Shape::ElseIf
-                        } else {
-                            Shape::Else
-                        }
-                    }
-                    _ if begins_block => Shape::Close,
-                    _ => Shape::Plain,
-                }
-            }
-            _ => return None,
-        };
-        Some(StatementKind::Broken(shape))
-    }
-
-    /// `{` on a line of its own, after the line of its IF or without any.
-    fn lone_brace(&mut self, word: Span) -> Shape {
-        let before = self.module.statements.last().map(|it| &it.kind);
-        let opens = |kind: &StatementKind| {
-            matches!(
-                kind.shape(),
-                Shape::If | Shape::ElseIf | Shape::Else | Shape::While | Shape::For
-            )
-        };
-        self.braces.push(before.is_some_and(opens));
-        // Its IF lacks THEN, which is reported.
-        if !matches!(before, Some(StatementKind::Broken(_))) {
-            let reason = Commanding::NoCommand { word: OPEN.into() };
-            self.report_unknown(word, OPEN, reason, Suggestion::Braces);
-        }
-        Shape::Plain
-    }
-
-    /// `FOR (I = 0; I < 3; I++)`: all of the line.
-    pub(super) fn for_of_c(&mut self, span: Span) -> Flow {
-        let statement = self.source.slice(span);
-        let open = statement.find('(').unwrap_or_default();
-        let location = Span::new(span.start + open, span.end);
-        let line = Span::new(span.start, self.line.span.end);
-        if self.source.slice(line).trim_end().ends_with(OPEN) {
-            self.braces.push(true);
-        }
-        let fault = Diagnostic::new(Code::Argument, location, Suggestion::ForCounts);
-        self.report(fault.help(Parsing::WriteFor));
-        self.push(StatementKind::Broken(Shape::For), span);
-        Flow::NextLine
-    }
-
-    /// Returns true if the line of a FOR is that of C.
-    pub(super) fn is_for_of_c(&self, word: Span, span: Span) -> bool {
-        let rest = self.source.slice(Span::new(word.end, span.end));
-        let line = self.source.slice(Span::new(span.end, self.line.span.end));
-        rest.trim_start().starts_with('(') && line.trim_start().starts_with(';')
     }
 }

@@ -1,0 +1,329 @@
+//! A robot on servos ends in the state that its file names, whatever ends the command: the torque of its servos is read afterwards.
+
+use crate::faults::terminal::Pty;
+use crate::servo_bus::ServoBus;
+use crate::support::{Folder, Outcome};
+use rustix::process::{Pid, Signal, kill_process};
+use std::io::Read;
+use std::process::{Child, Stdio};
+use std::thread::{scope, sleep};
+use std::time::{Duration, Instant};
+use tip_drives::simulated::SimulatedBus;
+
+const RETURN: u8 = 0x0D;
+const ESCAPE: u8 = 0x1B;
+const CONTROL_C: u8 = 0x03;
+
+/// The servos of the robot.
+const ALL: [u8; 3] = [1, 2, 3];
+
+/// A leg of three joints on a bus where answers may take long, because tests share their machine.
+pub(crate) fn leg(at_end: &str, in_emergency: &str, more: &str) -> String {
+    let drives: String = (1..=3)
+        .map(|n| format!("[[drive]]\njoint = \"J1{n}\"\nid = {n}\n"))
+        .collect();
+    format!(
+        "name = \"leg\"
+joint = [
+    {{ axis = \"z\", link = [50, 0, 0], limits = [-90, 90] }},
+    {{ axis = \"-y\", link = [100, 0, 0], limits = [-90, 90] }},
+    {{ axis = \"y\", link = [120, 0, 0], limits = [-90, 90] }},
+]
+leg = [{{ base = [80, 0, 0] }}]
+[bus]
+servo = \"STS3215\"
+latency = 400
+silence = 200
+lag = [90, 60]
+at_end = \"{at_end}\"
+in_emergency = \"{in_emergency}\"
+{more}
+{drives}"
+    )
+}
+
+/// It says that it runs, and then does nothing.
+pub(crate) const WAITS: &str = "MESSAGE go\nL1:\nSLEEP 100\nGOTO L1:\nEND";
+
+/// A command on a robot, with a terminal before it.
+struct Session {
+    folder: Folder,
+    bus: ServoBus,
+    pty: Pty,
+    terminal: String,
+}
+
+impl Session {
+    /// A robot whose joints are this far from the first posture, deg.
+    fn new(name: &str, robot: &str, beside: f64, program: &str) -> Self {
+        let folder = Folder::new(&format!("torque-{name}"));
+        let pty = Pty::new();
+        Session {
+            folder: folder.file("robot.toml", robot).program("p.prg", program),
+            bus: ServoBus::of(robot, beside),
+            terminal: pty.behaviour(),
+            pty,
+        }
+    }
+
+    fn start(&self, arguments: &[&str]) -> Child {
+        let port = ["--port", self.bus.port()];
+        let mut command = self.folder.command(&[arguments, &port].concat());
+        command.stdin(self.pty.input()).stdout(Stdio::piped());
+        command.stderr(Stdio::piped()).spawn().expect("tip starts")
+    }
+
+    fn run(&self) -> Child {
+        self.start(&["run", "p.prg", "--hardware", "robot.toml", "--yes"])
+    }
+
+    /// Waits until all servos are stiff and have turned from where they were.
+    fn await_motion(&mut self) {
+        let from = self.bus.with(positions);
+        self.bus.await_that("the robot moves", |bus| {
+            let moved = bus.servos().iter().zip(&from);
+            let mut moved = moved.map(|(servo, from)| (servo.position() - from).abs() > 10.0);
+            bus.servos().iter().all(|servo| servo.has_torque()) && moved.all(|it| it)
+        });
+    }
+
+    /// The command has ended, and the terminal is as it was.
+    fn ended(&self, child: Child) -> Outcome {
+        let outcome = Outcome::of(child.wait_with_output().expect("it ends"));
+        assert_eq!(self.pty.behaviour(), self.terminal, "{outcome:#?}");
+        outcome
+    }
+}
+
+fn positions(bus: &mut SimulatedBus) -> Vec<f64> {
+    bus.servos().iter().map(|servo| servo.position()).collect()
+}
+
+/// Reads the message of the program.
+fn await_go(child: &mut Child) {
+    let mut first = [0; 3];
+    let out = child.stdout.as_mut().expect("piped");
+    out.read_exact(&mut first).expect("the message");
+    assert_eq!(first, *b"go\n");
+}
+
+fn signal(child: &Child, signal: Signal) {
+    kill_process(Pid::from_child(child), signal).expect("nobody has waited for it yet");
+}
+
+/// The servos that a policy leaves stiff.
+fn stiff(policy: &str) -> &'static [u8] {
+    match policy {
+        "hold" => &ALL,
+        _ => &[],
+    }
+}
+
+#[test]
+fn keys_on_the_way_to_the_first_posture_end_it_as_the_file_says() {
+    let way = |key: u8, at_end: &'static str, in_emergency: &'static str| {
+        let robot = leg(at_end, in_emergency, "start = 2");
+        let name = format!("approach-{key}-{at_end}");
+        // It takes 20 s.
+        let mut session = Session::new(&name, &robot, 40.0, WAITS);
+        let child = session.run();
+        session.await_motion();
+        let (policy, status) = match key {
+            RETURN => (in_emergency, 3),
+            _ => (at_end, 130),
+        };
+        let (from, pressed) = (session.bus.with(positions), Instant::now());
+        session.pty.press(key);
+        let outcome = session.ended(child).expect(status);
+        let time = pressed.elapsed();
+        assert_eq!(session.bus.stiff(), stiff(policy), "{name}: {outcome:#?}");
+        assert_eq!(outcome.out, "", "the program does not run");
+        assert!(time < Duration::from_secs(8), "{name}: {time:?}");
+        for (from, to) in from.into_iter().zip(session.bus.with(positions)) {
+            // 5 deg, in which it stops.
+            assert!((to - from).abs() < 60.0, "{name}: {from} to {to}");
+        }
+    };
+    scope(|scope| {
+        for (at_end, in_emergency) in [("relax", "hold"), ("hold", "relax")] {
+            for key in [RETURN, ESCAPE, CONTROL_C] {
+                scope.spawn(move || way(key, at_end, in_emergency));
+            }
+        }
+    });
+}
+
+#[test]
+fn signals_do_not_cut_the_leaving_short() {
+    let signals: [(&[Signal], i32); 4] = [
+        (&[Signal::TERM; 2], 143),
+        (&[Signal::INT; 5], 130),
+        (&[Signal::QUIT; 3], 131),
+        (&[Signal::HUP, Signal::TERM, Signal::QUIT], 129),
+    ];
+    let one = |number: usize, signals: &[Signal], status: i32| {
+        let robot = leg("relax", "hold", "");
+        let mut session = Session::new(&format!("signals-{number}"), &robot, 0.5, WAITS);
+        let mut child = session.run();
+        await_go(&mut child);
+        assert_eq!(session.bus.stiff(), ALL);
+        for next in signals {
+            signal(&child, *next);
+            sleep(Duration::from_millis(150));
+        }
+        let outcome = session.ended(child).expect(status);
+        assert_eq!(session.bus.stiff(), stiff("relax"), "{outcome:#?}");
+    };
+    scope(|scope| {
+        for (number, (signals, status)) in signals.into_iter().enumerate() {
+            scope.spawn(move || one(number, signals, status));
+        }
+    });
+}
+
+#[test]
+fn return_stops_a_robot_that_relaxes() {
+    let robot = leg("relax", "hold", "");
+    let mut session = Session::new("relaxing", &robot, 0.5, WAITS);
+    let mut child = session.run();
+    await_go(&mut child);
+    signal(&child, Signal::TERM);
+    session.bus.await_that("it relaxes", |bus| {
+        bus.servos().iter().all(|servo| servo.torque_limit() < 0.7)
+    });
+    session.pty.press(RETURN);
+    let outcome = session.ended(child).expect(3);
+    assert_eq!(session.bus.stiff(), ALL, "{outcome:#?}");
+    let limits = session.bus.with(|bus| {
+        let limits = bus.servos().iter().map(|servo| servo.torque_limit());
+        limits.collect::<Vec<_>>()
+    });
+    assert_eq!(limits, [1.0; 3], "the torque of the file");
+}
+
+/// Nobody reads the messages: the command is stuck in its output, with the torque on.
+#[test]
+fn a_command_that_is_stuck_leaves_the_robot_before_it_ends() {
+    let talks =
+        "L1:\nMESSAGE and so on and so on and so on and so on and so on and so on\nGOTO L1:\nEND";
+    let mut session = Session::new("stuck", &leg("relax", "hold", ""), 0.5, talks);
+    let port = session.bus.port().to_owned();
+    let run = [
+        "run",
+        "p.prg",
+        "--hardware",
+        "robot.toml",
+        "--yes",
+        "--port",
+        &port,
+    ];
+    // A terminal that nobody reads is full earlier than a pipe.
+    let deaf = Pty::new();
+    let mut command = session.folder.command(&run);
+    command.stdin(session.pty.input()).stdout(deaf.input());
+    let child = command.stderr(Stdio::piped()).spawn().expect("tip starts");
+    session.bus.await_that("it holds", |bus| {
+        bus.servos().iter().all(|servo| servo.has_torque())
+    });
+    let mut heard = 0;
+    while std::mem::replace(&mut heard, session.bus.with(|bus| bus.understood())) != heard {
+        sleep(Duration::from_secs(1));
+    }
+    signal(&child, Signal::TERM);
+    let outcome = session.ended(child).expect(143);
+    assert_eq!(session.bus.stiff(), stiff("relax"), "{}", outcome.err);
+}
+
+#[test]
+fn a_servo_that_does_not_confirm_is_named() {
+    let robot = leg("relax", "relax", "").replace("silence = 200", "silence = 3");
+    let robot = robot.replace("latency = 400", "latency = 30");
+    let mut session = Session::new("unplugged", &robot, 0.5, WAITS);
+    let mut child = session.run();
+    await_go(&mut child);
+    session.bus.with(|bus| bus.unplug(2));
+    let outcome = session.ended(child).expect(3);
+    assert_eq!(session.bus.stiff(), [2], "{outcome:#?}");
+    let said = "perhaps still stiff, because they did not confirm that they relaxed: J12 (servo 2)";
+    assert!(outcome.err.contains(said), "{}", outcome.err);
+}
+
+#[test]
+fn the_port_that_is_gone_leaves_stiff_servos_and_says_so() {
+    let mut session = Session::new("usb", &leg("relax", "relax", ""), 0.5, WAITS);
+    let mut child = session.run();
+    await_go(&mut child);
+    session.bus.hang_up();
+    let outcome = session.ended(child).expect(3);
+    assert_eq!(session.bus.stiff(), ALL);
+    assert!(outcome.err.contains("the port is gone"), "{}", outcome.err);
+    let said = "did not confirm that they relaxed: J11 (servo 1), J12 (servo 2), J13 (servo 3)";
+    assert!(outcome.err.contains(said), "{}", outcome.err);
+}
+
+#[test]
+fn jog_leaves_the_robot_as_the_file_says() {
+    let jog = |name: &str, at_end: &str, in_emergency: &str, act: &dyn Fn(&mut Session), status| {
+        let robot = leg(at_end, in_emergency, "overload = [0.9, 0.2]");
+        let mut session = Session::new(&format!("jog-{name}"), &robot, 0.5, WAITS);
+        let child = session.start(&["drives", "jog", "robot.toml", "J12"]);
+        session.bus.await_that("it holds", |bus| {
+            bus.servos().iter().all(|servo| servo.has_torque())
+        });
+        act(&mut session);
+        let outcome = session.ended(child).expect(status);
+        let policy = if status == 3 { in_emergency } else { at_end };
+        assert_eq!(session.bus.stiff(), stiff(policy), "{name}: {outcome:#?}");
+        outcome.err
+    };
+    let turned = |session: &mut Session| {
+        let from = session.bus.with(positions)[1];
+        for _ in 0..9 {
+            session.pty.press(b'+');
+        }
+        session.bus.await_that("it turns", |bus| {
+            (bus.servos()[1].position() - from).abs() > 50.0
+        });
+        session.pty.press(b'q');
+    };
+    let obstacle = |session: &mut Session| {
+        session.bus.with(|bus| bus.block(2));
+        session.pty.press(b'+');
+    };
+    jog("turned", "relax", "hold", &turned, 0);
+    jog("escape", "hold", "relax", &|it| it.pty.press(ESCAPE), 0);
+    jog("return", "hold", "relax", &|it| it.pty.press(RETURN), 3);
+    let said = jog("obstacle", "hold", "relax", &obstacle, 3);
+    assert!(
+        said.contains("J12 (servo 2) needs 1.00 of its torque"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_port_has_one_master() {
+    let session = Session::new("two-masters", &leg("hold", "hold", ""), 0.5, WAITS);
+    let mut child = session.run();
+    await_go(&mut child);
+    let port = session.bus.port();
+    let scan = ["drives", "scan", "--family", "sts", "--to", "3"];
+    let id = ["drives", "id", "1", "7", "--family", "sts"];
+    let monitor = ["drives", "monitor", "robot.toml", "--once"];
+    let zero = ["drives", "zero", "robot.toml"];
+    let run = ["run", "p.prg", "--hardware", "robot.toml", "--yes"];
+    for second in [&scan[..], &id, &monitor, &zero, &run] {
+        let outcome = session
+            .folder
+            .tip(&[second, &["--port", port]].concat())
+            .expect(1);
+        let said = format!("{port} is in use by tip (process {})", child.id());
+        assert!(outcome.err.contains(&said), "{second:?}: {}", outcome.err);
+    }
+    signal(&child, Signal::TERM);
+    session.ended(child).expect(143);
+    // It is free again.
+    session
+        .folder
+        .tip(&[&monitor[..], &["--port", port]].concat())
+        .expect(0);
+}

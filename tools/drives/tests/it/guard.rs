@@ -1,0 +1,350 @@
+//! A robot ends in the state that its settings name, however the life of its guard ends: the torque of its servos is read afterwards.
+
+use embedded_io::{ErrorType, Read, Write};
+use std::cell::RefCell;
+use std::convert::Infallible;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::rc::Rc;
+use tip_drives::bus::{Bus, Port, Timing, Wire};
+use tip_drives::drives::{Drives, Joint, Policy, Problem, Settings};
+use tip_drives::guard::{Host, LEAVING_LIMIT, Request, Step, TorqueGuard};
+use tip_drives::model::Model;
+use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
+use tip_runtime::fault::Fault;
+use tip_runtime::hardware::{Hardware, JointCommand, Outputs, Sensors};
+use tip_runtime::model::Range;
+
+/// A servo of each family.
+const MODELS: [&str; 5] = ["AX-12", "XL430-W250", "STS3215", "LX-16A", "moteus-mj5208"];
+/// Policies at the end and in an emergency.
+const POLICIES: [(Policy, Policy); 2] =
+    [(Policy::Relax, Policy::Hold), (Policy::Hold, Policy::Relax)];
+/// Joints of a robot.
+const JOINTS: usize = 3;
+/// ms
+const PERIOD: f64 = 20.0;
+
+/// A port that the test sees, too, and that outlives the guard.
+#[derive(Clone)]
+struct SharedPort(Rc<RefCell<MemoryPort>>);
+
+impl ErrorType for SharedPort {
+    type Error = Infallible;
+}
+
+impl Read for SharedPort {
+    fn read(&mut self, into: &mut [u8]) -> Result<usize, Infallible> {
+        self.0.borrow_mut().read(into)
+    }
+}
+
+impl Write for SharedPort {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        self.0.borrow_mut().write(bytes)
+    }
+
+    fn flush(&mut self) -> Result<(), Infallible> {
+        self.0.borrow_mut().flush()
+    }
+}
+
+impl Port for SharedPort {
+    fn now(&mut self) -> u64 {
+        self.0.borrow_mut().now()
+    }
+
+    fn wait(&mut self, until: u64) -> Result<bool, Infallible> {
+        self.0.borrow_mut().wait(until)
+    }
+}
+
+/// An operator who presses a key when the host is asked for the n-th time.
+struct Operator {
+    asked: usize,
+    presses: (usize, Request),
+}
+
+impl Host<SharedPort> for Operator {
+    fn wait(&mut self, port: &mut SharedPort, until: u64) {
+        port.0.borrow_mut().pass(until);
+    }
+
+    fn request(&mut self) -> Option<Request> {
+        self.asked += 1;
+        (self.asked == self.presses.0).then_some(self.presses.1)
+    }
+}
+
+type Robot = TorqueGuard<SharedPort, Operator>;
+
+/// Robots whose joints rest at 0 deg.
+fn robot(model: &str, policies: (Policy, Policy), presses: (usize, Request)) -> Robot {
+    let model = Model::named(model).expect("a model");
+    let joints: Vec<Joint> = (1..=JOINTS as u8)
+        .map(|id| Joint {
+            id,
+            model,
+            sign: 1.0,
+            offset: 0.0,
+            gear: 1.0,
+            limits: Range::new(-90.0, 90.0),
+            speed: 180.0,
+            torque: if model.family.limits_torque() {
+                0.8
+            } else {
+                1.0
+            },
+        })
+        .collect();
+    let rest = |joint: &Joint| Servo::new(model, joint.id, joint.counts(0.0).into());
+    let timing = Timing {
+        // Lines of a moteus are long, and USB is fast.
+        baud: 4_000_000,
+        return_delay: 0,
+        latency: 2000,
+    };
+    let bus = SimulatedBus::new(joints.iter().map(rest).collect(), timing);
+    let settings = Settings {
+        at_end: policies.0,
+        in_emergency: policies.1,
+        ..Settings::default()
+    };
+    let port = SharedPort(Rc::new(RefCell::new(MemoryPort::new(bus))));
+    let bus = Bus::new(port, timing);
+    let drives = Drives::new(bus, &joints, settings).expect("few");
+    let operator = Operator { asked: 0, presses };
+    let mut robot = TorqueGuard::new(drives, operator, PERIOD);
+    robot.connect().expect(model.name);
+    robot
+}
+
+/// A key that nobody presses.
+const NEVER: (usize, Request) = (usize::MAX, Request::End);
+
+/// Lets something happen to the servos.
+fn with_bus<T>(robot: &Robot, act: impl FnOnce(&mut SimulatedBus) -> T) -> T {
+    act(&mut robot.drives().bus().port().0.borrow_mut().bus)
+}
+
+fn now(robot: &mut Robot) -> u64 {
+    robot.drives_mut().bus_mut().now()
+}
+
+/// Returns the identities of servos with torque, after some time without the host.
+fn stiff(port: &SharedPort) -> Vec<u8> {
+    let mut port = port.0.borrow_mut();
+    let later = port.now() + 5_000_000;
+    port.pass(later);
+    let on = port.bus.servos().iter().filter(|servo| servo.has_torque());
+    on.map(Servo::id).collect()
+}
+
+fn stiff_of(robot: &Robot) -> Vec<u8> {
+    stiff(robot.drives().bus().port())
+}
+
+fn wanted(policy: Policy) -> Vec<u8> {
+    match policy {
+        Policy::Hold => (1..=JOINTS as u8).collect(),
+        Policy::Relax => Vec::new(),
+    }
+}
+
+/// The operator may press a key in any cycle of the approach; it ends within this cycle.
+#[test]
+fn a_request_in_any_cycle_of_the_approach_is_obeyed_in_it() {
+    let to = [10.0; JOINTS];
+    for model in MODELS {
+        for policies in POLICIES {
+            for request in [Request::End, Request::EmergencyStop] {
+                // 3 while the torque comes on, 17 on the way, 15 until it has settled.
+                for asked in 1..35 {
+                    let what = format!("{model} {policies:?} {request:?} {asked}");
+                    let mut robot = robot(model, policies, (asked, request));
+                    let begin = now(&mut robot);
+                    let step = robot.approach(&to, 30.0).expect("well");
+                    assert_eq!(step, Step::Left(request), "{what}");
+                    let policy = match request {
+                        Request::End => policies.0,
+                        Request::EmergencyStop => policies.1,
+                    };
+                    let time = now(&mut robot) - begin;
+                    let relaxing = if policy == Policy::Relax {
+                        2_000_000
+                    } else {
+                        0
+                    };
+                    let cycles = (asked as u64 + 3) * (PERIOD * 1000.0) as u64;
+                    assert!(time < relaxing + cycles, "{what}: {time} µs");
+                    // Those that had torque have what is wanted, the others were never switched on.
+                    let on = asked.saturating_sub(1).min(JOINTS);
+                    let wanted = &wanted(policy)[..on.min(wanted(policy).len())];
+                    assert_eq!(stiff_of(&robot), wanted, "{what}");
+                    assert!(robot.outcome().expect("left").is_certain(), "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_emergency_stop_in_any_cycle_of_leaving_changes_the_state() {
+    for model in MODELS {
+        for policies in POLICIES {
+            // Asked 35 times before it has arrived.
+            for asked in [36, 37, 38, 60, 100, 130] {
+                let what = format!("{model} {policies:?} {asked}");
+                let mut robot = robot(model, policies, (asked, Request::EmergencyStop));
+                robot.approach(&[10.0; JOINTS], 30.0).expect("well");
+                robot.leave();
+                let was_pressed = robot.host_mut().asked >= asked;
+                assert_eq!(robot.is_stopped(), was_pressed, "{what}");
+                let policy = if was_pressed { policies.1 } else { policies.0 };
+                assert_eq!(stiff_of(&robot), wanted(policy), "{what}");
+                if policy == Policy::Hold {
+                    // An LX servo has no torque limit.
+                    let full = if model == "LX-16A" { 1.0 } else { 0.8 };
+                    with_bus(&robot, |bus| {
+                        for limit in bus.servos().iter().map(Servo::torque_limit) {
+                            assert!((limit - full).abs() < 0.01, "{what}: {limit}");
+                        }
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// A machine stops the robot, its host panics, or nobody says how it ends.
+#[test]
+fn a_stopped_machine_and_a_panic_leave_the_robot_as_in_an_emergency() {
+    for model in MODELS {
+        for policies in POLICIES {
+            let approached = || {
+                let mut robot = robot(model, policies, NEVER);
+                robot.approach(&[10.0; JOINTS], 30.0).expect("well");
+                robot
+            };
+            let what = format!("{model} {policies:?}");
+            let mut stopped = approached();
+            let stop = Hardware::<1, JOINTS>::stop(&mut stopped, &Fault::EmergencyKey);
+            assert_eq!(stop, Ok(()), "{what}");
+            stopped.leave();
+            assert_eq!(stiff_of(&stopped), wanted(policies.1), "{what}");
+
+            for ends in [drop::<Robot>, |robot| {
+                let panicked = catch_unwind(AssertUnwindSafe(move || {
+                    let _robot = robot;
+                    resume_unwind(Box::new("the host"));
+                }));
+                assert!(panicked.is_err());
+            }] {
+                let robot = approached();
+                let port = robot.drives().bus().port().clone();
+                ends(robot);
+                assert_eq!(stiff(&port), wanted(policies.1), "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_machine_moves_only_a_robot_that_is_held() {
+    let mut robot = robot("STS3215", POLICIES[0], NEVER);
+    let mut sensors = Sensors::<1, JOINTS>::ZERO;
+    let outputs = Outputs {
+        joints: [[JointCommand::at(5.0); JOINTS]],
+        slider: [0.0; 3],
+        lamps: [0; 8],
+        period: PERIOD,
+    };
+    let refused = |robot: &mut Robot, sensors: &mut Sensors<1, JOINTS>| {
+        let (read, written) = (robot.read(sensors), robot.write(&outputs));
+        let words = Problem::NotHeld.words();
+        read.is_err_and(|it| it.cause == words) && written.is_err_and(|it| it.cause == words)
+    };
+    assert!(refused(&mut robot, &mut sensors), "before");
+    robot.approach(&[0.0; JOINTS], 30.0).expect("well");
+    for _ in 0..50 {
+        robot.read(&mut sensors).expect("held");
+        robot.write(&outputs).expect("held");
+        robot.wait();
+    }
+    let [angles] = sensors.angles;
+    assert!(
+        angles.iter().all(|angle| (angle - 5.0).abs() < 0.5),
+        "{angles:?}"
+    );
+    robot.leave();
+    assert!(refused(&mut robot, &mut sensors), "after");
+    // A second time changes nothing.
+    let outcome = robot.outcome().cloned();
+    robot.emergency_stop();
+    robot.leave();
+    assert_eq!(robot.outcome().cloned(), outcome);
+}
+
+/// One of five answers and commands is lost or damaged: the last command of each servo is repeated until it is confirmed.
+#[test]
+fn a_bus_that_fails_does_not_leave_a_servo_behind() {
+    for model in MODELS {
+        for policies in POLICIES {
+            let mut robot = robot(model, policies, NEVER);
+            robot.approach(&[10.0; JOINTS], 30.0).expect("well");
+            with_bus(&robot, |bus| {
+                *bus = bus.clone().with_faults(Faults::evenly(0.2), 5);
+            });
+            robot.leave();
+            let what = format!("{model} {policies:?}");
+            assert!(robot.outcome().expect("left").is_certain(), "{what}");
+            assert_eq!(stiff_of(&robot), wanted(policies.0), "{what}");
+        }
+    }
+}
+
+#[test]
+fn a_servo_that_is_gone_is_unknown_after_a_bounded_time() {
+    for model in MODELS {
+        for policies in POLICIES {
+            let mut robot = robot(model, policies, NEVER);
+            robot.approach(&[10.0; JOINTS], 30.0).expect("well");
+            with_bus(&robot, |bus| bus.unplug(2));
+            let begin = now(&mut robot);
+            robot.leave();
+            let time = now(&mut robot) - begin;
+            assert!(time < 2_500_000 + LEAVING_LIMIT, "{model}: {time} µs");
+            let outcome = robot.outcome().expect("left");
+            assert_eq!(
+                (&outcome.other[..], &outcome.unknown[..]),
+                (&[][..], &[1][..])
+            );
+            // The others have their state.
+            let others = wanted(policies.0);
+            let others: Vec<u8> = others.into_iter().filter(|id| *id != 2).collect();
+            let mut found = stiff_of(&robot);
+            found.retain(|id| *id != 2);
+            assert_eq!(found, others, "{model} {policies:?}");
+        }
+    }
+}
+
+/// An obstacle on the way: the failure is reported, and the robot is left as in an emergency.
+#[test]
+fn a_failure_on_the_way_leaves_the_robot_as_in_an_emergency() {
+    // An LX servo does not tell its load, but that it stays behind.
+    for (model, problem) in [
+        ("AX-12", "overloaded"),
+        ("STS3215", "overloaded"),
+        ("LX-16A", "follow"),
+    ] {
+        for policies in POLICIES {
+            let mut robot = robot(model, policies, NEVER);
+            with_bus(&robot, |bus| bus.block(2));
+            let failure = robot.approach(&[80.0; JOINTS], 60.0).expect_err("blocked");
+            assert_eq!(failure.joint, Some(1), "{model}");
+            assert!(failure.to_string().contains(problem), "{model}: {failure}");
+            assert_eq!(stiff_of(&robot), wanted(policies.1), "{model} {policies:?}");
+            assert!(!robot.has_torque());
+        }
+    }
+}

@@ -1,0 +1,467 @@
+//! What is checked before a robot moves: its description, the settings of its servos, the load of its bus, and the sampling time.
+
+use crate::drives::{START, bus_of, held, joint, robot, robot_with, timing, write};
+use tip_drives::bus::{Bus, Timing, Wire};
+use tip_drives::drives::{Drives, Invalid, Joint, Problem, Settings};
+use tip_drives::lx;
+use tip_drives::model::Model;
+use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
+use tip_runtime::hardware::JointCommand;
+use tip_runtime::model::Range;
+
+/// Returns a robot of one servo whose joint goes from -90 to 90 deg.
+fn one(model: &'static Model, servo: Servo) -> Drives<MemoryPort> {
+    let bus = SimulatedBus::new(vec![servo], timing(model));
+    let drives = Drives::new(bus_of(bus, model), &[joint(1, model)], Settings::default());
+    drives.expect("a robot")
+}
+
+/// Connects a robot of one servo, and returns register, value and wanted value of what is wrong.
+fn mismatch(drives: &mut Drives<MemoryPort>) -> Option<(u16, i32, i32)> {
+    match drives.connect() {
+        Ok(()) => None,
+        Err(failure) => {
+            assert_eq!((failure.joint, failure.servo), (Some(0), Some(1)));
+            let Problem::Register(wrong) = failure.problem else {
+                panic!("{failure:?}");
+            };
+            assert!(!wrong.name.is_empty());
+            Some((wrong.register, wrong.value, wrong.wanted))
+        }
+    }
+}
+
+/// Addresses, and the values that change the meaning of a goal, by the makers' tables. 90 deg are 307 counts of an AX and 1024 of
+/// the others, from the middle at 512 and 2048.
+#[test]
+fn each_register_that_changes_a_goal_stops_the_start() {
+    for (name, set, expected) in [
+        // A wheel; limits of its own; answers to reading only.
+        ("AX-12", &[(8, 0)][..], (8, 0, 1023)),
+        ("AX-12", &[(8, 818)], (8, 818, 1023)),
+        ("AX-12", &[(6, 206)], (6, 206, 0)),
+        ("AX-12", &[(16, 1)], (16, 1, 2)),
+        // Turns are counted.
+        ("MX-28", &[(6, 4095), (8, 4095)], (6, 4095, 0)),
+        ("MX-28", &[(8, 3071)], (8, 3071, 4095)),
+        ("XL430-W250", &[(11, 4)], (11, 4, 3)),
+        ("XL430-W250", &[(11, 1)], (11, 1, 3)),
+        ("XL430-W250", &[(10, 1)], (10, 1, 0)),
+        // The torque comes with a goal, which changes none: it stays.
+        ("XL430-W250", &[(10, 12)], (10, 12, 8)),
+        ("XL430-W250", &[(20, 100)], (20, 100, 0)),
+        ("XL430-W250", &[(20, -100)], (20, -100, 0)),
+        ("XL430-W250", &[(48, 3071)], (48, 3071, 4095)),
+        ("XL430-W250", &[(52, 1025)], (52, 1025, 0)),
+        ("STS3215", &[(33, 1)], (33, 1, 0)),
+        ("STS3215", &[(30, 2)], (30, 2, 1)),
+        // Bit 11 is the sign.
+        ("STS3215", &[(31, 85)], (31, 85, 0)),
+        ("STS3215", &[(31, 2048 + 85)], (31, -85, 0)),
+        // The servo of the report: 4.2 deg to both sides.
+        ("STS3215", &[(9, 2000), (11, 2096)], (11, 2096, 4095)),
+        ("STS3215", &[(9, 1025)], (9, 1025, 0)),
+        ("STS3215", &[(8, 0)], (8, 0, 1)),
+    ] {
+        let model = Model::named(name).expect("a model");
+        let servo = Servo::of(name, 1, model.middle);
+        let servo = set.iter().fold(servo, |servo, (address, value)| {
+            servo.with(*address, *value)
+        });
+        let found = mismatch(&mut one(model, servo));
+        assert_eq!(found, Some(expected), "{name} {set:?}");
+    }
+    // An X forgets this one without power.
+    let model = Model::named("XL430-W250").expect("a model");
+    let mut drives = one(model, Servo::of("XL430-W250", 1, 2048.0));
+    write(&mut drives, 1, 68, &[1]);
+    assert_eq!(mismatch(&mut drives), Some((68, 1, 2)));
+}
+
+/// Limits of a servo that are exactly those of its joint, and settings that change no goal.
+#[test]
+fn settings_that_fit_are_no_mismatch() {
+    for (name, set) in [
+        ("AX-12", &[(6, 205), (8, 819)][..]),
+        ("MX-28", &[(6, 1024), (8, 3072)]),
+        ("XL430-W250", &[(52, 1024), (48, 3072), (10, 8)]),
+        ("STS3215", &[(9, 1024), (11, 3072)]),
+    ] {
+        let model = Model::named(name).expect("a model");
+        let servo = Servo::of(name, 1, model.middle);
+        let servo = set.iter().fold(servo, |servo, (address, value)| {
+            servo.with(*address, *value)
+        });
+        assert_eq!(mismatch(&mut one(model, servo)), None, "{name}");
+    }
+}
+
+/// Commands of the maker's table; 90 deg are 375 counts from the middle at 500.
+#[test]
+fn settings_of_an_lx_are_compared() {
+    for (command, parameters, expected) in [
+        (29, &[1, 0, 0, 0][..], Some((29, 1, 0))),
+        (17, &[10], Some((17, 10, 0))),
+        (17, &[0xF6], Some((17, -10, 0))),
+        // Limits from 126 to 1000, and from 0 to 874.
+        (20, &[126, 0, 0xE8, 3], Some((20, 126, 0))),
+        (20, &[0, 0, 0x6A, 3], Some((20, 874, 1000))),
+        (20, &[125, 0, 0x6B, 3], None),
+    ] {
+        let model = Model::named("LX-16A").expect("a model");
+        let mut drives = one(model, Servo::of("LX-16A", 1, 500.0));
+        let sent = drives.bus_mut().send(&lx::request(1, command, parameters));
+        sent.expect("sent");
+        assert_eq!(mismatch(&mut drives), expected, "{command} {parameters:?}");
+    }
+}
+
+#[test]
+fn a_robot_that_is_only_measured_may_be_anywhere() {
+    let model = Model::named("STS3215").expect("a model");
+    // 158 deg, which the limits of its joint exclude, and those of the servo.
+    let servo = Servo::of("STS3215", 1, 3850.0).with(9, 3800);
+    let mut drives = one(model, servo.clone());
+    drives.connect_to_measure().expect("it can be measured");
+    assert!(drives.angle(0).expect("measured") < -150.0 || drives.angle(0) > Some(150.0));
+    // What changes the meaning of a position counts here, too.
+    let refused = one(model, servo.with(31, 85)).connect_to_measure();
+    assert!(matches!(
+        refused.map_err(|it| it.problem),
+        Err(Problem::Register(_))
+    ));
+}
+
+#[test]
+fn the_first_failure_ends_with_the_next_connect() {
+    let mut drives = robot("STS3215", 2, Faults::default());
+    write(&mut drives, 2, 33, &[1]);
+    let first = drives.connect().expect_err("a wheel");
+    assert_eq!(drives.failure(), Some(first));
+    write(&mut drives, 2, 33, &[0]);
+    assert_eq!(drives.connect(), Ok(()));
+    assert_eq!(drives.failure(), None);
+    drives.hold().expect("well");
+}
+
+/// Runs cycles of a period from a time on; returns the time after them.
+fn cycles(drives: &mut Drives<MemoryPort>, from: u64, period: f64, count: u64) -> u64 {
+    let commands = vec![JointCommand::at(0.0); drives.joints().count()];
+    let step = (period * 1000.0) as u64;
+    for number in 0..count {
+        drives.bus_mut().port_mut().pass(from + number * step);
+        drives.read_cycle().expect("a healthy robot");
+        drives
+            .write_cycle(&commands, period)
+            .expect("a healthy robot");
+    }
+    from + (count - 1) * step
+}
+
+/// Ten cycles, 100 ms at least. Register 98 of an X counts 20 ms, and 127 is its largest value.
+#[test]
+fn the_watchdog_is_ten_cycles_of_the_period_in_force() {
+    for (period, units) in [
+        (5.0, 5),
+        (20.0, 10),
+        (100.0, 50),
+        (250.0, 125),
+        (400.0, 127),
+        (840.0, 127),
+    ] {
+        let mut drives = held("XL430-W250", 2, Faults::default());
+        // A program that sets the sampling time has had another one before.
+        let from = cycles(&mut drives, START * 20_000, 20.0, 5) + 20_000;
+        cycles(&mut drives, from, period, 12);
+        for servo in drives.bus().port().bus.servos() {
+            assert_eq!(servo.register(98, 1), Some(units), "{period}");
+        }
+    }
+    for (period, least, most) in [(5.0, 95, 110), (20.0, 195, 210), (250.0, 2450, 2600)] {
+        let mut drives = held("moteus-mj5208", 2, Faults::default());
+        let last = cycles(&mut drives, START * 20_000, period, 12);
+        let port = drives.bus_mut().port_mut();
+        port.pass(last + least * 1000);
+        assert!(port.bus.servos().iter().all(Servo::has_torque), "{period}");
+        port.pass(last + most * 1000);
+        assert!(!port.bus.servos().iter().any(Servo::has_torque), "{period}");
+    }
+}
+
+/// A watchdog of 2540 ms is three cycles of 846 ms.
+#[test]
+fn a_period_beyond_the_watchdog_is_refused() {
+    let mut drives = robot("XL430-W250", 2, Faults::default());
+    drives.connect().expect("well");
+    drives.set_period(847.0);
+    let refused = drives.hold().map_err(|it| it.problem);
+    assert!(matches!(refused, Err(Problem::Period(most)) if (most - 846.67).abs() < 0.01));
+    assert!(!drives.bus().port().bus.servos()[0].has_torque());
+
+    let mut drives = held("XL430-W250", 2, Faults::default());
+    let commands = [JointCommand::at(0.0); 2];
+    let refused = drives.write_cycle(&commands, 1000.0);
+    assert!(matches!(
+        refused.map_err(|it| it.problem),
+        Err(Problem::Period(_))
+    ));
+    // Servos without a watchdog have no such limit.
+    let mut drives = held("STS3215", 2, Faults::default());
+    cycles(&mut drives, START * 20_000, 1000.0, 5);
+    assert_eq!(drives.timeout(), None);
+}
+
+/// 18 frames of 10 bytes at 115200 bit/s are 15.6 ms, and 14 bytes for each reading 22 ms.
+#[test]
+fn a_bus_that_cannot_carry_a_cycle_is_refused() {
+    let robot_at = |name: &str, servos: u8, period: f64| {
+        let mut drives = robot(name, servos, Faults::default());
+        drives.connect().expect("well");
+        drives.set_period(period);
+        drives
+    };
+    let mut drives = robot_at("LX-16A", 18, 20.0);
+    let load = drives.load();
+    assert!(load.part > 1.8 && load.cycles >= 5, "{load:?}");
+    assert_eq!(
+        drives.hold().map_err(|it| it.problem),
+        Err(Problem::Load(load))
+    );
+    let servos = drives.bus().port().bus.servos();
+    assert!(!servos.iter().any(Servo::has_torque));
+    // Not even the commands fit.
+    let mut drives = robot_at("LX-16A", 18, 15.0);
+    assert!(matches!(
+        drives.hold().map_err(|it| it.problem),
+        Err(Problem::Load(_))
+    ));
+
+    let mut drives = robot_at("LX-16A", 18, 35.0);
+    let load = drives.load();
+    assert!(
+        (1.05..1.5).contains(&load.part) && load.cycles == 2,
+        "{load:?}"
+    );
+    drives.hold().expect("it can be heard");
+    cycles(&mut drives, START * 20_000, 35.0, 50);
+    let drives = robot_at("STS3215", 12, 20.0);
+    let load = drives.load();
+    assert!(load.part < 0.3 && load.cycles == 1, "{load:?}");
+    // A program may ask for it, too.
+    let mut drives = held("LX-16A", 6, Faults::default());
+    let commands = [JointCommand::at(0.0); 6];
+    let refused = drives.write_cycle(&commands, 5.0).map_err(|it| it.problem);
+    assert!(matches!(refused, Err(Problem::Load(load)) if load.part > 2.0));
+}
+
+/// With servos that are read in turn, `silence` is in cycles as well, and no old angle is a fresh one.
+#[test]
+fn silence_is_in_cycles() {
+    let model = Model::named("AX-12").expect("a model");
+    let slow = Timing {
+        baud: 115_200,
+        return_delay: 0,
+        latency: 2000,
+    };
+    let joints: Vec<Joint> = (1..=12).map(|id| joint(id, model)).collect();
+    let rest = |joint: &Joint| Servo::of("AX-12", joint.id, 512.0);
+    let bus = SimulatedBus::new(joints.iter().map(rest).collect(), slow);
+    let bus = Bus::new(MemoryPort::new(bus), slow);
+    let mut drives = Drives::new(bus, &joints, Settings::default()).expect("a robot");
+    drives.connect().expect("well");
+    drives.hold().expect("well");
+    let cycles_of_each = drives.load().cycles;
+    assert!((2..=3).contains(&cycles_of_each), "{cycles_of_each}");
+    let mut ages = [0; 12];
+    let commands = [JointCommand::at(0.0); 12];
+    let mut cycle = |drives: &mut Drives<MemoryPort>, number: u64| {
+        let begin = (START + number) * 20_000;
+        drives.bus_mut().port_mut().pass(begin);
+        let read = drives.read_cycle();
+        for (joint, age) in ages.iter_mut().enumerate() {
+            let now = drives.age(joint).expect("a joint");
+            let is_fresh = drives.measured(joint).is_some_and(|it| it.at >= begin);
+            assert_eq!(now == 0, is_fresh, "{number} {joint}");
+            assert_eq!(now, if is_fresh { 0 } else { *age + 1 });
+            *age = now;
+        }
+        read.and_then(|()| drives.write_cycle(&commands, 20.0))
+    };
+    // Ages count from the last reading of the start.
+    let _ = cycle(&mut drives, 0);
+    for number in 1..60 {
+        cycle(&mut drives, number).expect("well");
+        let ages: Vec<u32> = (0..12).filter_map(|joint| drives.age(joint)).collect();
+        assert!(ages.iter().all(|age| *age <= cycles_of_each), "{ages:?}");
+    }
+    drives.bus_mut().port_mut().bus.unplug(7);
+    let before = u64::from(drives.age(6).expect("a joint"));
+    let stopped = (60..80).find_map(|number| {
+        let failure = cycle(&mut drives, number).err()?;
+        assert_eq!((failure.problem, failure.servo), (Problem::Silent, Some(7)));
+        Some(number - 59)
+    });
+    // More than 5 cycles since its last answer.
+    assert_eq!(stopped, Some(6 - before));
+}
+
+#[test]
+fn no_robot_has_impossible_joints() {
+    let ax = Model::named("AX-12").expect("a model");
+    let sts = Model::named("STS3215").expect("a model");
+    let refused = |joints: &[Joint], settings: Settings| {
+        let bus = SimulatedBus::new(vec![Servo::of("AX-12", 1, 512.0)], timing(ax));
+        Drives::new(bus_of(bus, ax), joints, settings).err()
+    };
+    let good = joint(1, ax);
+    let ordinary = Settings::default();
+    assert_eq!(refused(&[good], ordinary), None);
+    let value = |name| Some(Invalid::Value { joint: 0, name });
+    for (joint, expected) in [
+        (Joint { gear: 0.0, ..good }, value("gear")),
+        (Joint { gear: -1.0, ..good }, value("gear")),
+        (
+            Joint {
+                gear: f64::NAN,
+                ..good
+            },
+            value("gear"),
+        ),
+        (Joint { sign: 0.5, ..good }, value("sign")),
+        (
+            Joint {
+                offset: f64::INFINITY,
+                ..good
+            },
+            value("offset"),
+        ),
+        (
+            Joint {
+                limits: Range::new(10.0, -10.0),
+                ..good
+            },
+            value("limits"),
+        ),
+        (
+            Joint {
+                limits: Range::new(f64::NAN, 10.0),
+                ..good
+            },
+            value("limits"),
+        ),
+        (Joint { speed: 0.0, ..good }, value("speed")),
+        (
+            Joint {
+                torque: 1.1,
+                ..good
+            },
+            value("torque"),
+        ),
+        (
+            Joint {
+                torque: 0.0,
+                ..good
+            },
+            value("torque"),
+        ),
+        (Joint { id: 253, ..good }, value("id")),
+        // An AX turns by 150 deg to each side.
+        (
+            Joint {
+                offset: 61.0,
+                ..good
+            },
+            Some(Invalid::Travel {
+                joint: 0,
+                angle: 151.0,
+            }),
+        ),
+        (
+            Joint {
+                offset: 59.0,
+                ..good
+            },
+            None,
+        ),
+        (
+            Joint { gear: 2.0, ..good },
+            Some(Invalid::Travel {
+                joint: 0,
+                angle: -180.0,
+            }),
+        ),
+    ] {
+        assert_eq!(refused(&[joint], ordinary), expected, "{joint:?}");
+    }
+    let same = refused(&[joint(3, ax), joint(4, ax), joint(3, ax)], ordinary);
+    assert_eq!(same, Some(Invalid::SameIdentity { joint: 2, other: 0 }));
+    let said = same.expect("refused").to_string();
+    assert!(said.contains("joints 1 and 3"), "{said}");
+    let other = refused(&[joint(3, ax), joint(4, sts)], ordinary);
+    assert_eq!(other, Some(Invalid::OtherFamily { joint: 1, other: 0 }));
+    let many: Vec<Joint> = (1..=82).map(|id| joint(id, ax)).collect();
+    assert_eq!(refused(&many, ordinary), Some(Invalid::TooManyJoints));
+    let lx = Model::named("LX-16A").expect("a model");
+    let limited = Joint {
+        torque: 0.9,
+        ..joint(1, lx)
+    };
+    let expected = Some(Invalid::NoTorqueLimit { joint: 0 });
+    assert_eq!(refused(&[limited], ordinary), expected);
+    assert_eq!(refused(&[joint(1, lx)], ordinary), None);
+    let nan = Settings {
+        temperature: f64::NAN,
+        ..ordinary
+    };
+    let name = "temperature";
+    assert_eq!(refused(&[good], nan), Some(Invalid::Setting { name }));
+}
+
+/// An LX has no register for load or torque limit: what it cannot tell is unknown.
+#[test]
+fn an_lx_tells_what_it_can() {
+    let settings = Settings::default();
+    let mut drives = robot_with("LX-16A", 3, Faults::default(), settings);
+    drives.connect().expect("well");
+    let measured = drives.measured(0).expect("measured");
+    assert_eq!(measured.load, None);
+    assert!(measured.voltage.is_some_and(|it| (6.0..13.0).contains(&it)));
+    assert!(
+        measured
+            .temperature
+            .is_some_and(|it| (20.0..40.0).contains(&it))
+    );
+    let ax = {
+        let mut drives = robot_with("AX-12", 1, Faults::default(), settings);
+        drives.connect().expect("well");
+        drives.measured(0).expect("measured")
+    };
+    assert!(ax.load.is_some());
+}
+
+/// A checksum of 8 bits lets one of 255 damaged answers pass: no healthy robot is refused for one.
+#[test]
+fn a_damaged_answer_at_the_start_refuses_no_servo() {
+    let faults = Faults {
+        corrupt: 0.2,
+        ..Faults::default()
+    };
+    for (name, seeds) in [("AX-12", 300), ("STS3215", 300), ("LX-16A", 100)] {
+        let model = Model::named(name).expect("a model");
+        let joints: Vec<Joint> = (1..=6).map(|id| joint(id, model)).collect();
+        for seed in 0..seeds {
+            let servos = joints
+                .iter()
+                .map(|joint| Servo::new(model, joint.id, joint.counts(0.0).into()));
+            let bus = SimulatedBus::new(servos.collect(), timing(model));
+            let bus = bus_of(bus.with_faults(faults, seed), model);
+            let settings = Settings {
+                silence: 20,
+                ..Settings::default()
+            };
+            let drives = Drives::new(bus, &joints, settings);
+            let connected = drives.expect("six").connect();
+            assert_eq!(connected, Ok(()), "{name}, {seed}");
+        }
+    }
+}
