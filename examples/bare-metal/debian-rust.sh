@@ -34,19 +34,25 @@ unpack() {
   mv "$unpacked.part" "$unpacked"
 }
 
+# Runs a command of cargo with that compiler: the libraries of Rust that are built for the target, the command, its arguments.
+debian_cargo() {
+  local libraries=$1 verb=$2
+  shift 2
+  [[ -d $unpacked ]] || unpack
+  env LD_LIBRARY_PATH="$unpacked/usr/lib/$(uname -m)-linux-gnu" \
+    RUSTC="$unpacked/usr/bin/rustc" RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR="$target/debian" \
+    cargo "$verb" --locked "-Zbuild-std=$libraries" "$@"
+}
+
 # Builds a package for a target by a profile, with those libraries of Rust's that are told; the stock toolchain's linker
 # links it.
 build_for() {
-  local triple=$1 package=$2 profile=${3:-release} libraries=${4:-core} linker host variable
-  [[ -d $unpacked ]] || unpack
+  local triple=$1 package=$2 profile=${3:-release} libraries=${4:-core} linker host
   host=$(rustc -vV | sed -n 's/^host: //p')
   linker=$(rustc --print sysroot)/lib/rustlib/$host/bin/rust-lld
   [[ -x $linker ]] || skip "the stock toolchain has no rust-lld"
-  variable=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$triple")_LINKER
-  env "$variable=$linker" \
-    LD_LIBRARY_PATH="$unpacked/usr/lib/$(uname -m)-linux-gnu" \
-    RUSTC="$unpacked/usr/bin/rustc" RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR="$target/debian" \
-    cargo build --profile "$profile" --locked --target "$triple" "-Zbuild-std=$libraries" --package "$package"
+  export "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$triple")_LINKER=$linker"
+  debian_cargo "$libraries" build --profile "$profile" --target "$triple" --package "$package"
   built=$target/debian/$triple/$profile
 }
 

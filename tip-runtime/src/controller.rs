@@ -80,7 +80,7 @@ use params::Params;
 use stop::Hold;
 use targets::Base;
 use task::Tasks;
-use trajectory::Track;
+use trajectory::SetPoint;
 
 /// The controller of a robot with `L` legs of `J` joints: everything that a [`ControllerView`] can do.
 #[derive(Clone, Debug)]
@@ -98,7 +98,7 @@ pub struct Core<S: ?Sized> {
     robot: ModelFacts,
     params: Params,
     /// Set point of the slider, mm.
-    slider: Track<3>,
+    slider: SetPoint<3>,
     /// Measured place of the slider, mm.
     slider_at: Point,
     /// True once joint angles have been measured.
@@ -162,7 +162,7 @@ impl Core<()> {
         Core {
             robot,
             params: Params::standard(&robot),
-            slider: Track::resting(slider),
+            slider: SetPoint::resting(slider),
             slider_at: slider,
             sensed: false,
             hold: Hold::Off,

@@ -23,18 +23,18 @@ pub struct Emergency {
 /// The name of a thread, as a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct ThreadName {
-    bytes: [u8; Self::MOST],
+    bytes: [u8; Self::MAX_LABEL_BYTES],
     len: u8,
 }
 
 impl ThreadName {
     /// The longest name of a label, bytes.
-    const MOST: usize = 32;
+    const MAX_LABEL_BYTES: usize = 32;
 
     /// Returns a name, cut to the length that labels have.
     pub(crate) fn new(name: &str) -> Self {
         let mut kept = ThreadName {
-            bytes: [0; Self::MOST],
+            bytes: [0; Self::MAX_LABEL_BYTES],
             len: 0,
         };
         for (place, byte) in kept.bytes.iter_mut().zip(name.bytes()) {

@@ -66,7 +66,7 @@ use crate::robot::{For, Generic, Hand, Titan8};
 use crate::special::Special;
 use crate::special::hand::HandSpecials;
 use core::fmt;
-use cycle::{ControlCycle, OfSize};
+use cycle::{ControlCycle, SizedIo};
 use state::State;
 
 /// A program on a robot.
@@ -131,7 +131,7 @@ where
     }
 
     fn control(&mut self, sink: Option<&mut dyn Sink>) -> Status {
-        let mut robot = OfSize {
+        let mut robot = SizedIo {
             hardware: &mut self.hardware,
             sensors: &mut self.sensors,
             outputs: &mut self.outputs,

@@ -120,9 +120,11 @@ pub struct Joint {
     pub mass: f64,
     /// Distribution of the mass; `None`: evenly along the link. The simulated hand takes all its
     /// links to be so.
-    pub spread: Option<Spread>,
+    pub spread: Option<InertialProperties>,
     /// Maximum torque of its motor, N·m.
     pub torque: f64,
+    /// Radius of the link, a capsule, where it may meet other links and the body, mm; `None`: 5 % of its length.
+    pub radius: Option<f64>,
 }
 
 /// A leg or finger: a serial chain of joints.
@@ -148,7 +150,7 @@ pub struct Body {
     /// Mass without legs, kg.
     pub mass: f64,
     /// Distribution of the mass; `None`: evenly in the box, its centre in the origin.
-    pub spread: Option<Spread>,
+    pub spread: Option<InertialProperties>,
 }
 
 /// Standard values of the parameters that commands set.
@@ -332,7 +334,44 @@ pub struct Model<const L: usize, const J: usize> {
     pub slider: Option<Slider>,
     /// Vibration of its joints, if they vibrate.
     pub vibration: Option<VibrationGain>,
+    /// Pairs of parts that may touch or overlap: no collisions of them are reported.
+    pub may_touch: [Option<[Part; 2]>; TOUCHING],
 }
+
+/// Maximum number of pairs that a model allows to touch.
+pub const TOUCHING: usize = 32;
+
+/// A rigid part of a robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The body.
+    Body,
+    /// The link after a joint, by leg and joint.
+    Link(u8, u8),
+}
+
+impl Part {
+    /// Returns a link, by leg and joint from 0.
+    #[cfg(feature = "control")]
+    pub(crate) fn link(leg: usize, joint: usize) -> Self {
+        let number = |from_0: usize| u8::try_from(from_0 + 1).unwrap_or(u8::MAX);
+        Part::Link(number(leg), number(joint))
+    }
+}
+
+impl fmt::Display for Part {
+    /// Writes `body`, or the name of a link in exported files, such as `link12`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Part::Body => f.write_str("body"),
+            Part::Link(leg, joint) => write!(f, "link{leg}{joint}"),
+        }
+    }
+}
+
+/// Radius of a link, as a share of its length.
+#[cfg(feature = "control")]
+const SLENDER: f64 = 0.05;
 
 /// Margin by which the potentiometers measure beyond the working limits, deg.
 const OUTER: f64 = 5.0;
@@ -351,7 +390,16 @@ impl Joint {
             mass: 0.1,
             spread: None,
             torque: 10.0,
+            radius: None,
         }
+    }
+
+    /// Returns the radius of the link, mm.
+    #[cfg(feature = "control")]
+    pub(crate) fn thickness(&self) -> f64 {
+        let [x, y, z] = self.link;
+        self.radius
+            .unwrap_or_else(|| SLENDER * libm::sqrt(x * x + y * y + z * z))
     }
 
     /// Sets the working limits, deg; the potentiometers measure 5 deg beyond.
@@ -373,7 +421,7 @@ impl Joint {
 
     /// Sets the distribution of the mass.
     #[must_use]
-    pub const fn spread(self, spread: Spread) -> Self {
+    pub const fn spread(self, spread: InertialProperties) -> Self {
         Joint {
             spread: Some(spread),
             ..self
@@ -424,6 +472,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
             forces: None,
             slider: None,
             vibration: None,
+            may_touch: generic::MODEL.may_touch,
         }
     }
 
@@ -443,13 +492,14 @@ impl<const L: usize, const J: usize> Model<L, J> {
             forces: self.forces,
             slider: self.slider,
             vibration: self.vibration,
+            may_touch: self.may_touch,
         }
     }
 }
 
 /// Centre of mass and inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
+pub struct InertialProperties {
     /// Centre of mass, mm: of a link from its joint on, of a body in the robot frame.
     pub centre: Point,
     /// The elements xx, yy, zz, xy, xz and yz of the tensor of inertia about that centre: kg·m². Its axes are those of the link's
@@ -460,13 +510,13 @@ pub struct Spread {
 /// Relative rounding error of a tensor.
 const SLIGHT: f64 = 1e-9;
 
-impl Spread {
+impl InertialProperties {
     /// Spreads a mass evenly along a rod from the joint to the end of `link` (mm).
     #[must_use]
     pub const fn rod(link: [f64; 3], mass: f64) -> Self {
         let [x, y, z] = link;
         let share = mass / 12.0 * 1e-6;
-        Spread {
+        InertialProperties {
             centre: [x / 2.0, y / 2.0, z / 2.0],
             inertia: [
                 share * (y * y + z * z),
@@ -485,7 +535,7 @@ impl Spread {
     pub const fn block([x, y, z]: [Range; 3], mass: f64) -> Self {
         let (x, y, z) = (x.max - x.min, y.max - y.min, z.max - z.min);
         let share = mass / 12.0 * 1e-6;
-        Spread {
+        InertialProperties {
             centre: [0.0; 3],
             inertia: [
                 share * (y * y + z * z),

@@ -21,6 +21,7 @@
 mod cuboid;
 pub mod dynamic;
 pub mod hand;
+pub mod self_collision;
 mod sensors;
 pub mod walker;
 
@@ -30,6 +31,7 @@ pub use crate::scene::{
 };
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
+pub use self_collision::{Clearance, Gap, SelfCollision};
 pub use walker::{
     Fall, Foot, Pose, ServoDynamics, SimulatedPlant, TrackingErrors, Travel, Unmodelled,
 };
@@ -55,7 +57,7 @@ pub struct Motion {
     pub margin: f64,
     /// The least margin so far, mm.
     pub least_margin: f64,
-    /// The greatest slip of a foot in one stance so far, mm.
+    /// The greatest slip of a foot in one stance at the end of a cycle so far, mm.
     pub slip: f64,
     /// Commands that joints and feet could not follow.
     pub tracking_errors: TrackingErrors,
@@ -75,6 +77,8 @@ pub struct Limbs<const L: usize, const J: usize> {
     /// The force of the ground on each foot, friction included, in the world, N; `None` where only
     /// loads are known. Those of a hand are in [`Grasp`].
     pub forces: Option<[[f64; 3]; L]>,
+    /// The slip of each foot since its touchdown, mm; `None` unless the robot walks.
+    pub slips: Option<[f64; L]>,
     /// Motor torques, in the robot's torque unit, or in N·m if it has none.
     pub torques: [[f64; J]; L],
 }
@@ -224,6 +228,11 @@ pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
 
     /// Returns the first fall, if any.
     fn first_fall(&self) -> Option<Fall> {
+        None
+    }
+
+    /// Returns the distances between the parts of the robot; `None` where they are not measured, or no pair is compared.
+    fn clearance(&self) -> Option<Clearance> {
         None
     }
 

@@ -97,11 +97,11 @@ impl Pacer {
 }
 
 /// The longest period. No clock can represent the end of a much longer one.
-const LONGEST: Duration = Duration::from_secs(24 * 60 * 60);
+const MAX_PERIOD: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// Converts a period in ms: 0 for one below 0 or not a number, a day for a longer one.
 fn duration(period: f64) -> Duration {
-    let seconds = (period / 1000.0).clamp(0.0, LONGEST.as_secs_f64());
+    let seconds = (period / 1000.0).clamp(0.0, MAX_PERIOD.as_secs_f64());
     Duration::try_from_secs_f64(seconds).unwrap_or(Duration::ZERO)
 }
 
@@ -177,7 +177,7 @@ mod tests {
         for period in [1e22, f64::MAX, f64::INFINITY, 1e9] {
             let mut pacer = Pacer::from(begin);
             let due = pacer.next(period, begin + MS);
-            assert_eq!(due - begin, LONGEST, "{period}");
+            assert_eq!(due - begin, MAX_PERIOD, "{period}");
             // Again and again, it stays within what a clock holds.
             for _ in 0..100 {
                 pacer.next(period, begin + MS);

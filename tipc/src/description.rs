@@ -54,7 +54,7 @@ use crate::source::{Encoding, Source, Span};
 use section::{Found, Section, fault};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
-use tip_runtime::model::{Body, Forces, Inverse, Joint, Point, Range, Slider, Standards};
+use tip_runtime::model::{Body, Forces, Inverse, Joint, Point, Range, Slider, Standards, TOUCHING};
 use toml::de::DeTable;
 
 /// A robot as its description defines it: 1 to 9 legs with 1 to 9 joints each, as many on every leg.
@@ -72,6 +72,7 @@ pub struct Description {
     lamps: u8,
     forces: Option<Forces>,
     slider: Option<Slider>,
+    may_touch: [Option<[tip_runtime::model::Part; 2]>; TOUCHING],
     /// Shapes of the body.
     shapes: Vec<Shape>,
     bus: Option<Bus>,
@@ -210,6 +211,7 @@ fn describe(
     let legs = legs?;
     let forces = settings::forces(robot, &legs, found);
     let inverse = model::inverse(robot, chosen, &legs, found)?;
+    let may_touch = settings::may_touch(robot, &legs, body.is_some(), found);
     let bus = drives::read(robot, &legs, servos, found);
     // Only names of robots stay in memory.
     let name = name.filter(|_| found.is_empty())?;
@@ -228,6 +230,7 @@ fn describe(
         lamps,
         forces,
         slider,
+        may_touch,
         shapes: shapes.unwrap_or_default(),
         bus,
     })

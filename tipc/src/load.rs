@@ -2,7 +2,7 @@
 //!
 //! Lints belong in the crate `tip-lint`.
 
-use crate::analysis::assignment::Ways;
+use crate::analysis::assignment::Paths;
 use crate::check::{Checked, DeclaredLabel, ResolvedModule, check};
 use crate::code::{Code, Level};
 pub use crate::diagnostic::MAX_DIAGNOSTICS;
@@ -156,7 +156,7 @@ fn refuse_ways(
     program: &Program,
     found: &mut Diagnostics,
 ) {
-    let ways = Ways::of(program);
+    let ways = Paths::of(program);
     let statement = |step| Some(&module.statements[module.statement_of(step)?]);
     for lack in &ways.no_value {
         let variable = &program.variables()[program.variable_of(lack.scalar)];

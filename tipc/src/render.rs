@@ -18,11 +18,11 @@ use std::fmt::Display;
 use tip_runtime::printable::Printable;
 
 /// The most bytes of a line that are shown.
-const SHOWN: usize = 4096;
+const MAX_SHOWN_BYTES: usize = 4096;
 
 /// Returns the part of a line that is shown.
 fn shown(line: &str) -> &str {
-    let mut end = line.len().min(SHOWN);
+    let mut end = line.len().min(MAX_SHOWN_BYTES);
     while !line.is_char_boundary(end) {
         end -= 1;
     }

@@ -167,7 +167,7 @@ impl Robot {
     }
 
     /// Returns true if the robot has the leg, joint or slider.
-    pub(crate) fn has(self, target: Target) -> bool {
+    pub fn has(self, target: Target) -> bool {
         let Signature { legs, joints, .. } = self.signature();
         match target {
             Target::None | Target::All => true,

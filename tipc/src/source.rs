@@ -18,7 +18,7 @@
 
 use decode::{Decoded, MARK, decode};
 use lines::LineIndex;
-use position::Original;
+use position::{ColumnIndex, Original};
 
 mod decode;
 mod lines;
@@ -42,6 +42,7 @@ pub struct Source {
     text: String,
     original: Original,
     lines: LineIndex,
+    columns: ColumnIndex,
 }
 
 impl Source {
@@ -66,15 +67,17 @@ impl Source {
         } = decode(body, encoding);
         let mark = if marked { MARK } else { &MARK[..0] };
         let original = Original::new(&text, charset, &body[mark.len()..]);
-        let source = Source {
+        let mut source = Source {
             name: name.into(),
             charset,
             mark,
             tail,
             lines: LineIndex::new(text.as_bytes()),
+            columns: ColumnIndex::default(),
             original,
             text,
         };
+        source.columns = ColumnIndex::new(&source);
         (source, bad)
     }
 

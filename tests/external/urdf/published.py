@@ -170,7 +170,7 @@ def main():
             count, size, apart, moved, heavier, (kept, shifted, turned) = compare(source, exported, described.read_text())
             doubts = imported.stderr.count(" doubtful: ")
             # Without inertias that can be, uniform rods have taken their place.
-            is_kept = not re.search(r"taken to be a uniform rod|carry 0 kg", imported.stderr)
+            is_kept = not re.search(r"that of a uniform rod or box|carry 0 kg", imported.stderr)
             holds = max(apart, moved, shifted, turned) <= LIMIT and (heavier <= LIMIT or not is_kept)
             masses = f"{heavier:.1e} of it" if is_kept else "not kept"
             print(

@@ -30,7 +30,7 @@ const FILE_OUTPUT: &str = "FOUT.LOG";
 const WARNING_LOG: &str = "WARNING.LOG";
 
 /// Maximum size of VARIABLES.LOG, bytes.
-const MOST: usize = 16 << 20;
+const MAX_LOG_BYTES: usize = 16 << 20;
 /// Maximum size of FOUT.LOG, bytes.
 const MOST_OUTPUT: usize = 1 << 20;
 /// The last line of a VARIABLES.LOG that reached its maximum size.
@@ -187,7 +187,7 @@ impl<C: Console> Console for LogFiles<C> {
 
     fn variables(&mut self, dump: &Dump<'_>) {
         if !self.is_full {
-            self.is_full = self.variables.len() >= MOST;
+            self.is_full = self.variables.len() >= MAX_LOG_BYTES;
             // Writing to a String cannot fail.
             let _ = match self.is_full {
                 true => writeln!(self.variables, "{FULL}"),

@@ -3,7 +3,7 @@
 use super::drive::distance;
 use super::leg::LegState;
 use super::params::{FootParams, JointParams};
-use super::trajectory::Track;
+use super::trajectory::SetPoint;
 use super::{ControllerView, targets};
 use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
@@ -111,7 +111,7 @@ impl<const J: usize> LegState<J> {
     }
 
     /// Returns true if joint `m`, counted from 0, has arrived.
-    fn angle_arrived(&self, m: usize, track: &Track<1>, tolerance: Tolerance) -> Option<bool> {
+    fn angle_arrived(&self, m: usize, track: &SetPoint<1>, tolerance: Tolerance) -> Option<bool> {
         let [target] = track.goal().target()?;
         let JointParams { just, near, .. } = *self.params.joints.get(m)?;
         let measured = self.angles.get(m)?;
@@ -120,7 +120,7 @@ impl<const J: usize> LegState<J> {
 
     fn point_arrived(
         &self,
-        (point, track): (LegPoint, &Track<3>),
+        (point, track): (LegPoint, &SetPoint<3>),
         inverse: Inverse,
         tolerance: Tolerance,
     ) -> Option<bool> {

@@ -15,7 +15,7 @@ use super::drive::{Drive, THIRD};
 use super::leg::LegState;
 use super::targets::unlocked;
 use super::task::{FloorSearch, Task};
-use super::trajectory::{Goal, Track};
+use super::trajectory::{Goal, SetPoint};
 use super::{ControllerView, targets};
 use crate::command::{Command, Op, Poll, Port, Target};
 use crate::fault::Fault;
@@ -260,7 +260,7 @@ impl<const J: usize> ControllerView<J> {
         let from = self.measured_point(n, LegPoint::Tip)?;
         let target = [0.0, from[1], from[2]];
         let spring = Goal::Spring { target, hs: false };
-        self.take_point(n, LegPoint::Tip, Track::resting(from).towards(spring))
+        self.take_point(n, LegPoint::Tip, SetPoint::resting(from).towards(spring))
     }
 }
 
@@ -310,8 +310,8 @@ fn is_left(base: [f64; 3]) -> bool {
 }
 
 /// Returns angle control at rest.
-fn held(angle: f64) -> Track<1> {
-    Track::resting([angle]).towards(Goal::Point {
+fn held(angle: f64) -> SetPoint<1> {
+    SetPoint::resting([angle]).towards(Goal::Point {
         target: [angle],
         hs: false,
     })

@@ -9,7 +9,7 @@ pub(super) use advance::{CycleParams, MovingLeg};
 pub(super) use reach::{name, nearest_place, reach};
 pub(super) use redundancy::Redundancy;
 
-use super::trajectory::{Goal, Track};
+use super::trajectory::{Goal, SetPoint};
 use crate::hardware::JointCommand;
 use crate::kinematics::{Chain, LegPoint};
 use crate::model::{Inverse, Leg, Point};
@@ -23,12 +23,12 @@ pub(super) const THIRD: usize = 2;
 pub(super) enum Drive<const J: usize> {
     /// Each joint for itself: free (it stays where it is), at an angle, at an angular velocity, or
     /// by torque.
-    Joints([Track<1>; J]),
+    Joints([SetPoint<1>; J]),
     /// The foot, for all joints: at a position, at a velocity, or by force.
-    Foot(Track<3>),
+    Foot(SetPoint<3>),
     /// The third joint's position, for the joints before it; it and those after it go for
     /// themselves.
-    Third(Track<3>, [Track<1>; J]),
+    Third(SetPoint<3>, [SetPoint<1>; J]),
 }
 
 /// A leg's joint commands and what makes them.
@@ -63,7 +63,7 @@ impl<const J: usize> LegDrive<J> {
             angles,
             turns: [0.0; J],
             torques: [None; J],
-            drive: Drive::Joints(angles.map(|angle| Track::resting([angle]))),
+            drive: Drive::Joints(angles.map(|angle| SetPoint::resting([angle]))),
             own_stiffness: None,
             redundancy: Redundancy::None,
             solved: None,
@@ -121,7 +121,7 @@ impl<const J: usize> LegDrive<J> {
     /// `direct`, all that it sets are at their targets at once.
     pub(super) fn take_joints(
         &mut self,
-        mut tracks: [Track<1>; J],
+        mut tracks: [SetPoint<1>; J],
         (first, count): (usize, usize),
         direct: bool,
     ) {
@@ -146,12 +146,12 @@ impl<const J: usize> LegDrive<J> {
 
     pub(super) fn is_at_rest(&self) -> bool {
         match &self.drive {
-            Drive::Joints(joints) => joints.iter().all(Track::is_at_rest),
+            Drive::Joints(joints) => joints.iter().all(SetPoint::is_at_rest),
             Drive::Foot(foot) => foot.is_at_rest() && self.redundancy.is_at_rest(),
             Drive::Third(third, joints) => {
                 let joints = joints.iter().skip(THIRD);
                 third.is_at_rest() && self.redundancy.is_at_rest() && { joints }
-                    .all(Track::is_at_rest)
+                    .all(SetPoint::is_at_rest)
             }
         }
     }
@@ -172,7 +172,7 @@ impl<const J: usize> LegDrive<J> {
     }
 
     /// Returns the set point that decides about joint `m`'s position, counted from 0, if one does.
-    pub(super) fn point_of_joint(&self, m: usize) -> Option<(LegPoint, &Track<3>)> {
+    pub(super) fn point_of_joint(&self, m: usize) -> Option<(LegPoint, &SetPoint<3>)> {
         match &self.drive {
             Drive::Joints(_) => None,
             Drive::Foot(foot) => Some((LegPoint::Tip, foot)),
@@ -182,7 +182,7 @@ impl<const J: usize> LegDrive<J> {
     }
 
     /// Returns the set point of a point of the leg, if that is what decides.
-    pub(super) fn own_point(&self, point: LegPoint) -> Option<&Track<3>> {
+    pub(super) fn own_point(&self, point: LegPoint) -> Option<&SetPoint<3>> {
         match (&self.drive, point) {
             (Drive::Foot(foot), LegPoint::Tip) => Some(foot),
             (Drive::Third(third, _), LegPoint::Joint(THIRD)) => Some(third),
@@ -191,7 +191,7 @@ impl<const J: usize> LegDrive<J> {
     }
 
     /// Returns the set points of the joints that go for themselves: the first one's number, from 0.
-    pub(super) fn own_joints(&self) -> (usize, &[Track<1>]) {
+    pub(super) fn own_joints(&self) -> (usize, &[SetPoint<1>]) {
         match &self.drive {
             Drive::Joints(joints) => (0, joints),
             Drive::Foot(_) => (J, &[]),
@@ -201,7 +201,7 @@ impl<const J: usize> LegDrive<J> {
 
     /// Returns a point's set point, in the motion that the leg is commanded now. Where torques
     /// decide, the leg starts from where it is.
-    pub(super) fn point(&self, point: LegPoint, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
+    pub(super) fn point(&self, point: LegPoint, leg: &Leg<J>, inverse: Inverse) -> SetPoint<3> {
         if let Some(own) = self.own_point(point)
             && !own.goal().is_soft()
         {
@@ -210,7 +210,7 @@ impl<const J: usize> LegDrive<J> {
         let chain = Chain::new(leg, &self.angles);
         let place = chain.point(point).unwrap_or([0.0; 3]);
         let velocity = chain.point_velocity(point, &self.rates(leg, inverse));
-        Track::moving(
+        SetPoint::moving(
             inverse.flat(place),
             inverse.flat(velocity.unwrap_or([0.0; 3])),
         )
@@ -223,7 +223,7 @@ impl<const J: usize> LegDrive<J> {
         point: LegPoint,
         leg: &Leg<J>,
         inverse: Inverse,
-    ) -> Track<3> {
+    ) -> SetPoint<3> {
         match self.own_point(point) {
             Some(own)
                 if matches!(own.goal(), Goal::Spring { .. }) && self.own_stiffness.is_none() =>
@@ -239,7 +239,7 @@ impl<const J: usize> LegDrive<J> {
     pub(super) fn take_point(
         &mut self,
         point: LegPoint,
-        track: Track<3>,
+        track: SetPoint<3>,
         leg: &Leg<J>,
         stays: &[f64; J],
         inverse: Inverse,
@@ -254,16 +254,21 @@ impl<const J: usize> LegDrive<J> {
 
     /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
     /// served a point are to stay at the angles `stays`.
-    pub(super) fn joints(&self, leg: &Leg<J>, stays: &[f64; J], inverse: Inverse) -> [Track<1>; J] {
+    pub(super) fn joints(
+        &self,
+        leg: &Leg<J>,
+        stays: &[f64; J],
+        inverse: Inverse,
+    ) -> [SetPoint<1>; J] {
         let (served, own) = match &self.drive {
             Drive::Joints(joints) => return *joints,
             Drive::Foot(_) => (J, None),
             Drive::Third(_, joints) => (THIRD, Some(joints)),
         };
-        let mut joints = self.angles.map(|angle| Track::resting([angle]));
+        let mut joints = self.angles.map(|angle| SetPoint::resting([angle]));
         let states = self.angles.iter().zip(self.rates(leg, inverse)).zip(stays);
         for (joint, ((angle, rate), stays)) in joints.iter_mut().zip(states).take(served) {
-            *joint = Track::moving([*angle], [rate]).towards(Goal::Point {
+            *joint = SetPoint::moving([*angle], [rate]).towards(Goal::Point {
                 target: [*stays],
                 hs: false,
             });
@@ -298,7 +303,7 @@ impl<const J: usize> LegDrive<J> {
     fn rates_of_point(
         &self,
         point: LegPoint,
-        track: &Track<3>,
+        track: &SetPoint<3>,
         leg: &Leg<J>,
         inverse: Inverse,
     ) -> [f64; J] {

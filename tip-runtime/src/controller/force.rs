@@ -3,7 +3,7 @@
 
 use super::drive::Drive;
 use super::targets::{Base, joint_of, resolve, resolve_from, unlocked};
-use super::trajectory::{Goal, Track};
+use super::trajectory::{Goal, SetPoint};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
@@ -25,7 +25,7 @@ impl<const J: usize> ControllerView<J> {
                 _ => [*sensed],
             };
             let torque = resolve(&[*value], current)?;
-            *track = Track::resting([*measured]).towards(Goal::Effort(torque));
+            *track = SetPoint::resting([*measured]).towards(Goal::Effort(torque));
         }
         unlocked(leg.locks_angle(joint_of(command.target)))?;
         leg.drive.drive = Drive::Joints(tracks);
@@ -38,7 +38,7 @@ impl<const J: usize> ControllerView<J> {
         let (n, point) = self.point_of(command.target)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let own = self.leg(n)?.drive.own_point(point);
-        let current = match own.map(Track::goal) {
+        let current = match own.map(SetPoint::goal) {
             Some(Goal::Effort(force)) => force,
             _ => self.sensed_force(n, point)?.unwrap_or([0.0; 3]),
         };
@@ -55,7 +55,11 @@ impl<const J: usize> ControllerView<J> {
         force: [f64; 3],
     ) -> Result<(), Fault> {
         let place = self.measured_point(n, point)?;
-        self.take_point(n, point, Track::resting(place).towards(Goal::Effort(force)))
+        self.take_point(
+            n,
+            point,
+            SetPoint::resting(place).towards(Goal::Effort(force)),
+        )
     }
 
     /// Runs COMPLIANCE_ANGLE and REL_COMPLIANCE_ANGLE. With ALL, no leg is softened unless each can
@@ -85,7 +89,7 @@ impl<const J: usize> ControllerView<J> {
         Ok(())
     }
 
-    fn softened(&self, command: &Command<'_>, base: Base) -> Result<[Track<1>; J], Fault> {
+    fn softened(&self, command: &Command<'_>, base: Base) -> Result<[SetPoint<1>; J], Fault> {
         let (n, first, count) = self.joints_of(command)?;
         let leg = self.leg(n)?;
         let mut tracks = leg.joints(self.robot.inverse);
@@ -127,7 +131,7 @@ impl<const J: usize> ControllerView<J> {
         &self,
         command: &Command<'_>,
         base: Base,
-    ) -> Result<(LegPoint, Track<3>), Fault> {
+    ) -> Result<(LegPoint, SetPoint<3>), Fault> {
         let (n, point) = self.point_of(command.target)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let from = match base {
@@ -173,7 +177,7 @@ impl<const J: usize> ControllerView<J> {
         for (track, measured) in chosen {
             if track.goal().is_soft() {
                 let target = [measured];
-                *track = Track::resting(target).towards(Goal::Point { target, hs: false });
+                *track = SetPoint::resting(target).towards(Goal::Point { target, hs: false });
             }
         }
         leg.drive.drive = match leg.drive.drive {

@@ -4,7 +4,7 @@ use super::drive::{CycleParams, Drive, LegDrive, MovingLeg, THIRD};
 use super::native::JointVibration;
 use super::params::LegParams;
 use super::targets::joint_of;
-use super::trajectory::Track;
+use super::trajectory::SetPoint;
 use crate::command::Target;
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
@@ -115,7 +115,7 @@ impl<const J: usize> LegState<J> {
 
     /// Returns the joints' set points, in the motion that the leg is commanded now. Joints that
     /// served a point are to stay where they are measured.
-    pub(super) fn joints(&self, inverse: Inverse) -> [Track<1>; J] {
+    pub(super) fn joints(&self, inverse: Inverse) -> [SetPoint<1>; J] {
         self.drive.joints(&self.model, &self.stays(), inverse)
     }
 
@@ -261,7 +261,7 @@ impl<const J: usize> LegState<J> {
     }
 
     /// Puts the joints that are not locked under the control of `tracks`.
-    pub(super) fn soften_unlocked(&mut self, tracks: &[Track<1>; J], direct: bool) {
+    pub(super) fn soften_unlocked(&mut self, tracks: &[SetPoint<1>; J], direct: bool) {
         // Before this, no locked joint served a point.
         let mut joints = *tracks;
         let (first, own) = self.drive.own_joints();

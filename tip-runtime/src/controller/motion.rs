@@ -2,7 +2,7 @@
 
 use super::drive::{Drive, Redundancy, THIRD, name, nearest_place, reach};
 use super::targets::{Base, is_zero, joint_of, resolve, resolve_from, sum, unlocked};
-use super::trajectory::{Goal, Track};
+use super::trajectory::{Goal, SetPoint};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
@@ -76,7 +76,7 @@ impl<const J: usize> ControllerView<J> {
         &mut self,
         n: u8,
         point: LegPoint,
-        track: Track<3>,
+        track: SetPoint<3>,
         direct: bool,
     ) -> Result<(), Fault> {
         let from_foot = matches!(self.leg(n)?.drive.drive, Drive::Foot(_));
@@ -135,7 +135,7 @@ impl<const J: usize> ControllerView<J> {
                 _ => *measured,
             };
             if track.goal().is_soft() {
-                *track = Track::resting([*stays]);
+                *track = SetPoint::resting([*stays]);
             }
             let [target] = match base {
                 _ if stop && direct => track.position(),
@@ -195,7 +195,7 @@ impl<const J: usize> ControllerView<J> {
                 _ => [*rate],
             };
             if track.goal().is_soft() {
-                *track = Track::resting([stays]);
+                *track = SetPoint::resting([stays]);
             }
             *track = track.towards(Goal::Speed(resolve(&[*value], current)?));
         }
@@ -209,7 +209,7 @@ impl<const J: usize> ControllerView<J> {
         &mut self,
         n: u8,
         point: LegPoint,
-        track: Track<3>,
+        track: SetPoint<3>,
     ) -> Result<(), Fault> {
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
@@ -226,7 +226,7 @@ impl<const J: usize> ControllerView<J> {
     }
 
     /// Returns a foot's set point, in the motion that its leg is commanded now.
-    pub(super) fn foot_track(&self, n: u8) -> Result<Track<3>, Fault> {
+    pub(super) fn foot_track(&self, n: u8) -> Result<SetPoint<3>, Fault> {
         let leg = self.leg(n)?;
         let inverse = self.robot.inverse;
         Ok(leg.drive.point(LegPoint::Tip, &leg.model, inverse))

@@ -4,7 +4,7 @@
 use super::drive::{bounded, reach};
 use super::sensing::members;
 use super::targets::unlocked;
-use super::trajectory::{Goal, Track};
+use super::trajectory::{Goal, SetPoint};
 use super::{ControllerView, targets};
 use crate::command::{MAX, Target};
 use crate::fault::Fault;
@@ -31,7 +31,7 @@ impl<const J: usize> ControllerView<J> {
         unlocked(self.leg(n)?.locks_point(point))?;
         let target = self.robot.inverse.flat(to);
         let spring = Goal::Spring { target, hs: false };
-        self.take_point(n, point, Track::resting(target).towards(spring))?;
+        self.take_point(n, point, SetPoint::resting(target).towards(spring))?;
         targets::leg_mut(&mut self.legs, n)?.drive.own_stiffness = Some(stiffness);
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use super::drive::{Drive, THIRD};
 use super::leg::LegState;
-use super::trajectory::{Goal, Track};
+use super::trajectory::{Goal, SetPoint};
 use super::{ControllerView, targets};
 use crate::command::Target;
 use crate::model::Range;
@@ -34,7 +34,7 @@ pub struct Setpoint {
 }
 
 impl Setpoint {
-    fn of_track<const N: usize>(of: Target, track: &Track<N>) -> Self {
+    fn of_track<const N: usize>(of: Target, track: &SetPoint<N>) -> Self {
         let (mode, goal) = match track.goal() {
             Goal::Rest => (Mode::Rest, None),
             Goal::Point { target, .. } => (Mode::Position, Some(target)),

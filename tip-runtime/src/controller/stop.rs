@@ -3,7 +3,7 @@
 use super::ControllerView;
 use super::drive::LegDrive;
 use super::task::{Stand, Task, Tasks};
-use super::trajectory::Track;
+use super::trajectory::SetPoint;
 
 /// The hold of all motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,7 +105,7 @@ impl<const J: usize> ControllerView<J> {
                 *at = travel.nearest(*measured);
             }
         }
-        self.slider = Track::resting(slider);
+        self.slider = SetPoint::resting(slider);
         self.still();
         self.tasks = Tasks::NONE;
         self.hold = Hold::Off;
@@ -128,7 +128,7 @@ impl<const J: usize> ControllerView<J> {
             for leg in &mut self.legs {
                 leg.drive = LegDrive::free(leg.drive.angles);
             }
-            self.slider = Track::resting(self.slider.position());
+            self.slider = SetPoint::resting(self.slider.position());
             self.standardise();
             self.hold = Hold::Off;
         }

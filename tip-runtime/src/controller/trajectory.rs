@@ -73,19 +73,19 @@ impl<const N: usize> Goal<N> {
 
 /// A moving set point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Track<const N: usize> {
+pub(crate) struct SetPoint<const N: usize> {
     position: [f64; N],
     velocity: [f64; N],
     goal: Goal<N>,
-    course: Option<Course<N>>,
+    course: Option<LinePath<N>>,
     /// DIRECT: the set point is at its target from the next motion on, without limits.
     jumps: bool,
 }
 
-impl<const N: usize> Track<N> {
+impl<const N: usize> SetPoint<N> {
     /// Returns a set point in motion, without a goal.
     pub(crate) const fn moving(position: [f64; N], velocity: [f64; N]) -> Self {
-        Track {
+        SetPoint {
             position,
             velocity,
             goal: Goal::Rest,
@@ -101,7 +101,7 @@ impl<const N: usize> Track<N> {
 
     /// Returns this motion with another goal.
     pub(crate) const fn towards(self, goal: Goal<N>) -> Self {
-        Track {
+        SetPoint {
             goal,
             course: None,
             jumps: false,
@@ -111,7 +111,7 @@ impl<const N: usize> Track<N> {
 
     /// Returns this motion, which is at its target at once if `jumps`.
     pub(crate) const fn jumping(self, jumps: bool) -> Self {
-        Track { jumps, ..self }
+        SetPoint { jumps, ..self }
     }
 
     /// Returns true if the set point is at its target at once.
@@ -121,7 +121,7 @@ impl<const N: usize> Track<N> {
 
     /// Returns this goal, started from rest at `position`.
     pub(crate) const fn stopped_at(self, position: [f64; N]) -> Self {
-        Track::resting(position).towards(self.goal)
+        SetPoint::resting(position).towards(self.goal)
     }
 
     pub(crate) const fn position(&self) -> [f64; N] {
@@ -157,7 +157,7 @@ impl<const N: usize> Track<N> {
     /// its target, which it joins without a jump in velocity.
     pub(crate) fn swing(&self, limits: Limits) -> [f64; N] {
         self.goal.target().map_or(self.position, |target| {
-            Course::new(self.position, self.velocity, target).swing(self.in_force(limits))
+            LinePath::new(self.position, self.velocity, target).swing(self.in_force(limits))
         })
     }
 
@@ -186,7 +186,7 @@ impl<const N: usize> Track<N> {
     fn jump(&mut self, limits: Limits, dt: f64, held: bool) {
         self.jumps = false;
         match self.goal.target() {
-            Some(target) if !held => *self = Track::resting(target).towards(self.goal),
+            Some(target) if !held => *self = SetPoint::resting(target).towards(self.goal),
             _ => self.move_on(limits, dt, held),
         }
     }
@@ -221,7 +221,7 @@ impl<const N: usize> Track<N> {
     fn follow(&mut self, target: [f64; N], limits: Limits, dt: f64) {
         let mut course = match self.course {
             Some(course) => course,
-            None => Course::new(self.position, self.velocity, target),
+            None => LinePath::new(self.position, self.velocity, target),
         };
         course.advance(limits, dt);
         self.position = course.position();
@@ -264,7 +264,7 @@ const MOST_ACROSS: f64 = core::f64::consts::FRAC_1_SQRT_2;
 /// acceleration as the sides of a right triangle share its hypotenuse, so that neither limit is
 /// exceeded. From rest, and for a target straight ahead, there is no part across.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Course<const N: usize> {
+struct LinePath<const N: usize> {
     target: [f64; N],
     line: [f64; N],
     side: [f64; N],
@@ -276,7 +276,7 @@ struct Course<const N: usize> {
     across_share: f64,
 }
 
-impl<const N: usize> Course<N> {
+impl<const N: usize> LinePath<N> {
     fn new(position: [f64; N], velocity: [f64; N], target: [f64; N]) -> Self {
         let (heading, speed) = split(velocity);
         let (mut line, gap) = split(add_scaled(target, position, -1.0));
@@ -286,7 +286,7 @@ impl<const N: usize> Course<N> {
         let ahead = dot(heading, line);
         let (side, sine) = split(add_scaled(heading, line, -ahead));
         let straight = sine <= STRAIGHT;
-        Course {
+        LinePath {
             target,
             line,
             side,

@@ -57,7 +57,7 @@ const CLOSED: f64 = 1e-9;
 const LEFT_OVER: f64 = 1e-6;
 
 /// Maximum number of iterations.
-const TURNS: usize = 60;
+const MAX_ITERATIONS: usize = 60;
 
 /// Maximum number of iterations for a piece of a path.
 const TURNS_OF_PIECE: usize = 10;
@@ -87,7 +87,7 @@ pub fn resolve<const J: usize>(
     target: Point,
     axes: Axes,
 ) -> Option<[f64; J]> {
-    let (angles, left) = approach(leg, from, point, target, axes, None, TURNS)?;
+    let (angles, left) = approach(leg, from, point, target, axes, None, MAX_ITERATIONS)?;
     (left <= LEFT_OVER).then_some(angles)
 }
 
@@ -102,7 +102,7 @@ pub fn resolve_towards<const J: usize>(
     axes: Axes,
     posture: &[f64; J],
 ) -> Option<[f64; J]> {
-    lean_within(TURNS, leg, from, point, target, axes, posture)
+    lean_within(MAX_ITERATIONS, leg, from, point, target, axes, posture)
 }
 
 /// Like [`resolve_towards`], for a target so near that few iterations are enough.
@@ -142,7 +142,7 @@ pub fn nearest<const J: usize>(
     target: Point,
     axes: Axes,
 ) -> Option<[f64; J]> {
-    approach(leg, from, point, target, axes, None, TURNS).map(|(angles, _)| angles)
+    approach(leg, from, point, target, axes, None, MAX_ITERATIONS).map(|(angles, _)| angles)
 }
 
 /// Returns true if a leg is straight, or nearly so, and has redundant joints for its point: its

@@ -23,7 +23,7 @@ const KEYS_PER_CYCLE: usize = 256;
 /// All parts of a machine, for one cycle.
 pub(super) struct ControlCycle<'a, const J: usize> {
     pub(super) program: &'a mut dyn Program,
-    pub(super) robot: &'a mut dyn DynHardware<J>,
+    pub(super) robot: &'a mut dyn HardwareIo<J>,
     pub(super) console: &'a mut dyn Console,
     pub(super) special: &'a mut dyn Special,
     pub(super) controller: &'a mut ControllerView<J>,
@@ -362,7 +362,7 @@ impl<const J: usize> ControlCycle<'_, J> {
 
 /// Returns the readings and outputs of a cycle.
 fn sample<'a, const J: usize>(
-    robot: &'a dyn DynHardware<J>,
+    robot: &'a dyn HardwareIo<J>,
     controller: &ControllerView<J>,
     state: &State,
 ) -> Sample<'a> {
@@ -386,8 +386,8 @@ fn sample<'a, const J: usize>(
     }
 }
 
-/// A robot with any number of legs of `J` joints: what it measured last, and what it is sent.
-pub(super) trait DynHardware<const J: usize> {
+/// Hardware with its last readings and its next commands, for any number of legs of `J` joints.
+pub(super) trait HardwareIo<const J: usize> {
     fn read(&mut self) -> Result<(), HardwareFault>;
     fn sensors(&self) -> SensorsView<'_, J>;
     fn outputs(&mut self) -> OutputsView<'_, J>;
@@ -396,14 +396,14 @@ pub(super) trait DynHardware<const J: usize> {
     fn stop(&mut self, why: &Fault) -> Result<(), HardwareFault>;
 }
 
-/// Hardware of a known size, and what goes in and out.
-pub(super) struct OfSize<'a, H, const L: usize, const J: usize> {
+/// Hardware of a known size with its readings and commands.
+pub(super) struct SizedIo<'a, H, const L: usize, const J: usize> {
     pub(super) hardware: &'a mut H,
     pub(super) sensors: &'a mut Sensors<L, J>,
     pub(super) outputs: &'a mut Outputs<L, J>,
 }
 
-impl<H: Hardware<L, J>, const L: usize, const J: usize> DynHardware<J> for OfSize<'_, H, L, J> {
+impl<H: Hardware<L, J>, const L: usize, const J: usize> HardwareIo<J> for SizedIo<'_, H, L, J> {
     fn read(&mut self) -> Result<(), HardwareFault> {
         self.hardware.read(self.sensors)
     }

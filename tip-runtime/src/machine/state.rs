@@ -162,7 +162,7 @@ impl IoState {
 const EVERY: f64 = 100.0;
 
 /// One bar for each joint that the language can name.
-const MOST: usize = MAX * MAX;
+const MAX_BARS: usize = MAX * MAX;
 
 /// A bar graph.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -206,7 +206,7 @@ impl Graphs {
                     Graph::Off
                 }
                 Graph::On(due) if time >= due => {
-                    let mut bars = [0.0; MOST];
+                    let mut bars = [0.0; MAX_BARS];
                     let bars = match number {
                         0 => torque_bars(torques.as_flattened(), forces, &mut bars),
                         _ => force_bars(controller, forces, &mut bars),
@@ -221,7 +221,7 @@ impl Graphs {
 }
 
 /// Fills bars with torques; full height is twice the torque of a search.
-fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) -> &'a [f64] {
+fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MAX_BARS]) -> &'a [f64] {
     let full = 2.0 * forces.search_torque;
     for (bar, torque) in bars.iter_mut().zip(torques) {
         *bar = torque / full;
@@ -234,7 +234,7 @@ fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) 
 fn force_bars<'a, const J: usize>(
     controller: &ControllerView<J>,
     forces: &Forces,
-    bars: &'a mut [f64; MOST],
+    bars: &'a mut [f64; MAX_BARS],
 ) -> &'a [f64] {
     let full = 4.0 * forces.search_force;
     let legs = controller.count();

@@ -321,9 +321,9 @@ fn messages_and_silence_reach_the_console() {
     for _ in 0..4 {
         machine.cycle();
     }
-    let told = machine.console().inner();
-    assert_eq!(told.messages, ["hello"]);
-    assert_eq!(told.silent, [true, false]);
+    let commanded = machine.console().inner();
+    assert_eq!(commanded.messages, ["hello"]);
+    assert_eq!(commanded.silent, [true, false]);
 }
 
 // clauses: 7.40
@@ -386,15 +386,15 @@ fn a_fault_stops_the_robot_in_every_cycle_and_is_told_once() {
     let robot = machine.hardware();
     assert_eq!((robot.outputs.len(), robot.stops.len()), (1, 3));
     assert_eq!((machine.program().at(), machine.cycles()), (1, 1));
-    let told = &machine.console().inner();
+    let commanded = &machine.console().inner();
     assert_eq!(
-        told.emergency.as_deref(),
+        commanded.emergency.as_deref(),
         Some(
             "TIP_ERR:Domain error (RuntimeError)\nprogram\tscript\ntitle\ta test\n\
              step\t1\nline\t5\ncycle\t1\n"
         )
     );
-    assert_eq!(told.ended, 1);
+    assert_eq!(commanded.ended, 1);
 }
 
 // clauses: 3.4 8.1

@@ -1,7 +1,8 @@
 //! Checks that a model makes sense.
 
 use super::{
-    Body, Forces, Inverse, Joint, Leg, Model, Range, Slider, Spread, Standards, VibrationGain,
+    Body, Forces, InertialProperties, Inverse, Joint, Leg, Model, Part, Range, Slider, Standards,
+    VibrationGain,
 };
 use crate::command::{MAX, Target};
 use core::fmt;
@@ -100,6 +101,18 @@ impl<const L: usize, const J: usize> Model<L, J> {
         robot(is_ordered(self.periods), "periods", ORDERED)?;
         robot(self.periods.min > 0.0, "periods", "must be above 0")?;
         robot(self.contact.is_finite(), "contact", FINITE)?;
+        let has = |part: &Part| match part {
+            Part::Body => self.body.is_some(),
+            Part::Link(leg, joint) => {
+                (1..=L).contains(&usize::from(*leg)) && (1..=J).contains(&usize::from(*joint))
+            }
+        };
+        let parts = self.may_touch.iter().flatten().flatten();
+        robot(
+            parts.into_iter().all(has),
+            "may_touch",
+            "must be parts of the robot",
+        )?;
         check_standards(&self.standards, self.periods)?;
         self.forces.as_ref().map_or(Ok(()), check_forces)?;
         self.slider.as_ref().map_or(Ok(()), check_slider)?;
@@ -180,6 +193,7 @@ fn check_joint(place: Place, joint: &Joint, initial: f64) -> Result<(), ModelErr
     check(is_at_least_0(joint.mass), "mass", NOT_NEGATIVE)?;
     check(is_sound(joint.spread), "spread", A_BODY)?;
     check(is_positive(joint.torque), "torque", POSITIVE)?;
+    check(joint.radius.is_none_or(is_positive), "radius", POSITIVE)?;
     check(
         joint.limits.contains(initial),
         "initial",
@@ -195,7 +209,7 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
     require(is_sound(body.spread), Place::Body, "spread", A_BODY)
 }
 
-fn is_sound(spread: Option<Spread>) -> bool {
+fn is_sound(spread: Option<InertialProperties>) -> bool {
     spread.is_none_or(|spread| spread.is_sound())
 }
 

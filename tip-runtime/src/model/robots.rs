@@ -18,7 +18,7 @@ pub mod titan8 {
     //! assert_eq!(MODEL.check(), Ok(()));
     //! ```
 
-    use crate::model::{Body, Family, Inverse, Joint, Leg, Model, Range, Standards};
+    use crate::model::{Body, Family, Inverse, Joint, Leg, Model, Range, Standards, TOUCHING};
 
     const L1: f64 = 50.0;
     const L2: f64 = 240.0;
@@ -59,6 +59,7 @@ pub mod titan8 {
         forces: None,
         slider: None,
         vibration: None,
+        may_touch: [None; TOUCHING],
     };
 
     /// Returns a leg whose hip is on the `side` (−1 left, +1 right) and towards the `end` (−1 rear, +1
@@ -87,6 +88,7 @@ pub mod titan8 {
             mass,
             spread: None,
             torque: 40.0,
+            radius: None,
         }
     }
 }
@@ -117,7 +119,7 @@ pub mod hand {
     //! ```
 
     use crate::model::{
-        Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, TorqueUnit,
+        Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, TOUCHING, TorqueUnit,
         VibrationGain,
     };
 
@@ -170,6 +172,7 @@ pub mod hand {
             angle: 0.5,
             torque: 10.0,
         }),
+        may_touch: [None; TOUCHING],
     };
 
     /// Returns a finger on the `side` (−1 left, +1 right) of the palm.
@@ -195,6 +198,7 @@ pub mod hand {
             mass,
             spread: None,
             torque: 1.5,
+            radius: None,
         }
     }
 }

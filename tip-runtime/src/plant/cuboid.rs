@@ -68,6 +68,19 @@ impl Cuboid {
         ]
     }
 
+    /// Returns the vector from the nearest point of the box to a point; zero inside.
+    #[inline]
+    pub(super) fn outside(&self, point: Vector) -> Vector {
+        point - point.sup(&self.low).inf(&self.high)
+    }
+
+    /// Returns true if no axis shows that another box is as far away as `distance`.
+    #[inline]
+    pub(super) fn may_be_within(&self, distance: f64, other: &Self) -> bool {
+        let apart = (other.low - self.high).sup(&(self.low - other.high)).max();
+        apart < distance.max(0.0)
+    }
+
     /// Returns the depth of a point inside and the normal of the nearest side; among equally near
     /// sides the upper one comes first.
     #[inline]

@@ -22,14 +22,15 @@ mod body_dynamics;
 mod contact;
 mod fall_detector;
 mod leg;
+mod leg_contact;
 mod multibody;
-mod self_collision;
 mod servo;
 mod spatial;
 mod terrain;
 
 pub use servo::Drives;
 
+use super::self_collision::{self, Clearance, CollisionCounter};
 use super::sensors::{LegInputs, Overrides, SensorNoise};
 use super::{
     ContactLaw, DIVERGED, Fall, Foot, GRAVITY, Limbs, Motion, Noise, Plant, Pose, TrackingErrors,
@@ -102,7 +103,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
                 drives: Drives::default(),
                 unit: forces.map_or(1.0, |forces| forces.unit.per_newton_metre()),
                 period: model.standards.period,
-                clearance: 0.0,
+                collisions: CollisionCounter::NONE,
                 tracking_errors: TrackingErrors::NONE,
                 total: Inertia::NONE,
                 legs: [LegBody::new(Leg::BLANK); L],
@@ -113,6 +114,9 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         };
         let robot = plant.robot_mut();
         robot.set_initial_postures(&model.legs);
+        for (leg, capsules) in robot.legs.iter_mut().zip(self_collision::capsules(model)) {
+            leg.capsules = capsules;
+        }
         robot.stand();
         plant
     }
@@ -365,7 +369,13 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
     }
 
     fn first_fall(&self) -> Option<Fall> {
-        self.robot.detector.falls.first
+        // A robot that is bolted down does not fall, whatever holds its feet.
+        let falls = &self.robot.detector.falls;
+        falls.first.filter(|_| self.can_be_pushed())
+    }
+
+    fn clearance(&self) -> Option<Clearance> {
+        self.robot.collisions.clearance
     }
 
     fn limbs(&self) -> Option<Limbs<L, J>> {
@@ -376,6 +386,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
             angles: self.angles(),
             loads: is_loose.then_some(loads),
             forces: is_loose.then_some(forces),
+            slips: is_loose.then(|| self.feet().map(|foot| foot.slip)),
             torques: self.torques(),
         })
     }
@@ -387,13 +398,15 @@ type Vector = Vector3<f64>;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plant::self_collision::Capsules;
 
     #[test]
     fn the_largest_robot_moves_in_sixteen_kilobytes() {
-        // Its model and its inputs do not change.
+        // Its model, the pairs of its parts and its inputs do not change.
         let model = size_of::<[Leg<9>; 9]>();
         let inputs = size_of::<Overrides<[LegInputs<9>; 9]>>();
-        let working = size_of::<DynamicPlant<9, 9>>() - model - inputs;
+        let pairs = size_of::<[Capsules<9>; 9]>() + size_of::<CollisionCounter>();
+        let working = size_of::<DynamicPlant<9, 9>>() - model - inputs - pairs;
         assert!(working <= 16 * 1024, "{working}");
     }
 }

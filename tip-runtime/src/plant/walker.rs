@@ -32,6 +32,7 @@ pub use fall::Fall;
 pub use pose::{Pose, Travel};
 pub use servo::ServoDynamics;
 
+use super::self_collision::{self, Clearance, CollisionCounter};
 use super::sensors::{LegInputs, Overrides};
 use super::{DIVERGED, Limbs, Motion, Plant, are_sane, fill_joints, is_lit};
 use crate::command::Port;
@@ -81,6 +82,8 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         let mut plant = SimulatedPlant {
             legs: Legs {
                 dynamics: ServoDynamics::default(),
+                body: self_collision::body(model.body.as_ref()),
+                collisions: CollisionCounter::NONE,
                 crosses: false,
                 each: [LegPlant::new(Leg::BLANK); L],
             },
@@ -90,6 +93,9 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         };
         let legs: &mut Legs<[LegPlant<J>]> = &mut plant.legs;
         legs.set_initial_postures(&model.legs);
+        for (leg, capsules) in legs.each.iter_mut().zip(self_collision::capsules(model)) {
+            leg.capsules = capsules;
+        }
         plant.settle();
         plant
     }
@@ -231,6 +237,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     fn settle(&mut self) {
         let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
         legs.settle(&mut self.ground, 0.0);
+        legs.begin();
         self.ground.begin();
     }
 }
@@ -250,6 +257,7 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedPlant<L, J> {
         self.lamps = outputs.lamps;
         let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
         legs.advance(&outputs.joints, outputs.period, &mut self.ground);
+        legs.watch(self.ground.cycle);
         self.ground.cycle += 1;
         match are_sane(self.body().position.into_iter()) {
             true => Ok(()),
@@ -259,6 +267,8 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedPlant<L, J> {
 
     fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         // Servos hold where they are; without inertia nothing is left that could move.
+        let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
+        legs.watch(self.ground.cycle);
         self.ground.cycle += 1;
         Ok(())
     }
@@ -294,11 +304,19 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
         self.first_fall()
     }
 
+    fn clearance(&self) -> Option<Clearance> {
+        self.legs.collisions.clearance
+    }
+
     fn limbs(&self) -> Option<Limbs<L, J>> {
         Some(Limbs {
             angles: self.angles(),
             loads: self.ground.is_loose().then_some(self.ground.loads.feet),
             forces: None,
+            slips: self
+                .ground
+                .is_loose()
+                .then(|| self.feet().map(|foot| foot.slip)),
             torques: self.torques(),
         })
     }

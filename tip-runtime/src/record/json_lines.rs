@@ -3,7 +3,7 @@
 use super::{Cycle, Ending, Sink, state_hash};
 use crate::command::{Command, FAST, Target, Value};
 use crate::emergency::Emergency;
-use crate::plant::{Motion, Pose};
+use crate::plant::{Clearance, Motion, Pose};
 use crate::program::{End, Program};
 use core::fmt::{self, Display, Write};
 use std::string::String;
@@ -288,11 +288,13 @@ pub struct MotionRecord<'a> {
     pub angles: &'a [f64],
     /// The load of each foot or the contact force of each fingertip, N; empty if unknown.
     pub loads: &'a [f64],
+    /// The distances between the parts of the robot, if measured.
+    pub clearance: Option<Clearance>,
 }
 
 impl MotionRecord<'_> {
-    /// Writes the keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma; then `zmp`, and `tips`,
-    /// `slides`, `crossings`, `hurries` and `strays` once they are above 0.
+    /// Writes the keys `pose`, `angles`, `loads`, `clearance`, `margin` and `falls`, each after a comma; then `zmp`, and
+    /// `collisions`, `tips`, `slides`, `crossings`, `hurries` and `strays` once they are above 0.
     pub(super) fn write(&self, out: &mut impl Write) -> fmt::Result {
         if let Some(pose) = &self.pose {
             let [x, y, z] = pose.position;
@@ -312,6 +314,10 @@ impl MotionRecord<'_> {
         if !self.loads.is_empty() {
             out.write_str(r#","loads":"#)?;
             numbers(out, self.loads)?;
+        }
+        if let Some(clearance) = &self.clearance {
+            write!(out, r#","clearance":{}"#, Number(clearance.now.distance))?;
+            counts(out, [("collisions", clearance.collisions)])?;
         }
         if let Some(Motion { margin, falls, .. }) = &self.motion {
             write!(out, r#","margin":{},"falls":{falls}"#, Number(*margin))?;

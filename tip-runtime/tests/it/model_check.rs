@@ -1,8 +1,8 @@
 //! Models written in Rust, and the errors that are found in them.
 
 use tip_runtime::model::{
-    Body, Forces, Inverse, Joint, Leg, Model, Range, Slider, Spread, TorqueUnit, VibrationGain,
-    generic, hand, titan8,
+    Body, Forces, InertialProperties, Inverse, Joint, Leg, Model, Range, Slider, TorqueUnit,
+    VibrationGain, generic, hand, titan8,
 };
 
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -117,7 +117,7 @@ fn legs_and_joints_are_named() {
         [-1.0, 1.0, 1.0, 0.0, 0.0, 0.0],
         [1.0, 1.0, f64::NAN, 0.0, 0.0, 0.0],
     ] {
-        let spread = Some(Spread {
+        let spread = Some(InertialProperties {
             centre: [0.0; 3],
             inertia,
         });
@@ -127,7 +127,7 @@ fn legs_and_joints_are_named() {
         );
     }
     for inertia in [[1.0, 1.0, 2.0, 0.0, 0.0, 0.0], [0.0; 6]] {
-        let spread = Some(Spread {
+        let spread = Some(InertialProperties {
             centre: [1.0, -2.0, 3.0],
             inertia,
         });

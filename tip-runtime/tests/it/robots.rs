@@ -25,6 +25,7 @@ fn robot<const L: usize, const J: usize>(legs: [Leg<J>; L]) -> Model<L, J> {
         forces: titan.forces,
         slider: titan.slider,
         vibration: titan.vibration,
+        may_touch: titan.may_touch,
     }
 }
 
@@ -40,6 +41,7 @@ fn planar<const J: usize>(lengths: [f64; J]) -> Leg<J> {
             mass: 0.1,
             spread: None,
             torque: 1.0,
+            radius: None,
         }),
         initial: [0.0; J],
     }

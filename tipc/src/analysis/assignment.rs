@@ -13,7 +13,7 @@
 mod blocks;
 mod ways;
 
-pub use ways::{NoValue, Ways};
+pub use ways::{NoValue, Paths};
 
 use super::flow::{Flow, NodeId};
 use crate::program::{Program, StepId, VariableId};

@@ -43,7 +43,7 @@ pub struct Flow {
 impl Flow {
     /// Computes the flow of a program. Takes time and memory linear in its length.
     pub fn of(program: &Program) -> Self {
-        let ways = Ways::new(program);
+        let ways = StepTargets::new(program);
         let mut nodes = Vec::new();
         for (step, content) in (0..).zip(program.steps()) {
             let action = &content.action;
@@ -113,9 +113,9 @@ impl Flow {
 }
 
 /// Targets of steps: the first and the last node of each.
-struct Ways(Vec<(NodeId, NodeId)>);
+struct StepTargets(Vec<(NodeId, NodeId)>);
 
-impl Ways {
+impl StepTargets {
     fn new(program: &Program) -> Self {
         let mut nodes = 0;
         let ends = program.steps().iter().map(|step| {
@@ -124,7 +124,7 @@ impl Ways {
             nodes = last + 1;
             (first, last)
         });
-        Ways(ends.collect())
+        StepTargets(ends.collect())
     }
 
     /// Returns the node of a step reached "taken"; none past the last.

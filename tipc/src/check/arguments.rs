@@ -325,8 +325,12 @@ fn turned(word: &str, edition: Edition) -> Option<&'static str> {
 
 /// Returns the command that the first parts of a word are: `TORQUE_CONTROL`.
 fn begun(word: &str, edition: Edition) -> Option<&'static str> {
+    let longest = commands::names(edition).map(str::len).max();
     let ends = word.match_indices('_').map(|(at, _)| at);
+    let ends = ends.take_while(|end| Some(*end) <= longest);
+    let ends: Vec<usize> = ends.collect();
     let mut parts = ends
+        .into_iter()
         .rev()
         .filter_map(|end| commands::find_in(&word[..end], edition));
     parts.next().map(|command| command.name)

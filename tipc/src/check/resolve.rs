@@ -2,7 +2,7 @@
 
 use super::names::{Names, ResolvedOperand};
 use super::structure::{Block, named_by};
-use super::uses::{Named, Uses};
+use super::uses::{NameUses, Uses};
 use super::{Known, jumps};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Diagnostics, Handle, Label, MistakeId};
@@ -49,7 +49,7 @@ pub(super) fn statements(
     known: &Known<'_>,
     jumps: &jumps::Resolved,
     found: &mut Diagnostics,
-) -> (Option<Vec<Option<Action>>>, Named) {
+) -> (Option<Vec<Option<Action>>>, NameUses) {
     let statements = &known.module.statements;
     let labels = known.labels.all.iter();
     let threads = labels.filter(|label| label.kind == LabelKind::Thread);

@@ -4,7 +4,7 @@ use super::names::inventory;
 use super::resolve::{Refused, Resolver};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::commands::{Joints, Targets};
+use crate::language::commands::Targets;
 use crate::language::reserved::JOINT;
 use crate::language::{commands, flags};
 use crate::message::list::{Alternatives, List};
@@ -70,7 +70,7 @@ impl Resolver<'_> {
             let reason = Commanding::RobotHasNo { robot, target };
             return self.refuse_target(first.span, reason);
         }
-        if takes(targets, target, self.robot) {
+        if targets.accept(target, self.robot) {
             return Some(target);
         }
         if let (Target::Joint(..), Some(other)) = (target, commands::of_joints(&command.node)) {
@@ -131,7 +131,7 @@ impl Resolver<'_> {
             return None;
         };
         let is_target =
-            |target: &Target| self.robot.has(*target) && takes(targets, *target, self.robot);
+            |target: &Target| self.robot.has(*target) && targets.accept(*target, self.robot);
         let number = self.slice(first.span);
         let by_number = || {
             let digits: Vec<u8> = number.bytes().map(|it| it.wrapping_sub(b'0')).collect();
@@ -234,22 +234,6 @@ fn flags_of(robot: Robot) -> Commanding {
             inventory,
         },
         false => Commanding::Flags { inventory },
-    }
-}
-
-fn takes(targets: Targets, target: Target, robot: Robot) -> bool {
-    match target {
-        Target::None => false,
-        Target::All => targets.all,
-        Target::Floor => targets.floor,
-        Target::Foot(_) => targets.foot,
-        Target::Joint(_, joint) => match targets.joints {
-            Joints::None => false,
-            Joints::Every => true,
-            Joints::Second => joint == 2,
-            Joints::Third => joint == 3,
-            Joints::ThirdOfHand => joint == 3 && robot.is_hand(),
-        },
     }
 }
 

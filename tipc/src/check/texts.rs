@@ -11,7 +11,7 @@ use tip_runtime::command::{READING, Reading};
 
 /// Value that a placeholder stands for.
 #[derive(Clone, Copy)]
-enum Named {
+enum PlaceholderValue {
     Variable(VariableId),
     Constant(usize),
     Reading(Reading),
@@ -19,7 +19,7 @@ enum Named {
 
 /// A placeholder.
 struct Placeholder {
-    named: Named,
+    named: PlaceholderValue,
     /// The member, of a struct; `None` for the whole.
     member: Option<usize>,
     decimals: u8,
@@ -37,7 +37,7 @@ impl Names {
             rest = &rest[start..];
             let length = match self.placeholder(rest) {
                 Some(placeholder) => {
-                    if let Named::Variable(variable) = placeholder.named {
+                    if let PlaceholderValue::Variable(variable) = placeholder.named {
                         found(variable);
                     }
                     placeholder.length
@@ -82,18 +82,21 @@ impl Names {
     }
 
     /// Returns what a name in capital letters stands for in a placeholder, and its type.
-    fn shown(&self, name: &str) -> Option<(Named, VariableKind)> {
+    fn shown(&self, name: &str) -> Option<(PlaceholderValue, VariableKind)> {
         if name.starts_with(READING) {
             let reading = reserved::reading(name, self.edition)?;
-            return Some((Named::Reading(reading), VariableKind::of_reading(reading)));
+            return Some((
+                PlaceholderValue::Reading(reading),
+                VariableKind::of_reading(reading),
+            ));
         }
         if let Some(constant) = self.find_constant(name) {
-            return Some((Named::Constant(constant), VariableKind::Var));
+            return Some((PlaceholderValue::Constant(constant), VariableKind::Var));
         }
         let variable = self.find(name)?;
         let kind = self.variables[variable].kind;
         let is_shown = kind == VariableKind::Var || self.edition >= Edition::V3_2;
-        is_shown.then_some((Named::Variable(variable), kind))
+        is_shown.then_some((PlaceholderValue::Variable(variable), kind))
     }
 }
 
@@ -134,7 +137,7 @@ impl Resolver<'_> {
         parts: &mut Vec<MessagePart>,
     ) -> bool {
         let whole = match placeholder.named {
-            Named::Constant(constant) => {
+            PlaceholderValue::Constant(constant) => {
                 self.uses.constant(location, constant);
                 let Some(value) = self.names.constants[constant].value else {
                     return false;
@@ -142,12 +145,12 @@ impl Resolver<'_> {
                 self.put(Operand::Constant(value), placeholder.decimals, plain, parts);
                 return true;
             }
-            Named::Variable(variable) => {
+            PlaceholderValue::Variable(variable) => {
                 self.uses
                     .member(location, variable, placeholder.member, Access::Read);
                 StructOperand::Variable(variable)
             }
-            Named::Reading(reading) => {
+            PlaceholderValue::Reading(reading) => {
                 if let Some(fault) = self.names.not_sensed(reading, location) {
                     self.report(*fault);
                     return false;

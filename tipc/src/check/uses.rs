@@ -28,19 +28,19 @@ pub(super) struct Uses<'a> {
     first: usize,
     /// The next variable and the next label to be defined.
     next: (VariableId, usize),
-    excused: Vec<bool>,
+    suppressed: Vec<bool>,
     to_be_shown: Vec<bool>,
     dumped: bool,
     may_assign: Vec<VariableKind>,
 }
 
 /// The names of a whole program, and what each is used for.
-pub(super) struct Named {
+pub(super) struct NameUses {
     pub(super) symbols: Symbols,
     /// Number of labels.
     pub(super) labels: usize,
     /// The variables that a broken statement names: nothing can be said of them.
-    excused: Vec<bool>,
+    suppressed: Vec<bool>,
     /// The variables that a MESSAGE was to show, and does not: that nothing reads them follows from it.
     to_be_shown: Vec<bool>,
     /// OUTPUT_VARIABLES reads them all.
@@ -57,7 +57,7 @@ impl<'a> Uses<'a> {
             all: Vec::new(),
             first: 0,
             next: (names.predeclared(), 0),
-            excused: vec![false; names.variables.len()],
+            suppressed: vec![false; names.variables.len()],
             to_be_shown: vec![false; names.variables.len()],
             dumped: false,
             may_assign: Vec::new(),
@@ -70,11 +70,11 @@ impl<'a> Uses<'a> {
     }
 
     /// Returns all uses.
-    pub(super) fn finish(self) -> Named {
-        Named {
+    pub(super) fn finish(self) -> NameUses {
+        NameUses {
             labels: self.labels.all.len(),
             symbols: Symbols::new(definitions(self.names, self.labels), self.all),
-            excused: self.excused,
+            suppressed: self.suppressed,
             to_be_shown: self.to_be_shown,
             dumped: self.dumped,
             may_assign: self.may_assign,
@@ -274,8 +274,8 @@ impl<'a> Uses<'a> {
     }
 
     fn excuse_one(&mut self, definition: DefinitionId) {
-        if let Some(excused) = self.excused.get_mut(definition.index()) {
-            *excused = true;
+        if let Some(suppressed) = self.suppressed.get_mut(definition.index()) {
+            *suppressed = true;
         }
     }
 
@@ -329,7 +329,7 @@ fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
 }
 
 /// Reports reads that nothing assigned, and variables that serve nothing.
-pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Diagnostics) {
+pub(super) fn report(source: &Source, names: &Names, named: &NameUses, found: &mut Diagnostics) {
     let mut serves = vec![Service::default(); names.variables.len()];
     for used in named.symbols.all_uses() {
         if let Some(service) = serves.get_mut(used.definition.index()) {
@@ -347,16 +347,14 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
             *used = true;
         }
     }
+    // What is wrong with its definition is reported.
+    let line = |span: Span| source.line_number(span.start);
+    let mut reported: HashSet<u32> = match names.constants.is_empty() {
+        true => HashSet::new(),
+        false => found.iter().flat_map(reported_at).map(line).collect(),
+    };
     for (constant, used) in names.constants.iter().zip(used) {
-        // What is wrong with its definition is reported.
-        let line = |location: Span| source.line_column(location.start).0;
-        let also = Message::from(Naming::AlsoHere);
-        let is_wrong = |it: &Diagnostic| {
-            let more = it.labels.iter().filter(|label| label.text == also);
-            let mut spans = iter::once(it.span).chain(more.map(|label| label.span));
-            spans.any(|span| line(span) == line(constant.span))
-        };
-        if !used && !is_meant(&constant.name) && !found.iter().any(is_wrong) {
+        if !used && !is_meant(&constant.name) && reported.insert(line(constant.span)) {
             let reason = Naming::NothingUsesConstant;
             let warning = Diagnostic::new(Code::UnusedConstant, constant.span, reason);
             found.push(warning.about(constant.name.as_str()));
@@ -365,7 +363,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
     for (id, variable) in names.variables.iter().enumerate() {
         let is_refused = variable.name.len() > LIMIT;
         let is_shared = variable.special.is_some();
-        if named.excused[id] || is_refused || is_shared || is_meant(&variable.name) {
+        if named.suppressed[id] || is_refused || is_shared || is_meant(&variable.name) {
             continue;
         }
         let name = &variable.name;
@@ -391,6 +389,14 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         };
         found.extend(diagnostic);
     }
+}
+
+/// Returns the places that a diagnostic names as wrong: its own, and those where it occurs again.
+fn reported_at(diagnostic: &Diagnostic) -> impl Iterator<Item = Span> {
+    let also = Message::from(Naming::AlsoHere);
+    let more = diagnostic.labels.iter();
+    let more = more.filter(move |label| label.text == also);
+    iter::once(diagnostic.span).chain(more.map(|label| label.span))
 }
 
 /// Use of a variable by a program.

@@ -180,6 +180,7 @@ keys! {
     Robot "periods", "[min, max] in ms" / "ms単位の[最小, 最大]", Some("[1, 1000]"), "the sampling times that it accepts" / "受け付けるサンプリング時間";
     Robot "contact", "a number in V" / "V単位の数値", Some("0.25"), "the reading of a sole from which its foot stands on something" / "足裏センサがこの値以上なら接地とみなす";
     Robot "lamps", "a whole number, 0 to 255" / "0から255までの整数", Some("16"), "how many lamps and relays it has" / "ランプとリレーの数";
+    Robot "may_touch", "a list of pairs such as [\"link12\", \"body\"], 32 at most" / "[\"link12\", \"body\"] のような組の並び(32組まで)", Some("none"), "parts that may touch: no collisions of them are reported" / "触れてもよい部分の組(干渉として報告しない)";
     Robot "bus", "a [bus] table" / "[bus]表", Some("none: the robot is only simulated"), "the bus of the real robot's servos" / "実機のサーボをつなぐバス";
     Robot "drive", "a list of [[drive]] tables" / "[[drive]]表の並び", Some("none"), "the servo of each joint, where there is a bus" / "バスがある場合の各関節のサーボ";
 
@@ -190,9 +191,10 @@ keys! {
     Joint "mass", "a number in kg" / "kg単位の数値", Some("0.1"), "the mass of the link" / "リンクの質量";
     Joint "centre", "[x, y, z] in mm" / "mm単位の[x, y, z]", Some("the middle of the link"), "the link's centre of mass, from the joint, at angle 0" / "角度0のときの、関節から見たリンクの重心";
     Joint "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²" / "kg·m²単位の[xx, yy, zz, xy, xz, yz]", Some("a uniform rod's"), "the link's tensor of inertia about its centre of mass, at angle 0, along x, y and z of the robot frame; elements and signs are those of URDF" / "角度0のときの、重心まわりのリンクの慣性テンソル(ロボット座標系のx、y、z軸。要素と符号はURDFと同じ)";
+    Joint "radius", "a number in mm" / "mm単位の数値", Some("that of a shape along the link, else 5 % of its length"), "the radius of the link, a capsule, where it may meet other links and the body" / "リンクをカプセルとみなすときの半径(ほかのリンクや胴体との干渉の判定に使う)";
     Joint "torque", "a number in N·m" / "N·m単位の数値", Some("10"), "the most that the motor gives" / "モータの最大トルク";
 
-    Joint "shape", "a list of [[joint.shape]] tables" / "[[joint.shape]]表の並び", Some("drawn as a rod with a ball at its joint"), "what exported files show of the link, and collide with; no simulation here looks at it" / "書き出すファイルに載せるリンクの形状(本ツールのシミュレーションでは使わない)";
+    Joint "shape", "a list of [[joint.shape]] tables" / "[[joint.shape]]表の並び", Some("drawn as a rod with a ball at its joint"), "what exported files show of the link, and collide with; simulations look at its radius only" / "書き出すファイルに載せるリンクの形状(本ツールのシミュレーションで使うのは半径のみ)";
 
     Leg "base", "[x, y, z] in mm" / "mm単位の[x, y, z]", None, "the first joint in the robot frame" / "ロボット座標系での最初の関節の位置";
     Leg "turn", "a number in deg" / "度単位の数値", Some("0"), "turns the joints about z, counterclockwise seen from above" / "関節全体をz軸まわりに回す角度(上から見て反時計回り)";

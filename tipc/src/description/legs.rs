@@ -7,7 +7,7 @@ use super::section::{Found, SMALLEST, Section, Sign, fault};
 use crate::message::{Describing, Letter};
 use crate::source::Span;
 use tip_runtime::command::MAX;
-use tip_runtime::model::{Joint, Point, Range, Spread};
+use tip_runtime::model::{InertialProperties, Joint, Point, Range};
 
 /// Distance from the working limits to those of the potentiometers, unless the file says so: deg.
 const OUTER: f64 = 5.0;
@@ -104,10 +104,11 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     }
     let mass = section.number("mass", Sign::NotNegative, found);
     let mass = mass.unwrap_or(0.1);
-    let even = Spread::rod(link.unwrap_or_default(), mass);
+    let even = InertialProperties::rod(link.unwrap_or_default(), mass);
     let spread = read_spread(section, even, found);
     let torque = section.number("torque", Sign::Positive, found);
     let shapes = read_shapes(section, found);
+    let radius = section.number("radius", Sign::Size, found);
     let joint = Joint {
         axis: axis?,
         link: link?,
@@ -116,8 +117,33 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
         mass,
         spread,
         torque: torque.unwrap_or(10.0),
+        radius: radius.or_else(|| radius_of(&shapes, link?)),
     };
     Some(Drawn { joint, shapes })
+}
+
+/// Cosine of the greatest angle between a link and a shape along it: 30 deg.
+const ALONG: f64 = 0.866_025_403_784_438_6;
+
+/// Returns the radius of the longest shape along a link, mm: of a block half of its smaller side across.
+fn radius_of(shapes: &[Shape], link: [f64; 3]) -> Option<f64> {
+    let length = libm::sqrt(link.iter().map(|part| part * part).sum());
+    let rods = shapes.iter().filter_map(|shape| {
+        let (axis, long, radius) = match shape.form {
+            Form::Cylinder { radius, length } => (2, length, radius),
+            Form::Block(sides) => {
+                let axis = (0..3).max_by(|a, b| sides[*a].total_cmp(&sides[*b]))?;
+                let across = (0..3).filter(|other| *other != axis);
+                let least = across.fold(f64::INFINITY, |least, other| least.min(sides[other]));
+                (axis, sides[axis], least / 2.0)
+            }
+            Form::Sphere { .. } => return None,
+        };
+        let along: f64 = shape.axes[axis].iter().zip(link).map(|(a, b)| a * b).sum();
+        (libm::fabs(along) >= ALONG * length && length > 0.0).then_some((long, radius))
+    });
+    let longest = rods.max_by(|(one, _), (other, _)| one.total_cmp(other));
+    longest.map(|(_, radius)| radius)
 }
 
 /// Reads a unit vector: `"z"`, `"-y"` or any direction.
@@ -388,13 +414,17 @@ impl Shape {
 
 /// Reads the keys `centre` and `inertia` of a table, with a default for the one that it leaves out; `None` if it has
 /// neither.
-pub(super) fn read_spread(section: Section<'_>, even: Spread, found: &mut Found) -> Option<Spread> {
+pub(super) fn read_spread(
+    section: Section<'_>,
+    even: InertialProperties,
+    found: &mut Found,
+) -> Option<InertialProperties> {
     let centre = section.numbers("centre", Sign::Any, found);
     let inertia = section.numbers("inertia", Sign::Any, found);
     if centre.is_none() && inertia.is_none() {
         return None;
     }
-    let spread = Spread {
+    let spread = InertialProperties {
         centre: centre.unwrap_or(even.centre),
         inertia: inertia.unwrap_or(even.inertia),
     };
@@ -408,10 +438,10 @@ pub(super) fn read_spread(section: Section<'_>, even: Spread, found: &mut Found)
 /// Returns the distribution for a link that is turned and mirrored: `turned` gives the turn of a direction, `mirror`
 /// the sign of each coordinate.
 fn placed_spread(
-    spread: &Spread,
+    spread: &InertialProperties,
     turned: impl Fn([f64; 3]) -> [f64; 3],
     mirror: [f64; 3],
-) -> Spread {
+) -> InertialProperties {
     let [xx, yy, zz, xy, xz, yz] = spread.inertia;
     // Rows are turned, and then, since the tensor is symmetric, columns.
     let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(&turned);
@@ -419,7 +449,7 @@ fn placed_spread(
     let columns = [column(0), column(1), column(2)];
     let at = |i: usize, j: usize| mirror[i] * mirror[j] * columns[i][j];
     let centre = turned(spread.centre);
-    Spread {
+    InertialProperties {
         centre: [0, 1, 2].map(|axis| mirror[axis] * centre[axis]),
         inertia: [at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)],
     }

@@ -90,6 +90,7 @@ impl Description {
             lamps: self.lamps,
             forces: self.forces,
             slider: self.slider,
+            may_touch: self.may_touch,
             ..Model::generic(self.name, [self.legs.first()?.sized()?])
         })
     }

@@ -8,7 +8,8 @@ use crate::robot::Facts;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 use tip_runtime::model::{
-    Body, Forces, Inverse, Joint, Range, Slider, Spread, Standards, TorqueUnit, generic,
+    Body, Forces, InertialProperties, Inverse, Joint, Part, Range, Slider, Standards, TOUCHING,
+    TorqueUnit, generic,
 };
 
 impl Description {
@@ -46,6 +47,7 @@ impl Description {
         let lamps = Literal::u8_unsuffixed(self.lamps);
         let forces = optional(self.forces.map(|forces| forces_to_rust(forces, runtime)));
         let slider = optional(self.slider.map(|slider| slider_to_rust(slider, runtime)));
+        let may_touch = may_touch_to_rust(&self.may_touch, runtime);
         quote! {
             #attributes
             #gap
@@ -62,6 +64,7 @@ impl Description {
                 lamps: #lamps,
                 forces: #forces,
                 slider: #slider,
+                #may_touch
                 ..#runtime::model::Model::generic(#robot, [#(#legs),*])
             };
         }
@@ -92,6 +95,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
         mass: 0.0,
         spread: None,
         torque: 0.0,
+        radius: None,
     };
     let leg = Leg {
         base: [0.0; 3],
@@ -114,6 +118,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
         lamps: generic.lamps,
         forces: None,
         slider: None,
+        may_touch: [None; TOUCHING],
         shapes: Vec::new(),
         limits: Facts::of(&generic::MODEL).limits,
     };
@@ -160,11 +165,35 @@ impl Leg {
     }
 }
 
+/// Returns the field of the parts that may touch; nothing if there are none.
+fn may_touch_to_rust(pairs: &[Option<[Part; 2]>], runtime: &TokenStream) -> Option<TokenStream> {
+    let part = |part: Part| match part {
+        Part::Body => quote!(#runtime::model::Part::Body),
+        Part::Link(leg, joint) => {
+            let [leg, joint] = [leg, joint].map(Literal::u8_unsuffixed);
+            quote!(#runtime::model::Part::Link(#leg, #joint))
+        }
+    };
+    pairs.iter().any(Option::is_some).then(|| {
+        let pairs = pairs.iter().map(|pair| {
+            optional(pair.map(|pair| {
+                let pair = pair.map(part);
+                quote!([#(#pair),*])
+            }))
+        });
+        quote!(may_touch: [#(#pairs),*],)
+    })
+}
+
 fn joint_to_rust(joint: Joint, runtime: &TokenStream) -> TokenStream {
     let (axis, link) = (numbers(&joint.axis), numbers(&joint.link));
     let (limits, outer) = (range(joint.limits, runtime), range(joint.outer, runtime));
     let (mass, torque) = (number(joint.mass), number(joint.torque));
     let spread = spread_to_rust(joint.spread, runtime);
+    let radius = optional(joint.radius.map(|radius| {
+        let radius = number(radius);
+        quote!(#radius)
+    }));
     quote! {
         #runtime::model::Joint {
             axis: #axis,
@@ -174,6 +203,7 @@ fn joint_to_rust(joint: Joint, runtime: &TokenStream) -> TokenStream {
             mass: #mass,
             spread: #spread,
             torque: #torque,
+            radius: #radius,
         }
     }
 }
@@ -184,10 +214,10 @@ fn body_to_rust(body: Body, runtime: &TokenStream) -> TokenStream {
     quote!(#runtime::model::Body { x: #x, y: #y, z: #z, mass: #mass, spread: #spread })
 }
 
-fn spread_to_rust(spread: Option<Spread>, runtime: &TokenStream) -> TokenStream {
-    optional(spread.map(|Spread { centre, inertia }| {
+fn spread_to_rust(spread: Option<InertialProperties>, runtime: &TokenStream) -> TokenStream {
+    optional(spread.map(|InertialProperties { centre, inertia }| {
         let (centre, inertia) = (numbers(&centre), numbers(&inertia));
-        quote!(#runtime::model::Spread { centre: #centre, inertia: #inertia })
+        quote!(#runtime::model::InertialProperties { centre: #centre, inertia: #inertia })
     }))
 }
 

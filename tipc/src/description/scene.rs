@@ -128,7 +128,7 @@ mod tests {
     use super::*;
     use crate::render;
 
-    fn told(text: &str) -> Vec<String> {
+    fn reported(text: &str) -> Vec<String> {
         let loaded = parse_scene("s.toml", text.as_bytes()).expect_err("it is wrong");
         let lines = loaded.diagnostics.iter();
         let lines = lines.map(|one| render::classical(&loaded.source, one));
@@ -180,7 +180,7 @@ mod tests {
         assert_eq!(scene.blocks.iter().flatten().collect::<Vec<_>>(), [&step]);
         let nine = "[[block]]\nx = [0, 10]\ny = [0, 10]\nheight = 1\n".repeat(9);
         let wrong = "s.toml:33:1: error: TIP_ERR:Wrong scene (RobotError)";
-        assert_eq!(told(&nine), [wrong]);
+        assert_eq!(reported(&nine), [wrong]);
     }
 
     #[test]
@@ -191,7 +191,7 @@ mod tests {
             assert_eq!(scene.plant, Some(plant));
         }
         let wrong = "s.toml:1:9: error: TIP_ERR:Wrong scene (RobotError)";
-        assert_eq!(told("plant = \"rigid\"\n"), [wrong]);
+        assert_eq!(reported("plant = \"rigid\"\n"), [wrong]);
     }
 
     #[test]
@@ -203,13 +203,13 @@ mod tests {
                 .map(|line| wrong.replace("LINE", line))
                 .collect()
         };
-        assert_eq!(told("[floor\n"), at(&["1:7"]));
+        assert_eq!(reported("[floor\n"), at(&["1:7"]));
         let text = "[floor]\nhight = 1\nfriction = -1\n[[object]]\nmass = 1\n\
             [[object]]\nsize = [1, 40]\nmass = 1\n[[object]]\nradius = 20\nmass = 0.0009\n\
             [[object]]\nradius = 20\nsize = [1, 1]\nmass = 1\n[[object]]\nradius = \"big\"\n";
         let lines = ["2:1", "3:12", "4:1", "7:8", "11:8", "12:1", "16:1", "17:10"];
-        assert_eq!(told(text), at(&lines));
+        assert_eq!(reported(text), at(&lines));
         let five = "[[object]]\nradius = 20\nmass = 1\n".repeat(5);
-        assert_eq!(told(&five), at(&["13:1"]));
+        assert_eq!(reported(&five), at(&["13:1"]));
     }
 }

@@ -14,7 +14,7 @@ use toml::de::{DeTable, DeValue};
 /// No measure of a robot is larger, in mm, deg or any other unit: arithmetic stays far from infinity.
 const LARGEST: f64 = 1e6;
 /// No count is larger.
-const MOST: f64 = 1e9;
+const MAX_COUNT: f64 = 1e9;
 /// No size is smaller: programs that read exported robots take it for nothing.
 pub(super) const SMALLEST: f64 = 1e-6;
 
@@ -172,12 +172,12 @@ impl<'a> Section<'a> {
         let DeValue::Array(items) = value else {
             return self.wrong_type(key, location, value, found);
         };
-        let told = found.len();
+        let reported = found.len();
         let numbers: Vec<f64> = items
             .iter()
             .filter_map(|item| self.sound(key, span(item), item.get_ref(), sign, found))
             .collect();
-        (found.len() == told).then_some((location, numbers))
+        (found.len() == reported).then_some((location, numbers))
     }
 
     /// `[min, max]`, in this order.
@@ -250,6 +250,33 @@ impl<'a> Section<'a> {
         None
     }
 
+    /// Reads a list of pairs of texts, each with its location.
+    pub(super) fn pairs(self, key: &str, found: &mut Found) -> Option<Vec<(Span, [&'a str; 2])>> {
+        let (location, value) = self.value(key)?;
+        let DeValue::Array(items) = value else {
+            return self.wrong_type(key, location, value, found);
+        };
+        let mut pairs = Vec::new();
+        for item in items.iter() {
+            let (location, value) = (span(item), item.get_ref());
+            let DeValue::Array(texts) = value else {
+                return self.wrong_type(key, location, value, found);
+            };
+            let mut words = Vec::new();
+            for text in texts.iter() {
+                match text.get_ref() {
+                    DeValue::String(word) => words.push(word.as_ref()),
+                    other => return self.wrong_type(key, span(text), other, found),
+                }
+            }
+            match words.try_into() {
+                Ok(pair) => pairs.push((location, pair)),
+                Err(_) => return self.refuse(key, location, Describing::NoPair, found),
+            }
+        }
+        Some(pairs)
+    }
+
     /// Returns true if the key is there at all.
     pub(super) fn has(self, key: &str) -> bool {
         self.table.contains_key(key)
@@ -309,7 +336,11 @@ impl<'a> Section<'a> {
             _ => return self.wrong_type(key, location, value, found),
         };
         // A comparison with NaN is false.
-        let most = if sign == Sign::Count { MOST } else { LARGEST };
+        let most = if sign == Sign::Count {
+            MAX_COUNT
+        } else {
+            LARGEST
+        };
         if !(-most..=most).contains(&number) {
             let reason = Describing::OutOfReach { most };
             return self.refuse(key, location, reason, found);

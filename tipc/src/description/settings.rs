@@ -1,13 +1,14 @@
 //! Settings of a description besides its legs: its name, and what has a default.
 
 use super::Leg;
-use super::keys::Part;
+use super::keys;
 use super::legs::{Shape, read_shapes, read_spread};
 use super::section::{Found, Section, Sign};
 use crate::message::{Describing, Letter};
 use crate::robot::Robot;
 use tip_runtime::model::{
-    Body, Forces, Inverse, Range, Slider, Spread, Standards, TorqueUnit, generic,
+    Body, Forces, InertialProperties, Inverse, Part, Range, Slider, Standards, TOUCHING,
+    TorqueUnit, generic,
 };
 
 /// Speeds, tolerances and sampling time; what the file leaves out is that of the generic robot.
@@ -19,7 +20,7 @@ pub(super) fn standards(robot: Section<'_>, periods: Range, found: &mut Found) -
             .clamp(periods.min, periods.max),
         ..generic::MODEL.standards
     };
-    let Some(section) = robot.table("standards", Part::Standards, found) else {
+    let Some(section) = robot.table("standards", keys::Part::Standards, found) else {
         return standard;
     };
     let mut number = |key, standard| {
@@ -71,14 +72,55 @@ pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
     number as u8
 }
 
+/// Reads the pairs of parts that may touch.
+pub(super) fn may_touch(
+    robot: Section<'_>,
+    legs: &[Leg],
+    has_body: bool,
+    found: &mut Found,
+) -> [Option<[Part; 2]>; TOUCHING] {
+    const KEY: &str = "may_touch";
+    let mut may_touch = [None; TOUCHING];
+    let pairs = robot.pairs(KEY, found).unwrap_or_default();
+    if pairs.len() > TOUCHING {
+        let reason = Describing::TooManyPairs { most: TOUCHING };
+        robot.refuse::<()>(KEY, robot.location_of(KEY), reason, found);
+        return may_touch;
+    }
+    let links = (1..).zip(legs).flat_map(|(leg, of)| {
+        let joints = (1..).zip(&of.joints);
+        joints.map(move |(joint, _)| Part::Link(leg, joint))
+    });
+    let parts: Vec<Part> = has_body
+        .then_some(Part::Body)
+        .into_iter()
+        .chain(links)
+        .collect();
+    let names: Vec<String> = parts.iter().map(Part::to_string).collect();
+    let known: Vec<(&str, Part)> = names.iter().map(String::as_str).zip(parts).collect();
+    for (place, (location, words)) in may_touch.iter_mut().zip(pairs) {
+        let part =
+            |word: &str, found: &mut Found| match known.iter().find(|(name, _)| *name == word) {
+                Some((_, part)) => Some(*part),
+                None => {
+                    let names = known.iter().map(|(name, _)| *name);
+                    robot.refuse_word(KEY, (location, word), names, found)
+                }
+            };
+        let [one, other] = words.map(|word| part(word, found));
+        *place = one.zip(other).map(|(one, other)| [one, other]);
+    }
+    may_touch
+}
+
 /// Reads the body and its shapes, if the robot walks.
 pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<Shape>)> {
-    let section = robot.table("body", Part::Body, found)?;
+    let section = robot.table("body", keys::Part::Body, found)?;
     let [x, y, z] = ["x", "y", "z"].map(|key| section.extent(key, found));
     let mass = section.number("mass", Sign::Positive, found);
     let mass = mass.unwrap_or(1.0);
     let point = Range::new(0.0, 0.0);
-    let even = Spread::block([x, y, z].map(|range| range.unwrap_or(point)), mass);
+    let even = InertialProperties::block([x, y, z].map(|range| range.unwrap_or(point)), mass);
     let spread = read_spread(section, even, found);
     let shapes = read_shapes(section, found);
     let body = Body {
@@ -93,7 +135,7 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<S
 
 /// Reads the torques that the robot senses and gives, if it does. Such a robot lacks the search commands of the hand.
 pub(super) fn forces(robot: Section<'_>, legs: &[Leg], found: &mut Found) -> Option<Forces> {
-    let section = robot.table("forces", Part::Forces, found)?;
+    let section = robot.table("forces", keys::Part::Forces, found)?;
     let units = TorqueUnit::ALL.map(|unit| (unit.symbol(), unit));
     let unit = section.choice("unit", &units, found);
     let unit = unit.unwrap_or(TorqueUnit::NewtonMetre);
@@ -118,7 +160,7 @@ pub(super) fn forces(robot: Section<'_>, legs: &[Leg], found: &mut Found) -> Opt
 
 /// Reads the slider that carries the floor, if there is one.
 pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
-    let section = robot.table("slider", Part::Slider, found)?;
+    let section = robot.table("slider", keys::Part::Slider, found)?;
     let initial: [f64; 3] = section.numbers("initial", Sign::Any, found)?;
     let mut travel = initial.map(|at| Range::new(at, at));
     for ((key, at), travel) in ["x", "y", "z"].into_iter().zip(initial).zip(&mut travel) {
@@ -141,7 +183,7 @@ pub(super) fn inverse(robot: Section<'_>, found: &mut Found) -> Option<Inverse> 
 }
 
 /// The longest name, in characters.
-const LONGEST: usize = 40;
+const MAX_NAME_CHARS: usize = 40;
 
 /// Reads the robot's name, if it is one.
 pub(super) fn name<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str> {
@@ -151,8 +193,10 @@ pub(super) fn name<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str>
         Describing::NeedsName
     } else if name.trim() != name {
         Describing::BlankAtEnd
-    } else if name.chars().count() > LONGEST {
-        Describing::NameTooLong { most: LONGEST }
+    } else if name.chars().count() > MAX_NAME_CHARS {
+        Describing::NameTooLong {
+            most: MAX_NAME_CHARS,
+        }
     } else if let Some(character) = name.chars().find(|c| !allowed(*c)) {
         Describing::NotInName {
             character: Letter(character),

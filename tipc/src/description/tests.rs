@@ -5,7 +5,7 @@ mod shapes;
 
 use super::{Description, WithModel, parse};
 use crate::robot::Robot;
-use tip_runtime::model::{Inverse, Model, Range, Spread, TorqueUnit, generic, titan8};
+use tip_runtime::model::{InertialProperties, Inverse, Model, Range, TorqueUnit, generic, titan8};
 
 /// TITAN VIII's joints as a description draws them: a leg on the right.
 const TITAN_JOINTS: &str = r#"
@@ -125,7 +125,7 @@ fn mirrors_follow_the_turn() {
 }
 
 /// Returns the mass distribution of the only link, in a leg with these keys.
-fn spread(leg: &str, keys: &str) -> Spread {
+fn spread(leg: &str, keys: &str) -> InertialProperties {
     let text = one_leg(&format!(
         "{{ axis = \"x\", link = [0, 0, -60], mass = 2, {keys} }}"
     ));

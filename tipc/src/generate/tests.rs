@@ -76,8 +76,8 @@ fn every_program_with_errors_is_reported_and_the_others_are_compiled() {
     let message = outcome.unwrap_err();
     for name in ["a.prg:1:1", "c.prg:1:1"] {
         assert!(message.contains(name), "{message}");
-        let told = |line: &&String| line.starts_with("error=") && line.contains(name);
-        assert_eq!(lines.iter().filter(told).count(), 1, "{lines:?}");
+        let reported = |line: &&String| line.starts_with("error=") && line.contains(name);
+        assert_eq!(lines.iter().filter(reported).count(), 1, "{lines:?}");
     }
     assert!(message.contains("Wrong version number"), "{message}");
     assert!(folder.join("b.rs").exists());
@@ -121,11 +121,14 @@ fn a_path_with_a_line_break_is_refused_before_cargo_hears_of_it() {
 fn what_is_reported_is_one_line_whatever_a_name_holds() {
     let folder = folder("one-line", &[("a\u{1b}[2J\u{202E}.prg", BAD)]);
     let (_, lines) = generate(&Config::new(), &folder, &["a\u{1b}[2J\u{202E}.prg"]);
-    let told = lines
+    let reported = lines
         .iter()
         .find(|line| line.starts_with("error="))
         .unwrap();
-    assert!(told.contains("a\\u{1b}[2J\\u{202e}.prg:1:1"), "{told}");
+    assert!(
+        reported.contains("a\\u{1b}[2J\\u{202e}.prg:1:1"),
+        "{reported}"
+    );
 }
 
 #[test]
@@ -148,8 +151,8 @@ fn what_another_call_generated_is_not_overwritten() {
     let message = generate(&Config::new(), &folder, &["walk.tip"])
         .0
         .unwrap_err();
-    for told in ["walk.prg and ", "walk.tip would compile to the same file"] {
-        assert!(message.contains(told), "{message}");
+    for reported in ["walk.prg and ", "walk.tip would compile to the same file"] {
+        assert!(message.contains(reported), "{message}");
     }
     let text = fs::read_to_string(folder.join("walk.rs")).unwrap();
     assert!(text.contains("walk.prg"), "{text}");

@@ -133,6 +133,12 @@ messages! {
     NoBodysInertia
         "no rigid body has this inertia: none of its principal moments is below 0, or above the other two together",
         "このような慣性テンソルの剛体はありません。主慣性モーメントは0以上で、どの1つも残り2つの和を超えません";
+    NoPair
+        "two parts belong here",
+        "ここには2つの部分を書きます";
+    TooManyPairs { most: usize }
+        "no robot has more than {most} pairs",
+        "組は{most}個までです";
     NoNumberOfLamps
         "this cannot be a number of lamps",
         "これはランプの個数になりません";

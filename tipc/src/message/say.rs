@@ -4,6 +4,7 @@ use super::Message;
 use crate::language::{Bilingual, Edition, Keyword};
 use std::fmt::{self, Debug, Display, Formatter};
 use tip_runtime::command::Target;
+use tip_runtime::model::Part;
 
 /// A language that messages are written in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -72,6 +73,7 @@ alike!(
     &'static str,
     Edition,
     Keyword,
+    Part,
     Target
 );
 

@@ -15,7 +15,7 @@ const LOCATIONS: usize = 8;
 
 /// Some lines, with a line end after each, and where they are. Lines are put together again, so that an old
 /// carriage return does not blur them, and that a far location or an endless line does not drag the whole file along.
-struct Window {
+struct Excerpt {
     first: u32,
     text: String,
     lines: Vec<Shown>,
@@ -29,9 +29,9 @@ struct Shown {
     range: Range<usize>,
 }
 
-impl Window {
+impl Excerpt {
     fn new(source: &Source, first: u32, last: u32) -> Self {
-        let mut window = Window {
+        let mut window = Excerpt {
             first,
             text: String::new(),
             lines: Vec::new(),
@@ -120,7 +120,7 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
 }
 
 /// Returns the columns before the text of a help: those of line numbers, a sign, and its name.
-fn before_help(windows: &[Window], name: &str) -> usize {
+fn before_help(windows: &[Excerpt], name: &str) -> usize {
     let ends = windows
         .iter()
         .map(|window| window.first as usize + window.lines.len() - 1);
@@ -174,7 +174,7 @@ fn origin<'a>(name: &'a str, source: &Source, diagnostic: &Diagnostic) -> Origin
 }
 
 /// Returns the window around the diagnostic's own location, then one for each label that is far from it.
-fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
+fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Excerpt> {
     let line = |span: Span| source.line_column(span.start).0;
     let own = line(diagnostic.span);
     let labels = || {
@@ -190,8 +190,8 @@ fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
     let mut far: Vec<u32> = labels().filter(|other| !near(other)).collect();
     far.sort_unstable();
     far.dedup();
-    let own = Window::new(source, first, last);
-    let far = far.iter().map(|line| Window::new(source, *line, *line));
+    let own = Excerpt::new(source, first, last);
+    let far = far.iter().map(|line| Excerpt::new(source, *line, *line));
     std::iter::once(own).chain(far).collect()
 }
 
@@ -199,7 +199,7 @@ fn snippet<'a>(
     name: &'a str,
     source: &Source,
     diagnostic: &Diagnostic,
-    window: &'a Window,
+    window: &'a Excerpt,
     lang: Lang,
 ) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
     let primary = window.range(source, diagnostic.span).map(|range| {
@@ -258,13 +258,13 @@ impl Style {
 }
 
 /// The fewest columns that a text is broken for.
-const LEAST: usize = 20;
+const MIN_COLUMNS: usize = 20;
 
 /// Returns the text with line breaks, so that each line fits into what `used` columns leave of the width. It breaks at
 /// blanks and beside full-width characters, not inside of code between backquotes.
 fn wrapped(text: &str, width: Option<usize>, used: usize) -> String {
     let room = width.and_then(|width| width.checked_sub(used));
-    let Some(room) = room.filter(|room| *room >= LEAST) else {
+    let Some(room) = room.filter(|room| *room >= MIN_COLUMNS) else {
         return text.to_owned();
     };
     let mut out = String::with_capacity(text.len());

@@ -123,7 +123,7 @@ impl Source {
 
     /// Returns the number of the line that holds a byte of the text, its end included; after the text it is the last
     /// line.
-    pub(super) fn line_number(&self, offset: usize) -> u32 {
+    pub(crate) fn line_number(&self, offset: usize) -> u32 {
         self.lines.number(offset)
     }
 

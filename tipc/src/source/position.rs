@@ -54,24 +54,13 @@ impl Source {
     /// line is the line's end, a line after the last one the text's end; lines and columns before the first are the
     /// first.
     pub fn offset(&self, position: Position, unit: Unit) -> usize {
-        let number = position.line.max(1);
-        let line = self.line(number).span;
+        let line = self.line(position.line.max(1));
         let wanted = position.column.saturating_sub(1) as usize;
-        let file_start = self.original.line_start(line.start, number);
-        let (mut at, mut units) = (line.start, 0);
-        for char in self.slice(line).chars() {
-            units += match unit {
-                Unit::Byte => self.original.length(char, file_start + units),
-                Unit::Utf8 => char.len_utf8(),
-                Unit::Utf16 => char.len_utf16(),
-                Unit::Character => 1,
-            };
-            if units > wanted {
-                break;
-            }
-            at += char.len_utf8();
-        }
-        at
+        let is_before = |it: &Column| it.units(unit) <= wanted;
+        let known = self.columns.last(line.span, is_before);
+        let characters = self.characters(line.number, line.span, known);
+        let places = characters.take_while(|(_, after)| is_before(after));
+        places.last().map_or(known, |(_, after)| after).offset
     }
 
     /// Returns line, and column in characters, of a byte of the text; both from 1. What comes after the last line, or
@@ -87,28 +76,125 @@ impl Source {
 
     /// Returns the column, from 1, of a byte of the line of this number. Characters that begin before it count.
     fn column_on(&self, number: u32, offset: usize, unit: Unit) -> u32 {
-        let start = self.start_of_line_at(offset);
-        let before = Span::new(start, next_boundary(&self.text, offset));
-        let text = self.slice(before);
-        let units = match unit {
-            Unit::Byte => self
-                .original
-                .count(text, self.original.line_start(start, number)),
-            Unit::Utf8 => text.len(),
-            // Four bytes are two units.
-            Unit::Utf16 => text.chars().count() + text.bytes().filter(|it| *it >= 0xF0).count(),
-            Unit::Character => text.chars().count(),
-        };
+        let units = self.column_at(number, offset).units(unit);
         u32::try_from(units).map_or(u32::MAX, |units| units.saturating_add(1))
     }
 
     /// Returns the byte of the file, without its byte order mark, for the start of a character.
     pub(super) fn byte_of(&self, offset: usize) -> usize {
         let number = self.line_number(offset);
-        let start = self.start_of_line_at(offset);
-        let text = self.slice(Span::new(start, offset));
-        let file_start = self.original.line_start(start, number);
-        file_start + self.original.count(text, file_start)
+        let start = self
+            .original
+            .line_start(self.start_of_line_at(offset), number);
+        start + self.column_at(number, offset).file
+    }
+
+    /// Returns the column of the first character that does not begin before a byte of the line of this number.
+    fn column_at(&self, number: u32, offset: usize) -> Column {
+        let line = Span::new(self.start_of_line_at(offset), offset.min(self.text.len()));
+        let known = self.columns.last(line, |it| it.offset <= offset);
+        let characters = self.characters(number, line, known);
+        characters.last().map_or(known, |(_, after)| after)
+    }
+
+    /// Returns the characters of a line from a column of it on, each with the column after it. A character that begins in the
+    /// span belongs to it.
+    fn characters(
+        &self,
+        number: u32,
+        line: Span,
+        from: Column,
+    ) -> impl Iterator<Item = (char, Column)> {
+        let rest = Span::new(from.offset, next_boundary(&self.text, line.end));
+        let start = self.original.line_start(line.start, number);
+        self.slice(rest).chars().scan(from, move |column, char| {
+            let bytes = self.original.length(char, start + column.file);
+            *column = column.after(char, bytes);
+            Some((char, *column))
+        })
+    }
+}
+
+/// Number of bytes of the text between two columns of an index.
+const STRIDE: usize = 1024;
+
+/// A character of a line, and the number of units before it on that line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Column {
+    /// The byte of the text.
+    offset: usize,
+    file: usize,
+    utf8: usize,
+    utf16: usize,
+    characters: usize,
+}
+
+impl Column {
+    /// Returns the first column of the line that starts at a byte of the text.
+    fn first(offset: usize) -> Self {
+        Column {
+            offset,
+            file: 0,
+            utf8: 0,
+            utf16: 0,
+            characters: 0,
+        }
+    }
+
+    /// Returns the column after a character, which has so many bytes in the file.
+    fn after(self, char: char, bytes: usize) -> Self {
+        Column {
+            offset: self.offset + char.len_utf8(),
+            file: self.file + bytes,
+            utf8: self.utf8 + char.len_utf8(),
+            utf16: self.utf16 + char.len_utf16(),
+            characters: self.characters + 1,
+        }
+    }
+
+    fn units(&self, unit: Unit) -> usize {
+        match unit {
+            Unit::Byte => self.file,
+            Unit::Utf8 => self.utf8,
+            Unit::Utf16 => self.utf16,
+            Unit::Character => self.characters,
+        }
+    }
+}
+
+/// Columns along long lines, in the order of the text. With them no conversion of a position counts the characters of a whole
+/// line, which may hold a great many positions.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct ColumnIndex(Vec<Column>);
+
+impl ColumnIndex {
+    pub(super) fn new(source: &Source) -> Self {
+        let mut columns = Vec::new();
+        for line in source.lines() {
+            let first = Column::first(line.span.start);
+            let mut next = STRIDE;
+            // The columns of other lines are not counted.
+            if line.span.end - line.span.start < STRIDE {
+                continue;
+            }
+            for (_, column) in source.characters(line.number, line.span, first) {
+                if column.utf8 >= next {
+                    columns.push(column);
+                    next = column.utf8 + STRIDE;
+                }
+            }
+        }
+        ColumnIndex(columns)
+    }
+
+    /// Returns the last known column of a line that fits; the first one fits. Those before a column that fits do, too.
+    fn last(&self, line: Span, fits: impl Fn(&Column) -> bool) -> Column {
+        let start = self.0.partition_point(|it| it.offset < line.start);
+        let end = self.0.partition_point(|it| it.offset <= line.end);
+        let known = &self.0[start..end.max(start)];
+        let fitting = known.partition_point(fits);
+        let last = fitting.checked_sub(1).map(|last| known[last]);
+        last.unwrap_or(Column::first(line.start))
     }
 }
 
@@ -191,17 +277,6 @@ impl Original {
         match self {
             Original::Text => start,
             Original::Bytes(_, bytes, lines) => lines.start(number).unwrap_or(bytes.len()),
-        }
-    }
-
-    /// Counts the bytes of the file, from `at` on there, for a piece of the text.
-    fn count(&self, text: &str, at: usize) -> usize {
-        match self {
-            Original::Text => text.len(),
-            Original::Bytes(..) => {
-                let lengths = |at, char| at + self.length(char, at);
-                text.chars().fold(at, lengths) - at
-            }
         }
     }
 

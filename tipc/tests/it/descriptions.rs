@@ -32,7 +32,7 @@ fn check_for(description: &str, statements: &str) -> Vec<String> {
     };
     let program = format!("3.1\ntest\n{statements}\nEND\n");
     let loaded = load("test.prg", program.as_bytes(), &options);
-    let told = loaded.diagnostics.iter().map(|diagnostic| {
+    let reported = loaded.diagnostics.iter().map(|diagnostic| {
         let (line, _) = loaded.source.line_column(diagnostic.span.start);
         let help = diagnostic
             .help
@@ -41,7 +41,7 @@ fn check_for(description: &str, statements: &str) -> Vec<String> {
             .unwrap_or_default();
         format!("{line}: {} ({help})", diagnostic.reason)
     });
-    told.collect()
+    reported.collect()
 }
 
 // clauses: 7.1

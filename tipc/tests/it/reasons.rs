@@ -218,7 +218,7 @@ fn missing_and_wrong_operands_are_named() {
 // clauses: 4.4 4.5 4.6 4.7 4.8 4.9
 #[test]
 fn a_function_with_other_operands_shows_how_it_is_written() {
-    let told = |right: &str| {
+    let reported = |right: &str| {
         let loaded = check(&format!("VAR_KEY = {right}"), Robot::Titan8);
         let fault = only(&loaded);
         let help = fault.help.as_ref().map(Message::to_string);
@@ -251,14 +251,18 @@ fn a_function_with_other_operands_shows_how_it_is_written() {
             "write `P = ROT_Y P angle`",
         ),
     ] {
-        assert_eq!(told(right), (reason.to_owned(), help.to_owned()), "{right}");
+        assert_eq!(
+            reported(right),
+            (reason.to_owned(), help.to_owned()),
+            "{right}"
+        );
     }
 }
 
 // clauses: 4.9
 #[test]
 fn mixed_types_are_named_and_the_odd_one_is_pointed_at() {
-    let told = |equation: &str| {
+    let reported = |equation: &str| {
         let text = format!("DEF_POS P\nTEACH_POSITION F1 P\n{equation}");
         let loaded = check(&text, Robot::Titan8);
         let fault = only(&loaded);
@@ -290,7 +294,7 @@ fn mixed_types_are_named_and_the_odd_one_is_pointed_at() {
         ),
     ] {
         assert_eq!(
-            told(equation),
+            reported(equation),
             (place.to_owned(), reason.to_owned()),
             "{equation}"
         );

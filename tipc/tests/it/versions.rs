@@ -206,7 +206,7 @@ fn variables_keep_their_place_of_declaration_and_var_key_is_the_first() {
 
 #[test]
 fn a_wrong_version_is_told_which_numbers_are_right() {
-    let told = |version: &str, tip_version: Option<f64>, lang: Lang| {
+    let reported = |version: &str, tip_version: Option<f64>, lang: Lang| {
         let options = Options {
             tip_version,
             ..Options::default()
@@ -219,11 +219,11 @@ fn a_wrong_version_is_told_which_numbers_are_right() {
         loaded.diagnostics[0].headline(lang)
     };
     let english = |wanted: &str| format!("line 1 must name version {wanted} of the language");
-    assert_eq!(told("3.3", None, Lang::English), english("3.1 or 3.2"));
-    assert_eq!(told("3.3", Some(3.2), Lang::English), english("3.2"));
-    assert_eq!(told("3.3", Some(9.0), Lang::English), english("9.0"));
+    assert_eq!(reported("3.3", None, Lang::English), english("3.1 or 3.2"));
+    assert_eq!(reported("3.3", Some(3.2), Lang::English), english("3.2"));
+    assert_eq!(reported("3.3", Some(9.0), Lang::English), english("9.0"));
     assert_eq!(
-        told("3.3", None, Lang::Japanese),
+        reported("3.3", None, Lang::Japanese),
         "1行目には言語のバージョン3.1か3.2を書きます"
     );
 }

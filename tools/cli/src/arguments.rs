@@ -1,10 +1,9 @@
 //! The option groups that several commands share: the program with its robot, and the inputs of a run.
 
-use super::choices::{EncodingName, LAST, OutputOptions};
+use super::choices::{EncodingName, LAST, OutputOptions, count};
 use super::error::Error;
 use super::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
 use super::sticks;
-use super::usage::count;
 use crate::message::Using;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -21,14 +20,14 @@ static TITAN: RobotChoice = RobotChoice::Named(Robot::Titan8);
 pub(super) struct SourceArguments {
     /// The robot; else that of tip.toml, or titan8
     ///
-    /// A name that 'tip robot list' shows, a description in a file, or a URDF file
+    /// A name that 'tip robot list' shows, a description in a file, or a URDF or MJCF file
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
     /// The version in line 1
     ///
     /// The version of the language that line 1 must name; by default that of any edition, 3.1 or 3.2
-    #[arg(long, value_name = "NUMBER", value_parser = version_number, display_order = LAST)]
+    #[arg(long, value_name = "NUMBER", value_parser = version_number, display_order = LAST, hide_short_help = true)]
     pub(super) tip_version: Option<f64>,
 
     /// The encoding: auto, utf-8 or shift_jis

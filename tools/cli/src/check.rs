@@ -1,5 +1,6 @@
 //! `tip check`: reports the diagnostics of programs, once or after each change, and applies fixes.
 
+use crate::Action;
 use crate::arguments::SourceArguments;
 use crate::choices::{Format, OutputOptions};
 use crate::error::Error;
@@ -80,8 +81,14 @@ impl Check {
     }
 }
 
+impl Action for Check {
+    fn execute(&self) -> Result<Status, Error> {
+        check(self)
+    }
+}
+
 /// Checks each file, once or whenever one changes.
-pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
+fn check(arguments: &Check) -> Result<Status, Error> {
     match arguments.watch {
         true => watch(arguments),
         false => check_once(arguments),

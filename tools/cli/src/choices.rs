@@ -1,5 +1,6 @@
 //! Values of options that have names, and the options of the output: format, language and colours.
 
+use crate::message::Using;
 use clap::{Args, ValueEnum};
 use std::env;
 use std::io::{self, IsTerminal};
@@ -180,4 +181,32 @@ fn wants_colour() -> bool {
         env::var_os("CLICOLOR_FORCE").is_some_and(|value| !value.is_empty() && value != "0");
     let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
     !is_set("NO_COLOR") && (insists || io::stderr().is_terminal() && !dumb)
+}
+
+/// Parses a whole number.
+pub(super) fn count(text: &str) -> Result<u64, Using> {
+    let wrong = |_| Using::NotACount {
+        text: text.to_owned(),
+    };
+    text.parse().map_err(wrong)
+}
+
+/// Parses a whole number above 0.
+pub(super) fn positive(text: &str) -> Result<u64, Using> {
+    match count(text)? {
+        0 => Err(Using::NotPositive {
+            text: text.to_owned(),
+        }),
+        count => Ok(count),
+    }
+}
+
+/// Quotes a word for a shell.
+pub(super) fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-=".contains(c);
+    if word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
 }

@@ -8,6 +8,7 @@ mod tests;
 use super::arguments::RunArguments;
 use super::error::Error;
 use super::{Status, interrupt, loader, sticks};
+use crate::Action;
 use crate::message::{DebugText, Using};
 use clap::Args;
 use ratatui::DefaultTerminal;
@@ -48,8 +49,18 @@ const FRAME: Duration = Duration::from_millis(40);
 /// Number of control cycles between two looks at the keyboard.
 const PORTION: u64 = 200;
 
+impl Action for Debug {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        debug(self)
+    }
+}
+
 /// Debugs a program until the user quits.
-pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
+fn debug(arguments: &Debug) -> Result<Status, Error> {
     let app = load(&arguments.run)?;
     if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
         let reason = "tip debug needs a terminal; editors start tip dap";

@@ -7,6 +7,7 @@ mod scan;
 mod simulated;
 mod zero;
 
+use crate::Action;
 use crate::choices::LangName;
 use crate::error::Error;
 use crate::input;
@@ -15,7 +16,7 @@ use crate::{Status, choices, interrupt, output, report};
 use clap::{Args, Subcommand};
 use robot::{Connection, Setup};
 use scan::{Id, Scan};
-use simulated::Mishaps;
+use simulated::FaultInjection;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
@@ -24,9 +25,16 @@ use tip_drives::guard::{Request, Step};
 use tipc::message::Lang;
 use zero::Zero;
 
+/// The command `tip drives`.
+#[derive(Debug, Args)]
+pub(crate) struct DrivesArguments {
+    #[command(subcommand)]
+    verb: DrivesVerb,
+}
+
 /// The commands of `tip drives`.
 #[derive(Debug, Subcommand)]
-pub(crate) enum DrivesVerb {
+enum DrivesVerb {
     /// List the servos that answer on a bus
     Scan(Scan),
     /// Give a servo another identity
@@ -140,14 +148,16 @@ pub(crate) struct Simulate {
     lang: Option<LangName>,
 }
 
-pub(crate) fn drives(verb: &DrivesVerb) -> Result<Status, Error> {
-    match verb {
-        DrivesVerb::Scan(arguments) => scan::scan(arguments),
-        DrivesVerb::Id(arguments) => scan::id(arguments),
-        DrivesVerb::Zero(arguments) => zero::zero(arguments),
-        DrivesVerb::Jog(arguments) => jog(arguments),
-        DrivesVerb::Monitor(arguments) => monitor(arguments),
-        DrivesVerb::Simulate(arguments) => simulate(arguments),
+impl Action for DrivesArguments {
+    fn execute(&self) -> Result<Status, Error> {
+        match &self.verb {
+            DrivesVerb::Scan(arguments) => scan::scan(arguments),
+            DrivesVerb::Id(arguments) => scan::id(arguments),
+            DrivesVerb::Zero(arguments) => zero::zero(arguments),
+            DrivesVerb::Jog(arguments) => jog(arguments),
+            DrivesVerb::Monitor(arguments) => monitor(arguments),
+            DrivesVerb::Simulate(arguments) => simulate(arguments),
+        }
     }
 }
 
@@ -289,7 +299,7 @@ fn simulate(arguments: &Simulate) -> Result<Status, Error> {
         lang: arguments.lang,
     };
     let setup = robot.setup()?;
-    let mishaps = Mishaps::new(&arguments.mishaps, &setup.ids());
+    let mishaps = FaultInjection::new(&arguments.mishaps, &setup.ids());
     let mishaps = mishaps.map_err(|wrong| Error::usage(wrong, lang))?;
     let bus = setup.simulated(&mishaps);
     simulated::serve(bus, mishaps, lang, |port| {

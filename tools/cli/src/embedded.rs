@@ -14,7 +14,7 @@ use tipc::source::Span;
 /// Maximum number of sources of a crate that are read.
 const MOST_SOURCES: usize = 1_000;
 /// Maximum size of a source, MiB.
-const LONGEST: usize = 1;
+const MAX_SOURCE_MIB: usize = 1;
 /// Maximum depth of folders below `src`.
 const DEPTH: usize = 16;
 
@@ -100,7 +100,7 @@ fn collect(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
 }
 
 fn text(source: &Path) -> Option<String> {
-    String::from_utf8(read_file(source, LONGEST).ok()?).ok()
+    String::from_utf8(read_file(source, MAX_SOURCE_MIB).ok()?).ok()
 }
 
 /// Returns true if a site names the program: the first folder that has its file counts, as for the macro.

@@ -1,5 +1,6 @@
 //! `tip explain`: the page of a code, with a wrong and a right program. A code without a page does not compile.
 
+use crate::Action;
 use crate::choices::LangName;
 use crate::error::Error;
 use crate::message::Using;
@@ -30,8 +31,14 @@ pub(super) struct Explain {
 /// Largest number of codes that are suggested.
 const MAX_NEAR: usize = 5;
 
+impl Action for Explain {
+    fn execute(&self) -> Result<Status, Error> {
+        explain(self)
+    }
+}
+
 /// Prints the page of a code.
-pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
+fn explain(arguments: &Explain) -> Result<Status, Error> {
     let code = arguments.code.to_ascii_uppercase();
     let lang = choices::lang(arguments.lang);
     let Some(text) = page(&code, lang) else {

@@ -1,59 +1,16 @@
-//! Help of the command line: `--help` on one screen, `tip help COMMAND` with examples, their Japanese texts, `tip completions`
-//! and `tip man`. The English texts are in the commands.
+//! Help of the command line: `--help` on one screen, `tip help COMMAND` with examples, and their Japanese texts. The English texts
+//! are in the commands.
 
-use crate::choices::{LangName, robot_names};
-use crate::error::Error;
+use crate::commands::{self, Group, grammar};
 use crate::output::width;
-use crate::{Arguments, Status, output};
-use clap::builder::{EnumValueParser, PossibleValue, StyledStr};
-use clap::{Arg, ArgAction, Args, Command, CommandFactory};
-use clap_complete::Shell;
+use clap::builder::PossibleValue;
+use clap::{Arg, Command};
 use std::fmt::Write as _;
-use std::fs;
-use std::path::PathBuf;
+use std::sync::LazyLock;
 use tipc::message::Lang;
 
 /// The template of clap with Japanese words.
 const TEMPLATE: &str = "{about-with-newline}\n使い方: {usage}\n\n{all-args}{after-help}";
-
-/// The commands by what people do with them: English and Japanese headings, and names.
-const GROUPS: &[(&str, &str, &[&str])] = &[
-    (
-        "Write",
-        "書く",
-        &["new", "check", "fmt", "explain", "migrate"],
-    ),
-    (
-        "Run",
-        "実行する",
-        &["run", "debug", "verify", "cycles", "sweep"],
-    ),
-    ("See", "見る", &["view", "serve", "plot", "log"]),
-    ("Embed", "組み込む", &["emit"]),
-    ("Robots", "ロボット", &["robot", "drives", "jitter"]),
-    (
-        "Editors and shells",
-        "エディタとシェル",
-        &["lsp", "dap", "completions", "man", "help"],
-    ),
-];
-
-/// Returns the grammar of the command line, with the options that may stand anywhere.
-pub(super) fn grammar() -> Command {
-    let help = Arg::new("help")
-        .short('h')
-        .long("help")
-        .action(ArgAction::HelpShort)
-        .help("Print help");
-    let lang = Arg::new("lang")
-        .long("lang")
-        .value_name("en|ja")
-        .value_parser(EnumValueParser::<LangName>::new())
-        .help("The language of messages; else the locale's");
-    Arguments::command()
-        .disable_help_flag(true)
-        .args([lang.global(true), help.global(true)])
-}
 
 /// Returns the command line with help in a language.
 pub(super) fn command(lang: Lang) -> Command {
@@ -79,10 +36,11 @@ pub(super) fn command(lang: Lang) -> Command {
 /// Returns the list of commands, group by group.
 fn groups(tip: &Command, lang: Lang) -> String {
     let mut text = String::new();
-    for (english, japanese, names) in GROUPS {
+    for group in Group::ALL {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "{}:", lang.pick(english, japanese));
-        for command in names.iter().filter_map(|name| tip.find_subcommand(name)) {
+        let _ = writeln!(text, "{}:", group.heading(lang));
+        let names = commands::of_group(group);
+        for command in names.filter_map(|name| tip.find_subcommand(name)) {
             let about = command.get_about().map(ToString::to_string);
             let (name, about) = (command.get_name(), about.unwrap_or_default());
             let _ = writeln!(text, "  {name:<11}  {about}");
@@ -94,19 +52,16 @@ fn groups(tip: &Command, lang: Lang) -> String {
 /// Puts the help of a command and its subcommands into its form; `above` is the path of its parent, joined by `_`.
 fn shaped(command: Command, above: &str, lang: Lang) -> Command {
     let name = command.get_name().to_owned();
-    let path = match above {
-        "" | "tip" => name,
-        above => format!("{above}_{name}"),
+    let path = match (above, name.as_str()) {
+        // clap makes the command for help at each level.
+        ("" | "tip", _) | (_, "help") => name,
+        _ => format!("{above}_{name}"),
     };
     let below: Vec<String> = command.get_subcommands().map(name_of).collect();
-    let mut command = command.mut_args(|arg| option(arg, lang));
+    let mut command = command.mut_args(|arg| option(arg, &path, lang));
     let english = command.get_after_long_help().map(ToString::to_string);
     if let Some(english) = english {
-        let japanese = endings().find(|(command, _)| *command == path);
-        let ending = match lang {
-            Lang::Japanese => japanese.map_or("", |(_, text)| text.trim_end()).to_owned(),
-            _ => english,
-        };
+        let ending = in_lang(english, &path, "ending", lang);
         let words = path.replace('_', " ");
         let more = lang.pick(
             "'tip help COMMAND' tells more: examples, values, exit statuses.",
@@ -119,10 +74,8 @@ fn shaped(command: Command, above: &str, lang: Lang) -> Command {
             .after_long_help(ending);
     }
     if lang == Lang::Japanese {
-        let about = command
-            .get_about()
-            .map(|text| line(&text.to_string()))
-            .unwrap_or_default();
+        let about = command.get_about().map(ToString::to_string);
+        let about = in_lang(about.unwrap_or_default(), &path, "about", lang);
         command = command
             .help_template(TEMPLATE)
             .subcommand_help_heading("コマンド")
@@ -169,17 +122,12 @@ fn name_of(command: &Command) -> String {
 }
 
 /// Puts the help of an option or argument into its form: one line, or all paragraphs with values and default.
-fn option(arg: Arg, lang: Lang) -> Arg {
-    let said = |text: Option<&StyledStr>| -> Vec<String> {
-        let paragraphs = text.map(paragraphs).unwrap_or_default();
-        let in_lang = |text: String| match lang {
-            Lang::Japanese => line(&text),
-            _ => text,
-        };
-        paragraphs.into_iter().map(in_lang).collect()
-    };
-    let mut short = said(arg.get_help()).into_iter().next().unwrap_or_default();
-    let mut long = said(arg.get_long_help().or(arg.get_help())).join("\n\n");
+fn option(arg: Arg, path: &str, lang: Lang) -> Arg {
+    let id = arg.get_id().as_str();
+    let english = arg.get_long_help().or(arg.get_help());
+    let english = english.map(ToString::to_string).unwrap_or_default();
+    let mut long = in_lang(english, path, id, lang);
+    let mut short = long.split("\n\n").next().unwrap_or_default().to_owned();
     if arg.get_action().takes_values() {
         let values = arg.get_possible_values();
         let names: Vec<&str> = values.iter().map(PossibleValue::get_name).collect();
@@ -191,8 +139,10 @@ fn option(arg: Arg, lang: Lang) -> Arg {
         if values.iter().any(|value| value.get_help().is_some()) {
             let _ = write!(long, "\n\n{all}:");
             for value in &values {
-                let help = said(value.get_help()).concat();
-                let _ = write!(long, "\n- {}: {help}", value.get_name());
+                let name = value.get_name();
+                let help = value.get_help().map(ToString::to_string);
+                let help = in_lang(help.unwrap_or_default(), path, &value_key(id, name), lang);
+                let _ = write!(long, "\n- {name}: {help}");
             }
         } else if !names.is_empty() {
             let _ = write!(long, "\n\n[{all}: {names}]");
@@ -216,96 +166,37 @@ fn option(arg: Arg, lang: Lang) -> Arg {
         .hide_possible_values(true)
 }
 
-/// Returns the paragraphs of a help text.
-fn paragraphs(text: &StyledStr) -> Vec<String> {
-    let text = text.to_string();
-    text.split("\n\n").map(str::to_owned).collect()
+/// Returns a text of the help in a language; one without a Japanese text stays.
+fn in_lang(english: String, path: &str, key: &str, lang: Lang) -> String {
+    match lang {
+        Lang::Japanese => japanese(path, key).map_or(english, str::to_owned),
+        _ => english,
+    }
 }
 
-/// Translates a sentence; one without a row stays.
-fn line(english: &str) -> String {
-    let row = lines().find(|(row, _)| *row == english);
-    row.map_or(english.to_owned(), |(_, japanese)| japanese.to_owned())
+/// Returns the key of the text of an argument's value.
+fn value_key(argument: &str, value: &str) -> String {
+    format!("{argument}={value}")
 }
 
-const LINES: &str = include_str!("../help/lines.txt");
-const ENDINGS: &str = include_str!("../help/endings.txt");
+/// The Japanese help: a table for each command, and one for arguments with the same text in several commands.
+static JAPANESE: LazyLock<toml::Table> =
+    LazyLock::new(|| include_str!("../help/ja.toml").parse().unwrap_or_default());
 
-/// Returns the sentences of commands, options and values, in English and Japanese.
-fn lines() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let rows = LINES.split("\n\n").filter(|row| !row.starts_with('#'));
-    rows.filter_map(|row| row.trim_end().split_once('\n'))
-}
+/// The table of arguments with the same text in several commands.
+const SHARED: &str = "shared";
 
-/// Returns the texts below the options, by command.
-fn endings() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let texts = ENDINGS.trim_start_matches("== ").split("\n== ");
-    texts.filter_map(|text| text.split_once('\n'))
-}
-
-#[derive(Debug, Args)]
-#[command(after_long_help = "Examples:
-  tip completions bash > ~/.local/share/bash-completion/completions/tip
-  tip completions zsh > ~/.zfunc/_tip
-  tip completions fish > ~/.config/fish/completions/tip.fish")]
-pub(super) struct Completions {
-    /// The shell: bash, elvish, fish, powershell or zsh
-    shell: Shell,
-}
-
-#[derive(Debug, Args)]
-#[command(after_long_help = "Examples:
-  tip man -o ~/.local/share/man/man1")]
-pub(super) struct Man {
-    /// The folder for the pages, one for each command
-    ///
-    /// It is created if necessary
-    #[arg(short, long, value_name = "DIR")]
-    out: PathBuf,
-}
-
-/// Prints the completion script of a shell.
-pub(super) fn completions(arguments: &Completions) -> Result<Status, Error> {
-    let mut script = Vec::new();
-    let mut command = grammar();
-    let name = command.get_name().to_owned();
-    clap_complete::generate(arguments.shell, &mut command, name, &mut script);
-    let script = String::from_utf8_lossy(&script);
-    output::print(with_files(&script, arguments.shell))?;
-    Ok(Status::Success)
-}
-
-/// Completes files wherever the name of a robot is completed, as a description may be there.
-fn with_files(script: &str, shell: Shell) -> String {
-    let lines = script.lines().map(|line| {
-        let names = [robot_names(&[]), robot_names(&["hexapod"])].map(|names| names.join(" "));
-        let names = names.iter().find(|names| line.contains(names.as_str()));
-        match (shell, names) {
-            (Shell::Bash, Some(_)) => line.replace("compgen -W", "compgen -f -W"),
-            (Shell::Zsh, Some(names)) => line.replace(
-                &format!("({names})"),
-                &format!("{{compadd {names}; _files}}"),
-            ),
-            (Shell::Fish, _) if line.contains("-l robot ") => line.replace(" -r -f ", " -r -F "),
-            _ => line.to_owned(),
-        }
-    });
-    lines.map(|line| line + "\n").collect()
-}
-
-/// Writes the manual pages.
-pub(super) fn man(arguments: &Man) -> Result<Status, Error> {
-    let folder = &arguments.out;
-    let failed = |error: std::io::Error| Error::cannot_write(folder, error);
-    fs::create_dir_all(folder).map_err(failed)?;
-    clap_mangen::generate_to(grammar(), folder).map_err(failed)?;
-    Ok(Status::Success)
+/// Returns the Japanese text of a command's `about`, `ending`, argument or value.
+fn japanese(path: &str, key: &str) -> Option<&'static str> {
+    let own = JAPANESE.get(path).and_then(|table| table.get(key));
+    let text = own.or_else(|| JAPANESE.get(SHARED)?.get(key));
+    text?.as_str().map(str::trim_end)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeSet;
+    use std::collections::{BTreeMap, BTreeSet};
 
     /// Returns all commands with their paths.
     fn all(lang: Lang) -> Vec<(String, Command)> {
@@ -330,40 +221,70 @@ mod tests {
         }
     }
 
-    /// Returns the sentences of commands, options and values.
-    fn sentences(commands: &[(String, Command)]) -> BTreeSet<String> {
-        let texts = commands.iter().flat_map(|(_, command)| {
-            let abouts = command.get_subcommands().chain([command]);
-            let abouts: Vec<_> = abouts.filter_map(Command::get_about).cloned().collect();
-            let arguments = command.get_arguments().flat_map(|arg| {
-                let values = match arg.get_action().takes_values() {
-                    true => arg.get_possible_values(),
-                    false => Vec::new(),
-                };
-                let values: Vec<_> = values
-                    .iter()
-                    .filter_map(|it| it.get_help().cloned())
-                    .collect();
-                let text = arg.get_long_help().or(arg.get_help()).cloned();
-                text.into_iter().chain(values)
-            });
-            abouts.into_iter().chain(arguments).collect::<Vec<_>>()
-        });
-        texts.flat_map(|text| paragraphs(&text)).collect()
+    /// Returns the English texts of a command by their keys.
+    fn texts(command: &Command) -> Vec<(String, String)> {
+        let about = command
+            .get_about()
+            .map(|text| ("about".to_owned(), text.to_string()));
+        let ending = command
+            .get_after_long_help()
+            .map(|text| ("ending".to_owned(), text.to_string()));
+        let mut found: Vec<_> = about.into_iter().chain(ending).collect();
+        for argument in command.get_arguments() {
+            let id = argument.get_id().as_str();
+            let text = argument.get_long_help().or(argument.get_help());
+            found.extend(text.map(|text| (id.to_owned(), text.to_string())));
+            let values = match argument.get_action().takes_values() {
+                true => argument.get_possible_values(),
+                false => Vec::new(),
+            };
+            found.extend(values.iter().filter_map(|value| {
+                let text = value.get_help()?.to_string();
+                Some((value_key(id, value.get_name()), text))
+            }));
+        }
+        found
     }
 
     #[test]
-    fn every_sentence_has_a_row_and_every_row_a_sentence() {
+    fn every_text_is_translated_and_every_translation_is_used() {
         let mut tip = grammar();
         tip.build();
         let mut commands = Vec::new();
         collect("tip", &tip, &mut commands);
-        let said = sentences(&commands);
-        let rows: BTreeSet<String> = lines().map(|(english, _)| english.to_owned()).collect();
-        let missing: Vec<_> = said.difference(&rows).collect();
-        let unused: Vec<_> = rows.difference(&said).collect();
-        assert_eq!((missing, unused), (Vec::new(), Vec::new()));
-        assert_eq!(rows.len(), lines().count(), "a row is duplicated");
+        // clap makes the command for help.
+        let mut used = BTreeSet::from([("help".to_owned(), "about".to_owned())]);
+        let mut shared = BTreeMap::new();
+        for (path, command) in &commands {
+            for (key, english) in texts(command) {
+                let own = JAPANESE.get(path).and_then(|table| table.get(&key));
+                let table = if own.is_some() { path } else { SHARED };
+                used.insert((table.to_owned(), key.clone()));
+                if own.is_none() {
+                    let first = shared.entry(key.clone()).or_insert_with(|| english.clone());
+                    assert_eq!(*first, english, "{path}: {key} has a text of its own");
+                }
+                let japanese = japanese(path, &key);
+                assert!(japanese.is_some(), "{path}: {key}: {english}");
+                // A paragraph that was added in one language is missing in the other.
+                let paragraphs = |text: &str| text.split("\n\n").count();
+                if key != "ending" {
+                    let counts = (
+                        paragraphs(japanese.unwrap_or_default()),
+                        paragraphs(&english),
+                    );
+                    assert_eq!(counts.0, counts.1, "{path}: {key}");
+                }
+            }
+        }
+        for (path, table) in JAPANESE.iter() {
+            for (key, _) in table.as_table().expect("a table for each command") {
+                assert!(
+                    used.contains(&(path.clone(), key.clone())),
+                    "{path}: {key} is not used"
+                );
+            }
+        }
     }
 
     /// Returns the command lines of examples, without their explanations.
@@ -383,18 +304,15 @@ mod tests {
 
     #[test]
     fn both_languages_show_the_same_examples_and_name_the_same_options() {
-        let mut texts = 0;
         for (path, command) in all(Lang::English) {
             let english = command.get_after_long_help().map(ToString::to_string);
-            let row = endings().find(|(name, _)| *name == path);
-            assert_eq!(english.is_some(), row.is_some(), "{path}");
-            if let (Some(english), Some((_, japanese))) = (english, row) {
+            let japanese = japanese(&path, "ending");
+            assert_eq!(english.is_some(), japanese.is_some(), "{path}");
+            if let (Some(english), Some(japanese)) = (english, japanese) {
                 assert_eq!(examples(&english), examples(japanese), "{path}");
                 assert_eq!(options(&english), options(japanese), "{path}");
-                texts += 1;
             }
         }
-        assert_eq!(texts, endings().count());
     }
 
     #[test]
@@ -429,20 +347,6 @@ mod tests {
                 assert!(text.lines().count() <= 40, "{path}:\n{text}");
             }
         }
-    }
-
-    #[test]
-    fn each_command_is_in_one_group() {
-        let tip = command(Lang::English);
-        let mut commands: Vec<&str> = tip.get_subcommands().map(Command::get_name).collect();
-        let mut grouped: Vec<&str> = GROUPS
-            .iter()
-            .flat_map(|(.., names)| *names)
-            .copied()
-            .collect();
-        commands.sort_unstable();
-        grouped.sort_unstable();
-        assert_eq!(commands, grouped);
     }
 
     #[test]

@@ -2,16 +2,16 @@
 
 use crate::error::Error;
 use crate::interrupt;
+use std::ffi::OsStr;
 use std::fs::File;
 use std::path::{Path, PathBuf, absolute};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 use std::{env, fs, io, thread};
-use tip_drives::model::{MODELS, Model};
+use tip_drives::described;
 use tip_lint::migrate::Migration;
-use tip_runtime::model::Range;
 use tip_runtime::plant::Scene;
-use tip_sim::urdf;
+use tip_sim::import::{self, ImportOptions};
 use tipc::code::Code;
 use tipc::description::{self, Description, Project};
 use tipc::diagnostic::Diagnostic;
@@ -62,7 +62,11 @@ pub(super) fn load_file(path: &Path, options: &Options) -> Loaded {
 
 fn loaded(name: String, read: Result<Vec<u8>, Reading>, options: &Options) -> Loaded {
     match read {
-        Ok(bytes) => tip_lint::load(&name, &bytes, options),
+        Ok(bytes) => {
+            let mut loaded = tip_lint::load(&name, &bytes, options);
+            tip_lint::recognize_robot(&mut loaded, &bytes, options);
+            loaded
+        }
         Err(reason) => unreadable(name, reason),
     }
 }
@@ -86,19 +90,34 @@ pub(super) fn migrate(
     tip_lint::migrate::migrate_to(edition, &name, &bytes, encoding)
 }
 
-/// Returns true if a file is called URDF by its extension.
-pub(super) fn is_urdf(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending == "urdf")
+/// Returns true if a file is called URDF or MJCF by its extension.
+pub(super) fn is_model(path: &Path) -> bool {
+    let ending = path.extension().and_then(OsStr::to_str);
+    ending.is_some_and(|ending| ["urdf", "xml", "mjcf"].contains(&ending))
 }
 
-/// Reads the text of a description at `path`, or imports a URDF file; returns its name in diagnostics, too.
+/// Returns the folder of a file, below which it may include others; a stream has none.
+pub(super) fn folder(path: &Path) -> Option<PathBuf> {
+    let folder = path.parent().filter(|_| !is_stream(path))?;
+    Some(match folder.as_os_str().is_empty() {
+        true => PathBuf::from("."),
+        false => folder.to_owned(),
+    })
+}
+
+/// Reads the text of a description at `path`, or imports a URDF or MJCF file; returns its name in diagnostics, too.
 pub(super) fn description_text(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
     let (name, bytes) = bytes(path)?;
-    if !is_urdf(path) {
+    if !is_model(path) {
         return Ok((name, bytes));
     }
     let file = path.file_name().unwrap_or_default().to_string_lossy();
-    let imported = urdf::decode(&bytes).and_then(|text| urdf::import(&file, &text));
+    let options = ImportOptions {
+        folder: folder(path),
+        ..ImportOptions::default()
+    };
+    let text = import::decode(&bytes);
+    let imported = text.and_then(|text| import::import_with(&file, &text, &options));
     imported
         .map(|import| (name.clone(), import.toml.into_bytes()))
         .map_err(|refused| {
@@ -109,10 +128,10 @@ pub(super) fn description_text(path: &Path) -> Result<(String, Vec<u8>), Box<Loa
         })
 }
 
-/// Reads the description of a robot at `path`, or imports a URDF file.
+/// Reads the description of a robot at `path`, or imports a URDF or MJCF file.
 pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     let (name, bytes) = description_text(path)?;
-    description::parse_for_servos(&name, &bytes, &servos())
+    description::parse_for_servos(&name, &bytes, &described::servos())
 }
 
 /// Reads the `tip.toml` at `path`; `is_there` says whether there is a file that it names.
@@ -131,16 +150,6 @@ pub(super) fn project(
 pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
     let (name, bytes) = bytes(path)?;
     description::parse_scene(&name, &bytes)
-}
-
-/// Returns the servos that a description can name.
-pub(super) fn servos() -> Vec<description::Servo> {
-    let servo = |model: &Model| description::Servo {
-        name: model.name,
-        family: model.family.name(),
-        travel: Range::new(model.angle(0.0), model.angle(model.largest.into())),
-    };
-    MODELS.iter().map(servo).collect()
 }
 
 /// Returns true if the path names standard input or output.

@@ -1,4 +1,5 @@
-//! Ctrl-C, and the signals by which the system asks a process to end: SIGINT, SIGTERM, SIGHUP and SIGQUIT.
+//! Ctrl-C, and the signals by which the system asks a process to end: SIGINT, SIGTERM, SIGHUP and SIGQUIT. While the torque of a
+//! robot may be on, they include every signal that would end the process and can be handled.
 //!
 //! The first one is a request, which the command obeys. A second one, or time, ends a command that is stuck. Before the process
 //! ends so, a robot whose torque is on is left in the state that its file names.
@@ -49,12 +50,35 @@ pub(super) fn catch() {
 #[cfg(unix)]
 fn listen() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
-    use signal_hook::iterator::Signals;
     let signals = [SIGINT, SIGTERM, SIGHUP, SIGQUIT].into_iter();
-    if let Ok(mut signals) = Signals::new(signals.filter(|signal| !is_ignored(*signal))) {
+    listen_for(signals.filter(|signal| !is_ignored(*signal)));
+}
+
+/// Handles, while the torque of a robot may be on, all signals that would end the process or whose sender wants it to end. Only
+/// SIGHUP stays ignored, because that is what `nohup` is for.
+#[cfg(unix)]
+fn listen_for_robot() {
+    use signal_hook::consts::{
+        SIGALRM, SIGINT, SIGIO, SIGPROF, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+    };
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let ignored = [SIGINT, SIGTERM, SIGQUIT].into_iter();
+        let ignored = ignored.filter(|signal| is_ignored(*signal));
+        let others = [
+            SIGALRM, SIGIO, SIGPROF, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+        ];
+        listen_for(ignored.chain(others));
+    });
+}
+
+/// Handles some signals in a thread.
+#[cfg(unix)]
+fn listen_for(signals: impl Iterator<Item = i32>) {
+    if let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) {
         thread::spawn(move || {
             for signal in signals.forever() {
-                signalled(u8::try_from(signal).unwrap_or(SIGINT as u8));
+                signalled(u8::try_from(signal).unwrap_or(SIGINT));
             }
         });
     }
@@ -100,7 +124,8 @@ fn signalled(signal: u8) {
     });
 }
 
-/// Returns the exit status of an interrupted command: 130 after Ctrl-C, 143 after SIGTERM, 129 after SIGHUP, 131 after SIGQUIT.
+/// Returns the exit status of an interrupted command: 130 after Ctrl-C, 143 after SIGTERM, 129 after SIGHUP, 131 after SIGQUIT;
+/// 128 and the number of another signal.
 pub(super) fn status() -> u8 {
     128 + SIGNAL.load(Ordering::Relaxed)
 }
@@ -143,6 +168,8 @@ pub(super) fn release() {
 
 /// Sets the robot whose torque is on. It is left before the process ends for a signal, whatever the rest of the process waits for.
 pub(super) fn leaves_first(leave: impl FnMut() -> String + Send + 'static) {
+    #[cfg(unix)]
+    listen_for_robot();
     *lock(&ROBOT) = Some(Box::new(leave));
 }
 

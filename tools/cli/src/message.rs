@@ -3,6 +3,7 @@
 use count::{Cycles, Errors, Files, Steps, Warnings};
 use smol_str::SmolStr;
 use tip_runtime::command::Target;
+use tip_runtime::model::Part;
 use tip_sim::message::Awaited;
 use tipc::language::Keyword;
 use tipc::message::list::{Each, List};
@@ -94,9 +95,18 @@ tipc::message_table! {
     SceneIsElsewhere
         "--scene is for the built-in plants; a process has surroundings of its own: pass the scene to the process",
         "--scene は内蔵のプラントの周囲を決めるもので、プロセスの周囲はプロセス自身が決めます。シーンはプロセスに渡してください";
+    NotACondition { text: String }
+        "`{text}` is not a condition: write one of forward, speed, falls, margin, slip, rate, torque, energy, cost and lift, then < <= > >= or =, and a number, as in `speed<100`",
+        "`{text}` は条件ではありません。forward、speed、falls、margin、slip、rate、torque、energy、cost、liftのどれか、< <= > >= = のどれか、数を `speed<100` のように書いてください";
+    NoFigure { name: String }
+        "the second run has no figure `{name}`: `tip compare` without --fail-if lists the figures that it has",
+        "2番目の実行には `{name}` の値がありません。--fail-ifを付けない `tip compare` で値の一覧を見られます";
+    OneOutput
+        "--format json and --trace - both write to standard output: give the trace a file",
+        "--format json と --trace - はどちらも標準出力に書きます。トレースにはファイルを指定してください";
     FallsAreElsewhere
-        "--deny falls needs a built-in plant: the falls of a process's robot are not counted",
-        "--deny falls を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒は数えられません";
+        "--deny falls and --deny collisions need a built-in plant: falls and collisions of a process's robot are not counted",
+        "--deny falls と --deny collisions を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒や干渉は数えられません";
     NotAnAxis { reason: Message }
         "{reason}",
         "{reason}";
@@ -109,6 +119,9 @@ tipc::message_table! {
     HasPart { part: Text }
         "{part} holds an unfinished table: add --resume to go on with it, or remove the file",
         "{part} に書きかけの表があります。--resumeを付けて続きを実行するか、ファイルを削除してください";
+    HasTable { file: Text }
+        "{file} exists: --force replaces it, --resume shows it again if it is of this sweep, -o takes another name",
+        "{file} はすでにあります。置き換えるには --force、同じスイープの結果をもう一度表示するには --resume を付けるか、-oで別の名前を指定してください";
     NotAFile { file: Text }
         "{file} is not a file: '-o -' writes the table to standard output",
         "{file} はファイルではありません。標準出力に書くには '-o -' を指定してください";
@@ -182,6 +195,9 @@ tipc::message_table! {
     ServeEnds
         "press Ctrl-C to stop",
         "Ctrl-Cで終了します";
+    NoPlayground
+        "this command was built without the page: take a released command, or run `site/build` in a clone of the project",
+        "このコマンドにはページが入っていません。公開版のコマンドを使うか、クローンで `site/build` を実行してください";
     TraceWithoutProgram { file: Text }
         "{file} is a trace: name the program that it is of by --program FILE.prg",
         "{file} はトレースです。--program FILE.prg で元のプログラムを指定してください";
@@ -198,6 +214,9 @@ tipc::message_table! {
         "`tip help {command}` shows examples",
         "`tip help {command}` で使用例を見られます";
 }
+
+/// An option's value can be refused with these texts.
+impl std::error::Error for Using {}
 
 tipc::message_table! {
     /// Results of checks.
@@ -267,12 +286,42 @@ tipc::message_table! {
     UprightFalls { count: String, upright: String, time: String, line: u32 }
         "{count}, the first after {time} s at line {line}; the body stays upright in {upright}",
         "{count}回、最初は{time} sに{line}行目で(うち{upright}回は胴体が倒れていません)";
+    Speed { value: String, along: Along }
+        "{value} mm/s {along}",
+        "平均で{along}{value} mm/s";
+    Least { value: String, unit: &'static str, time: String, cycle: String, line: u32 }
+        "{value} {unit} at least, after {time} s (cycle {cycle}, line {line})",
+        "最小{value} {unit}、{time} s(周期{cycle}、{line}行目)";
+    Largest { value: String, unit: &'static str, of: Text, time: String, cycle: String, line: u32 }
+        "{value} {unit} at most, {of} after {time} s (cycle {cycle}, line {line})",
+        "最大{value} {unit}、{of}、{time} s(周期{cycle}、{line}行目)";
+    LargestOf { value: String, unit: &'static str, limit: String, of: Text, time: String, cycle: String, line: u32 }
+        "{value} of {limit} {unit} at most, {of} after {time} s (cycle {cycle}, line {line})",
+        "最大{value} {unit}(上限{limit})、{of}、{time} s(周期{cycle}、{line}行目)";
+    Work { value: String }
+        "{value} J",
+        "合計{value} J";
+    WorkAndCost { value: String, cost: String }
+        "{value} J, cost of transport {cost}",
+        "{value} J、輸送コスト{cost}";
+    WaitedAt { length: String, line: u32, time: String, cycle: String }
+        "{length} s at line {line}, from {time} s on (cycle {cycle})",
+        "{line}行目で{length} s、{time} sから(周期{cycle})";
+    WaitedAtFor { length: String, line: u32, until: Message, time: String, cycle: String }
+        "{length} s at line {line} for {until}, from {time} s on (cycle {cycle})",
+        "{line}行目で{until}を{length} s、{time} sから(周期{cycle})";
+    WaitedIn { length: String, first: u32, last: u32, time: String, cycle: String }
+        "{length} s in lines {first} to {last}, from {time} s on (cycle {cycle})",
+        "{first}~{last}行目で{length} s、{time} sから(周期{cycle})";
+    WaitedInFor { length: String, first: u32, last: u32, until: Message, time: String, cycle: String }
+        "{length} s in lines {first} to {last} for {until}, from {time} s on (cycle {cycle})",
+        "{first}~{last}行目で{until}を{length} s、{time} sから(周期{cycle})";
     AtMost { value: String }
         "{value} mm at most",
         "最大{value} mm";
-    AtLeast { value: String }
-        "{value} mm at least",
-        "最小{value} mm";
+    Collisions { cycles: Cycles, by: String, one: Part, other: Part, time: String, line: u32 }
+        "links overlap in {cycles}, {one} and {other} by {by} mm after {time} s at line {line}",
+        "{cycles}でリンクが重なり、{one}と{other}は{time} sに{line}行目で{by} mm";
     ZmpOutside { cycles: Cycles, by: String }
         "the zero moment point outside the feet in {cycles}, by {by} mm at most",
         "{cycles}でZMPが支持多角形の外、最大{by} mm";
@@ -280,8 +329,8 @@ tipc::message_table! {
         "the feet would slip in {cycles}",
         "{cycles}で足が滑るはず";
     Crosses { cycles: Cycles }
-        "legs or body in the floor, in a block or in each other in {cycles}",
-        "{cycles}で脚か胴体が床や障害物の中、または脚どうしが重なり";
+        "legs or body in the floor or in a block in {cycles}",
+        "{cycles}で脚か胴体が床や障害物の中";
     Hurries { cycles: Cycles }
         "commanded to turn faster than its servo can in {cycles}",
         "{cycles}でサーボの最高速度を超える指令";
@@ -336,9 +385,26 @@ tipc::message_table! {
     WouldHaveFallen { time: String, cycle: String }
         "the robot would fall after {time} s, in cycle {cycle}: its feet do not hold its centre of mass",
         "ロボットは{time} s、周期{cycle}で転倒するおそれがあります: 足が重心を支えていません";
+    Collided { one: Part, other: Part, by: String, time: String, cycle: String }
+        "{one} and {other} overlap by {by} mm after {time} s, in cycle {cycle}",
+        "{one}と{other}が{time} s、周期{cycle}で{by} mm重なりました";
     Unsupported { time: String, cycle: String }
         "the robot lost its support after {time} s, in cycle {cycle}",
         "ロボットが{time} s、周期{cycle}で支えを失いました";
+}
+
+tipc::message_table! {
+    /// Comparisons of two runs.
+    Comparing;
+
+    Difference "difference", "差";
+    BetterByMore "better (more is better)", "良い(大きいほど良い)";
+    BetterByLess "better (less is better)", "良い(小さいほど良い)";
+    WorseByMore "worse (less is better)", "悪い(小さいほど良い)";
+    WorseByLess "worse (more is better)", "悪い(大きいほど良い)";
+    Fails { condition: String }
+        "the second run has {condition}",
+        "2番目の実行は条件 {condition} を満たします";
 }
 
 tipc::message_table! {
@@ -421,6 +487,12 @@ tipc::message_table! {
     Falls "falls", "転倒";
     Slip "slip", "滑り";
     Margin "margin", "余裕";
+    Speed "speed", "速度";
+    Rate "rate", "角速度";
+    Torque "torque", "トルク";
+    Energy "energy", "仕事";
+    Waited "waited", "待ち";
+    Gap "gap", "間隔";
     Zmp "zmp", "動余裕";
     Grip "grip", "摩擦";
     Contact "contact", "干渉";
@@ -515,6 +587,30 @@ tipc::message_table! {
     OtherMode
         "the target is not in the control mode that this command needs",
         "対象の制御モードがこのコマンドに合いません";
+    Running { name: SmolStr, line: u32 }
+        "thread {name} runs already: it is at line {line}",
+        "スレッド{name}はすでに実行中です({line}行目)";
+    WaitFirst { name: SmolStr }
+        "put WAIT_THREAD {name}: before it, or STOP_THREAD {name}:",
+        "手前にWAIT_THREAD {name}:かSTOP_THREAD {name}:を入れてください";
+    WaitsForItself
+        "a thread cannot wait for its own end",
+        "スレッドは自分自身の終了を待てません";
+    Locked { joint: Target, lines: List }
+        "{joint} is locked by LOCK in line {lines}",
+        "{joint}は{lines}行目のLOCKでロックされています";
+    LockedBy { joint: Target, lines: List, name: SmolStr }
+        "{joint} is locked by LOCK in line {lines}, in thread {name}",
+        "{joint}はスレッド{name}の{lines}行目のLOCKでロックされています";
+    Unlock { joint: Target }
+        "put UNLOCK {joint} before it: a lock stays when its thread ends or is stopped",
+        "手前にUNLOCK {joint}を入れてください。ロックはスレッドが終了・停止しても残ります";
+    Occupied { word: &'static str, line: u32 }
+        "the main program is executing {word} in line {line}; only one such command can run at a time",
+        "メインプログラムが{line}行目の{word}を実行中です。この種のコマンドは同時に一つしか実行できません";
+    OccupiedBy { word: &'static str, line: u32, name: SmolStr }
+        "thread {name} is executing {word} in line {line}; only one such command can run at a time",
+        "スレッド{name}が{line}行目の{word}を実行中です。この種のコマンドは同時に一つしか実行できません";
     TooDeep
         "more than ten calls are open at once",
         "呼び出しの入れ子が10段を超えました";
@@ -532,6 +628,9 @@ tipc::message_table! {
     OutOfReach { target: Target }
         "{target} cannot reach its target, or a point on the way there",
         "{target}が目標か、その途中の位置に届きません";
+    OnTheWay { target: Target, joint: Target, by: f64, limit: f64 }
+        "{target} leaves its reach on the way to its target: {joint} is {by} deg from its limit of {limit} deg",
+        "{target}が目標へ向かう途中で可動範囲を外れます。{joint}は限界の{limit} degまで{by} degです";
     JointsAre { joints: List }
         "the joints and their limits in deg: {joints}",
         "関節の角度と動作範囲(deg): {joints}";
@@ -562,6 +661,12 @@ tipc::message_table! {
     Made { folder: Text, robot: String }
         "made {folder}, a crate for {robot}:",
         "{robot}用のクレート {folder} を作成しました:";
+    DependsOnCheckout { folder: Text }
+        "Cargo.toml depends on the crates of the checkout `{folder}`",
+        "Cargo.tomlの依存先はチェックアウト `{folder}` のクレートです";
+    DependsOnPublished { version: String }
+        "Cargo.toml depends on the published crates of version {version}",
+        "Cargo.tomlの依存先は公開されているバージョン{version}のクレートです";
     Next
         "next:",
         "次のコマンド:";
@@ -823,6 +928,9 @@ tipc::message_table! {
     NoBus { file: Text }
         "{file} has no [bus]: docs/drives.md shows how to describe the servos",
         "{file}に[bus]がありません。サーボの書き方はdocs/drives.mdにあります";
+    NotOnBus { file: Text, table: &'static str }
+        "{file}: [{table}] cannot be on a bus: its servos measure and move joints only, so that the robot would stop in its first cycle. Run it without --hardware, leave [{table}] out of the file, or implement `Hardware` (docs/drives.md)",
+        "{file}: [{table}]はバス上のサーボでは実現できません(サーボは関節の計測と駆動だけで、最初の周期で停止します)。--hardwareなしで実行するか、ファイルから[{table}]を除くか、`Hardware` を実装してください(docs/drives.md)";
     NoPort { file: Text }
         "which port? Give --port /dev/ttyUSB0, or `port` under [bus] of {file}",
         "ポートを指定してください(--port /dev/ttyUSB0、または{file}の[bus]の `port`)";
@@ -966,6 +1074,9 @@ tipc::message_table! {
     Silent { joint: String, id: u32, cycles: u32 }
         "{joint} (servo {id}) has not answered for more than {cycles} cycles: look at its cables and its power",
         "{joint}(サーボ{id})が{cycles}周期を超えて応答しません。ケーブルと電源を確かめてください";
+    NotRead { joint: String, id: u32, cycles: u32 }
+        "{joint} (servo {id}) was not asked for {cycles} cycles, because this machine was late in each: end other programs, use --fifo, or give `period` more time",
+        "{joint}(サーボ{id})に{cycles}周期のあいだ問い合わせできませんでした(この計算機の処理が毎周期遅れました)。ほかのプログラムを終了するか、--fifoを使うか、`period` を長くしてください";
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";

@@ -8,13 +8,16 @@ use super::choices::OutputOptions;
 use super::error::Error;
 use super::setup::{RobotChoice, RobotParser, unknown_robot};
 use super::{Status, input, output};
+use crate::Action;
+use crate::choices::Format;
 use crate::message::{Making, Using};
 use clap::Args;
 use clap::builder::ValueParserFactory;
-use files::{CratePath, File, Origin};
+use files::{CratePath, Drives, File, Origin};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::str::FromStr;
+use tip_drives::described::{self as buses, Described};
 use tip_drives::model::MODELS;
 use tip_runtime::model::{Model as RobotModel, Range, hand, titan8};
 use tip_runtime::printable::Printable;
@@ -61,9 +64,9 @@ pub(super) struct New {
     #[arg(long, value_name = "NUMBER", value_parser = edition)]
     edition: Option<Edition>,
 
-    /// Add a skeleton for drives of your own
+    /// Add a program for the real robot
     ///
-    /// An implementation of the trait Hardware. A described robot gets a bus of servos too
+    /// A described robot gets a bus of servos; others an implementation of Hardware to fill in
     #[arg(long)]
     hardware: bool,
 
@@ -88,7 +91,17 @@ fn edition(text: &str) -> Result<Edition, Using> {
     })
 }
 
-pub(super) fn new(arguments: &New) -> Result<Status, Error> {
+impl Action for New {
+    fn format(&self) -> Option<Format> {
+        Some(self.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        new(self)
+    }
+}
+
+fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let failed = |reason: Making| Error::failed(reason, lang);
     let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(failed)?;
@@ -103,17 +116,27 @@ pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     let found = arguments.robot.template(arguments.gait).map_err(refused)?;
     let template = found.map_err(failed)?;
     let mut template = template.in_edition(arguments.edition).map_err(failed)?;
-    if arguments.hardware {
-        template.description = template.description.take().map(with_bus);
+    let mut hardware = arguments.hardware.then_some(Drives::Own);
+    if let Some(text) = template.description.as_mut().filter(|_| hardware.is_some())
+        && let Some(with_bus) = with_bus(text)
+    {
+        *text = with_bus;
+        hardware = Some(Drives::Bus);
     }
-    let files = files::crate_files(place, &template, &origin, arguments.hardware);
+    let files = files::crate_files(place, &template, &origin, hardware);
     files::write_crate(place, &files).map_err(failed)?;
-    output::print(made(place, &template, &files, lang))?;
+    output::print(made(place, &template, &files, &origin, lang))?;
     Ok(Status::Success)
 }
 
-/// Returns the report: files, results of trying the motion, and the next commands.
-fn made(place: &CratePath, template: &Template, files: &[File], lang: Lang) -> String {
+/// Returns the report: files, their dependencies, results of trying the motion, and the next commands.
+fn made(
+    place: &CratePath,
+    template: &Template,
+    files: &[File],
+    origin: &Origin,
+    lang: Lang,
+) -> String {
     let folder = Printable::line(place.folder().display()).to_string();
     let robot = Printable::line(&template.robot).to_string();
     let made = Making::Made {
@@ -125,6 +148,7 @@ fn made(place: &CratePath, template: &Template, files: &[File], lang: Lang) -> S
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  {}", file.name);
     }
+    let _ = writeln!(text, "{}", origin.message().in_lang(lang));
     for tried in &template.motion.tried {
         let _ = writeln!(text, "{}", tried.in_lang(lang));
     }
@@ -408,26 +432,28 @@ const SERVO: &str = "STS3215";
 /// Published robots with other servos.
 const KNOWN: [(&str, &str); 1] = [("phantomx", "AX-12")];
 
-/// Returns a description with a bus, if it has none.
-fn with_bus(mut text: Vec<u8>) -> Vec<u8> {
-    let Some(robot) = description::parse("robot.toml", &text)
-        .ok()
-        .filter(|description| description.bus().is_none())
-        .map(|description| Robot::described(&description))
-    else {
-        return text;
+/// Returns a description with a bus, its own or a new one; `None` if the robot cannot be on one.
+fn with_bus(text: &[u8]) -> Option<Vec<u8>> {
+    let is_on_bus = |text: &[u8]| {
+        let read = description::parse_for_servos("robot.toml", text, &buses::servos());
+        read.is_ok_and(|description| Described::new(&description).is_ok())
     };
+    let description = description::parse("robot.toml", text).ok()?;
+    if description.bus().is_some() {
+        return is_on_bus(text).then(|| text.to_owned());
+    }
+    let robot = Robot::described(&description);
     let known = KNOWN.iter().find(|(name, _)| *name == robot.name());
     let name = known.map_or(SERVO, |(_, servo)| *servo);
-    let travel = input::servos()
+    let travel = buses::servos()
         .iter()
         .find(|servo| servo.name == name)
         .map(|servo| servo.travel);
     let model = MODELS.iter().find(|model| model.name == name);
     let fastest = model.map_or(DEFAULT_SPEED, |model| model.speed.floor());
     let travel = travel.unwrap_or(Range::new(-180.0, 180.0));
-    text.extend(bus(&robot, name, travel, fastest).into_bytes());
-    text
+    let text = [text, bus(&robot, name, travel, fastest).as_bytes()].concat();
+    is_on_bus(&text).then_some(text)
 }
 
 /// Returns the tables of a bus; `fastest` is the speed of its servos, deg/s: a drive is slowed down to 180 deg/s by default, and a gait

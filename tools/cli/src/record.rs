@@ -1,12 +1,13 @@
 //! Commands that record a run and write what it did: `tip view`, `tip log` and `tip plot`. `tip serve` loads programs in the same way.
 
+use crate::Action;
 use crate::arguments::RunArguments;
+use crate::choices::count;
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Running, Sweeping, Using};
 use crate::report::plural;
 use crate::run::{LONG_WAIT, wait_message};
-use crate::usage::count;
 use crate::{Status, input, interrupt, output, report, sweep};
 use clap::{Args, ValueEnum};
 use std::io::{self, Cursor};
@@ -14,7 +15,7 @@ use std::path::{Path, PathBuf};
 use tip_log::Diagram;
 use tip_runtime::printable::Printable;
 use tip_sim::{Robot, urdf};
-use tip_view::{Extent, Outcome, Pace, Recording};
+use tip_view::{DurationLimit, FrameRate, Outcome, Recording};
 use tipc::Loaded;
 use tipc::message::Lang;
 
@@ -40,7 +41,7 @@ impl Recorded {
 
 impl RunArguments {
     /// Runs the program until it ends, the time is over, or someone presses Ctrl-C.
-    fn record(&self, pace: Pace, command: &'static str) -> Result<Recorded, Error> {
+    fn record(&self, pace: FrameRate, command: &'static str) -> Result<Recorded, Error> {
         let refusal = Using::ProcessIsRun { command };
         let Subject { loaded, robot, .. } = self.load(&self.file, false, refusal)?;
         let recording = self.recording(&loaded, &robot, pace)?;
@@ -67,11 +68,16 @@ impl RunArguments {
     }
 
     /// Runs a loaded program.
-    fn recording(&self, loaded: &Loaded, robot: &Robot, pace: Pace) -> Result<Recording, Error> {
+    fn recording(
+        &self,
+        loaded: &Loaded,
+        robot: &Robot,
+        pace: FrameRate,
+    ) -> Result<Recording, Error> {
         let inputs = self.inputs.inputs(robot);
         let extent = inputs
             .cycles
-            .map_or(Extent::minutes(MAX_MINUTES), Extent::cycles);
+            .map_or(DurationLimit::minutes(MAX_MINUTES), DurationLimit::cycles);
         let goes_on = || !interrupt::is_requested();
         let recording = Recording::paced(loaded, robot, &inputs.events, extent, pace, goes_on);
         recording.map_err(|reason| Error::Usage(reason.to_string()))
@@ -145,7 +151,7 @@ pub(super) struct View {
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     case: Option<u64>,
 
-    /// The page; else FILE.html or FILE-OTHER.html
+    /// The page; else FILE.html, FILE-OTHER.html here
     ///
     /// '-' is standard output
     #[arg(short, long, value_name = "OUT.html")]
@@ -156,8 +162,19 @@ pub(super) struct View {
     quiet: bool,
 }
 
+impl Action for View {
+    fn complete(&mut self) -> Result<(), Error> {
+        let program = self.program(&self.run.file);
+        self.run.complete(&program).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        view(self)
+    }
+}
+
 /// Records a run, or reads the trace of one, and writes the page that replays it.
-pub(super) fn view(arguments: &View) -> Result<Status, Error> {
+fn view(arguments: &View) -> Result<Status, Error> {
     let run = &arguments.run;
     if sweep::is_table(&run.file) {
         return arguments.table();
@@ -170,9 +187,10 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     read.extend(arguments.program.as_deref());
     read.extend(arguments.other.as_deref());
     output::refuse_inputs(&out, &read)?;
-    let recording = arguments.recording(&run.file)?;
+    let reading = arguments.reading();
+    let recording = reading.recording(&run.file)?;
     let other = arguments.other.as_ref();
-    let other = other.map(|other| arguments.recording(other)).transpose()?;
+    let other = other.map(|other| reading.recording(other)).transpose()?;
     interrupt::hold();
     let page = match &other {
         Some(other) => recording.to_comparison(other),
@@ -184,7 +202,7 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
             Some(other) => comparison(&recording, other, &out, page.len()),
             None => summary(&recording, &out, page.len()),
         });
-        if !arguments.is_trace(&run.file) {
+        if !reading.is_trace(&run.file) {
             run.report_wait(&recording);
         }
     }
@@ -194,12 +212,10 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     })
 }
 
-/// Returns the path of a file next to the program, or in this folder if that is a stream.
-fn beside(program: &Path, ending: &str) -> PathBuf {
-    match input::is_stream(program) {
-        true => PathBuf::from("run").with_extension(ending),
-        false => program.with_extension(ending),
-    }
+/// Returns the path of a file in this folder, named after the program; `run` if that is a stream.
+fn named_after(program: &Path, ending: &str) -> PathBuf {
+    let name = program.file_name().filter(|_| !input::is_stream(program));
+    PathBuf::from(name.unwrap_or("run".as_ref())).with_extension(ending)
 }
 
 /// Maximum size of a trace, MiB: some hours of robot time.
@@ -212,7 +228,7 @@ impl View {
 
     /// Returns the path of the page.
     fn out(&self) -> PathBuf {
-        let page = beside(&self.run.file, "html");
+        let page = named_after(&self.run.file, "html");
         match (&self.out, &self.other) {
             (Some(out), _) => out.clone(),
             (None, None) => page,
@@ -220,7 +236,7 @@ impl View {
             (None, Some(other)) => {
                 let mut name = page.file_stem().unwrap_or_default().to_owned();
                 name.push("-");
-                name.push(beside(other, "html").file_name().unwrap_or_default());
+                name.push(named_after(other, "html").file_name().unwrap_or_default());
                 page.with_file_name(name)
             }
         }
@@ -230,7 +246,7 @@ impl View {
     fn table(&self) -> Result<Status, Error> {
         let (file, lang) = (&self.run.file, self.lang());
         let out = match (&self.out, self.case) {
-            (None, Some(case)) => file.with_extension(format!("{case}.html")),
+            (None, Some(case)) => named_after(file, &format!("{case}.html")),
             _ => self.out(),
         };
         if self.other.is_some() {
@@ -259,23 +275,55 @@ impl View {
         Ok(Status::Success)
     }
 
+    /// Returns the program of a file: itself, or that of a trace, which is next to it by default.
+    pub(super) fn program(&self, file: &Path) -> PathBuf {
+        self.reading().program(file)
+    }
+
+    fn reading(&self) -> Reading<'_> {
+        Reading {
+            run: &self.run,
+            program: self.program.as_deref(),
+            is_alone: self.other.is_none(),
+            quiet: self.quiet,
+            command: "view",
+        }
+    }
+}
+
+/// The way in which files become recordings.
+pub(super) struct Reading<'a> {
+    pub(super) run: &'a RunArguments,
+    /// The program of traces.
+    pub(super) program: Option<&'a Path>,
+    /// There is one file, so that `program` says that it is a trace.
+    pub(super) is_alone: bool,
+    pub(super) quiet: bool,
+    pub(super) command: &'static str,
+}
+
+impl Reading<'_> {
+    fn lang(&self) -> Lang {
+        self.run.source.output_options.lang()
+    }
+
     /// Returns true if a file is a trace, not a program.
     fn is_trace(&self, file: &Path) -> bool {
         let is_trace = file.extension().is_some_and(|ending| ending == "jsonl");
-        is_trace || self.program.is_some() && self.other.is_none()
+        is_trace || self.program.is_some() && self.is_alone
     }
 
     /// Returns the program of a file: itself, or that of a trace, which is next to it by default.
     pub(super) fn program(&self, file: &Path) -> PathBuf {
-        match &self.program {
-            Some(program) if self.is_trace(file) => program.clone(),
+        match self.program {
+            Some(program) if self.is_trace(file) => program.to_owned(),
             None if self.is_trace(file) => file.with_extension("prg"),
             _ => file.to_owned(),
         }
     }
 
     /// Runs a program, or reads a trace.
-    fn recording(&self, file: &Path) -> Result<Recording, Error> {
+    pub(super) fn recording(&self, file: &Path) -> Result<Recording, Error> {
         let (is_trace, program) = (self.is_trace(file), self.program(file));
         if self.program.is_none() && is_trace && !program.exists() {
             let file = file.display().to_string().into();
@@ -284,10 +332,12 @@ impl View {
                 self.lang(),
             ));
         }
-        let refusal = Using::ProcessIsRun { command: "view" };
+        let refusal = Using::ProcessIsRun {
+            command: self.command,
+        };
         let Subject { loaded, robot, .. } = self.run.load(&program, self.quiet, refusal)?;
         if !is_trace {
-            return self.run.recording(&loaded, &robot, Pace::Smooth);
+            return self.run.recording(&loaded, &robot, FrameRate::Smooth);
         }
         let (name, trace) = self.text(file)?;
         let read = Recording::from_trace(&trace, &loaded, &robot);
@@ -344,7 +394,7 @@ fn kilobytes(bytes: usize) -> String {
 flags, messages, variables. Foxglove and Rerun show it. run.csv has a row for each cycle. docs/logs.md lists topics and columns.
 
 Examples:
-  tip log walk.prg -o walk.mcap
+  tip log walk.prg           walk.mcap in this folder
   tip log grasp.prg --robot hand --scene scene.toml -o grasp.csv --every 10
   tip log walk.prg -o -      the table on standard output
 
@@ -359,9 +409,9 @@ pub(super) struct Log {
 
     /// The file; '-' is a table on standard output
     ///
-    /// Its extension selects the format
+    /// Its extension selects the format; by default FILE.mcap in this folder
     #[arg(short, long, value_name = "OUT.mcap|OUT.csv")]
-    out: PathBuf,
+    out: Option<PathBuf>,
 
     /// Keep the motion of every Nth cycle
     ///
@@ -389,18 +439,30 @@ impl LogFormat {
         }
     }
 
-    fn pace(self, every: Option<u64>) -> Pace {
+    fn pace(self, every: Option<u64>) -> FrameRate {
         match (self, every) {
-            (_, Some(cycles)) => Pace::Every(cycles),
-            (LogFormat::Mcap, None) => Pace::Smooth,
-            (LogFormat::Csv, None) => Pace::Every(1),
+            (_, Some(cycles)) => FrameRate::Every(cycles),
+            (LogFormat::Mcap, None) => FrameRate::Smooth,
+            (LogFormat::Csv, None) => FrameRate::Every(1),
         }
     }
 }
 
+impl Action for Log {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        log(self)
+    }
+}
+
 /// Runs the program and writes the log.
-pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
-    let (out, kind) = (&arguments.out, LogFormat::of(&arguments.out)?);
+fn log(arguments: &Log) -> Result<Status, Error> {
+    let out = arguments.out.clone();
+    let out = &out.unwrap_or_else(|| named_after(&arguments.run.file, "mcap"));
+    let kind = LogFormat::of(out)?;
     output::refuse_inputs(out, &arguments.run.files())?;
     let recorded = arguments.run.record(kind.pace(arguments.every), "log")?;
     let recording = &recorded.recording;
@@ -441,7 +503,7 @@ pub(super) struct Plot {
     #[command(flatten)]
     pub(super) run: RunArguments,
 
-    /// The file; else FILE.svg next to FILE
+    /// The file; else FILE.svg in this folder
     ///
     /// '-' is standard output
     #[arg(short, long, value_name = "OUT.svg")]
@@ -481,12 +543,22 @@ impl DiagramName {
     }
 }
 
+impl Action for Plot {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        plot(self)
+    }
+}
+
 /// Runs the program and writes the diagrams.
-pub(super) fn plot(arguments: &Plot) -> Result<Status, Error> {
+fn plot(arguments: &Plot) -> Result<Status, Error> {
     let out = arguments.out.clone();
-    let out = &out.unwrap_or_else(|| beside(&arguments.run.file, "svg"));
+    let out = &out.unwrap_or_else(|| named_after(&arguments.run.file, "svg"));
     output::refuse_inputs(out, &arguments.run.files())?;
-    let recorded = arguments.run.record(Pace::Smooth, "plot")?;
+    let recorded = arguments.run.record(FrameRate::Smooth, "plot")?;
     let diagrams: Vec<Diagram> = match arguments.of.as_slice() {
         [] => Diagram::ALL.into(),
         some => some.iter().map(|what| what.diagram()).collect(),

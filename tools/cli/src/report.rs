@@ -283,9 +283,10 @@ pub(super) fn plural(count: usize, what: &str) -> String {
 /// The option `--deny`.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Deny {
-    /// Fail on warnings by code, or on 'falls'
+    /// Fail on codes, 'falls' or 'collisions'
     ///
-    /// Codes of warnings such as W112, 'warnings' for all of them, 'falls' for falls of the robot in a run
+    /// Codes of warnings such as W112, 'warnings' for all of them, 'falls' for falls of the robot in a run, 'collisions' for links
+    /// that meet each other or the body
     #[arg(long, value_name = "WHAT,...", value_delimiter = ',', value_parser = denied_value)]
     deny: Vec<Denied>,
 }
@@ -295,6 +296,8 @@ pub(super) struct Deny {
 enum Denied {
     /// The robot fell, or would have: its body came down, or its support was lost.
     Falls,
+    /// Two parts of the robot overlapped.
+    Collisions,
     /// Every warning.
     Warnings,
     /// A warning.
@@ -302,6 +305,7 @@ enum Denied {
 }
 
 const FALLS: &str = "falls";
+const COLLISIONS: &str = "collisions";
 const WARNINGS: &str = "warnings";
 
 fn denied_value(word: &str) -> Result<Denied, String> {
@@ -311,6 +315,7 @@ fn denied_value(word: &str) -> Result<Denied, String> {
     };
     match word {
         FALLS => Ok(Denied::Falls),
+        COLLISIONS => Ok(Denied::Collisions),
         WARNINGS => Ok(Denied::Warnings),
         _ => match warnings().find(|code| code.id().eq_ignore_ascii_case(word)) {
             Some(code) => Ok(Denied::Warning(code)),
@@ -318,7 +323,7 @@ fn denied_value(word: &str) -> Result<Denied, String> {
                 let codes: Vec<&str> = warnings().map(Code::id).collect();
                 let codes = codes.join(", ");
                 Err(format!(
-                    "the values of --deny are {FALLS}, {WARNINGS}, {codes}"
+                    "the values of --deny are {FALLS}, {COLLISIONS}, {WARNINGS}, {codes}"
                 ))
             }
         },
@@ -329,6 +334,11 @@ impl Deny {
     /// Returns true if falls are denied.
     pub(super) fn falls(&self) -> bool {
         self.deny.contains(&Denied::Falls)
+    }
+
+    /// Returns true if collisions are denied.
+    pub(super) fn collisions(&self) -> bool {
+        self.deny.contains(&Denied::Collisions)
     }
 
     /// Returns true if a program has a denied warning, after reporting it.

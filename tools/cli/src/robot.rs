@@ -1,30 +1,39 @@
 //! `tip robot`: lists, shows, checks, imports and exports robots.
 
+use crate::Action;
 use crate::choices::{Format, LangName, OutputOptions};
 use crate::error::Error;
 use crate::message::{Using, Weight};
 use crate::setup::{RobotChoice, SceneChoice, in_scene, load_scene};
 use crate::{Status, choices, input, output, report};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand, ValueEnum};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
-use tip_sim::urdf::Foot;
-use tip_sim::{Anatomy, Robot, mjcf, urdf};
+use tip_sim::import::{self, Foot, Forward};
+use tip_sim::{Robot, RobotDescription, mjcf, urdf};
 use tipc::embed::LIMIT;
 use tipc::message::Lang;
 use tipc::published;
 
+/// The command `tip robot`.
+#[derive(Debug, Args)]
+pub(super) struct RobotArguments {
+    #[command(subcommand)]
+    verb: RobotVerb,
+}
+
 /// The commands of `tip robot`.
 #[derive(Debug, Subcommand)]
-pub(super) enum RobotVerb {
+enum RobotVerb {
     /// List the robots that have a name
     List(List),
     /// Show what a robot has, and the sources of a published one
     Show(Show),
     /// Check a description, and show what the robot has
     Check(CheckRobot),
-    /// Make a description from a URDF file
+    /// Make a description from a URDF or MJCF file
     Import(Import),
     /// Write a robot as URDF, or as a model of MuJoCo
     Export(Export),
@@ -44,13 +53,23 @@ pub(super) struct CheckRobot {
     pub(super) output_options: OutputOptions,
 }
 
-pub(super) fn robot(verb: &RobotVerb) -> Result<Status, Error> {
-    match verb {
-        RobotVerb::List(_) => list(),
-        RobotVerb::Show(arguments) => show(arguments),
-        RobotVerb::Check(arguments) => check(arguments),
-        RobotVerb::Import(arguments) => import(arguments),
-        RobotVerb::Export(arguments) => export(arguments),
+impl Action for RobotArguments {
+    fn format(&self) -> Option<Format> {
+        match &self.verb {
+            RobotVerb::Check(arguments) => Some(arguments.output_options.message_format),
+            RobotVerb::Show(arguments) => Some(arguments.output_options.message_format),
+            RobotVerb::List(_) | RobotVerb::Import(_) | RobotVerb::Export(_) => None,
+        }
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        match &self.verb {
+            RobotVerb::List(_) => list(),
+            RobotVerb::Show(arguments) => show(arguments),
+            RobotVerb::Check(arguments) => check(arguments),
+            RobotVerb::Import(arguments) => import(arguments),
+            RobotVerb::Export(arguments) => export(arguments),
+        }
     }
 }
 
@@ -72,7 +91,7 @@ fn check(arguments: &CheckRobot) -> Result<Status, Error> {
 
 /// Returns the properties of a robot.
 fn summary(robot: &Robot) -> String {
-    let Anatomy {
+    let RobotDescription {
         body,
         forces,
         inverse,
@@ -220,23 +239,26 @@ fn coordinates(words: [Option<&str>; 3]) -> Option<[f64; 3]> {
 
 #[derive(Debug, Args)]
 #[command(
-    after_long_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
-foot is the link at the end, on a fixed joint, or what --foot says. A report on standard error lists what was assumed and what was dropped.
+    after_long_help = "Each chain of revolute or continuous joints (hinges in MJCF) from the base to a last link becomes a leg; fixed joints are merged.
+The foot of a URDF file is the link at the end, on a fixed joint; that of an MJCF file is a site called foot, toe or tip, else the last
+sphere, else the end of the last capsule; or what --foot says. A report on standard error lists what was assumed and what was dropped.
 A CHAIN is named by one of its joints or links, or by what only its first joint's name has: FL for FL_hip_joint.
 
 Examples:
   tip robot import quadruped.urdf -o quadruped.toml
   tip robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint --stand 280 -o dog.toml
+  tip robot import go2.xml -o go2.toml             a model of MuJoCo
+  tip robot import dog.urdf --forward -y -o dog.toml
   tip robot import arm.urdf --foot hand=0.05,0,0.12 -o arm.toml
   tip robot import - -o dog.toml     from standard input, such as what xacro writes
 
 Exit status: 0 if the description is written, 1 otherwise."
 )]
 pub(super) struct Import {
-    /// The URDF file; '-' is standard input
+    /// The URDF or MJCF file; '-' is standard input
     ///
-    /// xacro has to be expanded first
-    #[arg(value_name = "FILE.urdf")]
+    /// xacro has to be expanded first; an MJCF file includes files below its folder
+    #[arg(value_name = "FILE.urdf|FILE.xml")]
     file: PathBuf,
 
     /// A link to use as the foot of its chain
@@ -263,6 +285,17 @@ pub(super) struct Import {
     #[arg(long, value_enum, value_name = "x|y|z")]
     up: Option<Up>,
 
+    /// The axis that points forward, if not x
+    ///
+    /// Where names of legs contradict their places, the report names the axis that agrees
+    #[arg(
+        long,
+        value_parser = forward(),
+        value_name = "x|y|z|-x|-y|-z",
+        allow_hyphen_values = true
+    )]
+    forward: Option<Forward>,
+
     /// Start with the feet this many mm below
     ///
     /// Below the robot frame, with the body level; by default joints start in the middle of their limits
@@ -287,13 +320,23 @@ enum Up {
 }
 
 impl Up {
-    fn axis(self) -> urdf::Up {
+    fn axis(self) -> import::Up {
         match self {
-            Up::X => urdf::Up::X,
-            Up::Y => urdf::Up::Y,
-            Up::Z => urdf::Up::Z,
+            Up::X => import::Up::X,
+            Up::Y => import::Up::Y,
+            Up::Z => import::Up::Z,
         }
     }
+}
+
+/// Returns the parser of a direction.
+fn forward() -> impl TypedValueParser<Value = Forward> {
+    let names = PossibleValuesParser::new(Forward::ALL.map(|(name, _)| name));
+    names.map(|text| {
+        let mut all = Forward::ALL.into_iter();
+        let found = all.find(|(name, _)| *name == text);
+        found.map_or(Forward::X, |(_, forward)| forward)
+    })
 }
 
 /// Parses a height, mm.
@@ -305,16 +348,16 @@ fn height(text: &str) -> Result<f64, Using> {
     })
 }
 
-/// Imports a URDF file; errors are reported to standard error.
-fn read_urdf(path: &Path, options: &urdf::ImportOptions, lang: Lang) -> Option<urdf::Import> {
+/// Imports a URDF or MJCF file; errors are reported to standard error.
+fn read_model(path: &Path, options: &import::ImportOptions, lang: Lang) -> Option<import::Import> {
     let read = input::read(path, LIMIT).map_err(|reason| reason.in_lang(lang).to_string());
     let imported = read.and_then(|bytes| {
         let name = match input::is_stream(path) {
             true => input::name(path).into(),
             false => path.file_name().unwrap_or_default().to_string_lossy(),
         };
-        let text = urdf::decode(&bytes);
-        let imported = text.and_then(|text| urdf::import_with(&name, &text, options));
+        let text = import::decode(&bytes);
+        let imported = text.and_then(|text| import::import_with(&name, &text, options));
         imported.map_err(|refused| refused.message().in_lang(lang).to_string())
     });
     let complain = |reason: &String| {
@@ -328,7 +371,7 @@ fn read_urdf(path: &Path, options: &urdf::ImportOptions, lang: Lang) -> Option<u
 /// Writes the description; the report goes to standard error.
 fn import(arguments: &Import) -> Result<Status, Error> {
     let path = &arguments.file;
-    let choices = urdf::ImportOptions {
+    let choices = import::ImportOptions {
         feet: arguments
             .foot
             .iter()
@@ -337,10 +380,12 @@ fn import(arguments: &Import) -> Result<Status, Error> {
         skip: arguments.skip.clone(),
         order: arguments.order.clone(),
         up: arguments.up.map(Up::axis),
+        forward: arguments.forward,
+        folder: input::folder(path),
         stand: arguments.stand,
     };
     let lang = choices::lang(arguments.lang);
-    let Some(imported) = read_urdf(path, &choices, lang) else {
+    let Some(imported) = read_model(path, &choices, lang) else {
         return Ok(Status::Failure);
     };
     output::write(arguments.out.as_deref(), &[path], &imported.toml)?;
@@ -386,7 +431,7 @@ pub(super) struct Export {
 
     /// The robot: a name or a file
     ///
-    /// A name that 'tip robot list' shows, a description, or a URDF file to normalise
+    /// A name that 'tip robot list' shows, a description, or a URDF or MJCF file to normalise
     #[arg(long, value_name = "NAME|FILE", default_value = "titan8")]
     robot: RobotChoice,
 
@@ -417,7 +462,7 @@ fn export(arguments: &Export) -> Result<Status, Error> {
 #[cfg(test)]
 mod tests {
     use super::feet;
-    use tip_sim::urdf::Foot;
+    use tip_sim::import::Foot;
 
     #[test]
     fn links_and_places_on_them_stand_side_by_side() {

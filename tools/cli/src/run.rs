@@ -3,6 +3,7 @@
 mod console;
 mod emergency;
 mod files;
+mod refusal;
 mod summary;
 
 use super::arguments::RunArguments;
@@ -12,18 +13,22 @@ use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;
 use super::setup::{ChosenRobot, PlantChoice};
-use super::{Status, input, interrupt, report, sticks};
+use super::{Status, input, interrupt, output, report, sticks};
+use crate::Action;
+use crate::choices::Format;
 use crate::message::{Driving, Running, Using, Weight};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use console::{Live, Progress, Screen};
 use emergency::Stopped;
 use files::Trace;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
-use summary::{driven, fall, summary};
+use summary::{collision, driven, fall, json, summary};
 use tip_runtime::console::{LogFiles, Terminal};
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, WaitDetector};
+use tip_sim::{
+    ExternalPlant, FallKind, Inputs, Interpreter, Observer, Robot, SummaryBuilder, WaitDetector,
+};
 use tipc::Loaded;
 use tipc::description::Description;
 use tipc::message::Lang;
@@ -62,7 +67,7 @@ Exit status; the first that applies:
   1    the program does not load or has a denied warning, or a file cannot be written
   130  interrupted
   3    emergency stop
-  4    the robot fell, with --deny falls; the run goes on to its end
+  4    the robot fell, with --deny falls, or two of its parts met, with --deny collisions; the run goes on to its end
   0    END, EXIT or --cycles used up")]
 pub(super) struct Run {
     #[command(flatten)]
@@ -119,9 +124,30 @@ pub(super) struct Run {
     #[command(flatten)]
     pub(super) deny: Deny,
 
+    /// The summary: text, or json on standard output
+    ///
+    /// One object in place of the program's messages (docs/files.md)
+    #[arg(
+        long,
+        value_name = "FORMAT",
+        value_enum,
+        default_value = "text",
+        hide_short_help = true
+    )]
+    pub(super) format: SummaryFormat,
+
     /// Print only messages and errors that end a run
     #[arg(long, short)]
     pub(super) quiet: bool,
+}
+
+/// The values of `--format`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum SummaryFormat {
+    /// Lines on standard error
+    Text,
+    /// One JSON object on standard output
+    Json,
 }
 
 impl Run {
@@ -130,8 +156,33 @@ impl Run {
     }
 }
 
+impl Action for Run {
+    fn complete(&mut self) -> Result<(), Error> {
+        if let Some(file) = &self.hardware {
+            self.run.source.robot = Some(crate::setup::RobotChoice::File(file.clone()));
+        }
+        let given = self.run.complete(&self.run.file.clone())?;
+        if let Some(given) = given.filter(|_| !self.quiet) {
+            report::complain(&format!("{given}\n"));
+        }
+        Ok(())
+    }
+
+    fn format(&self) -> Option<Format> {
+        Some(self.run.source.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        run(self)
+    }
+}
+
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
-pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
+fn run(arguments: &Run) -> Result<Status, Error> {
+    let is_straight = arguments.trace.as_deref().is_some_and(input::is_standard);
+    if is_straight && arguments.format == SummaryFormat::Json {
+        return Err(Error::usage(Using::OneOutput, arguments.lang()));
+    }
     interrupt::catch();
     let plant = arguments.run.inputs.plant.as_ref();
     let process = plant.and_then(PlantChoice::process);
@@ -265,7 +316,8 @@ impl Job<'_> {
         mut trace: Option<Trace>,
         logs: Option<LogFiles<()>>,
     ) -> Result<Status, Error> {
-        let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
+        let is_traced = trace.as_ref().is_some_and(Trace::takes_standard_output);
+        let messages = !is_traced && self.arguments.format == SummaryFormat::Text;
         let keyboard = match &self.connection {
             Some(connection) => connection.keyboard(),
             None => terminal(),
@@ -287,14 +339,19 @@ impl Job<'_> {
             trace: trace.as_mut(),
             live: None,
             fell: false,
+            collided: false,
             waits: WaitDetector::default(),
             has_waited: false,
+            figures: SummaryBuilder::new(robot),
         };
         if is_live {
             watch.live = Some(Live::begin(self.arguments.quiet, has_sticks, lang));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
-        let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
+        let deny = &self.arguments.deny;
+        let is_denied = watch.fell && deny.falls() || watch.collided && deny.collisions();
+        let (live, wait) = (watch.live, watch.waits.now(&run));
+        let figures = watch.figures;
         // From here on a signal ends nothing: neither the leaving of the robot nor the files.
         interrupt::hold();
         let is_stopped = connection.as_ref().is_some_and(|connection| {
@@ -319,6 +376,7 @@ impl Job<'_> {
                 program,
                 loaded: self.loaded,
                 options,
+                robot,
                 anatomy: &anatomy,
             };
             report::write_stderr(&stopped.report(source.output_options));
@@ -329,7 +387,8 @@ impl Job<'_> {
                 let texts = dropped.to_string();
                 report::say(Running::LeftOut { texts }, lang);
             }
-            let summary = summary(&run, ending, wait.as_ref(), &self.loaded.source, lang);
+            let (source, figures) = (&self.loaded.source, figures.summary());
+            let summary = summary(&run, ending, wait.as_ref(), figures, source, lang);
             report::complain(&summary);
             if let Some(live) = &live {
                 report::complain(&live.pace(lang));
@@ -338,10 +397,14 @@ impl Job<'_> {
                 report::complain(&driven(connection, live.as_ref().map(Live::jitter), lang));
             }
         }
+        if self.arguments.format == SummaryFormat::Json {
+            let source = &self.loaded.source;
+            output::print(json(&run, ending, figures.summary(), source))?;
+        }
         traced.and(logged)?;
         Ok(match is_stopped {
             true => Status::Emergency,
-            false => self.status(&ending, fell),
+            false => self.status(&ending, is_denied),
         })
     }
 
@@ -378,13 +441,11 @@ impl Job<'_> {
     }
 
     /// Returns the exit status of an ending.
-    fn status(&self, ending: &Ending, fell: bool) -> Status {
+    fn status(&self, ending: &Ending, is_denied: bool) -> Status {
         match ending {
             Ending::Interrupted => Status::Interrupted,
             Ending::Emergency(_) => Status::Emergency,
-            Ending::Program(_) | Ending::Limit if fell && self.arguments.deny.falls() => {
-                Status::Fell
-            }
+            Ending::Program(_) | Ending::Limit if is_denied => Status::Fell,
             Ending::Program(_) | Ending::Limit => Status::Success,
         }
     }
@@ -396,9 +457,11 @@ struct Watch<'a> {
     trace: Option<&'a mut Trace>,
     live: Option<Live>,
     fell: bool,
+    collided: bool,
     waits: WaitDetector,
     /// True if a long wait was reported.
     has_waited: bool,
+    figures: SummaryBuilder,
 }
 
 impl Watch<'_> {
@@ -415,18 +478,40 @@ impl Watch<'_> {
             true => Weight::Error,
             false => Weight::Warning,
         };
+        if let (Some(program), Some(screen), Some(motion)) =
+            (run.engine(), run.console::<Screen>(), run.motion())
+        {
+            let lang = self.job.arguments.lang();
+            let kind = FallKind::of(&motion, found.is_upright);
+            let source = &self.job.loaded.source;
+            let text = fall(&found, &weight, kind, source, program, lang);
+            screen.progress.above(|| report::complain(&text));
+        }
+    }
+
+    /// Reports the first collision in its cycle.
+    fn report_collision(&mut self, run: &tip_sim::Run) {
+        let Some(found) = run.first_collision().filter(|_| !self.collided) else {
+            return;
+        };
+        self.collided = true;
+        if self.job.arguments.quiet {
+            return;
+        }
+        let weight = match self.job.arguments.deny.collisions() {
+            true => Weight::Error,
+            false => Weight::Warning,
+        };
         if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
             let lang = self.job.arguments.lang();
-            let has_mass = (run.motion()).is_some_and(|motion| motion.unmodelled.is_none());
             let source = &self.job.loaded.source;
-            let text = fall(&found, &weight, has_mass, source, program, lang);
+            let text = collision(&found, &weight, source, program, lang);
             screen.progress.above(|| report::complain(&text));
         }
     }
 
     /// Reports what a run waits for: in the line of progress on a terminal, else once after a long wait.
     fn report_wait(&mut self, run: &mut tip_sim::Run, cycle: u64) {
-        self.waits.after(run);
         let is_long = self.waits.rest(run) >= LONG_WAIT;
         let lang = self.job.arguments.lang();
         let Some(screen) = run.console::<Screen>() else {
@@ -462,9 +547,13 @@ impl Observer for Watch<'_> {
             trace.after(run);
         }
         self.report_fall(run);
+        self.report_collision(run);
         if run.ending().is_some() {
+            self.figures.after(run, None);
             return;
         }
+        self.waits.after(run);
+        self.figures.after(run, self.waits.now(run));
         if self.trace.as_ref().is_some_and(|trace| !trace.is_open()) {
             interrupt::request();
         }
@@ -483,7 +572,7 @@ impl Observer for Watch<'_> {
 fn reject_built_in_options(arguments: &Run) -> Result<(), Error> {
     let refused = if arguments.run.inputs.scene.is_some() {
         Using::SceneIsElsewhere
-    } else if arguments.deny.falls() {
+    } else if arguments.deny.falls() || arguments.deny.collisions() {
         Using::FallsAreElsewhere
     } else {
         return Ok(());

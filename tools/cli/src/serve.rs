@@ -4,12 +4,13 @@
 mod connections;
 mod hub;
 
+use crate::Action;
 use crate::arguments::RunArguments;
 use crate::error::Error;
 use crate::loader::Subject;
 use crate::message::Using;
 use crate::watch::Watch;
-use crate::{Status, input, output, report, sticks, usage};
+use crate::{Status, input, output, report, sticks};
 use clap::Args;
 use connections::Guard;
 use hub::{Hub, HubEvent, HubSender};
@@ -57,8 +58,18 @@ pub(super) struct Serve {
     quiet: bool,
 }
 
+impl Action for Serve {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        serve(self)
+    }
+}
+
 /// Serves the page until Ctrl-C.
-pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
+fn serve(arguments: &Serve) -> Result<Status, Error> {
     let path = arguments.run.file.as_path();
     let lang = arguments.run.source.output_options.lang();
     if input::is_stream(path) {
@@ -166,7 +177,7 @@ impl Host for ServedFile {
             Ok(_) => return Err(Reading::Changed.in_lang(lang).to_string()),
             Err(reason) => return Err(reason.in_lang(lang).to_string()),
         };
-        written.map_err(|error| error.text(usage::lang()))?;
+        written.map_err(|error| error.text(lang))?;
         self.known = bytes.to_vec();
         Ok(())
     }

@@ -7,6 +7,7 @@ use super::error::{Error, diagnostics, is_closed};
 use super::loader::{self, Subject};
 use super::setup::{RobotChoice, SceneChoice};
 use super::{embedded, explain, input, output, sarif};
+use crate::Action;
 use crate::message::Using;
 use clap::{Args, ValueEnum};
 use std::collections::HashMap;
@@ -53,8 +54,14 @@ pub(super) struct Lsp {
 /// Size of a block whose release stops glibc from returning memory to the kernel after each text, bytes.
 const KEPT: usize = 16 << 20;
 
+impl Action for Lsp {
+    fn execute(&self) -> Result<Status, Error> {
+        lsp(self)
+    }
+}
+
 /// Serves one editor.
-pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
+fn lsp(arguments: &Lsp) -> Result<Status, Error> {
     drop(black_box(Vec::<u8>::with_capacity(KEPT)));
     let connection = Connection::new(BufReader::new(io::stdin()), io::stdout());
     let files = Files {
@@ -232,8 +239,14 @@ VR1=8, halt, to 300 (a cycle). See docs/debugging.md."
 )]
 pub(super) struct Dap {}
 
+impl Action for Dap {
+    fn execute(&self) -> Result<Status, Error> {
+        dap(self)
+    }
+}
+
 /// Serves a client until it disconnects.
-pub(super) fn dap(_: &Dap) -> Result<Status, Error> {
+fn dap(_: &Dap) -> Result<Status, Error> {
     let connection = Connection::new(BufReader::new(io::stdin()), io::stdout());
     match dap::serve(connection, Programs) {
         Ok(()) => Ok(Status::Success),

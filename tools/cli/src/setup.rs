@@ -18,7 +18,7 @@ use tipc::message::list::Each;
 use tipc::published::{self, Published};
 use tipc::{Loaded, Robot};
 
-/// The value of `--robot`: `NAME`, `FILE.toml` or `FILE.urdf`.
+/// The value of `--robot`: `NAME`, `FILE.toml`, `FILE.urdf` or `FILE.xml` of MuJoCo.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum RobotChoice {
     Named(Robot),
@@ -32,7 +32,7 @@ impl FromStr for RobotChoice {
     fn from_str(text: &str) -> Result<Self, Using> {
         let path = Path::new(text);
         let is_toml = path.extension().is_some_and(|end| end == "toml");
-        let is_file = is_toml || input::is_urdf(path);
+        let is_file = is_toml || input::is_model(path);
         let is_named = |robot: &&Robot| robot.name().eq_ignore_ascii_case(text);
         if let Some(robot) = Robot::ALL.iter().find(is_named) {
             Ok(RobotChoice::Named(*robot))

@@ -6,13 +6,15 @@
 mod summary;
 mod table;
 
+use crate::Action;
 use crate::arguments::RunArguments;
+use crate::choices::Format;
+use crate::choices::{count, positive, quoted};
 use crate::error::Error;
 use crate::loader::{self, Subject};
 use crate::message::{Sweeping, Using};
 use crate::report::{Deny, RATE, progress_style};
 use crate::setup::{PlantChoice, RobotChoice, SceneChoice};
-use crate::usage::{count, positive, quoted};
 use crate::{Status, input, interrupt, output, report};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState};
@@ -27,7 +29,7 @@ pub(super) use table::{is_table, specification};
 use tip_runtime::plant::Simulation;
 use tip_runtime::printable::Printable;
 use tip_sweep::{Axis, AxisError, PlantSpec, RobotSpec, Row, Sampling, Spec, SweepError, Text};
-use tip_view::{Extent, MAX_RUNS, Pace, Recording, SweepTable};
+use tip_view::{DurationLimit, FrameRate, MAX_RUNS, Recording, SweepTable};
 use tipc::message::Lang;
 
 #[derive(Debug, Args)]
@@ -54,7 +56,7 @@ any number of threads. The table grows in OUT.csv.part and is renamed when it is
 OUT.sweep.json. Ctrl-C and kill keep finished runs, --resume goes on.
 
 Exit status: 0 complete, 1 the program does not load or has a denied warning, or a file cannot be written, 2 wrong usage,
-4 a robot fell, with --deny falls, 130 interrupted.")]
+4 a robot fell, with --deny falls, or its parts met, with --deny collisions, 130 interrupted.")]
 pub(super) struct Sweep {
     #[command(flatten)]
     pub(super) run: RunArguments,
@@ -95,6 +97,10 @@ pub(super) struct Sweep {
     /// Go on with an unfinished table
     #[arg(long)]
     resume: bool,
+
+    /// Replace a table that exists
+    #[arg(long, conflicts_with = "resume")]
+    force: bool,
 
     /// The number of threads; else that of cores
     #[arg(long, value_name = "N", value_parser = positive, allow_negative_numbers = true)]
@@ -146,8 +152,22 @@ const MAX_THREADS: u64 = 1024;
 /// Largest number of chunks per thread that wait for one before them to be written.
 const AHEAD: u64 = 16;
 
+impl Action for Sweep {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn format(&self) -> Option<Format> {
+        Some(self.run.source.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        sweep(self)
+    }
+}
+
 /// Runs the cases and writes the table.
-pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
+fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     interrupt::catch();
     let run = &arguments.run;
     let lang = run.source.output_options.lang();
@@ -171,7 +191,13 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
         true => (Table::Stream, Summary::default()),
         false => {
             output::refuse_inputs(&arguments.out, &run.files())?;
-            Table::open(&arguments.out, &sweep, arguments.resume, lang)?
+            Table::open(
+                &arguments.out,
+                &sweep,
+                arguments.resume,
+                arguments.force,
+                lang,
+            )?
         }
     };
     let began = summary.runs;
@@ -194,7 +220,9 @@ pub(super) fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     }
     if complete {
         ended?;
-        return Ok(match arguments.deny.falls() && summary.fell() > 0 {
+        let has_fallen = arguments.deny.falls() && summary.fell() > 0;
+        let has_collided = arguments.deny.collisions() && summary.collided() > 0;
+        return Ok(match has_fallen || has_collided {
             true => Status::Fell,
             false => Status::Success,
         });
@@ -507,8 +535,8 @@ pub(super) fn record(file: &Path, number: u64, lang: Lang) -> Result<Recording, 
     let spec = sweep.spec();
     let usage = |error: SweepError| Error::Usage(error.text(lang));
     let extent = match spec.cycles {
-        Some(cycles) => Extent::cycles(cycles),
-        None => Extent::Time {
+        Some(cycles) => DurationLimit::cycles(cycles),
+        None => DurationLimit::Time {
             most: spec.until * 1000.0,
             wait: f64::INFINITY,
         },
@@ -518,6 +546,13 @@ pub(super) fn record(file: &Path, number: u64, lang: Lang) -> Result<Recording, 
     let run = sweep.start(&case).map_err(usage)?;
     let loaded = tip_lint::load(name, program, &case.robot.options());
     let goes_on = || !interrupt::is_requested();
-    Recording::of_run(run, &loaded, &case.robot, extent, Pace::Smooth, goes_on)
-        .map_err(|reason| Error::Usage(reason.to_string()))
+    Recording::of_run(
+        run,
+        &loaded,
+        &case.robot,
+        extent,
+        FrameRate::Smooth,
+        goes_on,
+    )
+    .map_err(|reason| Error::Usage(reason.to_string()))
 }

@@ -1,5 +1,6 @@
 //! Commands that write a program in another form: `tip fmt`, `tip emit`, `tip migrate` and `tip cycles`.
 
+use crate::Action;
 use crate::arguments::{SourceArguments, version_number};
 use crate::choices::{EncodingName, Format, OutputOptions};
 use crate::error::Error;
@@ -72,8 +73,18 @@ pub(super) struct Fmt {
     pub(super) output_options: OutputOptions,
 }
 
+impl Action for Fmt {
+    fn format(&self) -> Option<Format> {
+        Some(self.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        fmt(self)
+    }
+}
+
 /// Formats each file; one that cannot be formatted makes the whole command fail.
-pub(super) fn fmt(arguments: &Fmt) -> Result<Status, Error> {
+fn fmt(arguments: &Fmt) -> Result<Status, Error> {
     let mut status = Status::Success;
     for path in &arguments.files {
         let read = target(arguments, path).and_then(|target| Ok((target, input::bytes(path)?)));
@@ -215,8 +226,22 @@ pub(super) struct Emit {
     pub(super) source: SourceArguments,
 }
 
+impl Action for Emit {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.source.complete(&self.file).map(drop)
+    }
+
+    fn format(&self) -> Option<Format> {
+        Some(self.source.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        emit(self)
+    }
+}
+
 /// Writes one form of a program to a file or to standard output.
-pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
+fn emit(arguments: &Emit) -> Result<Status, Error> {
     let source = &arguments.source;
     let subject = check(&arguments.file, source)?;
     let (subject, program) = sound(subject, source.output_options, false)?;
@@ -311,8 +336,18 @@ impl EditionName {
     }
 }
 
+impl Action for Migrate {
+    fn format(&self) -> Option<Format> {
+        Some(self.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        migrate(self)
+    }
+}
+
 /// Writes the new program, or nothing if a question is open; the report goes to standard error.
-pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {
+fn migrate(arguments: &Migrate) -> Result<Status, Error> {
     let output_options = arguments.output_options;
     let (encoding, edition) = (arguments.encoding.encoding(), arguments.to.edition());
     let migration = input::migrate(&arguments.file, encoding, edition);
@@ -356,8 +391,22 @@ pub(super) struct Cycles {
     pub(super) source: SourceArguments,
 }
 
+impl Action for Cycles {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.source.complete(&self.file).map(drop)
+    }
+
+    fn format(&self) -> Option<Format> {
+        Some(self.source.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        cycles(self)
+    }
+}
+
 /// Writes the counts of one program to standard output.
-pub(super) fn cycles(arguments: &Cycles) -> Result<Status, Error> {
+fn cycles(arguments: &Cycles) -> Result<Status, Error> {
     let source = &arguments.source;
     let subject = check(&arguments.file, source)?;
     let (subject, program) = sound(subject, source.output_options, false)?;

@@ -2,12 +2,12 @@
 
 use super::choices::LangName;
 use super::report::complain;
-use super::{choices, help};
+use super::{choices, commands};
 use crate::message::{Using, Weight};
 use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::env;
-use std::error::Error;
+use std::error::Error as _;
 use std::path::Path;
 use tip_runtime::printable::is_control;
 use tipc::message::Lang;
@@ -26,37 +26,6 @@ const OTHER_TOOLS: &[(&str, &str)] = &[
     ("simulate", "run"),
     ("upgrade", "migrate"),
 ];
-
-/// The error of an option's value.
-impl Error for Using {}
-
-/// Parses a whole number.
-pub(super) fn count(text: &str) -> Result<u64, Using> {
-    let wrong = |_| Using::NotACount {
-        text: text.to_owned(),
-    };
-    text.parse().map_err(wrong)
-}
-
-/// Parses a whole number above 0.
-pub(super) fn positive(text: &str) -> Result<u64, Using> {
-    match count(text)? {
-        0 => Err(Using::NotPositive {
-            text: text.to_owned(),
-        }),
-        count => Ok(count),
-    }
-}
-
-/// Quotes a word for a shell.
-pub(super) fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "/._-=".contains(c);
-    if word.chars().all(is_plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
-    }
-}
 
 /// Reports an error of the command line, or prints the help that was asked for.
 pub(super) fn report(error: &clap::Error) {
@@ -172,7 +141,7 @@ fn unknown_command(word: String, near: Option<&String>) -> Using {
 /// Returns the option that ends in these words: `--message-format` for `--format`.
 fn full_option(option: &str) -> Option<String> {
     let end = option.strip_prefix('-').filter(|end| end.len() > 2)?;
-    let tip = help::grammar();
+    let tip = commands::grammar();
     let mut options = tip.find_subcommand(command()?)?.get_arguments();
     let near = options.find_map(|it| it.get_long().filter(|long| long.ends_with(end)))?;
     Some(format!("--{near}"))
@@ -180,7 +149,7 @@ fn full_option(option: &str) -> Option<String> {
 
 /// Returns the names of the commands.
 fn commands() -> Vec<String> {
-    let tip = help::grammar();
+    let tip = commands::grammar();
     let commands = tip.get_subcommands();
     commands
         .map(|command| command.get_name().to_owned())

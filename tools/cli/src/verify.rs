@@ -1,12 +1,14 @@
 //! `tip verify`: compares compiled code with the reference interpreter on searched or given inputs, and prints a certificate or the
 //! shortest inputs on which they differ.
 
+use crate::Action;
 use crate::arguments::{InputArguments, RunArguments};
+use crate::choices::Format;
+use crate::choices::{positive, quoted};
 use crate::error::Error;
 use crate::message::Using;
 use crate::report::{RATE, progress_style, step_location};
 use crate::setup::{ChosenRobot, PlantChoice};
-use crate::usage::{positive, quoted};
 use crate::{Status, interrupt, loader, output, report};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget};
@@ -57,8 +59,22 @@ pub(super) struct Verify {
     pub(super) manifest_path: Option<PathBuf>,
 }
 
+impl Action for Verify {
+    fn complete(&mut self) -> Result<(), Error> {
+        self.run.complete(&self.run.file.clone()).map(drop)
+    }
+
+    fn format(&self) -> Option<Format> {
+        Some(self.run.source.output_options.message_format)
+    }
+
+    fn execute(&self) -> Result<Status, Error> {
+        verify(self)
+    }
+}
+
 /// Builds the program, runs both engines, and prints a certificate, or the shortest input on which they differ.
-pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
+fn verify(arguments: &Verify) -> Result<Status, Error> {
     interrupt::catch();
     let run = &arguments.run;
     let output_options = run.source.output_options;

@@ -14,7 +14,7 @@ const NAP: Duration = Duration::from_millis(100);
 /// Maximum time between the steps in which an editor writes a file, which are one change.
 const QUIET: Duration = Duration::from_millis(50);
 /// Maximum time of such a change.
-const LONGEST: Duration = Duration::from_secs(1);
+const MAX_CHANGE: Duration = Duration::from_secs(1);
 
 /// The watched files.
 pub(super) struct Watch {
@@ -75,7 +75,7 @@ impl Watch {
         while !interrupt::is_requested() {
             if self.is_changed_within(NAP) {
                 let change = Instant::now();
-                while self.is_changed_within(QUIET) && change.elapsed() < LONGEST {}
+                while self.is_changed_within(QUIET) && change.elapsed() < MAX_CHANGE {}
                 return true;
             }
         }

@@ -13,6 +13,7 @@ use std::error::Error;
 use std::{env, fs};
 use tip_drives::bus::{Bus, Timing};
 use tip_drives::drives::{Drives, Joint, Settings};
+use tip_drives::guard::{Host, Request, TorqueGuard};
 use tip_drives::model::Model;
 use tip_drives::moteus;
 use tip_drives::simulated::{Faults, MemoryPort, Servo, SimulatedBus};
@@ -21,6 +22,19 @@ use tip_runtime::model::Range;
 
 /// Time of the first cycle, µs.
 const START: u64 = 5_000_000;
+
+/// A host whose operator presses nothing.
+struct Nobody;
+
+impl Host<MemoryPort> for Nobody {
+    fn wait(&mut self, port: &mut MemoryPort, until: u64) {
+        port.pass(until);
+    }
+
+    fn request(&mut self) -> Option<Request> {
+        None
+    }
+}
 
 /// The timing of a model's bus.
 fn timing(model: &Model) -> Timing {
@@ -105,14 +119,18 @@ fn run(
     let timing = timing(model);
     let port = MemoryPort::new(SimulatedBus::new(servos, timing));
     let bus = Bus::new(port, timing);
-    let mut drives = Drives::new(bus, &joints, Settings::default())?;
-    drives.connect()?;
+    let drives = Drives::new(bus, &joints, Settings::default())?;
+    let mut robot = TorqueGuard::new(drives, Nobody, period as f64);
+    robot.connect()?;
     // Not long before the first cycle, because of watchdogs.
-    drives.bus_mut().port_mut().pass(START - 100_000);
-    drives.set_period(period as f64);
-    drives.hold()?;
-    let bus = drives.bus().port().bus.clone();
-    drives.bus_mut().port_mut().bus = bus.with_faults(faults, 3);
+    robot
+        .drives_mut()
+        .bus_mut()
+        .port_mut()
+        .pass(START - 100_000);
+    robot.hold()?;
+    let bus = robot.drives().bus().port().bus.clone();
+    robot.drives_mut().bus_mut().port_mut().bus = bus.with_faults(faults, 3);
     let (mut wrong, mut worst, mut times, mut stopped) = (0, 0, Vec::new(), 0);
     let allowed = match model.family.key() {
         "moteus" => moteus::BETWEEN,
@@ -120,9 +138,10 @@ fn run(
     };
     for cycle in 0..cycles {
         let begin = START + cycle * period * 1000;
-        drives.bus_mut().port_mut().pass(begin);
-        let busy = drives.counts().busy;
-        stopped += u64::from(drives.read_cycle().is_err());
+        robot.drives_mut().bus_mut().port_mut().pass(begin);
+        let busy = robot.drives().counts().busy;
+        stopped += u64::from(robot.read_cycle().is_err());
+        let drives = robot.drives();
         for (number, servo) in drives.bus().port().bus.servos().iter().enumerate() {
             let measured = drives.measured(number).ok_or("not connected")?;
             let reported = servo.reported().ok_or("not asked")?;
@@ -135,10 +154,11 @@ fn run(
         }
         let angle = 30.0 * libm::sin(cycle as f64 * 0.02);
         let commands = vec![JointCommand::at(angle); joints.len()];
-        drives.write_cycle(&commands, period as f64)?;
-        times.push((drives.counts().busy - busy) as u32);
+        robot.write_cycle(&commands, period as f64)?;
+        times.push((robot.drives().counts().busy - busy) as u32);
     }
     times.sort_unstable();
+    let drives = robot.drives();
     let (counts, happened) = (drives.counts(), drives.bus().port().bus.happened());
     let injected = happened.corrupt
         + happened.dropped

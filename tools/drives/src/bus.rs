@@ -87,6 +87,9 @@ pub struct Counters {
 /// Maximum number of servos on a bus.
 pub const MAX_SERVOS: usize = 81;
 
+/// Number of bytes that are read after the time of the answers: those of all servos.
+const MAX_LATE_BYTES: usize = 4 * MAX_FRAME_BYTES;
+
 /// The answers that a request waits for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wait {
@@ -296,14 +299,19 @@ impl<P: Port> Wire for Bus<P> {
         // A port may take the request before it is on the wire.
         let time = self.timing.bytes(request.len()) + wait.time + u64::from(self.timing.latency);
         let limit = wait.limit.min(self.port.now().saturating_add(time));
+        let mut late = 0;
         while self.port.wait(limit).map_err(|_| BusError::Port)? {
-            self.receive()?;
+            let count = self.receive()?;
             while let Some(frame) = self.decoder.next(parse) {
                 if take(frame) {
                     return Ok(());
                 }
             }
+            // A host that woke up late finds answers that came in time.
             if self.port.now() >= limit {
+                late += count;
+            }
+            if late > MAX_LATE_BYTES {
                 break;
             }
         }

@@ -1,5 +1,5 @@
-//! The joints of a robot as servos on a bus, and the checks that keep a robot whole. Torque belongs to the
-//! [guard](crate::guard).
+//! The joints of a robot as servos on a bus, and the checks that keep a robot whole. Whoever has only these measures: torque and
+//! commands belong to the [guard](crate::guard).
 //!
 //! Angles of this module are those of joints, in deg; counts are those of servos. Every command is limited here, before it leaves.
 
@@ -19,6 +19,8 @@ pub enum Problem {
     Port,
     /// A servo did not answer for longer than allowed.
     Silent,
+    /// A servo was not asked for so many cycles, because the host was late in each.
+    NotRead(u32),
     /// A servo is of another model, whose number this is.
     Model(u16),
     /// A register of a servo gives goals another meaning.
@@ -53,6 +55,7 @@ impl Problem {
         match self {
             Problem::Port => "the port is gone",
             Problem::Silent => "does not answer",
+            Problem::NotRead(_) => "was not read in time",
             Problem::Model(_) => "is of another model",
             Problem::Register(_) => "has other settings",
             Problem::Hot(_) => "is too hot",
@@ -172,6 +175,8 @@ struct State {
     is_late: bool,
     /// Cycles since the last answer that was believed; 0 if it is of this cycle.
     age: u32,
+    /// Number of requests since then.
+    unanswered: u32,
     /// Error byte of the answers, and another one that came once.
     error: u8,
     other_error: Option<u8>,
@@ -248,6 +253,10 @@ const TIMEOUT_AT_START: f64 = 2000.0;
 const MIN_TIMEOUT: f64 = 3.0;
 /// Number of cycles that send a new time-out.
 const TIMEOUT_REPEATS: u32 = 3;
+/// Number of requests without an answer from which a servo counts as silent.
+const MIN_UNANSWERED: u32 = 2;
+/// Number of times `silence` after which a robot is stopped whose host cannot read it.
+const MAX_NOT_READ: u32 = 3;
 /// A difference of positions that noise explains, counts.
 const NOISE: f64 = 12.0;
 /// The farthest that a servo is beside the way to its goal, deg.
@@ -270,6 +279,7 @@ impl<P: Port> Drives<P> {
             turn: 0,
             is_late: false,
             age: 0,
+            unanswered: 0,
             error: 0,
             other_error: None,
             off: 0,
@@ -507,20 +517,12 @@ impl<P: Port> Drives<P> {
         joints.map(|joint| self.setpoint(joint)).collect()
     }
 
-    /// Sets speeds and torque limits, and switches the torque on, where each joint is. A [guard](crate::guard::TorqueGuard) does so for
-    /// robots that have to be left in a state; nobody takes this torque away again.
+    /// Sets speeds and torque limits, and switches the torque on, where each joint is, as long as `goes_on` returns true, which is
+    /// asked before each servo.
     ///
     /// # Errors
     /// A servo does not answer.
-    pub fn hold(&mut self) -> Result<(), Failure> {
-        self.hold_while(|| true)
-    }
-
-    /// Does the same as long as `goes_on` returns true, which is asked before each servo.
-    ///
-    /// # Errors
-    /// A servo does not answer.
-    pub fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
+    pub(crate) fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
         self.check_period()?;
         (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         for number in 0..self.joints.len() {
@@ -555,7 +557,7 @@ impl<P: Port> Drives<P> {
     ///
     /// # Errors
     /// Any failure that would stop a run.
-    pub fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
+    pub(crate) fn approach(&mut self, to: &[f64], speed: f64, period: f64) -> Result<f64, Failure> {
         self.read_cycle()?;
         let mut commands: Vec<JointCommand, MAX_SERVOS> = Vec::new();
         let mut left: f64 = 0.0;
@@ -587,7 +589,11 @@ impl<P: Port> Drives<P> {
     ///
     /// # Errors
     /// The port is gone, a joint is commanded a torque, or the bus or the watchdogs cannot have this sampling time.
-    pub fn write_cycle(&mut self, commands: &[JointCommand], period: f64) -> Result<(), Failure> {
+    pub(crate) fn write_cycle(
+        &mut self,
+        commands: &[JointCommand],
+        period: f64,
+    ) -> Result<(), Failure> {
         let begin = self.bus.now();
         if period != self.period {
             self.period = period;
@@ -622,7 +628,7 @@ impl<P: Port> Drives<P> {
     ///
     /// # Errors
     /// The commands could not be sent.
-    pub fn rest(&mut self, policy: Policy) -> Result<bool, Failure> {
+    pub(crate) fn rest(&mut self, policy: Policy) -> Result<bool, Failure> {
         let Some(family) = self.family().filter(|_| self.is_held) else {
             return Ok(true);
         };
@@ -675,12 +681,20 @@ impl<P: Port> Drives<P> {
         answers.all(|measured| measured.is_some_and(|measured| measured.at >= time))
     }
 
+    /// Switches the torque of one servo off; returns true if the servo confirms it. It is tried once.
+    ///
+    /// # Errors
+    /// The port is gone, or the servo does not answer.
+    pub fn relax(&mut self, number: usize) -> Result<bool, BusError> {
+        self.confirm(number, Policy::Relax)
+    }
+
     /// Brings one servo into the state in which the robot is left, without watchdog; returns true if the servo confirms it, and
     /// false if it reports the other state. It is tried once.
     ///
     /// # Errors
     /// The port is gone, or the servo does not answer.
-    pub fn confirm(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
+    pub(crate) fn confirm(&mut self, number: usize, policy: Policy) -> Result<bool, BusError> {
         let tries = self.bus.tries();
         self.bus.set_tries(1);
         let left = self.leave_one(number, policy);
@@ -786,6 +800,7 @@ impl<P: Port> Drives<P> {
                 .is_some_and(|reading| state.accept(reading, now, self.is_held, self.torque));
             state.turn = state.turn.wrapping_add(1);
             state.is_late = reading.is_none();
+            state.unanswered = state.unanswered.saturating_add(1);
             match reading {
                 Some(_) => self.counts.implausible += u64::from(!taken),
                 None => self.counts.missing += 1,
@@ -803,7 +818,7 @@ impl<P: Port> Drives<P> {
             if !taken {
                 continue;
             }
-            state.age = 0;
+            (state.age, state.unanswered) = (0, 0);
             let (id, error) = (state.joint.id, state.error);
             if family.alarms(error) != 0 {
                 let bits = family.alarm(&mut self.bus, id, error);
@@ -840,8 +855,12 @@ impl<P: Port> Drives<P> {
             let voltage = measured
                 .voltage
                 .filter(|it| !settings.voltage.contains(*it));
-            let problem = if state.age > settings.silence {
+            // A host that is late in its cycles asks few servos; those that it did not ask are not silent.
+            let is_silent = state.unanswered >= MIN_UNANSWERED.min(settings.silence + 1);
+            let problem = if state.age > settings.silence && is_silent {
                 Problem::Silent
+            } else if state.age > MAX_NOT_READ * settings.silence.max(1) {
+                Problem::NotRead(state.age)
             } else if let Some(temperature) = hot {
                 Problem::Hot(temperature)
             } else if let Some(voltage) = voltage {

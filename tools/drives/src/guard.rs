@@ -1,8 +1,8 @@
 //! The owner of a robot whose torque is on: it connects, approaches the first posture, is stepped as the [`Hardware`] of a machine,
 //! and leaves the servos in the state that their [`Settings`] name.
 //!
-//! Whoever moves a robot holds a [`TorqueGuard`]. Its drop leaves the robot too, as in an emergency, so that a panic of the host ends in
-//! the same state. Limits of commands and checks of answers belong to [`drives`](crate::drives).
+//! A program that moves a robot holds a [`TorqueGuard`]. Dropping it leaves the robot as in an emergency, so that a panic of the host
+//! ends in that state. Limits of commands and checks of answers belong to [`drives`](crate::drives).
 //!
 //! Time comes from the port's clock; the [`Host`] waits for it, and says in each cycle what the operator asks for.
 //!

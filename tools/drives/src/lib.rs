@@ -7,6 +7,8 @@
 extern crate std;
 
 pub mod bus;
+#[cfg(feature = "std")]
+pub mod described;
 pub mod description;
 pub mod drives;
 pub mod dynamixel1;
@@ -18,6 +20,10 @@ pub mod guard;
 pub mod lx;
 pub mod model;
 pub mod moteus;
+#[cfg(feature = "std")]
+pub mod operator;
+#[cfg(feature = "std")]
+pub mod port;
 pub mod registers;
 #[cfg(feature = "std")]
 pub mod serial;

@@ -17,8 +17,8 @@ use moteus_protocol::fdcanusb::{
 };
 use moteus_protocol::query::QueryFormat;
 use moteus_protocol::{
-    CanFdFrame, Mode, NOP, READ_INT32, REPLY_INT8, Register, Resolution, WriteCanData,
-    calculate_arbitration_id, parse_arbitration_id,
+    CanFdFrame, Mode, NOP, READ_INT8, READ_INT16, READ_INT32, REPLY_INT8, Register, Resolution,
+    WriteCanData, calculate_arbitration_id, parse_arbitration_id,
 };
 
 /// Counts of a turn: those of 32-bit positions of the protocol.
@@ -53,6 +53,17 @@ const ASKED: [(Register, Resolution); 8] = [
     (Register::Position, Resolution::Int32),
 ];
 
+/// The registers of an answer about the settings.
+const HOME: [(Register, Resolution); 2] = [
+    (Register::HomeState, Resolution::Int8),
+    (Register::MultiplexId, Resolution::Int16),
+];
+/// Values of the register Home State: the position is that since the start, or known within a turn of the rotor; else it is known at
+/// the output.
+const RELATIVE: i32 = 0;
+const ROTOR: i32 = 1;
+const OUTPUT: i32 = 2;
+
 /// An answer to a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Answer {
@@ -80,9 +91,15 @@ pub const fn sender(number: u8) -> u8 {
 /// Reads a line without its end as an answer to [`query`] or [`command`]; returns the sender of the request as well.
 pub fn answer(line: &[u8]) -> Option<(Answer, u8)> {
     let frame = received(line)?;
+    let (id, to) = addresses(&frame)?;
+    Some((contents(id, frame.payload())?, to))
+}
+
+/// Returns the controller that a frame comes from, and the sender that it is for.
+fn addresses(frame: &CanFdFrame) -> Option<(u8, u8)> {
     let (id, to, _) = parse_arbitration_id(frame.arbitration_id);
     let id = u8::try_from(id).ok().filter(|id| *id <= LAST_ID)?;
-    Some((contents(id, frame.payload())?, to as u8))
+    Some((id, to as u8))
 }
 
 /// Returns the contents of an answer of a controller.
@@ -96,7 +113,7 @@ fn contents(id: u8, payload: &[u8]) -> Option<Answer> {
         fault,
         own,
         again,
-    ] = values(payload)?;
+    ] = values(payload, &ASKED)?;
     if own != i32::from(id) || position.abs_diff(again) > BETWEEN {
         return None;
     }
@@ -112,8 +129,14 @@ fn contents(id: u8, payload: &[u8]) -> Option<Answer> {
     })
 }
 
-/// Tries to read a line with an answer to a sender at the beginning of `bytes`.
-fn parse(bytes: &[u8], sender: u8) -> Parsed {
+/// Returns the state of the position of a controller.
+fn home_state(id: u8, payload: &[u8]) -> Option<i32> {
+    let [state, own] = values(payload, &HOME)?;
+    (own == i32::from(id)).then_some(state)
+}
+
+/// Tries to read a line at the beginning of `bytes` with an answer to a sender, whose contents `read` accepts.
+fn parse<T>(bytes: &[u8], sender: u8, read: fn(u8, &[u8]) -> Option<T>) -> Parsed {
     let Some(end) = bytes.iter().position(|byte| *byte == b'\n') else {
         return match bytes.len() < MAX_FRAME_BYTES / 2 {
             true => Parsed::Unfinished,
@@ -124,12 +147,15 @@ fn parse(bytes: &[u8], sender: u8) -> Parsed {
     if line.trim_ascii() == b"OK" {
         return Parsed::Remark(end + 1);
     }
-    let valid = answer(line).filter(|(_, to)| *to == sender);
-    let frame = valid.and_then(|(answer, to)| {
+    let valid = received(line)
+        .and_then(|frame| Some((addresses(&frame)?, frame)))
+        .filter(|((id, to), frame)| *to == sender && read(*id, frame.payload()).is_some());
+    let frame = valid.and_then(|((id, code), frame)| {
+        let parameters = Bytes::from_slice(frame.payload()).ok()?;
         Some(Frame {
-            id: answer.id,
-            code: to,
-            parameters: Bytes::from_slice(received(line)?.payload()).ok()?,
+            id,
+            code,
+            parameters,
         })
     });
     frame.map_or(Parsed::Nothing, |frame| Parsed::Frame(frame, end + 1))
@@ -143,8 +169,8 @@ fn received(line: &[u8]) -> Option<CanFdFrame> {
 
 /// Returns the values of exactly those registers that were asked for. The maker's parser is not used: it overflows at some damaged
 /// register numbers.
-fn values(payload: &[u8]) -> Option<[i32; ASKED.len()]> {
-    let mut found = Vec::<i32, { ASKED.len() }>::new();
+fn values<const N: usize>(payload: &[u8], asked: &[(Register, Resolution); N]) -> Option<[i32; N]> {
+    let mut found = Vec::<i32, N>::new();
     let mut bytes = payload.iter().copied();
     while let Some(head) = bytes.next() {
         if head == NOP {
@@ -163,7 +189,7 @@ fn values(payload: &[u8]) -> Option<[i32; ASKED.len()]> {
         }
         let resolution = Resolution::from_type_code(head)?;
         for next in 0..u16::from(count) {
-            let (wanted, as_wanted) = *ASKED.get(found.len())?;
+            let (wanted, as_wanted) = *asked.get(found.len())?;
             if register + next != wanted.address() || resolution != as_wanted {
                 return None;
             }
@@ -183,6 +209,17 @@ fn values(payload: &[u8]) -> Option<[i32; ASKED.len()]> {
 pub fn query(id: u8, from: u8) -> Line {
     let mut frame = frame(id, from, true);
     ask(&mut frame);
+    line(&frame)
+}
+
+/// Returns a request for the state of the position of a controller.
+fn home_query(id: u8, from: u8) -> Line {
+    let mut frame = frame(id, from, true);
+    let mut bytes = WriteCanData::new(&mut frame);
+    bytes.write_u8(READ_INT8 | 1);
+    bytes.write_u8(Register::HomeState.address() as u8);
+    bytes.write_u8(READ_INT16 | 1);
+    bytes.write_varuint(Register::MultiplexId.address().into());
     line(&frame)
 }
 
@@ -249,13 +286,14 @@ pub static MOTEUS: Moteus = Moteus;
 pub struct Moteus;
 
 impl Moteus {
-    /// Sends a request to a controller once, and returns its answer.
-    fn exchange(
+    /// Sends a request to a controller once, and returns what `read` finds in its answer.
+    fn exchange<T>(
         wire: &mut dyn Wire,
         id: u8,
         request: impl FnOnce(u8) -> Line,
         limit: u64,
-    ) -> Result<Answer, BusError> {
+        read: fn(u8, &[u8]) -> Option<T>,
+    ) -> Result<T, BusError> {
         if id > LAST_ID {
             return Err(BusError::NoAnswer);
         }
@@ -265,25 +303,26 @@ impl Moteus {
             time: wire.timing().answer(EXCHANGE),
             limit,
         };
-        let parse = |bytes: &[u8]| parse(bytes, sender);
+        let parse = |bytes: &[u8]| parse(bytes, sender, read);
         wire.ask(&request(sender), wait, &parse, |frame| {
             let is_its = frame.id == id;
-            contents(id, &frame.parameters).filter(|_| is_its)
+            read(id, &frame.parameters).filter(|_| is_its)
         })
     }
 
     fn query(wire: &mut dyn Wire, id: u8, limit: u64) -> Result<Answer, BusError> {
-        Self::exchange(wire, id, |sender| query(id, sender), limit)
+        Self::exchange(wire, id, |sender| query(id, sender), limit, contents)
     }
 
     fn stop(wire: &mut dyn Wire, id: u8) -> Result<(), BusError> {
-        wire.repeat(|wire| Self::exchange(wire, id, |sender| stop(id, sender, true), u64::MAX))
+        let request = |sender| stop(id, sender, true);
+        wire.repeat(|wire| Self::exchange(wire, id, request, u64::MAX, contents))
             .map(drop)
     }
 
     fn command(wire: &mut dyn Wire, servo: &Setpoint) -> Result<(), BusError> {
         let request = |sender| command(servo, sender, true);
-        wire.repeat(|wire| Self::exchange(wire, servo.id, request, u64::MAX))
+        wire.repeat(|wire| Self::exchange(wire, servo.id, request, u64::MAX, contents))
             .map(drop)
     }
 }
@@ -324,11 +363,30 @@ impl Family for Moteus {
 
     fn check(
         &self,
-        _: &mut dyn Wire,
-        _: (u8, &'static Model),
-        _: (i32, i32),
+        wire: &mut dyn Wire,
+        (id, model): (u8, &'static Model),
+        (min, max): (i32, i32),
     ) -> Result<Option<Mismatch>, BusError> {
-        Ok(None)
+        let request = |sender| home_query(id, sender);
+        let state = wire.repeat(|wire| Self::exchange(wire, id, request, u64::MAX, home_state))?;
+        // A qdd100 has a reducer of 6 between its rotor and its output.
+        let turn = match model.name {
+            "moteus-qdd100" => TURN / 6.0,
+            _ => TURN,
+        };
+        let half = (turn / 2.0) as i32;
+        let is_known = match state {
+            RELATIVE => false,
+            // After a start the position is within half a turn of the rotor, and not always where the joint is.
+            ROTOR => min >= MIDDLE - half && max <= MIDDLE + half,
+            _ => true,
+        };
+        Ok((!is_known).then_some(Mismatch {
+            register: Register::HomeState.address(),
+            name: "Home State",
+            value: state,
+            wanted: OUTPUT,
+        }))
     }
 
     fn read(

@@ -1,22 +1,26 @@
-//! Completion: the words that can be written at the cursor, with snippets for their arguments. What fits there is told by the text
-//! before it on its line.
+//! Completion: the words that can be written at the cursor, with snippets for their arguments. What fits there depends on the text
+//! before it on its line ([`context`]), and on the blocks around it ([`blocks`]). Each word that is offered passes the checker once
+//! the statement is complete.
+
+mod blocks;
+mod context;
 
 use crate::hover::{declaring, usage};
 use crate::{Document, word};
-use tip_runtime::command::{Flag, Port, Reading, TIMERS, Target, Teach};
+use context::{Context, Written, reading_kind};
+use smol_str::SmolStr;
+use tip_runtime::command::{ABSOLUTE, FAST, Flag, Port, RELATIVE, Reading, TIMERS, Target, Teach};
+use tip_runtime::program::Signature;
 use tipc::Robot;
 use tipc::language::commands::{
-    self, Arguments, COMMANDS, Command, Form, Joints, Meaning, Targets, Values, senses,
+    Arguments, COMMANDS, Command, Form, Joints, Meaning, Targets, Values, senses,
 };
 use tipc::language::flags::{self, FLAGS};
-use tipc::language::functions::FUNCTIONS;
+use tipc::language::functions::{FUNCTIONS, Operation};
 use tipc::language::inputs::INPUTS;
-use tipc::language::reserved::{
-    self, JOINT, LOOP, POSITION, RESERVED, is_motion_flag, motion_flags,
-};
-use tipc::language::{Bilingual, Edition, Keyword, keywords};
-use tipc::lex::{self, Kind, Piece, Pieces, Token, split_comment};
-use tipc::source::{Span, Unit};
+use tipc::language::reserved::{self, JOINT, LOOP, POSITION, RESERVED, motion_flags};
+use tipc::language::{Bilingual, Edition, Keyword};
+use tipc::source::Span;
 use tipc::symbols::{Definition, DefinitionKind};
 use tipc::syntax::{StatementKind, VariableKind};
 
@@ -100,7 +104,7 @@ impl Document {
         let Some((context, span)) = self.completion_context(offset) else {
             return Vec::new();
         };
-        let mut items = self.items(&context, span.start);
+        let mut items = self.items(&context);
         for item in &mut items {
             item.span = span;
         }
@@ -122,7 +126,7 @@ impl Document {
         (items, are_all)
     }
 
-    fn items(&self, context: &Context, at: usize) -> Vec<CompletionItem> {
+    fn items(&self, context: &Context) -> Vec<CompletionItem> {
         match context {
             Context::Version => {
                 let editions = Edition::ALL.iter().map(Edition::to_string);
@@ -131,76 +135,105 @@ impl Document {
                     .map(|version| CompletionItem::new(version, kind, Bilingual::EMPTY))
                     .collect()
             }
-            Context::Start => self.starts(),
+            Context::Start(at) => self.starts(*at),
             Context::Member(name) => self.members(name),
-            Context::Label(keyword) => self.labels(*keyword, at),
-            Context::Declaration => Vec::new(),
-            Context::Condition(keyword) => self.condition(*keyword),
-            Context::Counting(particle) => {
-                let mut items = self.variables(SCALARS);
-                items.extend(particle.map(keyword_item));
+            Context::Label(keyword, at) => self.labels(*keyword, *at),
+            Context::Condition => {
+                let mut items = self.flag_items();
+                items.extend(self.scalars());
                 items
             }
-            Context::Counter => self.declared(&[VariableKind::Var]),
-            Context::Placeholder if self.loaded.module.edition >= Edition::V3_2 => {
-                self.variables(SCALARS)
-            }
-            Context::Placeholder => self.declared(&[VariableKind::Var]),
-            Context::Right => {
-                let mut items = self.variables(SCALARS);
-                items.extend(functions());
-                items.extend(constants());
+            Context::Flag => self.flag_items(),
+            Context::Scalar => self.scalars(),
+            Context::Plain => self.variables(&[VariableKind::Var]),
+            Context::Whole(kinds) => self.variables(kinds),
+            Context::Constant(at) => self.constants_above(*at),
+            Context::Keywords(keywords) => keywords.iter().copied().map(keyword_item).collect(),
+            Context::Counter => self.assignable(&[VariableKind::Var]),
+            Context::Counted(at) => self.counted(*at),
+            Context::Placeholder if self.edition() >= Edition::V3_2 => self.variables(SCALARS),
+            Context::Placeholder => self.assignable(&[VariableKind::Var]),
+            Context::Right(kind) => {
+                let mut items = match kind {
+                    VariableKind::Var => self.scalars(),
+                    kind => self.variables(&[*kind]),
+                };
+                items.extend(functions(*kind));
                 items
             }
-            Context::Argument(command, written) => self.arguments(command, *written),
+            Context::Argument(command, written) => self.arguments(command, written),
         }
     }
 
     /// Returns the words that begin a statement.
-    fn starts(&self) -> Vec<CompletionItem> {
+    fn starts(&self, at: usize) -> Vec<CompletionItem> {
         let robot = self.robot();
-        let edition = self.loaded.module.edition;
+        let edition = self.edition();
+        let place = self.place_in_blocks(at);
+        let fits = |row: &&Command| match row.meaning {
+            Meaning::Keyword(keyword) => place.fits(keyword),
+            _ => true,
+        };
         let rows = COMMANDS.iter();
         let rows = rows.filter(|row| row.since <= edition && row.robots.contains(robot));
+        let rows = rows.filter(fits);
         let mut items: Vec<CompletionItem> = rows.map(|row| command_item(row, self)).collect();
-        items.extend(self.declared(SCALARS));
+        items.extend(self.assignable(SCALARS));
         items
     }
 
-    /// Returns the variables of some types, special ones too.
+    /// Returns what stands for a number: variables, those whose members are numbers too, and constants.
+    fn scalars(&self) -> Vec<CompletionItem> {
+        let mut items = self.variables(SCALARS);
+        items.extend(constants());
+        items
+    }
+
+    /// Returns the constants that are defined before an offset.
+    fn constants_above(&self, at: usize) -> Vec<CompletionItem> {
+        let definitions = self.loaded.symbols.definitions().iter();
+        let above = definitions.filter(|it| {
+            it.kind == DefinitionKind::Constant && it.span.is_some_and(|span| span.end <= at)
+        });
+        let mut items: Vec<CompletionItem> = above.map(definition_item).collect();
+        items.extend(constants());
+        items
+    }
+
+    /// Returns the variable of the FOR that a NEXT at an offset closes.
+    fn counted(&self, at: usize) -> Vec<CompletionItem> {
+        let place = self.place_in_blocks(at);
+        let variable = place.opener().and_then(|opener| match &opener.kind {
+            StatementKind::For { counting, .. } => counting.variable.name().map(SmolStr::as_str),
+            _ => None,
+        });
+        let mut items = self.assignable(&[VariableKind::Var]);
+        items.retain(|item| Some(item.label.as_str()) == variable);
+        items
+    }
+
+    /// Returns the variables of some types, special ones and, as VAR, constants too.
     fn variables(&self, kinds: &[VariableKind]) -> Vec<CompletionItem> {
-        let mut items = self.declared(kinds);
-        if self.loaded.module.edition >= Edition::V3_2 {
+        let mut items = self.assignable(kinds);
+        if kinds.contains(&VariableKind::Var) {
+            let definitions = self.loaded.symbols.definitions().iter();
+            let constants = definitions.filter(|it| it.kind == DefinitionKind::Constant);
+            items.extend(constants.map(definition_item));
+        }
+        if self.edition() >= Edition::V3_2 {
             items.extend(readings(self.robot(), kinds));
         }
         items
     }
 
-    /// Returns the variables of some types that the program declares or names, and its constants.
-    fn declared(&self, kinds: &[VariableKind]) -> Vec<CompletionItem> {
+    /// Returns the variables of some types that the program declares or names.
+    fn assignable(&self, kinds: &[VariableKind]) -> Vec<CompletionItem> {
         let definitions = self.loaded.symbols.definitions().iter();
-        let mut items = Vec::new();
-        for definition in definitions {
-            let (kind, item) = match definition.kind {
-                DefinitionKind::Variable(kind) => (kind, CompletionKind::Variable),
-                DefinitionKind::Constant => (VariableKind::Var, CompletionKind::Constant),
-                _ => continue,
-            };
-            if kinds.contains(&kind) {
-                let name = definition.name.as_str();
-                let description = match definition.span {
-                    None => reserved_line(name.trim_end_matches(|it: char| it.is_ascii_digit())),
-                    Some(_) => Bilingual::EMPTY,
-                };
-                let detail = match definition.kind {
-                    DefinitionKind::Constant => Keyword::Define,
-                    _ => declaring(kind),
-                };
-                let item = CompletionItem::new(name, item, description);
-                items.push(item.detail(detail.word()));
-            }
-        }
-        items
+        let fits = |definition: &&Definition| match definition.kind {
+            DefinitionKind::Variable(kind) => kinds.contains(&kind),
+            _ => false,
+        };
+        definitions.filter(fits).map(definition_item).collect()
     }
 
     fn members(&self, name: &str) -> Vec<CompletionItem> {
@@ -227,16 +260,18 @@ impl Document {
         items.collect()
     }
 
-    /// Returns the labels that a jump at an offset can lead to, with their colons.
+    /// Returns the labels that a jump whose statement begins at an offset can lead to, with their colons.
     fn labels(&self, keyword: Keyword, at: usize) -> Vec<CompletionItem> {
-        let definitions = self.loaded.symbols.definitions().iter();
-        let subroutines = self.subroutines();
-        let around = |at: usize| {
-            let after = subroutines.partition_point(|inside| inside.start < at);
-            let last = after.checked_sub(1)?;
-            (at <= subroutines[last].end).then_some(last)
+        let definitions = self.loaded.symbols.definitions();
+        let here = self.place_in_blocks(at);
+        let is_goto = keyword == Keyword::Goto;
+        let is_reached = |it: &Definition| {
+            let there = it.span.map(|span| here.statement_at(span.start));
+            there.is_none_or(|there| here.reaches(there, is_goto))
         };
-        let here = around(at);
+        // GOTO LOOP leads to the nearest one above.
+        let is_above = |it: &&Definition| it.name == LOOP && it.span.is_some_and(|it| it.end <= at);
+        let nearest_loop = definitions.iter().rfind(is_above);
         let names_thread = matches!(
             keyword,
             Keyword::StartThread | Keyword::StopThread | Keyword::WaitThread
@@ -244,22 +279,18 @@ impl Document {
         let fits = |it: &Definition| match it.kind {
             DefinitionKind::Variable(_) | DefinitionKind::Constant => false,
             DefinitionKind::Thread => names_thread,
-            DefinitionKind::Label => {
-                let there = it.span.and_then(|place| around(place.start));
-                match keyword {
-                    Keyword::Goto => there == here,
-                    Keyword::Gosub => it.name != LOOP && (there.is_none() || there == here),
-                    _ => false,
-                }
-            }
             DefinitionKind::Subroutine => keyword != Keyword::Goto && !names_thread,
+            DefinitionKind::Label if it.name == LOOP => {
+                keyword == Keyword::Goto
+                    && nearest_loop.is_some_and(|nearest| nearest.span == it.span)
+                    && is_reached(it)
+            }
+            DefinitionKind::Label => {
+                matches!(keyword, Keyword::Goto | Keyword::Gosub) && is_reached(it)
+            }
         };
-        let mut names: Vec<&str> = definitions
-            .filter(|it| fits(it))
-            .map(|it| it.name.as_str())
-            .collect();
-        names.dedup();
-        let items = names.into_iter().map(|name| {
+        let items = definitions.iter().filter(|it| fits(it)).map(|it| {
+            let name = it.name.as_str();
             let item = CompletionItem::new(name, CompletionKind::Label, Bilingual::EMPTY);
             CompletionItem {
                 text: format!("{name}:"),
@@ -269,36 +300,33 @@ impl Document {
         items.collect()
     }
 
-    fn condition(&self, keyword: Keyword) -> Vec<CompletionItem> {
-        let mut items: Vec<CompletionItem> = robot_flags(self.robot())
-            .into_iter()
-            .map(|(flag, row)| {
-                CompletionItem::new(flag.to_string(), CompletionKind::Flag, row.description)
-            })
-            .collect();
-        items.extend(self.variables(SCALARS));
-        items.extend(constants());
-        let after: &[Keyword] = match keyword {
-            Keyword::If => &[Keyword::Then, Keyword::Goto, Keyword::Gosub],
-            Keyword::ElseIf => &[Keyword::Then],
-            _ => &[],
-        };
-        items.extend(after.iter().copied().map(keyword_item));
-        items
+    fn flag_items(&self) -> Vec<CompletionItem> {
+        let flags = robot_flags(self.robot()).into_iter();
+        let items = flags.map(|(flag, row)| {
+            CompletionItem::new(flag.to_string(), CompletionKind::Flag, row.description)
+        });
+        items.collect()
     }
 
     /// Returns the next arguments of a command after some that are written.
-    fn arguments(&self, command: &Command, written: usize) -> Vec<CompletionItem> {
-        match (command.form, written) {
-            (Form::Robot(arguments), _) => self.robot_arguments(arguments, written),
-            (Form::Teach(of), 0) => self.target_items(of),
-            (Form::Teach(_), _) => match command.meaning {
-                Meaning::Teach(Teach::Angle | Teach::Torque) => {
-                    self.variables(&[VariableKind::Var, VariableKind::Joint])
+    fn arguments(&self, command: &Command, written: &Written) -> Vec<CompletionItem> {
+        let words: Vec<&str> = written.words.iter().map(String::as_str).collect();
+        match (command.form_in(self.edition()), words.as_slice()) {
+            (Form::Robot(arguments), words) => {
+                self.robot_arguments(arguments, words, written.is_signed)
+            }
+            (_, _) if written.is_signed => Vec::new(),
+            (Form::Teach(of), []) => self.target_items(of),
+            (Form::Teach(_), [target]) => match (command.meaning, target.parse()) {
+                (Meaning::Teach(Teach::Angle | Teach::Torque), Ok(Target::Joint(..))) => {
+                    self.assignable(&[VariableKind::Var, VariableKind::Joint])
                 }
-                _ => self.variables(&[VariableKind::Pos]),
+                (Meaning::Teach(Teach::Angle | Teach::Torque), _) => {
+                    self.assignable(&[VariableKind::Joint])
+                }
+                _ => self.assignable(&[VariableKind::Pos]),
             },
-            (Form::AdIn, 0) => {
+            (Form::AdIn, []) => {
                 let inputs = robot_inputs(self.robot()).into_iter();
                 inputs
                     .map(|(name, description)| {
@@ -306,33 +334,90 @@ impl Document {
                     })
                     .collect()
             }
-            (Form::KeyIn | Form::AdIn | Form::Special, _) => self.variables(&[VariableKind::Var]),
-            (Form::Words(_), _) => Vec::new(),
+            // A board has a channel.
+            (Form::AdIn, [board]) if board.starts_with(|it: char| it.is_ascii_digit()) => {
+                Vec::new()
+            }
+            (Form::AdIn, [_]) | (Form::KeyIn, []) => self.assignable(&[VariableKind::Var]),
+            (Form::AdIn, [board, _]) if board.starts_with(|it: char| it.is_ascii_digit()) => {
+                self.assignable(&[VariableKind::Var])
+            }
+            (Form::Special, [_] | [_, _]) => self.variables(&[VariableKind::Var]),
+            _ => Vec::new(),
         }
     }
 
-    fn robot_arguments(&self, arguments: Arguments, written: usize) -> Vec<CompletionItem> {
+    fn robot_arguments(
+        &self,
+        arguments: Arguments,
+        words: &[&str],
+        is_signed: bool,
+    ) -> Vec<CompletionItem> {
         let has_target = arguments.targets != Targets::NONE;
         let mut items = Vec::new();
-        if has_target && written == 0 {
-            items.extend(self.target_items(arguments.targets));
-        } else if arguments.values != Values::None {
-            let kinds: &[VariableKind] = match arguments.values {
-                Values::None | Values::One | Values::Three => &[VariableKind::Var],
-                Values::Position | Values::ThreeOrPos => &[VariableKind::Var, VariableKind::Pos],
-                Values::Angles | Values::PerJoint | Values::PerLeg | Values::Limits => {
-                    &[VariableKind::Var, VariableKind::Joint]
-                }
-            };
-            items.extend(self.variables(kinds));
+        let words = match words {
+            [FAST, rest @ ..] if arguments.hs => rest,
+            [] if arguments.hs && !is_signed => {
+                items.push(motion_flag_item(FAST));
+                words
+            }
+            words => words,
+        };
+        let (target, operands) = match words {
+            operands if !has_target => (Target::None, operands),
+            [] if is_signed => return Vec::new(),
+            [] => {
+                items.extend(self.target_items(arguments.targets));
+                return items;
+            }
+            [target, operands @ ..] => match target.parse() {
+                Ok(target) => (target, operands),
+                Err(_) => return Vec::new(),
+            },
+        };
+        let is_flag = |word: &&&str| arguments.motion && matches!(**word, RELATIVE | ABSOLUTE);
+        let is_flagged = operands.last().as_ref().is_some_and(is_flag);
+        let given: Vec<&str> = operands
+            .iter()
+            .filter(|word| !is_flag(word))
+            .copied()
+            .collect();
+        let wanted = Operands::of(
+            arguments.values,
+            target,
+            self.robot().signature().joints.into(),
+        );
+        let is_whole = given
+            .first()
+            .is_some_and(|first| wanted.whole.is_some() && self.kind_of(first) == wanted.whole);
+        let is_number = |word: &&str| self.kind_of(word) == Some(VariableKind::Var);
+        let left = match is_whole {
+            true => wanted.wholes.saturating_sub(given.len()),
+            false if !given.iter().all(is_number) => 0,
+            false if given.is_empty() => wanted.scalars.max(wanted.wholes),
+            false => wanted.scalars.saturating_sub(given.len()),
+        };
+        if left == 0 {
+            return Vec::new();
         }
-        let flags = motion_flags().filter(|flag| match *flag {
-            tip_runtime::command::FAST => arguments.hs && written == 0,
-            _ => arguments.relative && written > 0,
+        let accepts_whole = !is_signed && (given.is_empty() || is_whole);
+        let whole = wanted.whole.filter(|_| accepts_whole);
+        items.extend(match (is_whole || wanted.scalars == 0, wanted.plain) {
+            (true, _) => whole.map_or(Vec::new(), |kind| self.variables(&[kind])),
+            (false, true) => {
+                let mut items = self.variables(&[VariableKind::Var]);
+                items.extend(whole.map_or(Vec::new(), |kind| self.variables(&[kind])));
+                items
+            }
+            (false, false) => self.variables(SCALARS),
         });
-        items.extend(flags.map(|flag| {
-            CompletionItem::new(flag, CompletionKind::MotionFlag, reserved_line(flag))
-        }));
+        if arguments.relative && !is_flagged && !is_signed && !is_whole {
+            items.extend(
+                motion_flags()
+                    .filter(|flag| *flag != FAST)
+                    .map(motion_flag_item),
+            );
+        }
         items
     }
 
@@ -364,11 +449,11 @@ fn command_item(row: &Command, document: &Document) -> CompletionItem {
         _ => CompletionKind::Command,
     };
     let robot = document.robot();
-    let usage = row.usage(robot, document.loaded.module.edition);
+    let usage = row.usage(robot, document.edition());
     let detail = usage.first().map_or("", String::as_str);
     CompletionItem::new(row.name, kind, row.description)
         .detail(detail)
-        .snippet(snippet(row, robot))
+        .snippet(snippet(row, robot, document.edition()))
 }
 
 fn keyword_item(keyword: Keyword) -> CompletionItem {
@@ -379,11 +464,80 @@ fn keyword_item(keyword: Keyword) -> CompletionItem {
     )
 }
 
-fn functions() -> impl Iterator<Item = CompletionItem> {
-    let rows = FUNCTIONS.iter();
+/// Returns the functions whose result is of a type.
+fn functions(kind: VariableKind) -> impl Iterator<Item = CompletionItem> {
+    let result = |operation: Operation| match operation {
+        Operation::Scalar(_) | Operation::Atan2 | Operation::Norm => VariableKind::Var,
+        Operation::UnitVect | Operation::Rotate(_) => VariableKind::Pos,
+    };
+    let rows = FUNCTIONS
+        .iter()
+        .filter(move |row| result(row.operation) == kind);
     rows.map(|row| {
         CompletionItem::new(row.word, CompletionKind::Function, row.description).detail(usage(row))
     })
+}
+
+fn motion_flag_item(flag: &str) -> CompletionItem {
+    CompletionItem::new(flag, CompletionKind::MotionFlag, reserved_line(flag))
+}
+
+/// Returns a variable or constant of the program.
+fn definition_item(definition: &Definition) -> CompletionItem {
+    let name = definition.name.as_str();
+    let (kind, detail) = match definition.kind {
+        DefinitionKind::Variable(kind) => (CompletionKind::Variable, declaring(kind)),
+        _ => (CompletionKind::Constant, Keyword::Define),
+    };
+    let description = match definition.span {
+        None => reserved_line(name.trim_end_matches(|it: char| it.is_ascii_digit())),
+        Some(_) => Bilingual::EMPTY,
+    };
+    CompletionItem::new(name, kind, description).detail(detail.word())
+}
+
+/// The operands that a command takes after its target.
+struct Operands {
+    /// The number of scalars.
+    scalars: usize,
+    /// Each is a constant or VAR, no member.
+    plain: bool,
+    /// The type of a variable in their place.
+    whole: Option<VariableKind>,
+    /// The number of such variables.
+    wholes: usize,
+}
+
+impl Operands {
+    fn of(values: Values, target: Target, joints: usize) -> Self {
+        let is_joint = matches!(target, Target::Joint(..));
+        let (scalars, plain, whole) = match values {
+            Values::None => (0, true, None),
+            Values::One => (1, true, None),
+            Values::Three => (3, true, None),
+            Values::ThreeOrPos => (3, true, Some(VariableKind::Pos)),
+            Values::Position => (3, false, Some(VariableKind::Pos)),
+            Values::Limits if is_joint => (2, false, None),
+            Values::Limits => (0, false, Some(VariableKind::Joint)),
+            Values::Angles if is_joint => (1, false, None),
+            Values::PerJoint | Values::PerLeg if is_joint => (1, true, None),
+            Values::PerLeg if target == Target::All => (1, true, None),
+            Values::Angles | Values::PerJoint | Values::PerLeg => {
+                (joints, false, Some(VariableKind::Joint))
+            }
+        };
+        let wholes = match (values, whole) {
+            (_, None) => 0,
+            (Values::Limits, Some(_)) => 2,
+            (_, Some(_)) => 1,
+        };
+        Operands {
+            scalars,
+            plain,
+            whole,
+            wholes,
+        }
+    }
 }
 
 fn constants() -> impl Iterator<Item = CompletionItem> {
@@ -399,36 +553,24 @@ fn constants() -> impl Iterator<Item = CompletionItem> {
 
 /// Returns the special variables of some types that a robot has and senses.
 fn readings(robot: Robot, kinds: &[VariableKind]) -> Vec<CompletionItem> {
-    let signature = robot.signature();
-    let mut all: Vec<(Reading, VariableKind)> = Vec::new();
-    for kind in Reading::KINDS {
-        match kind {
-            Reading::Timer(_) => {
-                let timers = (0..TIMERS).map(Reading::Timer);
-                all.extend(timers.map(|timer| (timer, VariableKind::Var)));
-            }
-            Reading::Measured(what, _) if !senses(robot, what) => {}
+    let Signature { legs, joints, .. } = robot.signature();
+    let all = Reading::KINDS.iter().flat_map(|kind| -> Vec<Reading> {
+        match *kind {
+            Reading::Timer(_) => (0..TIMERS).map(Reading::Timer).collect(),
+            Reading::Measured(what, _) if !senses(robot, what) => Vec::new(),
             Reading::Measured(what, Target::Joint(..)) => {
-                for leg in 1..=signature.legs {
-                    let joints = 1..=signature.joints;
-                    let joints = joints.map(|joint| Target::Joint(leg, joint));
-                    let joints = joints.map(|joint| Reading::Measured(what, joint));
-                    all.extend(joints.map(|reading| (reading, VariableKind::Var)));
-                }
+                let legs = (1..=legs).flat_map(|leg| (1..=joints).map(move |joint| (leg, joint)));
+                legs.map(|(leg, joint)| Reading::Measured(what, Target::Joint(leg, joint)))
+                    .collect()
             }
             Reading::Measured(what, _) => {
-                let kind = match what {
-                    Teach::Position | Teach::Force => VariableKind::Pos,
-                    Teach::Angle | Teach::Torque => VariableKind::Joint,
-                };
-                let feet = (1..=signature.legs).map(Target::Foot);
-                all.extend(feet.map(|foot| (Reading::Measured(what, foot), kind)));
+                let feet = (1..=legs).map(Target::Foot);
+                feet.map(|foot| Reading::Measured(what, foot)).collect()
             }
         }
-    }
-    all.into_iter()
-        .filter(|(_, kind)| kinds.contains(kind))
-        .map(|(reading, _)| {
+    });
+    all.filter(|reading| kinds.contains(&reading_kind(*reading)))
+        .map(|reading| {
             let description = reserved_line(reading.stem());
             CompletionItem::new(reading.to_string(), CompletionKind::Variable, description)
         })
@@ -442,11 +584,11 @@ fn reserved_line(word: &str) -> Bilingual {
 
 /// Returns a command as a snippet of the Language Server Protocol: `PTP ${1|F1,J11|} ${2:x} ${3:y} ${4:z}`. A word that opens a
 /// block brings the words that close it.
-pub fn snippet(command: &Command, robot: Robot) -> String {
+pub fn snippet(command: &Command, robot: Robot, edition: Edition) -> String {
     match command.meaning {
         Meaning::Keyword(keyword) => block(keyword),
         _ => {
-            let usage = command.usage(robot, command.since);
+            let usage = command.usage(robot, edition);
             let first = usage.first().map_or(command.name, String::as_str);
             arguments(first)
         }
@@ -498,25 +640,13 @@ fn arguments(usage: &str) -> String {
 
 /// Returns the targets of a robot that a command accepts.
 fn robot_targets(of: Targets, robot: Robot) -> Vec<Target> {
-    let facts = robot.facts();
-    let signature = facts.signature;
-    let feet = (1..=signature.legs).map(Target::Foot);
-    let mut found: Vec<Target> = if of.foot { feet.collect() } else { Vec::new() };
-    let joint = match of.joints {
-        Joints::None => None,
-        Joints::Every => Some(1..=signature.joints),
-        Joints::Second => Some(2..=2),
-        Joints::Third => Some(3..=3),
-        Joints::ThirdOfHand => facts.has_slider.then_some(3..=3),
-    };
-    for leg in 1..=signature.legs {
-        let joints = joint.clone().into_iter().flatten();
-        let joints = joints.filter(|joint| *joint <= signature.joints);
-        found.extend(joints.map(|joint| Target::Joint(leg, joint)));
-    }
-    found.extend((of.floor && facts.has_slider).then_some(Target::Floor));
-    found.extend(of.all.then_some(Target::All));
-    found
+    let Signature { legs, joints, .. } = robot.signature();
+    let feet = (1..=legs).map(Target::Foot);
+    let joints =
+        (1..=legs).flat_map(|leg| (1..=joints).map(move |joint| Target::Joint(leg, joint)));
+    let all = feet.chain(joints).chain([Target::Floor, Target::All]);
+    all.filter(|target| robot.has(*target) && of.accept(*target, robot))
+        .collect()
 }
 
 /// Returns the flags of a robot with their rows.
@@ -554,167 +684,6 @@ fn robot_inputs(robot: Robot) -> Vec<(String, Bilingual)> {
         found.extend(names.into_iter().map(|name| (name, row.description)));
     }
     found
-}
-
-/// The syntactic position of the cursor.
-enum Context {
-    /// Line 1, the version of the language.
-    Version,
-    /// The beginning of a statement.
-    Start,
-    /// A member of this variable.
-    Member(String),
-    /// A label that this jump leads to.
-    Label(Keyword),
-    /// A new name.
-    Declaration,
-    /// A condition of this statement.
-    Condition(Keyword),
-    /// A number of FOR, and the particle that may follow.
-    Counting(Option<Keyword>),
-    /// The variable of FOR or NEXT.
-    Counter,
-    /// The right side of an equation.
-    Right,
-    /// A variable between percent signs.
-    Placeholder,
-    /// An argument of a command; the number of arguments before it.
-    Argument(&'static Command, usize),
-}
-
-impl Document {
-    /// Returns the position of a byte of the text, and the span of the word there; `None` in comments, texts and after END.
-    fn completion_context(&self, offset: usize) -> Option<(Context, Span)> {
-        let source = &self.loaded.source;
-        let text = source.text();
-        let offset = (0..=offset.min(text.len()))
-            .rev()
-            .find(|at| text.is_char_boundary(*at))?;
-        // The end of a text that ends in a line end is on a line of its own.
-        let number = source.position(offset, Unit::Utf8).line;
-        let line = source.line(number).span;
-        let before = Span::new(line.start, offset.clamp(line.start, line.end));
-        let word = self.letters_around(before.end, line);
-        match number {
-            1 => return Some((Context::Version, Span::new(line.start, line.end))),
-            2 => return None,
-            _ => {}
-        }
-        if split_comment(text, before).1.is_some() || self.is_after_end(offset) {
-            return None;
-        }
-        let done = Span::new(line.start, word.start);
-        if let Some(rest) = self.slice(done).strip_suffix('.') {
-            let name = &rest[rest.trim_end_matches(is_letter).len()..];
-            return Some((Context::Member(name.to_owned()), word));
-        }
-        let last = Pieces::new(text, done, false)
-            .in_edition(self.loaded.module.edition)
-            .last();
-        let context = match last {
-            Some(Piece::Statement {
-                word: head, span, ..
-            }) if !self.is_ended(span.end, done.end) => self.in_statement(head, span, done)?,
-            _ => Context::Start,
-        };
-        Some((context, word))
-    }
-
-    fn is_after_end(&self, offset: usize) -> bool {
-        let last = self.statements().last();
-        last.is_some_and(|last| last.kind == StatementKind::End && offset > last.span.end)
-    }
-
-    /// Returns the span of the letters around an offset.
-    fn letters_around(&self, at: usize, line: Span) -> Span {
-        let before = self.slice(Span::new(line.start, at));
-        let after = self.slice(Span::new(at, line.end));
-        let start = before.trim_end_matches(is_letter).len() + line.start;
-        let end = at + (after.len() - after.trim_start_matches(is_letter).len());
-        Span::new(start, end)
-    }
-
-    /// Returns true if a `;` ends the statement before an offset.
-    fn is_ended(&self, from: usize, to: usize) -> bool {
-        from <= to && self.slice(Span::new(from, to)).contains(';')
-    }
-
-    fn in_statement(&self, head: Span, span: Span, done: Span) -> Option<Context> {
-        let text = self.loaded.source.text();
-        let mut tokens = Vec::new();
-        lex::lex(
-            text,
-            Span::new(span.start, done.end.max(span.start)),
-            &mut tokens,
-        );
-        let keyword = keywords::find(self.slice(head), self.loaded.module.edition);
-        if let Some(keyword) = keyword {
-            return self.after_keyword(keyword, &tokens, Span::new(head.end, done.end));
-        }
-        if tokens
-            .iter()
-            .any(|token| matches!(token.kind, Kind::Assign(_)))
-        {
-            return Some(Context::Right);
-        }
-        let command = commands::find_in(self.slice(head), self.loaded.module.edition)?;
-        let written = tokens.get(1..).unwrap_or_default();
-        Some(Context::Argument(
-            command,
-            self.argument_count(command, written),
-        ))
-    }
-
-    fn after_keyword(&self, keyword: Keyword, tokens: &[Token], rest: Span) -> Option<Context> {
-        let has = |wanted: Keyword| {
-            let is_it = |token: &Token| self.slice(token.span).eq_ignore_ascii_case(wanted.word());
-            tokens.iter().skip(1).any(is_it)
-        };
-        Some(match keyword {
-            Keyword::Goto
-            | Keyword::Gosub
-            | Keyword::Call
-            | Keyword::StartThread
-            | Keyword::StopThread
-            | Keyword::WaitThread => Context::Label(keyword),
-            Keyword::Define if tokens.is_empty() => Context::Declaration,
-            Keyword::Define => Context::Counting(None),
-            Keyword::If if has(Keyword::Goto) => Context::Label(Keyword::Goto),
-            Keyword::If if has(Keyword::Gosub) => Context::Label(Keyword::Gosub),
-            Keyword::If | Keyword::ElseIf if has(Keyword::Then) => return None,
-            Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Until => {
-                Context::Condition(keyword)
-            }
-            Keyword::For if tokens.len() < 2 => Context::Counter,
-            Keyword::For if has(Keyword::Step) => Context::Counting(None),
-            Keyword::For if has(Keyword::To) => Context::Counting(Some(Keyword::Step)),
-            Keyword::For => Context::Counting(Some(Keyword::To)),
-            Keyword::Next => Context::Counter,
-            Keyword::DefVar
-            | Keyword::DefPos
-            | Keyword::DefJoint
-            | Keyword::Subroutine
-            | Keyword::Thread => Context::Declaration,
-            Keyword::Message | Keyword::FileMessage
-                if self.slice(rest).matches('%').count() % 2 == 1 =>
-            {
-                Context::Placeholder
-            }
-            _ => return None,
-        })
-    }
-
-    /// Returns the number of arguments among tokens; flags of motions and signs do not count.
-    pub(crate) fn argument_count(&self, command: &Command, tokens: &[Token]) -> usize {
-        let has_flags =
-            matches!(command.form, Form::Robot(arguments) if arguments.hs || arguments.motion);
-        let edition = self.loaded.module.edition;
-        let counts = |token: &&Token| {
-            let word = self.slice(token.span).to_ascii_uppercase();
-            token.kind == Kind::Word && !(has_flags && is_motion_flag(&word, edition))
-        };
-        tokens.iter().filter(counts).count()
-    }
 }
 
 fn is_letter(char: char) -> bool {

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use tip_lint::cycles::{self, Part, Sampling};
 use tip_lint::load;
+use tipc::language::Edition;
 use tipc::source::{Encoding, Source, Span};
 use tipc::symbols::{Definition, Use};
 use tipc::syntax::Statement;
@@ -61,6 +62,10 @@ impl Document {
 
     pub(crate) fn robot(&self) -> Robot {
         self.options.robot
+    }
+
+    pub(crate) fn edition(&self) -> Edition {
+        self.loaded.module.edition
     }
 
     pub(crate) fn slice(&self, span: Span) -> &str {

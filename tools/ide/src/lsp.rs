@@ -10,7 +10,7 @@ mod server;
 pub use server::{Incoming, Server, parse};
 
 use crate::transport::{Connection, Frame};
-use lsp_server::{ErrorCode, Message, RequestId, Response};
+use lsp_server::{ErrorCode, Message, Notification, RequestId, Response};
 use serde_json::json;
 use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -87,11 +87,15 @@ pub fn serve<W: Write>(
             }
             waiting = connection.poll().ok();
         }
-        let due = catch_unwind(AssertUnwindSafe(|| server.due_diagnostics()));
-        send(&mut connection, due.unwrap_or_default())?;
+        for uri in server.take_due() {
+            let found = catch_unwind(AssertUnwindSafe(|| server.diagnostics(&uri)));
+            send(&mut connection, found.unwrap_or_else(|_| failed_on(&uri)))?;
+        }
         next = match connection.wait_for(IDLE) {
             Err(RecvTimeoutError::Timeout) => {
-                let _ = catch_unwind(AssertUnwindSafe(|| server.prepare()));
+                for uri in server.open() {
+                    let _ = catch_unwind(AssertUnwindSafe(|| server.prepare(&uri)));
+                }
                 wait(&connection, &mut server)
             }
             frame => frame.ok(),
@@ -147,9 +151,17 @@ fn handle<W: Write>(
     send(connection, answers)
 }
 
+/// The text about a panic.
+const DEFECT: &str = "tip failed; this is a defect of tip, please report it";
+
 fn internal_error(id: RequestId) -> Message {
-    let message = "tip failed; this is a defect of tip, please report it".to_owned();
-    Response::new_err(id, ErrorCode::InternalError as i32, message).into()
+    Response::new_err(id, ErrorCode::InternalError as i32, DEFECT.to_owned()).into()
+}
+
+/// Returns the message that a program could not be checked. The others are.
+fn failed_on(uri: &str) -> Vec<Message> {
+    let params = json!({ "type": 1, "message": format!("{uri}: {DEFECT}") });
+    vec![Notification::new("window/logMessage".to_owned(), params).into()]
 }
 
 fn send<W: Write>(connection: &mut Connection<W>, messages: Vec<Message>) -> io::Result<()> {

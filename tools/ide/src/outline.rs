@@ -79,25 +79,6 @@ impl Document {
         found
     }
 
-    /// Returns the inside of each SUBROUTINE and THREAD, in order.
-    pub(crate) fn subroutines(&self) -> Vec<Span> {
-        let mut inside: Vec<Span> = Vec::new();
-        let mut start = None;
-        for statement in self.statements() {
-            match statement.kind.shape() {
-                Shape::Subroutine | Shape::Thread => start = Some(statement.span.end),
-                Shape::SubEnd | Shape::ThreadEnd => {
-                    let start = start.take();
-                    inside.extend(start.map(|start| Span::new(start, statement.span.start)));
-                }
-                _ => {}
-            }
-        }
-        let end = self.loaded.source.text().len();
-        inside.extend(start.map(|start| Span::new(start, end)));
-        inside
-    }
-
     fn end_of_subroutine(&self, name: Span) -> usize {
         let statements = self.statements();
         let first = statements.partition_point(|it| it.span.end < name.end);
@@ -145,38 +126,25 @@ pub enum FoldKind {
 impl Document {
     /// Returns all folds in the order of their first lines.
     pub fn folds(&self) -> Vec<Fold> {
-        let mut folds = self.blocks();
+        let mut folds: Vec<Fold> = self.block_folds().collect();
         folds.extend(self.comments());
         folds.sort_by_key(|fold| (fold.first, fold.last));
         folds
     }
 
-    fn blocks(&self) -> Vec<Fold> {
-        let mut open: Vec<(Shape, u32)> = Vec::new();
-        let mut folds = Vec::new();
-        for statement in self.statements() {
-            let shape = statement.kind.shape();
-            let closes = opener(shape);
-            if let Some(closes) = closes
-                && let Some(at) = open.iter().rposition(|(shape, _)| closes.contains(shape))
-            {
-                let (_, first) = open[at];
-                open.truncate(at);
-                // The line that closes a branch opens the next one, and stays.
-                let last = match shape {
-                    Shape::ElseIf | Shape::Else => statement.line - 1,
-                    _ => statement.line,
-                };
-                if last > first {
-                    let kind = FoldKind::Block;
-                    folds.push(Fold { first, last, kind });
-                }
-            }
-            if opens(shape) {
-                open.push((shape, statement.line));
-            }
-        }
-        folds
+    fn block_folds(&self) -> impl Iterator<Item = Fold> {
+        let statements = self.statements();
+        self.blocks().all.into_iter().filter_map(|block| {
+            let closer = &statements[block.closer?];
+            let first = statements[block.opener].line;
+            // The line that closes a branch opens the next one, and stays.
+            let last = match closer.kind.shape() {
+                Shape::ElseIf | Shape::Else => closer.line - 1,
+                _ => closer.line,
+            };
+            let kind = FoldKind::Block;
+            (last > first).then_some(Fold { first, last, kind })
+        })
     }
 
     fn comments(&self) -> Vec<Fold> {
@@ -205,31 +173,4 @@ impl Document {
         close(run);
         folds
     }
-}
-
-fn opens(shape: Shape) -> bool {
-    matches!(
-        shape,
-        Shape::If
-            | Shape::ElseIf
-            | Shape::Else
-            | Shape::While
-            | Shape::Repeat
-            | Shape::For
-            | Shape::Subroutine
-            | Shape::Thread
-    )
-}
-
-/// Returns the shapes that a statement closes.
-fn opener(shape: Shape) -> Option<&'static [Shape]> {
-    Some(match shape {
-        Shape::ElseIf | Shape::Else | Shape::EndIf => &[Shape::If, Shape::ElseIf, Shape::Else],
-        Shape::Wend => &[Shape::While],
-        Shape::Until => &[Shape::Repeat],
-        Shape::Next => &[Shape::For],
-        Shape::SubEnd => &[Shape::Subroutine],
-        Shape::ThreadEnd => &[Shape::Thread],
-        _ => return None,
-    })
 }

@@ -45,7 +45,7 @@ impl Document {
         if let Some(found) = self.function_signatures(line, offset) {
             return Some(found);
         }
-        let edition = self.loaded.module.edition;
+        let edition = self.edition();
         let Some(Piece::Statement { word, span, .. }) =
             Pieces::new(text, before, false).in_edition(edition).last()
         else {
@@ -56,7 +56,7 @@ impl Document {
         let mut tokens = Vec::new();
         lex::lex(text, span, &mut tokens);
         tokens.retain(|token| token.span.end < offset && token.span.start > word.start);
-        let argument = match command.form {
+        let argument = match command.form_in(edition) {
             Form::Words(_) => 0,
             _ => self.argument_count(command, &tokens),
         };
@@ -99,8 +99,9 @@ impl Document {
 }
 
 fn forms(command: &Command, document: &Document, argument: usize) -> Signatures {
-    let usage = command.usage(document.robot(), document.loaded.module.edition);
-    let forms: Vec<Signature> = match command.form {
+    let edition = document.edition();
+    let usage = command.usage(document.robot(), edition);
+    let forms: Vec<Signature> = match command.form_in(edition) {
         Form::Words(_) => usage.into_iter().map(statement_signature).collect(),
         _ => usage.into_iter().map(signature).collect(),
     };

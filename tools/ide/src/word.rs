@@ -212,10 +212,6 @@ impl Document {
         keywords::find(self.slice(word), self.edition())
     }
 
-    fn edition(&self) -> Edition {
-        self.loaded.module.edition
-    }
-
     /// Returns the kind of a word that is not a name of the program.
     fn meaning(&self, word: &str, command: Option<&'static Command>, is_first: bool) -> WordKind {
         let edition = self.edition();
@@ -233,7 +229,7 @@ impl Document {
         if let Some(row) = reading(&upper, edition) {
             return WordKind::Reading(row);
         }
-        let form = command.map(|command| command.form);
+        let form = command.map(|command| command.form_in(edition));
         if let Some(Form::Robot(arguments)) = form
             && (arguments.hs || arguments.motion)
             && let Some(row) = motion_flag(&upper)

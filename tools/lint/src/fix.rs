@@ -59,7 +59,7 @@ fn is_sound(source: &Source, fix: &Fix) -> bool {
 }
 
 /// The most bytes of a statement whose diagnostics are put right: what each of many diagnostics looks at must not be long.
-const LONGEST: usize = 4 * LINE_LIMIT;
+const MAX_STATEMENT_BYTES: usize = 4 * LINE_LIMIT;
 
 /// A diagnostic in its file.
 #[derive(Clone, Copy)]
@@ -101,7 +101,7 @@ impl<'a> Site<'a> {
 
     /// Returns the words and operators of the statement around the diagnostic; none of one that no line can hold.
     fn tokens(&self) -> Vec<Token> {
-        let is_short = |it: &&Statement| it.span.end - it.span.start <= LONGEST;
+        let is_short = |it: &&Statement| it.span.end - it.span.start <= MAX_STATEMENT_BYTES;
         let statement = self.statement().filter(is_short);
         statement.map_or_else(Vec::new, |it| self.tokens_of(it.span))
     }

@@ -18,7 +18,10 @@ mod words;
 
 pub use tipc::{Loaded, Options};
 
-use tipc::diagnostic::Diagnostic;
+use message::RobotChoice;
+use tipc::Robot;
+use tipc::code::Level;
+use tipc::diagnostic::{Diagnostic, Omitted};
 use tipc::load::lowered;
 
 /// Reads, checks and lowers a program as [`tipc::load()`] does, and adds lints and the known fixes.
@@ -34,6 +37,53 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         words::fixer,
     );
     loaded
+}
+
+/// Replaces all errors of a program by one if they are many, and a built-in robot exists for which it has none.
+pub fn recognize_robot(loaded: &mut Loaded, bytes: &[u8], options: &Options) {
+    if let Some(robot) = other_robot(loaded, bytes, options) {
+        report_robot(loaded, robot, options.robot.name());
+    }
+}
+
+/// Number of errors from which on other robots are tried.
+const MANY: usize = 4;
+
+fn errors(loaded: &Loaded) -> impl Iterator<Item = &Diagnostic> {
+    let all = loaded.diagnostics.iter();
+    all.filter(|one| one.level() == Level::Error)
+}
+
+/// Returns the robot for which a program with many errors has none.
+fn other_robot(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<&'static str> {
+    if errors(loaded).count() < MANY {
+        return None;
+    }
+    let others = Robot::ALL.iter().copied();
+    let mut others = others.filter(|robot| *robot != options.robot);
+    let fits = |robot: &Robot| {
+        let options = Options {
+            robot: *robot,
+            ..*options
+        };
+        let (loaded, _) = lowered(loaded.source.name(), bytes, &options);
+        loaded.program.is_some()
+    };
+    others.find(fits).map(Robot::name)
+}
+
+/// Replaces all diagnostics by one, at the first error: they are one mistake.
+fn report_robot(loaded: &mut Loaded, robot: &'static str, chosen: &'static str) {
+    let Some(mut one) = errors(loaded).next().cloned() else {
+        return;
+    };
+    one.reason = RobotChoice::LooksLike { robot, chosen }.into();
+    one.help = Some(RobotChoice::Choose { robot }.into());
+    one.labels.clear();
+    one.fixes.clear();
+    one.is_guess = false;
+    loaded.diagnostics = vec![one];
+    loaded.omitted = Omitted::default();
 }
 
 /// Adds warnings that others found about a program, except those that a comment silences.

@@ -42,6 +42,18 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
+    /// Messages on a program that was written for another robot.
+    RobotChoice;
+
+    LooksLike { robot: &'static str, chosen: &'static str }
+        "this looks like a program for {robot}: it has no errors there, and many for {chosen}",
+        "{robot}用のプログラムのようです。{robot}ではエラーがなく、{chosen}では多数あります";
+    Choose { robot: &'static str }
+        "choose the robot with `--robot {robot}`, or `robot = \"{robot}\"` in a tip.toml",
+        "ロボットを `--robot {robot}` か、tip.tomlの `robot = \"{robot}\"` で指定してください";
+}
+
+tipc::message_table! {
     /// Reason for an added declaration.
     Declared;
 

@@ -1,75 +1,91 @@
 //! Conditions and equations that someone asks of a program while it runs, in the program's own language.
 //!
-//! A question is read and checked as a line of a program that has the same variables and constants, so that whoever knows
-//! the language knows how to ask.
+//! A question is read and checked as a line of a program that declares the names in it as the program does, so that whoever
+//! knows the language knows how to ask. Other declarations are left out: the time to answer depends on the question alone.
 
 use crate::Options;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
-use tipc::language::Keyword;
 use tipc::language::commands::{COMMANDS, Meaning};
+use tipc::language::{Edition, Keyword};
 use tipc::load::lowered;
 use tipc::message::Parsing;
-use tipc::program::{Action, Condition, Program, ScalarExpression, Variable, VariableKind};
+use tipc::program::{
+    Action, Condition, Operand, Program, Scalar, ScalarExpression, StructOperand, VariableId,
+    VariableKind,
+};
 use tipc::source::Span;
+use tipc::syntax::upper_case;
 
 /// A program's variables, and more that only a query may name.
 #[derive(Clone, Debug)]
 pub struct QueryContext {
     options: Options,
-    /// Lines 1 and 2, a declaration of each variable, and a step for each scalar that assigns it: what is never assigned may
-    /// not be read.
-    head: String,
+    edition: Edition,
+    names: HashMap<String, Meant>,
     /// The variable that an equation assigns, after all others.
     answer: String,
     /// The variables from here on are none of the program's.
     own: usize,
     more: Vec<String>,
-    head_steps: usize,
+}
+
+/// The meaning of a name in questions.
+#[derive(Clone, Debug)]
+enum Meant {
+    /// A variable, with the names of its scalars.
+    Variable {
+        id: VariableId,
+        kind: VariableKind,
+        scalars: Vec<String>,
+        /// False if the language itself or native code brings it.
+        is_declared: bool,
+    },
+    Constant(f64),
 }
 
 impl QueryContext {
     /// Creates a context from a program that was loaded with these options. Each name of `more` that the program does
     /// not declare or define is a VAR as well; its number is that of the program's variables, and so on.
     pub fn new(program: &Program, options: Options, more: &[&str]) -> Self {
-        let (variables, constants) = (program.variables(), program.constants());
-        let is_free = |name: &str| {
-            variables.iter().all(|variable| variable.name != name)
-                && constants.iter().all(|(constant, _)| constant != name)
-        };
-        let more = more.iter().filter(|name| is_free(name));
+        let variables = program.variables();
+        let constants = program.constants().iter();
+        let constants = constants.map(|(name, value)| (name.to_string(), Meant::Constant(*value)));
+        let mut names: HashMap<String, Meant> = constants.collect();
+        for (id, variable) in variables.iter().enumerate() {
+            let meant = Meant::Variable {
+                id,
+                kind: variable.kind,
+                scalars: variable.scalar_names().collect(),
+                // VAR_KEY is always there, and a variable shared with native code wherever it is named.
+                is_declared: id > 0 && variable.special.is_none(),
+            };
+            names.insert(variable.name.clone(), meant);
+        }
+        let more = more.iter().filter(|name| !names.contains_key(**name));
         let more: Vec<String> = more.map(|name| (*name).to_owned()).collect();
         let mut answer = "ANSWER".to_owned();
-        while !is_free(&answer) {
+        let own = variables.len();
+        for (id, name) in (own..).zip(&more) {
+            let meant = Meant::Variable {
+                id,
+                kind: VariableKind::Var,
+                scalars: vec![name.clone()],
+                is_declared: true,
+            };
+            names.insert(name.clone(), meant);
+        }
+        while names.contains_key(&answer) {
             answer.push('_');
-        }
-        let mut head = format!("{}\n\n", program.edition());
-        // VAR_KEY is always there, and a variable shared with native code wherever it is named.
-        let declared = variables.iter().skip(1);
-        for Variable { name, kind, .. } in declared.filter(|it| it.special.is_none()) {
-            declare(&mut head, *kind, name);
-        }
-        for (name, value) in constants {
-            let _ = writeln!(head, "{} {name} {value:?}", Keyword::Define.word());
-        }
-        for name in more.iter().chain([&answer]) {
-            declare(&mut head, VariableKind::Var, name);
-        }
-        // What KEY_IN assigns without being asked to.
-        let key_in = COMMANDS
-            .iter()
-            .find(|row| matches!(row.meaning, Meaning::KeyIn));
-        let _ = writeln!(head, "{}", key_in.map_or("", |row| row.name));
-        for scalar in program.scalar_names().skip(1).chain(more.iter().cloned()) {
-            let _ = writeln!(head, "{scalar} = 0");
         }
         QueryContext {
             options,
-            head,
+            edition: program.edition(),
+            names,
             answer,
-            own: variables.len(),
-            head_steps: program.scalar_count() + more.len(),
+            own,
             more,
         }
     }
@@ -91,16 +107,18 @@ impl QueryContext {
     pub fn condition(&self, text: &str) -> Result<Condition, Box<Diagnostic>> {
         let [r#if, then, end_if, end] =
             [Keyword::If, Keyword::Then, Keyword::EndIf, Keyword::End].map(Keyword::word);
-        let rest = format!(" {then}\n{end_if}\n{end}\n");
-        let lines = [r#if, " ", text, &rest];
-        match &self.steps(text, &lines)?[..] {
+        let before = format!("{if} ");
+        let after = format!(" {then}\n{end_if}\n{end}\n");
+        let asked = self.asked(text, &before, &after)?;
+        match asked.actions()[..] {
             [
                 Action::If { condition, .. },
                 Action::Nothing,
                 Action::Finish(_),
-            ] => Ok(*condition),
-            _ => Err(refused(text)),
+            ] => asked.condition(*condition),
+            _ => None,
         }
+        .ok_or_else(|| refused(text))
     }
 
     /// Parses a text as a number, as it follows `=`.
@@ -108,9 +126,10 @@ impl QueryContext {
     /// # Errors
     /// Returns what is wrong with it, located in the text.
     pub fn number(&self, text: &str) -> Result<ScalarExpression, Box<Diagnostic>> {
-        let rest = format!("\n{}\n", Keyword::End.word());
-        let lines = [&self.answer, " = ", text, &rest];
-        match &self.steps(text, &lines)?[..] {
+        let before = format!("{} = ", self.answer);
+        let after = format!("\n{}\n", Keyword::End.word());
+        let asked = self.asked(text, &before, &after)?;
+        match asked.actions()[..] {
             [
                 Action::SetScalar {
                     target,
@@ -118,34 +137,29 @@ impl QueryContext {
                     value,
                 },
                 Action::Finish(_),
-            ] if target.variable == self.own + self.more.len() => Ok(*value),
-            _ => Err(refused(text)),
+            ] if asked.name(target.variable) == self.answer => asked.expression(*value),
+            _ => None,
         }
+        .ok_or_else(|| refused(text))
     }
 
-    /// Returns the actions of the steps of a program with these lines.
-    fn steps(&self, text: &str, lines: &[&str]) -> Result<Vec<Action>, Box<Diagnostic>> {
+    /// Loads a program that declares the names of a text, with the text between two others behind it.
+    fn asked(&self, text: &str, before: &str, after: &str) -> Result<Asked<'_>, Box<Diagnostic>> {
         if text.contains(char::is_control) {
             return Err(refused(text));
         }
-        let mut whole = self.head.clone();
-        let mut start = 0;
-        for line in lines {
-            if std::ptr::eq(*line, text) {
-                start = whole.len();
-            }
-            whole.push_str(line);
-        }
+        let (mut whole, head_steps) = self.head(text);
+        whole.push_str(before);
+        let start = whole.len();
+        whole.push_str(text);
+        whole.push_str(after);
         let (loaded, found) = lowered("", whole.as_bytes(), &self.options);
         match loaded.program {
-            // A shared variable that the program itself does not name has no value in it.
-            Some(program) if program.variables().len() != self.own + self.more.len() + 1 => {
-                Err(refused(text))
-            }
-            Some(program) => {
-                let steps = program.steps().iter().skip(self.head_steps);
-                Ok(steps.map(|step| step.action.clone()).collect())
-            }
+            Some(program) => Ok(Asked {
+                names: &self.names,
+                program,
+                head_steps,
+            }),
             None => {
                 let errors = found.into_iter();
                 let error = errors.min_by_key(|one| (one.level() != Level::Error, one.span));
@@ -153,10 +167,136 @@ impl QueryContext {
             }
         }
     }
+
+    /// Returns lines 1 and 2, the declarations of what a text names, and a step for each of their scalars that assigns it:
+    /// what is never assigned may not be read. Returns the number of these steps, too.
+    fn head(&self, text: &str) -> (String, usize) {
+        let upper = upper_case(text);
+        let words = upper.split(|char: char| !(char.is_ascii_alphanumeric() || char == '_'));
+        let named: BTreeMap<&str, &Meant> = words
+            .filter_map(|word| Some((word, self.names.get(word)?)))
+            .collect();
+        // What KEY_IN assigns without being asked to.
+        let key_in = COMMANDS
+            .iter()
+            .find(|row| matches!(row.meaning, Meaning::KeyIn));
+        let key_in = key_in.map_or("", |row| row.name);
+        let mut head = format!("{}\n\n{key_in}\n", self.edition);
+        declare(&mut head, VariableKind::Var, &self.answer);
+        let mut steps = 1;
+        for (name, meant) in named {
+            match meant {
+                Meant::Constant(value) => {
+                    // A String takes all that is written.
+                    let _ = writeln!(head, "{} {name} {value:?}", Keyword::Define.word());
+                }
+                Meant::Variable {
+                    id,
+                    kind,
+                    scalars,
+                    is_declared,
+                } => {
+                    if *is_declared {
+                        declare(&mut head, *kind, name);
+                    }
+                    // KEY_IN assigns VAR_KEY.
+                    for scalar in scalars.iter().filter(|_| *id > 0) {
+                        let _ = writeln!(head, "{scalar} = 0");
+                        steps += 1;
+                    }
+                }
+            }
+        }
+        (head, steps)
+    }
+}
+
+/// A question as a program of its own, whose variables have other numbers.
+struct Asked<'a> {
+    names: &'a HashMap<String, Meant>,
+    program: Program,
+    head_steps: usize,
+}
+
+impl Asked<'_> {
+    /// Returns the actions of the question's steps.
+    fn actions(&self) -> Vec<&Action> {
+        let steps = self.program.steps().iter().skip(self.head_steps);
+        steps.map(|step| &step.action).collect()
+    }
+
+    fn name(&self, variable: VariableId) -> &str {
+        &self.program.variables()[variable].name
+    }
+
+    /// Returns the number of a variable in the program that the question is about. A shared variable that it does not name has
+    /// no value in it.
+    fn id(&self, variable: VariableId) -> Option<VariableId> {
+        match self.names.get(self.name(variable))? {
+            Meant::Variable { id, .. } => Some(*id),
+            Meant::Constant(_) => None,
+        }
+    }
+
+    fn operand(&self, operand: Operand) -> Option<Operand> {
+        Some(match operand {
+            Operand::Scalar { scalar, negative } => Operand::Scalar {
+                scalar: Scalar {
+                    variable: self.id(scalar.variable)?,
+                    ..scalar
+                },
+                negative,
+            },
+            other => other,
+        })
+    }
+
+    fn condition(&self, condition: Condition) -> Option<Condition> {
+        Some(match condition {
+            Condition::Compare {
+                left,
+                relation,
+                right,
+            } => Condition::Compare {
+                left: self.operand(left)?,
+                relation,
+                right: self.operand(right)?,
+            },
+            flag @ Condition::Flag { .. } => flag,
+        })
+    }
+
+    fn expression(&self, value: ScalarExpression) -> Option<ScalarExpression> {
+        use ScalarExpression as E;
+        Some(match value {
+            E::Operand(operand) => E::Operand(self.operand(operand)?),
+            E::Binary {
+                left,
+                operation,
+                right,
+            } => E::Binary {
+                left: self.operand(left)?,
+                operation,
+                right: self.operand(right)?,
+            },
+            E::Function { function, operand } => E::Function {
+                function,
+                operand: self.operand(operand)?,
+            },
+            E::Atan2 { y, x } => E::Atan2 {
+                y: self.operand(y)?,
+                x: self.operand(x)?,
+            },
+            E::Norm(StructOperand::Variable(variable)) => {
+                E::Norm(StructOperand::Variable(self.id(variable)?))
+            }
+            E::Norm(reading) => E::Norm(reading),
+        })
+    }
 }
 
 fn declare(head: &mut String, kind: VariableKind, name: &str) {
-    // A String takes whatever is written.
+    // A String takes all that is written.
     let _ = writeln!(head, "{} {name}", keyword(kind).word());
 }
 

@@ -30,16 +30,16 @@ use tipc::source::Span;
 use tipc::syntax::StatementKind;
 
 /// The most times that a file is read again.
-const READINGS: usize = 200;
+const MAX_READINGS: usize = 200;
 
 /// The most bytes that are read again to try the fixes of a file: what is not tried is not offered.
-const READ: usize = 1 << 18;
+const MIN_READ_BYTES: usize = 1 << 18;
 
 /// Number of times that a file is read again, whatever its length, if its fixes are asked for.
-const FEW: usize = 8;
+const MIN_READINGS: usize = 8;
 
 /// The most mistakes of one line that are put right one after the other.
-const HIDDEN: usize = 4;
+const MAX_HIDDEN: usize = 4;
 
 /// A diagnostic that was put right.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +65,7 @@ pub struct Repaired {
 
 /// Applies the fixes that are at least as sure as `least` to what was loaded with `options`, and those of what then is found.
 pub fn repair(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
-    apply(loaded, options, least, FEW)
+    apply(loaded, options, least, MIN_READINGS)
 }
 
 /// Returns what [`repair`] would do at least, as far as it takes little time.
@@ -80,8 +80,8 @@ fn apply(loaded: Loaded, options: &Options, least: Applicability, often: usize) 
         options,
         least,
         follows: true,
-        readings: READINGS,
-        bytes: Cell::new(READ.max(often * length)),
+        readings: MAX_READINGS,
+        bytes: Cell::new(MIN_READ_BYTES.max(often * length)),
         applied: Vec::new(),
         loaded,
     };
@@ -99,8 +99,8 @@ pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
         options,
         least: Applicability::Likely,
         follows: false,
-        readings: READINGS,
-        bytes: Cell::new(READ.max(loaded.source.text().len())),
+        readings: MAX_READINGS,
+        bytes: Cell::new(MIN_READ_BYTES.max(loaded.source.text().len())),
         applied: Vec::new(),
         loaded,
     };
@@ -232,7 +232,7 @@ impl Repair<'_> {
     fn attempt(&self, diagnostics: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
         let (mut loaded, mut new) = self.changed(&self.loaded, &diagnostics)?;
         let mut hidden = Vec::new();
-        for _ in 0..HIDDEN {
+        for _ in 0..MAX_HIDDEN {
             if new.is_empty() {
                 return Ok(Accepted {
                     diagnostics,

@@ -7,7 +7,7 @@ use tip_runtime::model::TorqueUnit;
 use tip_sim::urdf::frame::{foot, joint};
 use tip_view::{Frame, Recording};
 
-/// Writes the frames of a recording as CSV: [`Pace`](tip_view::Pace) says which cycles have one.
+/// Writes the frames of a recording as CSV: [`FrameRate`](tip_view::FrameRate) says which cycles have one.
 ///
 /// # Errors
 /// It cannot be written there.
@@ -92,6 +92,9 @@ impl<'a> Table<'a> {
         joints().for_each(|joint| add(&[&format!("_{unit}")], &joint));
         for leg in (1..).take(robot.legs.len()) {
             add(&["_x_mm", "_y_mm", "_z_mm", "_N"], &foot(leg));
+            if robot.body.is_some() {
+                add(&["_slip_mm"], &foot(leg));
+            }
         }
         if robot.slider.is_some() {
             add(&["x_mm", "y_mm", "z_mm"], "FLOOR_");
@@ -140,6 +143,10 @@ impl<'a> Table<'a> {
                     .map(|load| measured(*load))
                     .unwrap_or_default(),
             );
+            if recording.robot.body.is_some() {
+                let slip = frame.slips.get(leg).copied();
+                row.push(slip.map(measured).unwrap_or_default());
+            }
         }
         row.extend(frame.slider.iter().flatten().map(|at| measured(*at)));
         for thing in &frame.objects {
@@ -212,11 +219,15 @@ fn shown(text: &str) -> String {
 }
 
 /// Least size of a measured number, in mm, deg, N, N·m or mN·m. What is smaller is an error of rounding.
-const LEAST: f64 = 1e-9;
+const MIN_MEASURED: f64 = 1e-9;
 
 /// Returns a measured number.
 fn measured(value: f64) -> String {
-    number(if value.abs() < LEAST { 0.0 } else { value })
+    number(if value.abs() < MIN_MEASURED {
+        0.0
+    } else {
+        value
+    })
 }
 
 /// Returns a number that reads back to the same bits; −0 is 0. What is no number is an empty field.

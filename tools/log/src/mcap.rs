@@ -10,8 +10,9 @@ use prost::Message;
 use scene::Stage;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Seek, Write};
+use tip_sim::FallKind;
 use tip_sim::urdf::frame;
-use tip_view::{Frame, Recording};
+use tip_view::{Fallen, Frame, Recording};
 
 /// Levels of infos and errors in `foxglove.Log`.
 const INFO: i32 = 2;
@@ -79,6 +80,7 @@ const VARIABLES: Topic = topic("/tip/variables", "tip.Variables", Encoding::Own)
 const BODY: Topic = topic("/tip/body", "tip.Body", Encoding::Own);
 const MARGIN: Topic = topic("/tip/margin", "tip.Margin", Encoding::Own);
 const LOADS: Topic = topic("/tip/loads", "tip.Loads", Encoding::Own);
+const SLIPS: Topic = topic("/tip/slips", "tip.Slips", Encoding::Own);
 
 /// Something in a cycle that is no motion.
 enum LogEntry<'a> {
@@ -88,7 +90,7 @@ enum LogEntry<'a> {
     /// All variables of the cycle have their values.
     Variables,
     Say(&'a str),
-    Fall(f64),
+    Fall(Fallen),
 }
 
 impl<'a, W: Write + Seek> Log<'a, W> {
@@ -148,8 +150,10 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         if let Some(margin) = messages::margin(time, frame, falls) {
             self.send(&MARGIN, time, &margin)?;
         }
-        if let Some(loads) = messages::loads(time, frame) {
-            self.put(&LOADS, time, loads)?;
+        for (topic, values) in [(&LOADS, &frame.loads), (&SLIPS, &frame.slips)] {
+            if let Some(message) = messages::of_feet(time, values) {
+                self.put(topic, time, message)?;
+            }
         }
         Ok(())
     }
@@ -245,14 +249,10 @@ impl<'a, W: Write + Seek> Log<'a, W> {
                 self.put(&VARIABLES, time, variables)
             }
             LogEntry::Say(text) => self.say(cycle, INFO, text),
-            LogEntry::Fall(margin) if *margin < 0.0 => {
-                let text = format!(
-                    "the robot falls: its centre of mass is {:.1} mm outside",
-                    -margin
-                );
-                self.say(cycle, ERROR, &text)
+            LogEntry::Fall(fall) => {
+                let kind = fall.kind.unwrap_or(FallKind::Fell);
+                self.say(cycle, ERROR, &kind.to_string())
             }
-            LogEntry::Fall(_) => self.say(cycle, ERROR, "the robot falls"),
         }
     }
 

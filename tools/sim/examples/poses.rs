@@ -9,7 +9,7 @@ use std::path::Path;
 use std::{env, fs};
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::{Leg, Range};
-use tip_sim::{Anatomy, Limb, Robot, mjcf, urdf};
+use tip_sim::{Limb, Robot, RobotDescription, import, mjcf, urdf};
 
 const POSES: usize = 1000;
 
@@ -32,14 +32,14 @@ fn load(robot: &Path) -> Result<Robot, Box<dyn Error>> {
     let ending = robot.extension().and_then(|ending| ending.to_str());
     Ok(match ending {
         Some("toml") => Robot::description(&text()?)?,
-        Some("urdf") => Robot::description(&urdf::import("robot.urdf", &text()?)?.toml)?,
+        Some("urdf") => Robot::description(&import::import("robot.urdf", &text()?)?.toml)?,
         _ => Robot::named(&robot.to_string_lossy())?,
     })
 }
 
 /// A line `joint NAME DEGREES` for each joint, or `slider AXIS MM`, and a line `link NAME X Y Z` with its three axes, all of it
 /// in the robot frame in mm; a line `jacobian FOOT X Y Z …` with mm/rad for each joint of a leg; a blank line after each pose.
-fn poses(anatomy: &Anatomy) -> String {
+fn poses(anatomy: &RobotDescription) -> String {
     let mut random = Random(1);
     let mut text = String::new();
     for _ in 0..POSES {
@@ -50,7 +50,7 @@ fn poses(anatomy: &Anatomy) -> String {
     text
 }
 
-fn pose(text: &mut String, anatomy: &Anatomy, random: &mut Random) -> std::fmt::Result {
+fn pose(text: &mut String, anatomy: &RobotDescription, random: &mut Random) -> std::fmt::Result {
     for (number, leg) in (1..).zip(&anatomy.legs) {
         let angles: Vec<f64> = leg
             .joints

@@ -1,7 +1,7 @@
 //! A robot that another process simulates, such as MuJoCo, Gazebo or a simulator of your own.
 //!
-//! The process gets what the joints are commanded on its standard input, a line for each control cycle, and answers each with a
-//! line of what the sensors measure on its standard output. Program and simulator wait for each other, so that the same answers
+//! The process gets what the joints are commanded on its standard input, a JSON line for each control cycle, and answers each
+//! with a JSON line of what the sensors measure on its standard output. Program and simulator wait for each other, so that the same answers
 //! give the same run, however long they take. The protocol is in `docs/external-plant.md`.
 //!
 //! ```no_run
@@ -34,7 +34,7 @@ use crate::robot::Robot;
 use crate::run::Run;
 use crate::sim_hardware::{Commands, DynHardware, Reading};
 use link::{Link, Received};
-use protocol::{Answer, Layout, Measured};
+use protocol::{Answer, Layout, Request};
 use std::any::Any;
 use std::ffi::{OsStr, OsString};
 use std::fmt;
@@ -185,7 +185,7 @@ pub(crate) struct ExternalHardware {
     awaits: Option<Head>,
     /// Number of the next control cycle.
     number: u64,
-    measured: Measured,
+    measured: Answer,
     /// Values of inputs that events have set.
     overrides: Inputs<Option<f64>>,
     odometry: Option<Odometry>,
@@ -196,7 +196,7 @@ pub(crate) struct ExternalHardware {
 impl ExternalHardware {
     fn start(robot: &Robot, plant: &ExternalPlant) -> Result<Self, StartError> {
         let layout = Layout::of(robot.name(), &robot.anatomy());
-        let hello = layout.hello();
+        let hello = layout.hello().line();
         let mut link = Link::start(&plant.program, &plant.arguments, plant.listener.clone())
             .map_err(|reason| StartError::Process {
                 program: plant.program.to_string_lossy().into_owned(),
@@ -209,7 +209,7 @@ impl ExternalHardware {
             limits: plant.limits,
             awaits: Some(Head::Hello),
             number: 0,
-            measured: Measured::default(),
+            measured: Answer::default(),
             overrides: Inputs::all(None),
             odometry: None,
             error: None,
@@ -255,9 +255,8 @@ impl ExternalHardware {
             Received::TooLong => return Err(PlantError::TooLong { to }),
             Received::NotText => return Err(PlantError::NotText { to }),
         };
-        let Answer { measured, pose } = protocol::read(&line, to, &self.layout, &self.measured)?;
-        self.measured = measured;
-        if let Some(pose) = pose {
+        self.measured = protocol::read(&line, to, &self.layout, &self.measured)?;
+        if let Some(pose) = self.measured.pose() {
             self.odometry = Some(Odometry::on(self.odometry, pose));
         }
         Ok(())
@@ -310,14 +309,14 @@ impl DynHardware for ExternalHardware {
                 into.inputs.set(port, volts);
             }
         }
-        *into.slider = self.measured.slider;
+        *into.slider = self.measured.slider.unwrap_or_default();
         Ok(())
     }
 
     fn write(&mut self, commands: &Commands<'_>) -> Result<(), HardwareFault> {
         while !self.wait(Duration::MAX) {}
         self.fault()?;
-        let line = self.layout.cycle(self.number, commands);
+        let line = self.layout.cycle(self.number, commands).line();
         if let Some(link) = &mut self.link {
             link.request(line);
         }
@@ -328,7 +327,7 @@ impl DynHardware for ExternalHardware {
 
     fn stop(&mut self, _why: &Fault) -> Result<(), HardwareFault> {
         if let (Some(link), None, false) = (&mut self.link, &self.error, self.is_stopped) {
-            link.notify(protocol::stop(self.number));
+            link.notify(Request::Stop { n: self.number }.line());
         }
         self.is_stopped = true;
         Ok(())
@@ -356,6 +355,7 @@ impl DynHardware for ExternalHardware {
             angles: legs(&self.measured.angles),
             loads: self.measured.loads.clone(),
             forces: Vec::new(),
+            slips: Vec::new(),
             torques: legs(&torques),
         })
     }

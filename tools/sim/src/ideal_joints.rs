@@ -1,6 +1,6 @@
 //! Joints that are where they are commanded to be in the next cycle: a robot that is cheap to simulate.
 
-use crate::model::Anatomy;
+use crate::model::RobotDescription;
 use crate::sim_hardware::{Commands, DynHardware, Reading, has_input};
 use std::any::Any;
 use tip_runtime::command::Port;
@@ -38,7 +38,7 @@ struct Joint {
 }
 
 impl IdealJoints {
-    pub(crate) fn new(anatomy: &Anatomy) -> Self {
+    pub(crate) fn new(anatomy: &RobotDescription) -> Self {
         let legs = anatomy.legs.iter();
         let joints = legs.flat_map(|leg| leg.joints.iter().zip(&leg.initial));
         let resting = joints.map(|(joint, angle)| Joint {

@@ -3,7 +3,8 @@
 //!
 //! A target is checked if the program gives every number of it as a constant, and none of them relative. A program that
 //! says EMG_OFF is left alone: there a joint stops at its limit, and the program goes on. A straight path to a target
-//! within reach is checked where the start of the foot is known: on the first pass, up to the first question.
+//! within reach, and a target of REL_PTP, are checked where the start of the foot is known: on the first pass, up to the
+//! first question.
 //!
 //! SPECIAL is not checked on a robot whose owner has native code that may answer it.
 
@@ -12,10 +13,11 @@ use crate::message::Linting;
 use crate::model::Miss;
 use std::collections::HashMap;
 use tip_runtime::command::{Op, Target};
-use tip_runtime::model::Point;
+use tip_runtime::model::{Point, Range};
 use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
+use tipc::message::Message;
 use tipc::message::list::List;
 use tipc::program::{Action, Argument, Mark, Operand, Program, Step};
 use tipc::source::Span;
@@ -84,7 +86,7 @@ impl Misses<'_> {
     fn of_target(&mut self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
         let bits = values.iter().map(|value| value.to_bits()).collect();
         let known = self.known.entry((op, target, bits));
-        *known.or_insert_with(|| self.robot.miss(op, target, values))
+        *known.or_insert_with(|| self.robot.miss(op, target, values, &[]))
     }
 }
 
@@ -96,7 +98,7 @@ fn warning(
     start: Option<Point>,
 ) -> Option<Diagnostic> {
     let Action::Command {
-        op: op @ (Op::Ptp | Op::PtpAngle),
+        op: op @ (Op::Ptp | Op::PtpAngle | Op::RelPtp),
         target,
         arguments,
         ..
@@ -105,12 +107,31 @@ fn warning(
         return None;
     };
     let values = constants(arguments)?;
+    if *op == Op::RelPtp {
+        let (start, by): (Point, Point) = (start?, values.try_into().ok()?);
+        let end = [0, 1, 2].map(|k| start[k] + by[k]);
+        let miss = misses.of_target(Op::Ptp, *target, &end);
+        return miss
+            .filter(|miss| is_clear(*miss))
+            .map(|miss| out_of_reach(statement, *target, miss));
+    }
     let Some(miss) = misses.of_target(*op, *target, &values) else {
         let end: Point = values.try_into().ok().filter(|_| *op == Op::Ptp)?;
         return on_the_path(statement, misses.robot, *target, start?, end);
     };
+    Some(out_of_reach(statement, *target, miss))
+}
+
+/// Returns the warning on a target that is missed.
+fn out_of_reach(statement: &Statement, target: Target, miss: Miss) -> Diagnostic {
     let place = place(statement, miss);
-    let (reason, help) = match miss {
+    let (reason, help) = reason(target, miss);
+    Diagnostic::new(Code::OutOfReach, place, reason).help(help)
+}
+
+/// Returns the reason and the help of a target that is missed.
+fn reason(target: Target, miss: Miss) -> (Linting, Linting) {
+    match miss {
         Miss::Turns {
             joint, by, limits, ..
         } => {
@@ -125,7 +146,6 @@ fn warning(
         }
         Miss::Ends { by } => {
             let by = tenths(by).max(0.1);
-            let target = *target;
             (Linting::ComesNoNearer { target, by }, Linting::ChooseNearer)
         }
         Miss::Slides { axis, travel } => {
@@ -135,8 +155,28 @@ fn warning(
                 Linting::SlidesFromTo { axis, min, max },
             )
         }
-    };
-    Some(Diagnostic::new(Code::OutOfReach, place, reason).help(help))
+    }
+}
+
+impl Robot {
+    /// Returns why PTP, or PTP_ANGLE, to these numbers (mm or deg) is out of reach within the working limits of all joints, leg by leg,
+    /// and a way out: in the words of the warning. Returns `None` if the end is within reach.
+    pub fn reason_out_of_reach(
+        &self,
+        op: Op,
+        target: Target,
+        values: &[f64],
+        limits: &[Range],
+    ) -> Option<(Message, Message)> {
+        let miss = self.miss(op, target, values, limits)?;
+        Some(match reason(target, miss) {
+            // The warning stands below the place that it is about.
+            (Linting::ComesNoNearer { target, by }, help) => {
+                (Linting::CannotReach { target, by }.into(), help.into())
+            }
+            (reason, help) => (reason.into(), help.into()),
+        })
+    }
 }
 
 /// Number of pieces in which a straight path is checked.
@@ -153,7 +193,7 @@ fn on_the_path(
     let parts = (1..PIECES).map(|piece| f64::from(piece) / f64::from(PIECES));
     let mut places = parts.map(|part| [0, 1, 2].map(|k| start[k] + (end[k] - start[k]) * part));
     let bad = places.find(|place| {
-        let miss = robot.miss(Op::Ptp, target, place);
+        let miss = robot.miss(Op::Ptp, target, place, &[]);
         miss.is_some_and(is_clear)
     })?;
     let [x, y, z] = bad.map(tenths);
@@ -263,6 +303,11 @@ impl Starts {
                 let start = foot.rests.take();
                 foot.goes = constants(arguments).and_then(|to| to.try_into().ok());
                 start
+            }
+            // Its end is not followed: only the feet that it does not move are still known.
+            (Op::RelPtp, Target::Foot(leg)) => {
+                let foot = feet.get_mut(usize::from(*leg).checked_sub(1)?)?;
+                std::mem::take(foot).rests
             }
             (Op::WaitInpos, Target::Foot(leg)) => {
                 let foot = feet.get_mut(usize::from(*leg).checked_sub(1)?)?;

@@ -57,7 +57,7 @@ pub enum Evidence {
 }
 
 /// Goes along with the interpreter while both engines do the same.
-pub trait Scout {
+pub trait LockstepObserver {
     /// Called after each cycle for each step that ran to its end in it.
     fn went(&mut self, cycle: u64, step: StepTaken) {
         let _ = (cycle, step);
@@ -74,7 +74,7 @@ pub trait Scout {
     }
 }
 
-impl Scout for () {}
+impl LockstepObserver for () {}
 
 /// The result for a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -173,7 +173,11 @@ impl Lockstep {
     ///
     /// # Errors
     /// The robot lacks an input.
-    pub fn run(&self, inputs: &Inputs, scout: &mut dyn Scout) -> Result<Compared, Refused> {
+    pub fn run(
+        &self,
+        inputs: &Inputs,
+        scout: &mut dyn LockstepObserver,
+    ) -> Result<Compared, Refused> {
         let limit = inputs.cycles.unwrap_or(LIMIT);
         let [mut interpreted, mut compiled] = self.sides(inputs)?;
         let mut compared = Compared {
@@ -187,14 +191,14 @@ impl Lockstep {
             let ending = interpreted.cycle(limit, scout.sink());
             compiled.cycle(limit, None);
             if !interpreted.equals(&compiled) {
-                let (record, [told, other]) = match self.evidence {
+                let (record, [reported, other]) = match self.evidence {
                     Evidence::Records => side::first_difference(&interpreted, &compiled),
                     Evidence::Hashes => (0, self.in_words(inputs, cycle)?),
                 };
                 compared.divergence = Some(Divergence {
                     cycle,
                     step: interpreted.step(record),
-                    interpreted: told,
+                    interpreted: reported,
                     compiled: other,
                 });
                 break;

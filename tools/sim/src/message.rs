@@ -15,10 +15,13 @@ tipc::message_table! {
     Place;
 
     At { line: u32, column: u32 } "line {line}, column {column}", "{line}行{column}列";
+    In { file: String, line: u32, column: u32 }
+        "`{file}`, line {line}, column {column}",
+        "`{file}` の{line}行{column}列";
 }
 
 tipc::message_table! {
-    /// A kind of joint that URDF knows and no leg has.
+    /// A kind of joint that files have and no leg has.
     JointKind;
 
     Fixed "fixed", "固定(fixed)";
@@ -38,6 +41,9 @@ tipc::message_table! {
     Touch "a contact", "接触";
     Native "its native code", "ネイティブコードの完了";
     Thread { name: Text } "the end of thread {name}", "スレッド{name}の終了";
+    EachOther { names: Text }
+        "the end of threads that wait for each other: {names}",
+        "互いに待ち合うスレッド{names}の終了";
 }
 
 tipc::message_table! {
@@ -50,6 +56,9 @@ tipc::message_table! {
     NoAnswer { to: Text, seconds: Text }
         "the external plant has not answered '{to}' within {seconds} s",
         "外部プラントが '{to}' に{seconds}秒以内に応答しませんでした";
+    NeverReady { seconds: Text, version: Text }
+        "the external plant has not answered 'hello' within {seconds} s; it has to read version {version} of the protocol, which has JSON lines: see docs/external-plant.md",
+        "外部プラントが 'hello' に{seconds}秒以内に応答しませんでした。プロトコルのバージョン{version} (JSON Lines) に対応している必要があります。docs/external-plant.mdを参照してください";
     Exited { to: Text, status: Text }
         "the external plant ended with exit status {status} before it answered '{to}'",
         "外部プラントが '{to}' に応答する前に終了コード{status}で終了しました";
@@ -65,33 +74,21 @@ tipc::message_table! {
     NotText { to: Text }
         "the external plant's answer to '{to}' is not UTF-8",
         "'{to}' への外部プラントの応答がUTF-8ではありません";
-    NotAnswer { to: Text, line: String, begins: &'static str }
-        "the external plant's answer to '{to}' is '{line}'; it has to begin with '{begins}'",
-        "'{to}' への外部プラントの応答が '{line}' です。'{begins}' で始めてください";
-    UnknownWord { to: Text, word: String }
-        "the external plant's answer to '{to}': '{word}' is not KEY=VALUES with a key of this answer",
-        "'{to}' への外部プラントの応答: '{word}' はこの応答で使えるキーの KEY=VALUES ではありません";
-    Twice { to: Text, key: &'static str }
-        "the external plant's answer to '{to}' has '{key}' twice",
-        "'{to}' への外部プラントの応答に '{key}' が2回あります";
-    Missing { to: Text, key: &'static str }
-        "the external plant's answer to '{to}' lacks '{key}'",
-        "'{to}' への外部プラントの応答に '{key}' がありません";
-    OtherVersion { found: String, version: Text }
-        "the external plant speaks version '{found}' of the protocol; this is version {version}",
-        "外部プラントのプロトコルのバージョンは '{found}' ですが、こちらはバージョン{version}です";
-    OtherCycle { to: Text, found: String }
-        "the external plant answered '{to}' for cycle '{found}'",
-        "外部プラントが '{to}' に対してサイクル '{found}' の応答を返しました";
-    OtherCount { to: Text, key: &'static str, wanted: Text, found: Text }
-        "the external plant's answer to '{to}': '{key}' needs {wanted} numbers, and has {found}",
-        "'{to}' への外部プラントの応答: '{key}' に必要な数値は{wanted}個ですが、{found}個あります";
-    NotNumber { to: Text, key: &'static str, place: Text, word: String }
-        "the external plant's answer to '{to}': '{word}' is not a number ('{key}' of {place})",
-        "'{to}' への外部プラントの応答: '{word}' は数値ではありません({place} の '{key}')";
-    NotFinite { to: Text, key: &'static str, place: Text }
-        "the external plant's answer to '{to}': '{key}' of {place} is not finite",
-        "'{to}' への外部プラントの応答: {place} の '{key}' が有限の値ではありません";
+    WrongAnswer { to: Text, line: String, reason: String }
+        "the external plant's answer to '{to}' is '{line}': {reason}",
+        "'{to}' への外部プラントの応答が '{line}' です: {reason}";
+    WrongField { to: Text, path: String, reason: String }
+        "the external plant's answer to '{to}' is wrong at '{path}': {reason}",
+        "'{to}' への外部プラントの応答の '{path}' に誤りがあります: {reason}";
+    NotFinite { to: Text, path: String }
+        "the external plant's answer to '{to}': '{path}' is not finite",
+        "'{to}' への外部プラントの応答: '{path}' が有限の値ではありません";
+    OtherVersion { found: u32, version: Text }
+        "the external plant uses version {found} of the protocol, and this is version {version}, which has JSON lines: see docs/external-plant.md",
+        "外部プラントのプロトコルはバージョン{found}ですが、こちらはバージョン{version} (JSON Lines) です。docs/external-plant.mdを参照してください";
+    OtherCycle { to: Text, found: Text }
+        "the external plant answered '{to}' for cycle {found}",
+        "外部プラントが '{to}' に対してサイクル{found}の応答を返しました";
     Copy
         "a copy of a run, or one that was taken back, has no external plant",
         "コピーした実行や巻き戻した実行には外部プラントがありません";
@@ -133,6 +130,9 @@ tipc::message_table! {
     ComesNoNearer { target: Target, by: f64 }
         "{target} ends about {by} mm before it",
         "{target}は約{by} mm届きません";
+    CannotReach { target: Target, by: f64 }
+        "{target} cannot reach its target: it ends about {by} mm before it",
+        "{target}が目標に約{by} mm届きません";
     LeavesReach { target: Target, x: f64, y: f64, z: f64 }
         "the straight path of {target} leaves its reach near {x} {y} {z}",
         "{target}の直線経路が{x} {y} {z}付近で可動範囲を外れます";
@@ -224,16 +224,16 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// Messages of the import of a URDF file.
+    /// Messages of the import of a robot from URDF or MJCF.
     Importing;
 
     // Why a file is refused.
-    NoUrdf { error: Text }
-        "this is not URDF: {error}",
-        "URDFとして読めません: {error}";
+    NotXml { error: Text }
+        "this is neither URDF nor MJCF: {error}",
+        "URDFとしてもMJCFとしても読めません: {error}";
     NotARobot { element: String }
-        "the root element is `{element}`, and that of URDF is `robot`: convert the file first, if it is SDF or MJCF",
-        "ルート要素が `{element}` ですが、URDFでは `robot` です。SDFやMJCFなら、先に変換してください";
+        "the root element is `{element}`; that of URDF is `robot`, that of MJCF is `mujoco`: convert the file first, if it is SDF",
+        "ルート要素が `{element}` ですが、URDFでは `robot`、MJCFでは `mujoco` です。SDFなら、先に変換してください";
     NoLink
         "the robot has no link: write one, as `<link name=\"base\"/>`, and joints that turn on it",
         "リンクがありません。`<link name=\"base\"/>` のように書き、その上に回転する関節を置いてください";
@@ -288,6 +288,72 @@ tipc::message_table! {
     TwoTurns { at: Place }
         "{at}: attributes `rpy` and `quat_xyzw` of element `origin` both say how it is turned: leave one out",
         "{at}: 要素 `origin` の向きが `rpy` と `quat_xyzw` の両方に書かれています。一方にしてください";
+    ForwardIsUp { forward: &'static str }
+        "`--forward {forward}` and `--up` name the same axis: forward is across it",
+        "`--forward {forward}` と `--up` が同じ軸を指しています。前は上と直交する軸にしてください";
+    NotAWord { at: Place, element: String, attribute: &'static str, value: String, known: List }
+        "{at}: attribute `{attribute}` of element `{element}` is `{value}`: write one of {known}",
+        "{at}: 要素 `{element}` の属性 `{attribute}` の `{value}` は使えません。{known}のどれかを書いてください";
+    NotADirection { at: Place, element: String, attribute: &'static str, value: String, example: &'static str }
+        "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which gives no direction: write axes that are longer than 0 and not parallel, as `{attribute}=\"{example}\"`",
+        "{at}: 要素 `{element}` の属性 `{attribute}` の `{value}` からは向きが決まりません。長さが0でなく平行でない軸を `{attribute}=\"{example}\"` のように書いてください";
+    NegativeSize { at: Place, element: String, attribute: &'static str }
+        "{at}: attribute `{attribute}` of element `{element}` is below 0: write 0 or more",
+        "{at}: 要素 `{element}` の属性 `{attribute}` が負です。0以上にしてください";
+    TwoOrientations { at: Place, element: String }
+        "{at}: element `{element}` says more than once how it is turned: leave one of `quat`, `axisangle`, `xyaxes`, `zaxis` and `euler`",
+        "{at}: 要素 `{element}` の向きが2通りに書かれています。`quat`、`axisangle`、`xyaxes`、`zaxis`、`euler` のどれか1つにしてください";
+    GlobalCoordinates { at: Place }
+        "{at}: global coordinates, which MuJoCo has dropped: load the file in MuJoCo 2.3 and save it, so that each body has its own",
+        "{at}: グローバル座標はMuJoCoでも廃止されました。MuJoCo 2.3で読み込んで保存し、ボディごとの座標にしてください";
+    UnknownClass { at: Place, class: String, known: List }
+        "{at}: no default class is called `{class}`: the classes are {known}",
+        "{at}: `{class}` というdefaultクラスはありません。あるのは {known}";
+    ClassTwice { at: Place, class: String }
+        "{at}: default class `{class}` is defined for the second time: give each its own name",
+        "{at}: defaultクラス `{class}` の定義は2つ目です。別々の名前にしてください";
+    TooManyElements { at: Place, most: usize }
+        "{at}: the file has more than {most} elements: no robot needs so many",
+        "{at}: 要素が{most}個を超えています。ロボットにそんなに多くの要素は要りません";
+    TooManyParts { at: Place, most: usize }
+        "{at}: the model has more than {most} parts, copies among them: leave out what is no part of the robot",
+        "{at}: モデルの部品が、複製を含めて{most}個を超えています。ロボットでないものを除いてください";
+    TooManyCopies { at: Place, most: usize }
+        "{at}: `count` of `replicate` is no whole number from 0 to {most}: write such",
+        "{at}: `replicate` の `count` には0から{most}までの整数を書いてください";
+    MakesBodies { at: Place, element: String }
+        "{at}: element `{element}` makes bodies that are not in the file: load the file in MuJoCo, and import what `mj_saveLastXML` writes",
+        "{at}: 要素 `{element}` はファイルにないボディを作ります。MuJoCoで読み込み、`mj_saveLastXML` が書いたファイルを取り込んでください";
+    ClosedLoop { at: Place, element: String }
+        "{at}: the constraint `{element}` closes a loop, and a leg is an open chain: leave it out, or write `active=\"false\"`, if the robot is to be imported without it",
+        "{at}: 拘束 `{element}` が閉ループを作っていますが、脚は開いた連鎖です。拘束なしで取り込むなら、取り除くか `active=\"false\"` と書いてください";
+    TwoRobots { one: String, other: String }
+        "bodies `{one}` and `{other}` of the world both carry joints, and one is free: import a file with one robot",
+        "ワールドのボディ `{one}` と `{other}` の両方に関節があり、一方は固定されていません。ロボット1台だけのファイルにしてください";
+    InIncluded { at: Place, file: String, reason: Text }
+        "{at}: included file `{file}`: {reason}",
+        "{at}: 取り込むファイル `{file}`: {reason}";
+    CannotInclude { at: Place, file: String, reason: Text }
+        "{at}: `{file}` cannot be included: {reason}",
+        "{at}: `{file}` を取り込めません: {reason}";
+    IncludeWithoutFolder { at: Place, file: String }
+        "{at}: `{file}` is not included, since this text is no file in a folder: import the file by its path",
+        "{at}: ファイルとして渡されていないので `{file}` を取り込めません。パスを指定して取り込んでください";
+    IncludeOutside { at: Place, file: String }
+        "{at}: `{file}` is outside of the folder of the file: put it below that folder",
+        "{at}: `{file}` はこのファイルのフォルダの外にあります。フォルダの中に置いてください";
+    IncludedTwice { at: Place, file: String }
+        "{at}: `{file}` is included for the second time, and MuJoCo includes a file once: leave one out",
+        "{at}: `{file}` の取り込みは2回目です。MuJoCoでは1回だけなので、一方を除いてください";
+    TooManyIncludes { at: Place, most: usize }
+        "{at}: more than {most} files are included: no robot needs so many",
+        "{at}: 取り込むファイルが{most}個を超えています。ロボットにそんなに多くは要りません";
+    IncludesTooLarge { at: Place, limit: usize }
+        "{at}: the files have more than {limit} MiB together: leave out what is no part of the robot",
+        "{at}: ファイルが合わせて{limit} MiBを超えています。ロボットでないものを除いてください";
+    Wheel { joint: String, link: String, before: String }
+        "joint `{joint}` turns wheel `{link}`, and a wheel is no foot: end the leg before it with `--foot {before}=X,Y,Z`, in metres and in the frame of the link, or at the hub with `--foot {link}`",
+        "関節 `{joint}` は車輪 `{link}` を回します。車輪は足先ではありません。リンク座標系での位置をメートルで `--foot {before}=X,Y,Z` と指定して手前で終わらせるか、`--foot {link}` でハブを足先にしてください";
     NoTurningJoint { link: String }
         "no joint turns on link `{link}`: a robot needs one chain of revolute joints at least",
         "リンク `{link}` に回転する関節がありません。回転関節の連鎖が少なくとも1本必要です";
@@ -331,8 +397,8 @@ tipc::message_table! {
         "the leg of joint `{leg}` branches at link `{link}` into the joints `{one}` and `{other}`: a leg is one chain, so make one of them fixed",
         "関節 `{leg}` の脚がリンク `{link}` で関節 `{one}` と `{other}` に分かれています。脚は一本の連鎖なので、一方をfixedにしてください";
     DoesNotTurn { joint: String, link: String, kind: JointKind }
-        "joint `{joint}` on link `{link}` is {kind}: legs have joints that turn about one axis, so make it fixed, revolute or continuous",
-        "リンク `{link}` の関節 `{joint}` は{kind}です。脚の関節は1軸回転なので、fixed、revolute、continuousのどれかにしてください";
+        "joint `{joint}` on link `{link}` is {kind}: legs have joints that turn about one axis, so make it fixed, revolute or continuous (in MJCF, remove it or make it a hinge)",
+        "リンク `{link}` の関節 `{joint}` は{kind}です。脚の関節は1軸回転なので、fixed、revolute、continuousのどれか(MJCFなら、取り除くかhinge)にしてください";
     Mimics { joint: String, link: String, other: String }
         "joint `{joint}` on link `{link}` mimics joint `{other}`: every joint of a leg moves by itself, so make it fixed",
         "リンク `{link}` の関節 `{joint}` は関節 `{other}` に連動(mimic)しています。脚の関節は独立に動くので、fixedにしてください";
@@ -379,9 +445,39 @@ tipc::message_table! {
         "`--stand` は歩くロボットのための指定ですが、これは固定されたロボットです。省いてください";
 
     // What is reported of one that is not.
-    LeftOut { chains: List }
-        "left out, as asked: the chains of {chains}",
-        "指定により除いたもの: {chains} の連鎖";
+    LeftOut { chains: List, mass: f64 }
+        "left out, as asked: the chains of {chains}, which weigh {mass} kg",
+        "指定により除いたもの: {chains} の連鎖 ({mass} kg)";
+    CutOff { foot: String, joints: List, mass: f64 }
+        "left out: what is after the foot {foot}, which weighs {mass} kg: joints {joints}",
+        "除いたもの: 足先{foot}より先の{mass} kg。関節 {joints}";
+    WheelIsFoot { joint: String }
+        "doubtful: the foot is the hub of a wheel, as asked; a wheel is no foot, and the robot does not stand on it: {joint}",
+        "要確認: 指定により車輪のハブを足先にしました。車輪は足先ではなく、接地するのはハブではありません: {joint}";
+    NamesTurned { joints: List, forward: &'static str }
+        "doubtful: the names of these legs contradict their places, and agree if {forward} is forward in the file: `--forward {forward}` turns the model: {joints}",
+        "要確認: 脚の名前と位置が合いません。ファイルの{forward}が前なら合います。`--forward {forward}` で向きを変えられます: {joints}";
+    NamesContradict { joints: List }
+        "doubtful: the names of these legs contradict their places, whatever axis is forward; `--order` numbers them by name: {joints}",
+        "要確認: どの軸を前としても脚の名前と位置が合いません。`--order` で名前に合わせて番号を付けられます: {joints}";
+    Scenery { bodies: List }
+        "dropped: bodies of the world that carry no joint: {bodies}",
+        "読み捨てたもの: 関節のないワールドのボディ: {bodies}";
+    IgnoredElements { elements: List }
+        "dropped: elements that are not known, and are taken not to move the robot: {elements}",
+        "読み捨てたもの: 知られていない要素(ロボットの動きには関わらないとみなします): {elements}";
+    UnweighedMeshes { bodies: List }
+        "doubtful: the mass of meshes without `mass` is not calculated; write `inertial`, or set `mass`: {bodies}",
+        "要確認: `mass` のないメッシュの質量は計算しません。`inertial` を書くか、`mass` を設定してください: {bodies}";
+    PostureOfFile { name: String }
+        "the initial posture is that of keyframe {name}",
+        "初期姿勢はキーフレーム{name}の姿勢です";
+    PostureFalls { name: String }
+        "doubtful: the robot falls in the posture of keyframe {name}",
+        "要確認: キーフレーム{name}の姿勢では倒れます";
+    NoVelocity
+        "assumed: the default OMEGA_MAX, since the format has no speeds of joints; set `omega_max`",
+        "仮定: この形式には関節の速度がないので、OMEGA_MAXは既定値。`omega_max` を設定してください";
     Frames
         "frames: x forward and y left (REP 103) became x right and y forward",
         "座標系: x前・y左(REP 103)を、x右・y前に変えました";
@@ -467,11 +563,11 @@ tipc::message_table! {
         "doubtful: these joints carry 0 kg; set `mass`, or the plant with mass moves motors only: {joints}",
         "要確認: 次の関節の先の質量が0 kgです。`mass` を設定しないと、質量を持つプラントではモータだけが動きます: {joints}";
     NoInertia { links: List }
-        "doubtful: these links have a mass, and an inertia of 0 about some axis; what moves with them is taken to be a uniform rod or box: {links}",
-        "要確認: 次のリンクには質量がありますが、慣性モーメントが0の軸があります。一体で動く部分は一様な棒か箱とみなします: {links}";
+        "doubtful: these links have a mass, and an inertia of 0 about some axis; they count as point masses, and where they are most of the mass that moves as one, its inertia is that of a uniform rod or box: {links}",
+        "要確認: 次のリンクには質量がありますが、慣性モーメントが0の軸があります。質点とみなし、一体で動く部分の質量の過半なら、慣性は一様な棒か箱のものとします: {links}";
     DoubtfulInertia { links: List }
-        "doubtful: the inertia of these links is that of no rigid body, or of one larger than the robot; what moves with them is taken to be a uniform rod or box: {links}",
-        "要確認: 次のリンクの慣性テンソルは、どんな剛体にもないか、ロボットより大きな剛体のものです。一体で動く部分は一様な棒か箱とみなします: {links}";
+        "doubtful: the inertia of these links is that of no rigid body, or of one larger than the robot; they count as point masses, and where they are most of the mass that moves as one, its inertia is that of a uniform rod or box: {links}",
+        "要確認: 次のリンクの慣性テンソルは、どんな剛体にもないか、ロボットより大きな剛体のものです。質点とみなし、一体で動く部分の質量の過半なら、慣性は一様な棒か箱のものとします: {links}";
     TookIn { link: String, merged: List }
         "link {link} took in the links fixed to it: {merged}",
         "リンク{link}に、固定されたリンクをまとめました: {merged}";

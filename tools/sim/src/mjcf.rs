@@ -19,13 +19,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use crate::model::{Anatomy, Limb};
+use crate::import::mjcf::{EXPORTED, OMEGA_MAX, SHAPE_CLASS};
+use crate::model::{Limb, RobotDescription};
 use crate::robot::{InitialState, Robot};
 use crate::urdf::frame::{self, BASE, BODY, FLOOR};
 use crate::urdf::xml::{self, vector};
 use crate::urdf::{loadable, rod_moments};
 use std::f64::consts::FRAC_1_SQRT_2;
-use tip_runtime::model::{Body, Inverse, Joint, Point, Slider};
+use tip_runtime::model::{Body, Inverse, Joint, Point, Range, Slider};
 use tip_runtime::plant::{self, Block, Drives, Object, ObjectState, Pose, Scene};
 use tipc::description::{Form, Shape, Shapes};
 
@@ -62,7 +63,7 @@ pub fn export(robot: &Robot) -> String {
         add_objects(&mut parts, &anatomy, robot.scene(), objects);
     }
     parts.world.close("body");
-    parts.text(robot.name())
+    parts.text(robot.name(), anatomy.standards.omega_max)
 }
 
 /// Converts a point or vector from mm to m.
@@ -99,6 +100,7 @@ const SETTINGS: &str = r#"  <compiler angle="radian" autolimits="true" boundmass
     <pair condim="3" solref="0.004 1"/>
     <default class="ground"><geom contype="0" conaffinity="1" rgba="0.7 0.7 0.7 1"/></default>
     <default class="drawn"><geom contype="0" conaffinity="0" group="2" rgba="0.9 0.55 0.15 1"/></default>
+    <default class="tip_shape"><geom contype="0" conaffinity="0" group="2" rgba="0.9 0.55 0.15 1"/></default>
   </default>
 "#;
 
@@ -117,10 +119,13 @@ struct Parts {
 }
 
 impl Parts {
-    /// Returns the text of the file.
-    fn text(&self, name: &str) -> String {
+    /// Returns the text of the file. The custom elements are for the importer.
+    fn text(&self, name: &str, omega_max: f64) -> String {
         let name = xml::escaped(name);
-        let mut text = format!("{HEAD}<mujoco model=\"{name}\">\n{SETTINGS}");
+        let (key, frame) = EXPORTED;
+        let mut text = format!(
+            "{HEAD}<mujoco model=\"{name}\">\n{SETTINGS}  <custom>\n    <text name=\"{key}\" data=\"{frame}\"/>\n    <numeric name=\"{OMEGA_MAX}\" data=\"{omega_max}\"/>\n  </custom>\n"
+        );
         let sections = [
             ("worldbody", &self.world),
             ("contact", &self.pairs),
@@ -178,7 +183,12 @@ const REACH: f64 = 2.0 * SKIN;
 const SHORTEST: f64 = 1e-5;
 
 /// Begins the body that carries all legs.
-fn open_base(parts: &mut Parts, anatomy: &Anatomy, initial_state: &InitialState, shapes: &[Shape]) {
+fn open_base(
+    parts: &mut Parts,
+    anatomy: &RobotDescription,
+    initial_state: &InitialState,
+    shapes: &[Shape],
+) {
     let world = &mut parts.world;
     if let (Some(pose), Some(body)) = (&initial_state.pose, &anatomy.body) {
         let [x, y, z] = metres(pose.position);
@@ -204,7 +214,7 @@ fn open_base(parts: &mut Parts, anatomy: &Anatomy, initial_state: &InitialState,
 /// group that viewers hide at first.
 fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     let ranges = [body.x, body.y, body.z];
-    let half = ranges.map(|range| (range.max - range.min).abs().max(frame::LEAST) / 2000.0);
+    let half = ranges.map(|range| (range.max - range.min).abs().max(frame::MIN_SIZE) / 2000.0);
     let middle = ranges.map(|range| (range.max + range.min) / 2000.0);
     let [xx, yy, zz] = half.map(|half| half * half);
     let inertia = [yy + zz, xx + zz, xx + yy].map(|squares| body.mass * squares / 3.0);
@@ -233,7 +243,8 @@ fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     draw(parts, shapes);
 }
 
-/// Writes shapes that collide with nothing.
+/// Writes shapes that collide with nothing. Their class tells the importer that they are shapes of the
+/// description.
 fn draw(parts: &mut Parts, shapes: &[Shape]) {
     for shape in shapes {
         let form = match shape.form {
@@ -250,7 +261,7 @@ fn draw(parts: &mut Parts, shapes: &[Shape]) {
         let [x, y, _] = shape.axes;
         let (at, axes) = (vector(metres(shape.at)), vector(x.into_iter().chain(y)));
         parts.world.add(&format!(
-            "geom class=\"drawn\" {form} pos=\"{at}\" xyaxes=\"{axes}\""
+            "geom class=\"{SHAPE_CLASS}\" {form} pos=\"{at}\" xyaxes=\"{axes}\""
         ));
     }
 }
@@ -261,7 +272,7 @@ fn add_leg(
     parts: &mut Parts,
     number: u8,
     leg: &Limb,
-    anatomy: &Anatomy,
+    anatomy: &RobotDescription,
     shapes: &Shapes,
     hand: bool,
 ) {
@@ -300,10 +311,13 @@ fn add_leg(
 /// rate it tracks, is this motor on the command itself.
 fn hinge(parts: &mut Parts, name: &str, joint: &Joint, posture: f64) {
     let drives = Drives::default();
-    let [axis, range] = [
-        vector(joint.axis),
-        vector([joint.outer.min, joint.outer.max].map(f64::to_radians)),
-    ];
+    let ends = |range: Range| vector([range.min, range.max].map(f64::to_radians));
+    let (axis, range) = (vector(joint.axis), ends(joint.outer));
+    // MuJoCo has no soft limits; the importer reads them here.
+    let soft = match joint.limits == joint.outer {
+        true => String::new(),
+        false => format!(" user=\"{}\"", ends(joint.limits)),
+    };
     let [rotor, friction, stiffness, damping] = [
         drives.rotor,
         drives.friction,
@@ -312,7 +326,7 @@ fn hinge(parts: &mut Parts, name: &str, joint: &Joint, posture: f64) {
     ]
     .map(|of| of * joint.torque);
     parts.world.add(&format!(
-        "joint name=\"{name}\" axis=\"{axis}\" range=\"{range}\" armature=\"{rotor}\" damping=\"{friction}\""
+        "joint name=\"{name}\" axis=\"{axis}\" range=\"{range}\" armature=\"{rotor}\" damping=\"{friction}\"{soft}"
     ));
     let force = vector([-joint.torque, joint.torque]);
     parts.motors.add(&format!(
@@ -439,7 +453,7 @@ fn metres_of(range: [f64; 2]) -> [f64; 2] {
 }
 
 /// Writes a slider: it hangs on joints that are at 0 in its initial position, as in URDF.
-fn add_slider(parts: &mut Parts, slider: &Slider, anatomy: &Anatomy, scene: &Scene) {
+fn add_slider(parts: &mut Parts, slider: &Slider, anatomy: &RobotDescription, scene: &Scene) {
     let at = vector(metres(slider.initial));
     parts.world.open(&format!(
         "body name=\"{FLOOR}\" pos=\"{at}\" gravcomp=\"1\""
@@ -492,7 +506,12 @@ fn plate(parts: &mut Parts, is_planar: bool, scene: &Scene) {
 
 /// Writes the objects under a hand, which move in its plane, and the palm above them. Where two of
 /// these touch, the smaller friction counts.
-fn add_objects(parts: &mut Parts, anatomy: &Anatomy, scene: &Scene, states: &[ObjectState]) {
+fn add_objects(
+    parts: &mut Parts,
+    anatomy: &RobotDescription,
+    scene: &Scene,
+    states: &[ObjectState],
+) {
     let [x, y, z] = frame::around(&anatomy.legs, 0.0);
     let (middle, half) = ((z.min + z.max) / 2000.0, (z.max - z.min) / 2000.0 + BESIDE);
     let thick = PALM.1 / 2.0;

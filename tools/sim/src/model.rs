@@ -17,7 +17,7 @@ use tip_runtime::plant::{DynamicPlant, Scene, SimulatedPlant, Simulation};
 /// The parts of a robot, whatever its size.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Anatomy {
+pub struct RobotDescription {
     /// Its body, if it walks.
     pub body: Option<Body>,
     /// Parameters of torques and forces, if it has any.
@@ -74,9 +74,10 @@ impl Limb {
 
 /// A model of any size. Each size has its own; logic is outside.
 pub(crate) trait DynModel: Send + Sync {
-    fn anatomy(&self) -> Anatomy;
-    /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it does.
-    fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss>;
+    fn anatomy(&self) -> RobotDescription;
+    /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it does, within working limits of all joints, leg by leg; without
+    /// them within those of the model.
+    fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss>;
     /// Simulates the robot on its legs.
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware>;
     /// Puts a program on the robot.
@@ -89,9 +90,9 @@ pub(crate) trait DynModel: Send + Sync {
 }
 
 impl<const L: usize, const J: usize> DynModel for Model<L, J> {
-    fn anatomy(&self) -> Anatomy {
+    fn anatomy(&self) -> RobotDescription {
         let (legs, feet) = limbs(&self.legs);
-        Anatomy {
+        RobotDescription {
             body: self.body,
             forces: self.forces,
             inverse: self.inverse,
@@ -103,8 +104,8 @@ impl<const L: usize, const J: usize> DynModel for Model<L, J> {
         }
     }
 
-    fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        MovableParts::from(self).miss(op, target, values)
+    fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss> {
+        MovableParts::from(self).miss(op, target, values, limits)
     }
 
     fn walker(&self, simulation: Simulation, scene: &Scene) -> Box<dyn DynHardware> {
@@ -187,23 +188,31 @@ impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for MovableParts<
 impl<const J: usize> MovableParts<'_, J> {
     /// Returns what PTP or PTP_ANGLE misses, if it misses.
     #[inline(never)] // Else it is compiled for each number of legs.
-    fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        let leg = |n: u8| self.legs.get(usize::from(n).checked_sub(1)?);
+    fn miss(&self, op: Op, target: Target, values: &[f64], limits: &[Range]) -> Option<Miss> {
+        let leg = |n: u8| {
+            let index = usize::from(n).checked_sub(1)?;
+            let mut leg = *self.legs.get(index)?;
+            let limits = limits.get(index * J..).unwrap_or_default();
+            for (joint, limits) in leg.joints.iter_mut().zip(limits) {
+                joint.limits = *limits;
+            }
+            Some(leg)
+        };
         match (op, target) {
-            (Op::PtpAngle, Target::Foot(n)) => angles(leg(n)?, n, 0, values),
+            (Op::PtpAngle, Target::Foot(n)) => angles(&leg(n)?, n, 0, values),
             (Op::PtpAngle, Target::Joint(n, m)) => {
-                angles(leg(n)?, n, usize::from(m).checked_sub(1)?, values)
+                angles(&leg(n)?, n, usize::from(m).checked_sub(1)?, values)
             }
             (Op::Ptp, Target::Floor) => slider(self.slider?, values.try_into().ok()?),
             (Op::Ptp, Target::Foot(n)) => place(
-                leg(n)?,
+                &leg(n)?,
                 n,
                 (self.inverse, LegPoint::Tip),
                 values.try_into().ok()?,
             ),
             (Op::Ptp, Target::Joint(n, m)) if self.family == Family::Hand => {
                 let point = LegPoint::Joint(usize::from(m).checked_sub(1)?);
-                place(leg(n)?, n, (self.inverse, point), values.try_into().ok()?)
+                place(&leg(n)?, n, (self.inverse, point), values.try_into().ok()?)
             }
             _ => None,
         }

@@ -194,6 +194,7 @@ impl DynHardware for RealHardware {
             angles,
             loads: Vec::new(),
             forces: Vec::new(),
+            slips: Vec::new(),
             torques: Vec::new(),
         })
     }

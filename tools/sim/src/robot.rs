@@ -3,14 +3,14 @@
 use crate::dyn_machine::{DynMachine, NativeCommands};
 
 use crate::ideal_joints::IdealJoints;
-use crate::model::{Anatomy, DynModel, Miss};
+use crate::model::{DynModel, Miss, RobotDescription};
 use crate::program_runner::ProgramRunner;
 use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
 use std::fmt;
 use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::machine::Mismatch;
-use tip_runtime::model::{Model, generic, hand, titan8};
+use tip_runtime::model::{Model, Range, generic, hand, titan8};
 use tip_runtime::plant::{self, Scene, SimulatedHand, Simulation};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::{HandSpecials, NUMBERS};
@@ -147,7 +147,7 @@ impl Robot {
     }
 
     /// Returns its parts.
-    pub fn anatomy(&self) -> Anatomy {
+    pub fn anatomy(&self) -> RobotDescription {
         self.model.anatomy()
     }
 
@@ -184,8 +184,14 @@ impl Robot {
     }
 
     /// Returns what a PTP or PTP_ANGLE to these numbers misses, if it misses.
-    pub(crate) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        self.model.miss(op, target, values)
+    pub(crate) fn miss(
+        &self,
+        op: Op,
+        target: Target,
+        values: &[f64],
+        limits: &[Range],
+    ) -> Option<Miss> {
+        self.model.miss(op, target, values, limits)
     }
 
     /// Puts a program on it.

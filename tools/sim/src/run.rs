@@ -4,7 +4,7 @@ use crate::cycle::{Collector, Cycle};
 use crate::dyn_machine::DynMachine;
 use crate::event::{Event, Events, Refused, Timed};
 use crate::event_console::Listener;
-use crate::motion::{Fall, Grasp, Limbs};
+use crate::motion::{Approach, Fall, Grasp, Incidents, Limbs};
 use crate::program_runner::{ProgramRunner, StepTaken};
 use crate::robot::Robot;
 use crate::trace::{self, Trace, tee};
@@ -16,7 +16,7 @@ use tip_runtime::controller::Setpoint;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Mismatch, Status};
 use tip_runtime::model::Range;
-use tip_runtime::plant::{Motion, Pose, Travel};
+use tip_runtime::plant::{Clearance, Motion, Pose, Travel};
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, Sink, state_hash};
 
@@ -78,8 +78,7 @@ pub struct Run {
     /// Number of them that have happened.
     pub(crate) happened: usize,
     pub(crate) ending: Option<Ending>,
-    /// The first one.
-    pub(crate) fall: Option<Fall>,
+    pub(crate) incidents: Incidents,
     pub(crate) trace: Option<Trace>,
 }
 
@@ -109,7 +108,7 @@ impl Run {
             events: Events::NONE,
             happened: 0,
             ending: None,
-            fall: None,
+            incidents: Incidents::default(),
             trace: None,
         }
     }
@@ -285,7 +284,7 @@ impl Run {
         let own = self.trace.as_mut().map(Trace::sink);
         let status = tee(own, sink, |sink| self.machine.cycle(sink));
         self.trace.iter_mut().for_each(Trace::keep);
-        self.note_fall(cycle, time, step);
+        self.note_incidents(cycle, time, step);
         self.ending = match status {
             Status::Running => None,
             Status::Finished(end) => Some(Ending::Program(end)),
@@ -449,7 +448,23 @@ impl Run {
 
     /// Returns time and place of the robot's first fall, if it fell.
     pub fn first_fall(&self) -> Option<Fall> {
-        self.fall
+        self.incidents.fall
+    }
+
+    /// Returns the distances between the links and the body; none if the simulation does not measure them.
+    pub fn clearance(&self) -> Option<Clearance> {
+        self.machine.hardware().clearance()
+    }
+
+    /// Returns the least distance of two parts after a cycle so far, and its place; none before the first cycle, or if
+    /// the simulation does not measure it.
+    pub fn nearest_approach(&self) -> Option<Approach> {
+        self.incidents.nearest
+    }
+
+    /// Returns the first collision of two parts.
+    pub fn first_collision(&self) -> Option<Approach> {
+        self.incidents.collision
     }
 
     /// Returns the legs or fingers as they are after the last cycle; none if nothing but joints is
@@ -468,10 +483,28 @@ impl Run {
         self.machine.hardware().grasp()
     }
 
-    /// Keeps the first fall, if it was in this cycle.
-    pub(crate) fn note_fall(&mut self, cycle: u64, time: f64, step: u32) {
-        if self.fall.is_none() {
-            self.fall = self.machine.hardware().first_fall().map(|fall| Fall {
+    /// Keeps the first fall, the first collision and the least distance of two parts, if they were in this cycle.
+    fn note_incidents(&mut self, cycle: u64, time: f64, step: u32) {
+        if let Some(clearance) = self.clearance() {
+            let gap = clearance.now;
+            let approach = Approach {
+                gap,
+                cycle,
+                time,
+                step,
+            };
+            let Incidents {
+                nearest, collision, ..
+            } = &mut self.incidents;
+            if nearest.is_none_or(|nearest| gap.distance < nearest.gap.distance) {
+                *nearest = Some(approach);
+            }
+            if gap.distance < 0.0 {
+                collision.get_or_insert(approach);
+            }
+        }
+        if self.incidents.fall.is_none() {
+            self.incidents.fall = self.machine.hardware().first_fall().map(|fall| Fall {
                 cycle,
                 time,
                 step,
@@ -489,7 +522,7 @@ impl Clone for Run {
             events: self.events.clone(),
             happened: self.happened,
             ending: self.ending,
-            fall: self.fall,
+            incidents: self.incidents,
             trace: self.trace.clone(),
         }
     }
@@ -511,7 +544,7 @@ pub struct Snapshot {
     machine: Box<dyn DynMachine>,
     happened: usize,
     ending: Option<Ending>,
-    fall: Option<Fall>,
+    incidents: Incidents,
     trace: Option<trace::TraceMark>,
     shown: Option<Lengths>,
 }
@@ -531,7 +564,7 @@ impl Run {
             machine: self.machine.boxed(),
             happened: self.happened,
             ending: self.ending,
-            fall: self.fall,
+            incidents: self.incidents,
             trace: self.trace.as_ref().map(trace::Trace::mark),
             shown: self.console().map(Lengths::of),
         }
@@ -546,7 +579,7 @@ impl Run {
         self.machine.console_mut().replace(listener);
         self.happened = mark.happened;
         self.ending = mark.ending;
-        self.fall = mark.fall;
+        self.incidents = mark.incidents;
         if let (Some(trace), Some(mark)) = (&mut self.trace, &mark.trace) {
             trace.restore(mark);
         }

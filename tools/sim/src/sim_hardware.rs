@@ -8,7 +8,7 @@ use tip_runtime::command::{MAX, Port};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Inputs, JointCommand, Outputs, Sensors};
 use tip_runtime::model::Point;
-use tip_runtime::plant::{Fall, Motion, Noise, Plant, Pose, Travel};
+use tip_runtime::plant::{Clearance, Fall, Motion, Noise, Plant, Pose, Travel};
 
 /// Reading of a sole's sensor on the ground, V.
 const PRESSED: f64 = 2.0;
@@ -94,6 +94,10 @@ pub(crate) trait DynHardware: Send {
     }
 
     fn first_fall(&self) -> Option<Fall> {
+        None
+    }
+
+    fn clearance(&self) -> Option<Clearance> {
         None
     }
 
@@ -198,6 +202,10 @@ where
 
     fn first_fall(&self) -> Option<Fall> {
         self.plant.first_fall()
+    }
+
+    fn clearance(&self) -> Option<Clearance> {
+        self.plant.clearance()
     }
 
     fn limbs(&self) -> Option<Limbs> {

@@ -36,7 +36,7 @@ use tip_runtime::record::Sink;
 const SPACING: u64 = 200;
 
 /// The most checkpoints: more than ten minutes of 2 ms need.
-const MOST: usize = 2048;
+const MAX_CHECKPOINTS: usize = 2048;
 
 /// The most values of variables in all checkpoints together.
 const VALUES: usize = 1 << 24;
@@ -76,7 +76,7 @@ impl<T> Timeline<T> {
             now: 0,
             checkpoints: vec![first],
             spacing: SPACING,
-            most: (VALUES / values.count().max(1)).clamp(2, MOST),
+            most: (VALUES / values.count().max(1)).clamp(2, MAX_CHECKPOINTS),
             scripted: run.events.clone(),
             changes: Events::NONE,
             run,

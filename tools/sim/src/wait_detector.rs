@@ -138,6 +138,7 @@ impl WaitDetector {
         };
         let is_stay = now > self.entered && run.program().at() == self.step;
         if let Some(on) = awaited(program, &step.action).filter(|_| is_stay) {
+            let on = circle(run, program, &step.action).unwrap_or(on);
             return Some(of([step.line; 2], Some(on), self.entered));
         }
         if self.rest(run) < OFTEN {
@@ -172,6 +173,24 @@ fn awaited(program: &Program, action: &Action) -> Option<Awaited> {
         },
         _ => None,
     }
+}
+
+/// Returns the threads that wait for each other, if a step waits for one of them.
+fn circle<'a>(run: &Run, program: &'a Program, mut action: &'a Action) -> Option<Awaited> {
+    let mut waiting: Vec<usize> = Vec::new();
+    while let Action::WaitThread { thread } = action {
+        if let Some(first) = waiting.iter().position(|it| it == thread) {
+            let threads = waiting[first..].iter();
+            let names = threads.filter_map(|it| Some(program.threads().get(*it)?.name.as_str()));
+            let names = names.collect::<Vec<_>>().join(", ").into();
+            return Some(Awaited::EachOther { names });
+        }
+        waiting.push(*thread);
+        let number = u8::try_from(thread + 1).ok()?;
+        let step = Some(run.step_of(number)).filter(|_| run.thread_runs(number))?;
+        action = &program.steps().get(step as usize)?.action;
+    }
+    None
 }
 
 /// Returns true if a step does what can be seen without a motion.

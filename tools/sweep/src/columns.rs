@@ -36,6 +36,8 @@ tipc::message_table! {
     FirstFall "time of the first fall", "最初の転倒の時刻";
     Slip "greatest slip of a foot in one stance", "1回の接地中の足の滑りの最大値";
     LeastMargin "least stability margin", "安定余裕の最小値";
+    Clearance "least distance of two links, or of a link and the body; negative where they overlap", "リンクどうし、またはリンクと胴体の距離の最小値(重なると負)";
+    Collisions "number of cycles after which two parts of the robot overlapped", "ロボットの部分どうしが重なった周期の数";
     Tilt "greatest angle of the body from upright", "胴体の傾きの最大値";
     PeakSpeed "greatest speed of a joint", "関節の最大速度";
     PeakTorque "greatest torque of a joint", "関節の最大トルク";
@@ -113,6 +115,8 @@ pub(crate) enum Measure {
     Slip,
     LeastMargin,
     Tilt,
+    Clearance,
+    Collisions,
     PeakSpeed,
     PeakTorque,
     Energy,
@@ -167,6 +171,8 @@ impl Measure {
                 (name, "mm", Number, Meaning::LeastMargin)
             }
             Measure::Tilt => ("tilt".to_owned(), "deg", Number, Meaning::Tilt),
+            Measure::Clearance => ("clearance".to_owned(), "mm", Number, Meaning::Clearance),
+            Measure::Collisions => ("collisions".to_owned(), "", Count, Meaning::Collisions),
             Measure::PeakSpeed => ("peak_speed".to_owned(), "deg/s", Number, Meaning::PeakSpeed),
             Measure::PeakTorque => ("peak_torque".to_owned(), "N·m", Number, Meaning::PeakTorque),
             Measure::Energy => ("energy".to_owned(), "J", Number, Meaning::Energy),
@@ -321,6 +327,12 @@ impl Row {
     /// Returns true if the robot fell, or without mass would have fallen.
     pub fn has_fallen(&self) -> bool {
         self.count(Measure::Falls).is_some_and(|falls| falls > 0)
+    }
+
+    /// Returns true if two parts of the robot overlapped.
+    pub fn has_collided(&self) -> bool {
+        let collisions = self.count(Measure::Collisions);
+        collisions.is_some_and(|collisions| collisions > 0)
     }
 
     /// Returns true if the run ended in an emergency stop.

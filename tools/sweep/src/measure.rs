@@ -4,7 +4,7 @@ use crate::columns::{Cell, Column, Measure, ObjectMeasure, Row};
 use crate::spec::{Spec, hash};
 use std::sync::Arc;
 use tip_runtime::model::TorqueUnit;
-use tip_runtime::plant::{Motion, Travel};
+use tip_runtime::plant::{Clearance, Motion, Travel};
 use tip_sim::{Grasp, Robot, Run};
 
 /// The columns of a sweep, and what their cells depend on besides the run.
@@ -47,6 +47,9 @@ impl Schema {
             measures.extend([Measure::Falls, Measure::UprightFalls, Measure::FirstFall]);
             measures.extend([Measure::Slip, Measure::LeastMargin, Measure::Tilt]);
         }
+        if run.clearance().is_some() {
+            measures.extend([Measure::Clearance, Measure::Collisions]);
+        }
         measures.push(Measure::PeakSpeed);
         if has_forces(run) {
             measures.extend([Measure::PeakTorque, Measure::Energy]);
@@ -87,6 +90,7 @@ impl Schema {
             travel: run.travel(),
             motion: run.motion(),
             grasp: run.grasp(),
+            clearance: run.clearance(),
         };
         let measures = self.columns.iter().map(|column| column.measure);
         let measures = measures.filter(|measure| *measure != Measure::Check);
@@ -111,6 +115,7 @@ struct Finished<'a> {
     travel: Option<Travel>,
     motion: Option<Motion>,
     grasp: Option<Grasp>,
+    clearance: Option<Clearance>,
 }
 
 impl Finished<'_> {
@@ -143,6 +148,14 @@ impl Finished<'_> {
             Measure::Slip => motion(|motion| motion.slip),
             Measure::LeastMargin => motion(|motion| motion.least_margin),
             Measure::Tilt => measured(figures.tilt),
+            Measure::Clearance => {
+                let least = self.clearance.map(|clearance| clearance.least.distance);
+                measured(least.unwrap_or(f64::NAN))
+            }
+            Measure::Collisions => {
+                let count = self.clearance.map_or(0, |clearance| clearance.collisions);
+                Cell::Count(count.into())
+            }
             Measure::PeakSpeed => measured(figures.speed),
             Measure::PeakTorque => measured(figures.torque / self.schema.torque_unit),
             Measure::Energy => measured(figures.energy / self.schema.torque_unit),
@@ -169,11 +182,11 @@ impl Finished<'_> {
 }
 
 /// Least size of a measured number, in mm, deg, s, N·m or J. What is smaller is an error of rounding.
-const LEAST: f64 = 1e-9;
+const MIN_MEASURED: f64 = 1e-9;
 
 /// Returns the cell of a measured number.
 fn measured(number: f64) -> Cell {
-    Cell::Number(if libm::fabs(number) < LEAST {
+    Cell::Number(if libm::fabs(number) < MIN_MEASURED {
         0.0
     } else {
         number

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 use tip_runtime::plant::Simulation;
-use tip_sim::{Robot, urdf};
+use tip_sim::{Robot, import};
 use tipc::message::Message;
 use tipc::published;
 
@@ -114,7 +114,7 @@ impl RobotSpec {
         };
         match self {
             RobotSpec::Description(text) => described(text.clone()),
-            RobotSpec::Urdf(text) => match urdf::import("robot.urdf", text) {
+            RobotSpec::Urdf(text) => match import::import("robot.urdf", text) {
                 Ok(import) => described(import.toml),
                 Err(error) => {
                     let text = Texts::of(|lang| error.message().in_lang(lang).to_string());

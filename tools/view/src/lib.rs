@@ -11,10 +11,10 @@ mod trace;
 mod updates;
 
 pub use page::{MAX_RUNS, SweepTable, sweep_page};
-pub use recorder::{Extent, RecordError};
+pub use recorder::{DurationLimit, RecordError};
 pub use recording::{
-    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Skeleton, Slip, Stop, Tick,
-    robot_frame,
+    Assigned, At, Fallen, Frame, FrameRate, ObjectPose, Outcome, Recording, Script, Skeleton, Slip,
+    Stop, Tick, robot_frame,
 };
 pub use tip_sim;
 pub use trace::TraceError;

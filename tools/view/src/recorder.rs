@@ -1,8 +1,8 @@
 //! Recordings of runs: a recorder, which can be taken back and can forget.
 
 use crate::recording::{
-    Assigned, At, Frame, ObjectPose, Outcome, Pace, Recording, Script, Skeleton, Slip, Stop, Tick,
-    Timer, robot_frame,
+    Assigned, At, Fallen, Frame, FrameRate, ObjectPose, Outcome, Recording, Script, Skeleton, Slip,
+    Stop, Tick, Timer, robot_frame,
 };
 use std::collections::HashSet;
 use std::fmt;
@@ -13,7 +13,10 @@ use tip_runtime::machine::Mismatch;
 use tip_runtime::model::Point;
 use tip_runtime::program::{End, THREADS};
 use tip_runtime::record::Ending;
-use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run, WaitDetector};
+use tip_sim::{
+    Cycle, Events, FallKind, Interpreter, Refused, Robot, Run, Summary, SummaryBuilder, Wait,
+    WaitDetector,
+};
 use tipc::Loaded;
 use tipc::language::Keyword;
 use tipc::source::Source;
@@ -26,7 +29,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// Maximum length of a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Extent {
+pub enum DurationLimit {
     /// A number of cycles.
     Cycles(u64),
     /// Limit in time of the robot, and in time that it waits without a motion, ms.
@@ -38,15 +41,15 @@ pub enum Extent {
     },
 }
 
-impl Extent {
+impl DurationLimit {
     /// Limits a recording to a number of cycles.
     pub const fn cycles(cycles: u64) -> Self {
-        Extent::Cycles(cycles)
+        DurationLimit::Cycles(cycles)
     }
 
     /// Limits a recording to minutes of the robot's time; a minute without a motion ends it too.
     pub const fn minutes(minutes: f64) -> Self {
-        Extent::Time {
+        DurationLimit::Time {
             most: minutes * 60_000.0,
             wait: 60_000.0,
         }
@@ -54,8 +57,8 @@ impl Extent {
 
     fn is_over(self, run: &Run, waits: &WaitDetector) -> bool {
         match self {
-            Extent::Cycles(cycles) => run.cycles() >= cycles,
-            Extent::Time { most, wait } => run.time() >= most || waits.rest(run) >= wait,
+            DurationLimit::Cycles(cycles) => run.cycles() >= cycles,
+            DurationLimit::Time { most, wait } => run.time() >= most || waits.rest(run) >= wait,
         }
     }
 }
@@ -92,10 +95,10 @@ impl Recording {
         loaded: &Loaded,
         robot: &Robot,
         events: &Events,
-        extent: Extent,
+        extent: DurationLimit,
         goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
-        Self::paced(loaded, robot, events, extent, Pace::Smooth, goes_on)
+        Self::paced(loaded, robot, events, extent, FrameRate::Smooth, goes_on)
     }
 
     /// Records a program, with the motion kept as often as asked.
@@ -106,8 +109,8 @@ impl Recording {
         loaded: &Loaded,
         robot: &Robot,
         events: &Events,
-        extent: Extent,
-        pace: Pace,
+        extent: DurationLimit,
+        pace: FrameRate,
         goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
         let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
@@ -127,8 +130,8 @@ impl Recording {
         run: Run,
         loaded: &Loaded,
         robot: &Robot,
-        extent: Extent,
-        pace: Pace,
+        extent: DurationLimit,
+        pace: FrameRate,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
         let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
@@ -148,8 +151,9 @@ impl Recording {
                 break Outcome::Interrupted;
             }
             let cycle = run.cycle();
-            recorder.take(cycle, &run);
             waits.after(&run);
+            let wait = waits.now(&run).filter(|_| run.ending().is_none());
+            recorder.take(cycle, &run, wait);
         };
         if let Outcome::Limit | Outcome::Interrupted = outcome {
             recorder.recording.wait = waits.now(&run);
@@ -206,10 +210,12 @@ pub(crate) struct Tasks {
 /// A recording that grows cycle by cycle.
 pub(crate) struct Recorder {
     pub(crate) recording: Recording,
+    pub(crate) summary: SummaryBuilder,
     slips: SlipDetector,
     falls: u32,
+    upright_falls: u32,
     tasks: Tasks,
-    pub(crate) pace: Pace,
+    pub(crate) pace: FrameRate,
     /// The last frame, if it is not among those of the recording.
     pub(crate) pending: Option<Frame>,
 }
@@ -240,18 +246,22 @@ impl Recorder {
                 slips: Vec::new(),
                 events: Vec::new(),
                 outcome: Outcome::Limit,
+                summary: Summary::default(),
                 wait: None,
             },
+            summary: SummaryBuilder::new(robot),
             slips: SlipDetector::default(),
             falls: 0,
+            upright_falls: 0,
             tasks: Tasks::default(),
-            pace: Pace::Smooth,
+            pace: FrameRate::Smooth,
             pending: None,
         }
     }
 
-    /// Records a cycle of a run, which is in the state after it.
-    pub(crate) fn take(&mut self, happened: Cycle, run: &Run) {
+    /// Records a cycle of a run, which is in the state after it, and its present wait.
+    pub(crate) fn take(&mut self, happened: Cycle, run: &Run, wait: Option<Wait>) {
+        self.summary.after(run, wait);
         let cycle = happened.number;
         // The clock stands still in the cycle of a fault; who looks at it sees a cycle like others.
         let period = match run.time() - happened.time {
@@ -268,7 +278,10 @@ impl Recorder {
         }
         let motion = run.motion();
         if let Some(motion) = &motion {
-            self.note_falls(cycle, motion.falls, motion.margin);
+            let is_upright = motion.upright_falls > self.upright_falls;
+            self.upright_falls = motion.upright_falls;
+            let kind = FallKind::of(motion, is_upright);
+            self.note_falls(cycle, motion.falls, motion.margin, Some(kind));
         }
         let mut frame = Frame {
             cycle,
@@ -282,6 +295,7 @@ impl Recorder {
             frame.angles = limbs.angles;
             frame.loads = limbs.loads;
             frame.forces = limbs.forces;
+            frame.slips = limbs.slips;
             frame.torques = limbs.torques;
         }
         if let Some(grasp) = run.grasp() {
@@ -403,27 +417,33 @@ impl Recorder {
     }
 
     /// Adds the falls of the robot until the end of a cycle.
-    pub(crate) fn note_falls(&mut self, cycle: u64, falls: u32, margin: f64) {
+    pub(crate) fn note_falls(
+        &mut self,
+        cycle: u64,
+        falls: u32,
+        margin: f64,
+        kind: Option<FallKind>,
+    ) {
         if falls > self.falls {
             self.falls = falls;
-            let what = margin;
+            let what = Fallen { margin, kind };
             self.recording.falls.push(At { cycle, what });
         }
     }
 
     /// Adds the motion of the robot in a cycle.
-    pub(crate) fn keep(&mut self, frame: Frame) {
+    pub(crate) fn keep(&mut self, mut frame: Frame) {
         let recording = &mut self.recording;
         let cycle = frame.cycle;
+        if frame.slips.is_empty() {
+            frame.slips = self.slips.measure(&recording.robot, &frame);
+        }
         let touch: Vec<bool> = frame.loads.iter().map(|load| *load > 0.0).collect();
         note_change(&mut recording.contacts, cycle, &touch);
-        let slips = self.slips.detect(&recording.robot, &frame);
-        recording
-            .slips
-            .extend(slips.into_iter().map(|what| At { cycle, what }));
+        self.slips.note(&mut recording.slips, cycle, &frame.slips);
         let is_due = |last: &Frame| match self.pace {
-            Pace::Smooth => frame.time - last.time > APART - ROUNDING,
-            Pace::Every(cycles) => frame.cycle - last.cycle >= cycles,
+            FrameRate::Smooth => frame.time - last.time > APART - ROUNDING,
+            FrameRate::Every(cycles) => frame.cycle - last.cycle >= cycles,
         };
         self.pending = match recording.frames.last().is_none_or(is_due) {
             true => {
@@ -438,6 +458,7 @@ impl Recorder {
     pub(crate) fn finish(mut self, outcome: Outcome) -> Recording {
         self.recording.frames.extend(self.pending.take());
         self.recording.outcome = outcome;
+        self.recording.summary = self.summary.summary().clone();
         self.recording
     }
 }
@@ -485,41 +506,76 @@ fn torque_joints(run: &Run, angles: &[Vec<f64>]) -> Vec<Target> {
 /// Distance from the place of touch-down at which a foot has slipped, mm.
 const SLIPPED: f64 = 5.0;
 
-/// Watches where each foot touched down.
+/// Finds the slips of feet.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlipDetector(Vec<Stance>);
 
-/// One foot; in the air it has touched down nowhere.
+/// One foot.
 #[derive(Clone, Copy, Debug, Default)]
 struct Stance {
+    /// Place of the touchdown; none in the air.
     touchdown: Option<Point>,
-    reported: bool,
+    /// Largest slip of this stance, once it is listed, mm.
+    listed: Option<f64>,
 }
 
 impl SlipDetector {
-    /// Looks at a robot in another cycle; each stance has one slip at most.
-    pub(crate) fn detect(&mut self, robot: &Skeleton, frame: &Frame) -> Vec<Slip> {
+    /// Returns the slip of each foot of a trace, mm: the distance along the floor from where it began to carry load.
+    fn measure(&mut self, robot: &Skeleton, frame: &Frame) -> Vec<f64> {
         let Some(pose) = &frame.pose else {
             return Vec::new();
         };
         self.0.resize(frame.loads.len(), Stance::default());
         let body = robot_frame(pose);
-        let feet = self.0.iter_mut().zip(&frame.loads).zip(&frame.angles);
-        let slipped = feet
-            .enumerate()
-            .filter_map(|(leg, ((stance, load), angles))| {
-                if *load <= 0.0 {
-                    *stance = Stance::default();
-                    return None;
+        let feet = robot.legs.iter().zip(&frame.angles);
+        let feet = feet.map(|(leg, angles)| body.point(leg.foot(angles)));
+        let stances = self.0.iter_mut().zip(&frame.loads).zip(feet);
+        let slips = stances.map(|((stance, load), foot)| {
+            if *load <= 0.0 {
+                stance.touchdown = None;
+                return 0.0;
+            }
+            let from = *stance.touchdown.get_or_insert(foot);
+            libm::hypot(foot[0] - from[0], foot[1] - from[1])
+        });
+        slips.collect()
+    }
+
+    /// Lists the slips of a cycle; each stance has one at most, with its largest distance so far.
+    fn note(&mut self, list: &mut Vec<At<Slip>>, cycle: u64, slips: &[f64]) {
+        self.0.resize(slips.len(), Stance::default());
+        for (leg, (stance, distance)) in self.0.iter_mut().zip(slips.iter().copied()).enumerate() {
+            match stance.listed {
+                _ if distance <= 0.0 => stance.listed = None,
+                None if distance > SLIPPED => {
+                    stance.listed = Some(distance);
+                    let what = Slip { leg, distance };
+                    list.push(At { cycle, what });
                 }
-                let foot = body.point(robot.legs.get(leg)?.foot(angles));
-                let from = *stance.touchdown.get_or_insert(foot);
-                let distance = libm::hypot(foot[0] - from[0], foot[1] - from[1]);
-                let slips = distance > SLIPPED && !stance.reported;
-                stance.reported |= slips;
-                slips.then_some(Slip { leg, distance })
-            });
-        slipped.collect()
+                Some(largest) if distance > largest => {
+                    stance.listed = Some(distance);
+                    set_last(list, leg, distance);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Takes back the distances of slips that go on.
+    fn restore(&self, list: &mut [At<Slip>]) {
+        for (leg, stance) in self.0.iter().enumerate() {
+            if let Some(distance) = stance.listed {
+                set_last(list, leg, distance);
+            }
+        }
+    }
+}
+
+/// Sets the distance of the last slip of a leg.
+fn set_last(list: &mut [At<Slip>], leg: usize, distance: f64) {
+    let mut latest = list.iter_mut().rev();
+    if let Some(slip) = latest.find(|slip| slip.what.leg == leg) {
+        slip.what.distance = distance;
     }
 }
 
@@ -527,8 +583,10 @@ impl SlipDetector {
 #[derive(Clone, Debug)]
 pub(crate) struct Checkpoint {
     cycle: u64,
+    summary: SummaryBuilder,
     slips: SlipDetector,
     falls: u32,
+    upright_falls: u32,
     tasks: Tasks,
 }
 
@@ -537,19 +595,24 @@ impl Recorder {
     pub(crate) fn checkpoint(&self) -> Checkpoint {
         Checkpoint {
             cycle: self.recording.cycles,
+            summary: self.summary.clone(),
             slips: self.slips.clone(),
             falls: self.falls,
+            upright_falls: self.upright_falls,
             tasks: self.tasks,
         }
     }
 
     /// Returns to a checkpoint.
     pub(crate) fn take_back(&mut self, checkpoint: &Checkpoint) {
+        self.summary = checkpoint.summary.clone();
         self.slips = checkpoint.slips.clone();
         self.falls = checkpoint.falls;
+        self.upright_falls = checkpoint.upright_falls;
         self.tasks = checkpoint.tasks;
         self.pending = None;
         self.recording.cut(checkpoint.cycle);
+        self.slips.restore(&mut self.recording.slips);
     }
 }
 

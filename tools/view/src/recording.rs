@@ -7,7 +7,7 @@ use tip_runtime::controller::Mode;
 use tip_runtime::kinematics;
 use tip_runtime::model::{Body, Inverse, Point, Slider, TorqueUnit};
 use tip_runtime::plant::{Pose, Scene};
-use tip_sim::{IssuedCommand, Limb, Robot, Timed, Wait};
+use tip_sim::{FallKind, IssuedCommand, Limb, Robot, Summary, Timed, Wait};
 
 /// The run of a program, from its first cycle to its last.
 ///
@@ -51,14 +51,16 @@ pub struct Recording {
     /// Control modes of feet or joints, and a slider, where they changed; the first entry is that
     /// of cycle 0. A trace lacks them.
     pub modes: Vec<At<Vec<(Target, Mode)>>>,
-    /// Falls, with the distance of the centre of mass from the edge of the support polygon, mm; negative outside.
-    pub falls: Vec<At<f64>>,
-    /// Feet that slipped while they stood.
+    /// Falls.
+    pub falls: Vec<At<Fallen>>,
+    /// Feet that slipped by more than 5 mm while they stood, each in the cycle in which that began.
     pub slips: Vec<At<Slip>>,
     /// Events from outside: keys, halts, inputs. A trace lacks them.
     pub events: Vec<Timed>,
     /// End of the run.
     pub outcome: Outcome,
+    /// The figures of the run.
+    pub summary: Summary,
     /// The wait during which the run was ended from outside, if it was. A trace lacks it.
     pub wait: Option<Wait>,
 }
@@ -121,6 +123,9 @@ pub struct Frame {
     /// Force of the ground on each foot, friction included, in the world, N. Empty where only loads
     /// are known. A trace lacks it.
     pub forces: Vec<[f64; 3]>,
+    /// Slip of each foot since its touchdown, mm. Empty for a robot that does not walk. That of a trace is computed from
+    /// pose, angles and loads.
+    pub slips: Vec<f64>,
     /// Torque of each motor, leg by leg, in the robot's torque unit, in N·m if it has none. A trace
     /// lacks it.
     pub torques: Vec<Vec<f64>>,
@@ -167,12 +172,21 @@ pub struct Timer {
     pub time: f64,
 }
 
+/// A fall of the robot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fallen {
+    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
+    pub margin: f64,
+    /// The kind. A trace does not say.
+    pub kind: Option<FallKind>,
+}
+
 /// A foot has slipped while it stood.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
     /// The leg, from 0.
     pub leg: usize,
-    /// Distance that it slipped in that stance, mm.
+    /// Largest slip in that stance, mm.
     pub distance: f64,
 }
 
@@ -220,7 +234,7 @@ impl fmt::Display for Outcome {
 
 /// Rate at which the motion is kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Pace {
+pub enum FrameRate {
     /// At 50 Hz at most, and in the last cycle.
     #[default]
     Smooth,

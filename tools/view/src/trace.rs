@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use tip_runtime::command::{FAST, Op, RELATIVE, Target, Value};
 use tip_runtime::machine::Status;
-use tip_runtime::plant::Pose;
-use tip_sim::{Cycle, IssuedCommand, Robot};
+use tip_runtime::plant::{Pose, Travel};
+use tip_sim::{Cycle, IssuedCommand, Moment, Robot, Sample};
 use tipc::Loaded;
 use tipc::language::Keyword;
 
@@ -144,25 +144,68 @@ impl Recorder {
             status: Status::Running,
         });
         if let Some(margin) = record.margin {
-            self.note_falls(cycle, record.falls, margin);
+            self.note_falls(cycle, record.falls, margin, None);
         }
         if record.angles.is_empty() {
             return;
         }
+        let pose = record.pose.map(|[x, y, z, roll, pitch, yaw]| Pose {
+            position: [x, y, z],
+            roll,
+            pitch,
+            yaw,
+        });
         self.keep(Frame {
             cycle,
             time,
-            pose: record.pose.map(|[x, y, z, roll, pitch, yaw]| Pose {
-                position: [x, y, z],
-                roll,
-                pitch,
-                yaw,
-            }),
+            pose,
             angles: record.angles.clone(),
             loads: record.loads.clone(),
             margin: record.margin,
             ..Frame::default()
         });
+        self.summarise(record, pose, time);
+    }
+
+    /// Adds a cycle that ended at `time` (ms) to the summary. The travel of a trace begins at the end of its first cycle.
+    fn summarise(&mut self, record: &Record, pose: Option<Pose>, time: f64) {
+        let recording = &self.recording;
+        let Some(frame) = self.pending.as_ref().or(recording.frames.last()) else {
+            return;
+        };
+        let start = recording.frames.first().and_then(|first| first.pose);
+        let travel = pose.zip(start).map(|(pose, start)| {
+            let come = [0, 1, 2].map(|axis| pose.position[axis] - start.position[axis]);
+            let before = self.summary.summary().travel;
+            let before = before.map_or(0.0, |travel| travel.turn_deg);
+            // The least turn from the one before: whole turns count.
+            let turn = pose.yaw - start.yaw;
+            Travel::new(come, turn + 360.0 * ((before - turn) / 360.0).round())
+        });
+        let so_far = self
+            .summary
+            .summary()
+            .margin
+            .as_ref()
+            .map(|peak| peak.value);
+        let least_margin = (record.margin.into_iter().chain(so_far)).reduce(f64::min);
+        let at = Moment {
+            cycle: record.cycle,
+            time_s: recording.time(record.cycle) / 1000.0,
+            line: recording.line(record.cycle).unwrap_or_default(),
+        };
+        self.summary.add(&Sample {
+            at,
+            ended: time,
+            travel,
+            least_margin,
+            slips: &frame.slips,
+            angles: &frame.angles,
+            ..Sample::default()
+        });
+        if record.margin.is_some() {
+            self.summary.count_falls(record.falls, at);
+        }
     }
 }
 

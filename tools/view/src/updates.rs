@@ -7,7 +7,7 @@ use tip_runtime::command::Target;
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Range;
 use tip_runtime::plant::{self, Object, Shape};
-use tip_sim::{Event, IssuedCommand};
+use tip_sim::{Event, FallKind, IssuedCommand, Summary};
 
 /// The grid on which motion is: mm, deg or N.
 const GRID: f64 = 0.01;
@@ -53,7 +53,8 @@ struct More<'a> {
     commands: Vec<(u64, &'static str, String, String)>,
     flags: Vec<(u64, String)>,
     modes: Vec<(u64, Vec<(String, &'static str)>)>,
-    falls: Vec<(u64, f64)>,
+    /// Cycles, margins and kinds.
+    falls: Vec<(u64, f64, Option<FallKind>)>,
     slips: Vec<(u64, usize, f64)>,
     /// Cycles, threads, and their steps, counted from 1; 0 where a thread is over.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -70,6 +71,7 @@ struct More<'a> {
 struct Over<'a> {
     r#type: &'static str,
     outcome: Ended<'a>,
+    summary: &'a Summary,
 }
 
 /// Part of a run that an update tells.
@@ -104,6 +106,7 @@ impl Recording {
         let over = Over {
             r#type: "status",
             outcome: Ended::of(self),
+            summary: &self.summary,
         };
         [begin(self, 1, &[]), more(self, &part), json(&over)].join("\n")
     }
@@ -173,10 +176,10 @@ pub(crate) fn more(recording: &Recording, part: &Part<'_>) -> String {
         modes: each(part.of(&recording.modes), |cycle, modes| {
             (cycle, named(modes))
         }),
-        falls: each(part.of(&recording.falls), |cycle, margin| (cycle, *margin)),
-        slips: each(part.of(&recording.slips), |cycle, slip| {
-            (cycle, slip.leg, slip.distance)
+        falls: each(part.of(&recording.falls), |cycle, fall| {
+            (cycle, fall.margin, fall.kind)
         }),
+        slips: slips(recording, part),
         threads: (!threads.is_empty()).then(|| {
             let number = |step| i64::from(step) + 1;
             let steps = threads.iter().map(|at| at.what.1.map_or(0, number));
@@ -194,6 +197,17 @@ pub(crate) fn more(recording: &Recording, part: &Part<'_>) -> String {
         }),
         events: events.map(|timed| (timed.cycle, &timed.event)).collect(),
     })
+}
+
+/// Returns the slips of a part, and before them the last one of each leg, which may have grown since it was told.
+fn slips(recording: &Recording, part: &Part<'_>) -> Vec<(u64, usize, f64)> {
+    let (list, new) = (&recording.slips, part.of(&recording.slips));
+    let before = &list[..list.partition_point(|slip| slip.cycle < part.from)];
+    let legs = 0..recording.robot.legs.len();
+    let last = legs.filter_map(|leg| before.iter().rev().find(|slip| slip.what.leg == leg));
+    let all = last.chain(new);
+    all.map(|at| (at.cycle, at.what.leg, at.what.distance))
+        .collect()
 }
 
 impl Part<'_> {
@@ -475,6 +489,9 @@ fn all(first: &Frame) -> Vec<Channel> {
         }
         all.push(channel(format!("load.{leg}"), move |frame| {
             frame.loads.get(leg).copied()
+        }));
+        all.push(channel(format!("slip.{leg}"), move |frame| {
+            frame.slips.get(leg).copied()
         }));
         for axis in 0..3 {
             let (force, push) = (format!("force.{leg}.{axis}"), format!("push.{leg}.{axis}"));

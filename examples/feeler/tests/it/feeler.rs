@@ -7,7 +7,7 @@ use tip_runtime::fault::Fault;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::{End, Program};
 use tip_runtime::record::Ending;
-use tip_sim::lockstep::{Lockstep, Scout};
+use tip_sim::lockstep::{Lockstep, LockstepObserver};
 use tip_sim::{Robot, Run, load};
 use walking::{Measured, Outcome};
 
@@ -51,7 +51,7 @@ struct Watch {
     held: Vec<bool>,
 }
 
-impl Scout for Watch {
+impl LockstepObserver for Watch {
     fn after(&mut self, run: &Run) {
         let robot = run.plant::<SimulatedPlant<4, 3>>();
         self.measured

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::{End, Program};
 use tip_runtime::record::Ending;
-use tip_sim::lockstep::{Lockstep, Scout};
+use tip_sim::lockstep::{Lockstep, LockstepObserver};
 use tip_sim::{Robot, Run, load};
 use walking::{Measured, Outcome, SLIP};
 
@@ -36,7 +36,7 @@ fn race(compiled: impl Program + Clone + Send + 'static, text: &str, inputs: &st
 /// Measures the robot of the interpreter.
 struct Watch(Measured<6>);
 
-impl Scout for Watch {
+impl LockstepObserver for Watch {
     fn after(&mut self, run: &Run) {
         let robot = run.plant::<SimulatedPlant<6, 3>>();
         self.0.after(run.time(), robot.expect("it is simulated"));

@@ -7,7 +7,7 @@ use tip_runtime::machine::Machine;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::{End, Program};
 use tip_runtime::record::Ending;
-use tip_sim::lockstep::{Lockstep, Scout};
+use tip_sim::lockstep::{Lockstep, LockstepObserver};
 use tip_sim::{Robot, Run, load};
 use walk::{SOURCE, Walk};
 use walking::{GOAL, Measured, Outcome, SLIP};
@@ -30,7 +30,7 @@ fn race(compiled: impl Program + Clone + Send + 'static, text: &str, inputs: &st
 /// Measures the robot of the interpreter.
 struct Watch(Measured<4>);
 
-impl Scout for Watch {
+impl LockstepObserver for Watch {
     fn after(&mut self, run: &Run) {
         let robot = run.plant::<SimulatedPlant<4, 3>>();
         self.0.after(run.time(), robot.expect("it is simulated"));

@@ -60,7 +60,8 @@ const ARROWS: &[(&str, &[&str])] = &[
         "tip-log",
         &["tip-runtime", "tip-compiler", "tip-sim", "tip-view"],
     ),
-    ("tip-drives", &["tip-runtime"]),
+    // Where there is a file, it reads the bus of a description.
+    ("tip-drives", &["tip-runtime", "tip-compiler"]),
     // Its tests compare compiled code.
     (
         "tip-sweep",
@@ -100,7 +101,7 @@ fn dependencies_point_one_way() {
 }
 
 /// Allowed entries of the root folder.
-const ROOT: [&str; 17] = [
+const ROOT: [&str; 18] = [
     "ARCHITECTURE.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
@@ -109,6 +110,7 @@ const ROOT: [&str; 17] = [
     "LICENSE",
     "README.ja.md",
     "README.md",
+    "SECURITY.md",
     "benches",
     "clippy.toml",
     "docs",

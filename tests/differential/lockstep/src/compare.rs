@@ -7,7 +7,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use tip_lint::listing;
 use tip_runtime::record::Ending;
 use tip_runtime::special::hand::HandSpecials;
-use tip_sim::lockstep::{Answer, Compared, Divergence, Evidence, Lockstep, RunEnd, Scout};
+use tip_sim::lockstep::{
+    Answer, Compared, Divergence, Evidence, Lockstep, LockstepObserver, RunEnd,
+};
 use tip_sim::search::{self, Diverging, Engines};
 use tip_sim::{Inputs, Plant, Robot, StepTaken};
 
@@ -105,7 +107,7 @@ fn verdict(compared: Compared, visits: Visits) -> Verdict {
 /// Number of times that each step ended.
 struct Visits(Vec<u64>);
 
-impl Scout for Visits {
+impl LockstepObserver for Visits {
     fn went(&mut self, _cycle: u64, StepTaken { from, to }: StepTaken) {
         // A step that waits is its own next one.
         if to.map(|to| to.step) != Some(from.step)

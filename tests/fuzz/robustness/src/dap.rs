@@ -1,6 +1,6 @@
 //! Messages to the debug adapter, a line each.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 use tip_ide::dap::{Debuggee, Launch, Launcher, Session};
 use tip_ide::transport::{self, Frame};
 use tip_sim::debug::Debugger;
@@ -35,7 +35,7 @@ const BEGIN: [&str; 3] = [
 ];
 
 /// Loads one program, on any robot that has a name.
-struct OneProgram;
+struct OneProgram(String);
 
 impl Launcher for OneProgram {
     fn is_same_file(&self, one: &str, other: &str) -> bool {
@@ -52,7 +52,7 @@ impl Launcher for OneProgram {
         if others.iter().any(|given| given.is_some()) {
             return Err("there is one scene, one plant and one encoding".to_owned());
         }
-        let mut loaded = tipc::load("debugged.prg", PROGRAM.as_bytes(), &robot.options());
+        let mut loaded = tipc::load("debugged.prg", self.0.as_bytes(), &robot.options());
         let program = loaded.program.take().ok_or("it is wrong")?;
         let debugger = Debugger::new(program, &robot).map_err(|error| error.to_string())?;
         let debugger = debugger.with_events(&events);
@@ -70,7 +70,7 @@ impl Launcher for OneProgram {
 /// # Panics
 /// Error for output that is no message.
 pub fn examine(bytes: &[u8]) {
-    let mut session = Session::new(OneProgram);
+    let mut session = Session::new(OneProgram(PROGRAM.to_owned()));
     let begin = BEGIN.iter().map(|message| message.as_bytes());
     for message in begin.chain(bytes.split(|byte| *byte == b'\n')) {
         session.handle(message);
@@ -104,4 +104,45 @@ fn judge(sent: &[String]) {
         assert!(matches!(kind, Some("response" | "event")), "{message}");
         assert!(message["seq"].is_i64(), "{message}");
     }
+}
+
+/// Debugs a program: sets a breakpoint with a condition on every line, runs, and asks about each text. Returns false if the
+/// program has errors.
+///
+/// # Panics
+/// Error for output that is no message.
+pub fn debug(program: &str, asked: &[&str]) -> bool {
+    let mut session = Session::new(OneProgram(program.to_owned()));
+    for message in BEGIN {
+        session.handle(message.as_bytes());
+    }
+    let lines = 1..=program.lines().count();
+    let breakpoints = lines.map(|line| json!({ "line": line, "condition": asked.first() }));
+    let breakpoints: Vec<Value> = breakpoints.collect();
+    let set = json!({ "source": { "path": "debugged.prg" }, "breakpoints": breakpoints });
+    let list = json!({ "variablesReference": 1 });
+    let mut requests = vec![("setBreakpoints", set.clone()), ("setBreakpoints", set)];
+    requests.extend([
+        ("variables", list),
+        ("stackTrace", json!({ "threadId": 1 })),
+    ]);
+    requests.push(("continue", json!({ "threadId": 1 })));
+    requests.extend(
+        asked
+            .iter()
+            .map(|text| ("evaluate", json!({ "expression": text }))),
+    );
+    let mut is_loaded = true;
+    for (command, arguments) in requests {
+        let request =
+            json!({ "seq": 9, "type": "request", "command": command, "arguments": arguments });
+        session.handle(request.to_string().as_bytes());
+        if session.is_running() {
+            session.work();
+        }
+        let sent = session.take_output();
+        is_loaded &= !sent.iter().any(|message| message.contains("it is wrong"));
+        judge(&sent);
+    }
+    is_loaded
 }

@@ -1,6 +1,7 @@
 //! Messages to the language server: each request has one response, and only `exit` ends the session.
 
-use lsp_server::{Message, RequestId};
+use lsp_server::{Message, Notification, Request, RequestId};
+use serde_json::json;
 use std::path::Path;
 use std::rc::Rc;
 use tip_ide::lsp::{RobotConfig, Server, Workspace, parse};
@@ -76,7 +77,9 @@ fn serve(stream: &[u8]) {
             break;
         }
     }
-    server.prepare();
+    for uri in server.open() {
+        server.prepare(&uri);
+    }
 }
 
 fn answered(server: &mut Server<Nowhere>, message: Message) {
@@ -91,10 +94,81 @@ fn answered(server: &mut Server<Nowhere>, message: Message) {
     };
     let answers: Vec<RequestId> = answers.iter().filter_map(of).collect();
     assert_eq!(answers, asked);
-    assert!(
-        server
-            .due_diagnostics()
-            .iter()
-            .all(|message| of(message).is_none())
+    for uri in server.take_due() {
+        let found = server.diagnostics(&uri);
+        assert!(found.iter().all(|message| of(message).is_none()));
+    }
+}
+
+/// Opens a program, asks everything that an editor asks of it, and changes it once.
+///
+/// # Panics
+/// A request has no response.
+pub fn edit(program: &str) {
+    const URI: &str = "file:///edited.prg";
+    let mut server = Server::new(Nowhere);
+    let file = json!({ "uri": URI });
+    let last = program.lines().count();
+    let end = json!({ "line": last, "character": 0 });
+    let middle = json!({ "line": last / 2, "character": 3 });
+    let whole = json!({ "start": { "line": 0, "character": 0 }, "end": end });
+    let item = json!({ "uri": URI, "languageId": "tip", "version": 1, "text": program });
+    let change = json!({ "range": { "start": middle, "end": middle }, "text": "X" });
+    let version = json!({ "uri": URI, "version": 2 });
+    let context = json!({ "diagnostics": [] });
+    let options = json!({ "tabSize": 2, "insertSpaces": true });
+    let at = json!({ "textDocument": file, "position": middle });
+    let requests = [
+        ("textDocument/hover", at.clone()),
+        ("textDocument/completion", at.clone()),
+        ("textDocument/signatureHelp", at.clone()),
+        ("textDocument/definition", at.clone()),
+        (
+            "textDocument/references",
+            json!({ "textDocument": file, "position": middle, "context": { "includeDeclaration": true } }),
+        ),
+        ("textDocument/documentHighlight", at.clone()),
+        (
+            "textDocument/rename",
+            json!({ "textDocument": file, "position": middle, "newName": "NEW" }),
+        ),
+        (
+            "textDocument/documentSymbol",
+            json!({ "textDocument": file }),
+        ),
+        ("textDocument/foldingRange", json!({ "textDocument": file })),
+        (
+            "textDocument/semanticTokens/full",
+            json!({ "textDocument": file }),
+        ),
+        (
+            "textDocument/inlayHint",
+            json!({ "textDocument": file, "range": whole }),
+        ),
+        (
+            "textDocument/codeAction",
+            json!({ "textDocument": file, "range": whole, "context": context }),
+        ),
+        (
+            "textDocument/formatting",
+            json!({ "textDocument": file, "options": options }),
+        ),
+    ];
+    let start = json!({ "capabilities": {} });
+    answered(
+        &mut server,
+        Request::new(0.into(), "initialize".to_owned(), start).into(),
     );
+    let open = json!({ "textDocument": item });
+    let open = Notification::new("textDocument/didOpen".to_owned(), open);
+    answered(&mut server, open.into());
+    for (id, (method, params)) in (1..).zip(requests) {
+        answered(
+            &mut server,
+            Request::new(id.into(), method.to_owned(), params).into(),
+        );
+    }
+    let change = json!({ "textDocument": version, "contentChanges": [change] });
+    let change = Notification::new("textDocument/didChange".to_owned(), change);
+    answered(&mut server, change.into());
 }

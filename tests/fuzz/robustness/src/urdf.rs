@@ -3,7 +3,8 @@
 
 use crate::description;
 use tip_sim::Robot;
-use tip_sim::urdf::{export, import};
+use tip_sim::import::import;
+use tip_sim::urdf::export;
 
 /// Imports the bytes, bad ones replaced as the command line does.
 ///

@@ -4,7 +4,7 @@ use case_files::Settings;
 use tip_runtime::plant::Scene;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines, Sink};
-use tip_sim::lockstep::{Divergence, Lockstep, Scout};
+use tip_sim::lockstep::{Divergence, Lockstep, LockstepObserver};
 use tip_sim::{Inputs, Limit, Plant, ProgramRunner, Robot, Run};
 
 /// No case needs more cycles; one that has not ended by then never will.
@@ -60,7 +60,7 @@ pub fn both(
 /// Writes down what the interpreter does.
 struct Records(JsonLines<String>);
 
-impl Scout for Records {
+impl LockstepObserver for Records {
     fn sink(&mut self) -> Option<&mut dyn Sink> {
         Some(&mut self.0)
     }

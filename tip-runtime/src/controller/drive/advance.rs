@@ -16,7 +16,7 @@ use super::redundancy::{PointOfLeg, Redundancy, has_choice};
 use super::{Drive, LegDrive, Solved, THIRD};
 use crate::controller::params::{JointParams, LegParams};
 use crate::controller::targets::number;
-use crate::controller::trajectory::{Goal, Limits, Track};
+use crate::controller::trajectory::{Goal, Limits, SetPoint};
 use crate::fault::Fault;
 use crate::kinematics::{Chain, LegPoint, ROUNDING};
 use crate::model::{Inverse, Joint, Leg};
@@ -90,7 +90,7 @@ impl<const J: usize> LegDrive<J> {
 
     fn advance_joints(
         &mut self,
-        tracks: &mut [Track<1>; J],
+        tracks: &mut [SetPoint<1>; J],
         first: usize,
         leg: &MovingLeg<'_, J>,
         cycle: &CycleParams,
@@ -114,7 +114,7 @@ impl<const J: usize> LegDrive<J> {
     fn advance_stiff_joint(
         &mut self,
         (n, m): (u8, usize),
-        track: &mut Track<1>,
+        track: &mut SetPoint<1>,
         (joint, params): (&Joint, &JointParams),
         cycle: &CycleParams,
     ) -> Result<(), Fault> {
@@ -137,7 +137,7 @@ impl<const J: usize> LegDrive<J> {
     fn advance_soft_joint(
         &mut self,
         m: usize,
-        track: &mut Track<1>,
+        track: &mut SetPoint<1>,
         measured: f64,
         (joint, params): (&Joint, &JointParams),
         cycle: &CycleParams,
@@ -162,7 +162,7 @@ impl<const J: usize> LegDrive<J> {
     fn advance_point(
         &mut self,
         point: LegPoint,
-        track: &mut Track<3>,
+        track: &mut SetPoint<3>,
         leg: &MovingLeg<'_, J>,
         cycle: &CycleParams,
     ) -> Result<(), Fault> {
@@ -211,7 +211,7 @@ impl<const J: usize> LegDrive<J> {
     fn solve(
         &mut self,
         point: LegPoint,
-        (track, jumps): (&Track<3>, bool),
+        (track, jumps): (&SetPoint<3>, bool),
         leg: &MovingLeg<'_, J>,
         cycle: &CycleParams,
     ) -> Result<[f64; J], Fault> {
@@ -243,7 +243,7 @@ impl<const J: usize> LegDrive<J> {
     fn advance_soft_point(
         &mut self,
         point: LegPoint,
-        track: &mut Track<3>,
+        track: &mut SetPoint<3>,
         leg: &MovingLeg<'_, J>,
         cycle: &CycleParams,
     ) {
@@ -317,7 +317,7 @@ impl<const J: usize> LegDrive<J> {
     pub(in crate::controller) fn brakes_first(
         &self,
         point: LegPoint,
-        track: &Track<3>,
+        track: &SetPoint<3>,
         leg: &Leg<J>,
         (inverse, limits): (Inverse, Limits),
     ) -> Option<[f64; J]> {
@@ -355,7 +355,7 @@ impl<const J: usize> LegDrive<J> {
         let mut angles = self.angles;
         let joints = leg.joints.iter().zip(&params.joints);
         for ((angle, rate), (joint, params)) in angles.iter_mut().zip(rates).zip(joints) {
-            let [rest] = Track::moving([*angle], [*rate]).rest_point(params.limits());
+            let [rest] = SetPoint::moving([*angle], [*rate]).rest_point(params.limits());
             *angle = joint.limits.nearest(rest);
         }
         angles
@@ -366,7 +366,7 @@ impl<const J: usize> LegDrive<J> {
     pub(super) fn brake(
         &mut self,
         point: LegPoint,
-        track: &mut Track<3>,
+        track: &mut SetPoint<3>,
         mut rates: [f64; J],
         (leg, cycle): (&MovingLeg<'_, J>, &CycleParams),
     ) -> Result<(), Fault> {
@@ -374,7 +374,7 @@ impl<const J: usize> LegDrive<J> {
         let joints = leg.model.joints.iter().zip(&leg.params.joints);
         let joints = joints.enumerate().take(point.moved_by(J));
         for ((m, joint), (rate, angle)) in joints.zip(rates.iter_mut().zip(self.angles)) {
-            let mut braking = Track::moving([angle], [*rate]);
+            let mut braking = SetPoint::moving([angle], [*rate]);
             let moved = self.advance_stiff_joint((leg.number, m), &mut braking, joint, cycle);
             *rate = braking.velocity().iter().sum();
             result = result.and(moved);

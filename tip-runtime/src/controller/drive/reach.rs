@@ -2,7 +2,7 @@
 
 use crate::command::Target;
 use crate::controller::targets::number;
-use crate::controller::trajectory::Track;
+use crate::controller::trajectory::SetPoint;
 use crate::fault::Fault;
 use crate::kinematics::{self, Chain, LegPoint};
 use crate::model::{Inverse, Leg, Point};
@@ -74,7 +74,7 @@ pub(super) fn follow<const J: usize>(
     leg: &Leg<J>,
     (point, n): (LegPoint, u8),
     from: &[f64; J],
-    (track, posture): (&Track<3>, Option<[f64; J]>),
+    (track, posture): (&SetPoint<3>, Option<[f64; J]>),
 ) -> Result<[f64; J], Fault> {
     let at = track.position();
     let on_its_way = track.goal().target().is_some_and(|target| target != at);

@@ -15,7 +15,7 @@
 
 use super::distance;
 use super::reach::has_few_joints;
-use crate::controller::trajectory::{Goal, Limits, Track};
+use crate::controller::trajectory::{Goal, Limits, SetPoint};
 use crate::kinematics::{self, LegPoint, is_straight, largest_turn, resolve_piece};
 use crate::model::{Axes, Inverse, Leg};
 
@@ -60,7 +60,7 @@ impl<const J: usize> Redundancy<J> {
         &mut self,
         point: &PointOfLeg<'_, J>,
         from: &[f64; J],
-        track: &Track<3>,
+        track: &SetPoint<3>,
         limits: Limits,
     ) {
         if let Redundancy::Bends(bend) = self
@@ -356,7 +356,7 @@ pub(in crate::controller) struct PosturePath<const J: usize> {
     /// Distance of the point from its target at the start, mm.
     length: f64,
     /// Rest of the path to the posture, where time decides as well.
-    ease: Option<Track<1>>,
+    ease: Option<SetPoint<1>>,
     /// The posture to be taken once the point is at its target, if it is not `to`.
     home: Option<[f64; J]>,
     /// The posture past which the leg goes halfway, if it does not go straight.
@@ -378,7 +378,7 @@ impl<const J: usize> PosturePath<J> {
 
     /// Limits the motion to the speed that [`RETURN`] allows.
     fn eased(self) -> Self {
-        let ease = Track::resting([1.0]).towards(Goal::Point {
+        let ease = SetPoint::resting([1.0]).towards(Goal::Point {
             target: [0.0],
             hs: false,
         });
@@ -401,7 +401,7 @@ impl<const J: usize> PosturePath<J> {
     }
 
     fn is_at_rest(&self) -> bool {
-        self.ease.as_ref().is_none_or(Track::is_at_rest)
+        self.ease.as_ref().is_none_or(SetPoint::is_at_rest)
     }
 
     /// Returns the posture for a point that is at `place` and goes to `target`.

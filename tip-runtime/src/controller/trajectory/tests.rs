@@ -1,6 +1,6 @@
 //! Times in closed form, limits, continuity and arrival of moving set points.
 
-use super::{Goal, INSTANT, Limits, Track, add_scaled, dot, norm};
+use super::{Goal, INSTANT, Limits, SetPoint, add_scaled, dot, norm};
 
 const ORIGIN: [f64; 3] = [0.0; 3];
 
@@ -20,7 +20,7 @@ fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
 }
 
 /// Returns the number of cycles until the set point is at its target.
-fn cycles<const N: usize>(track: &mut Track<N>, limits: Limits, dt: f64) -> u32 {
+fn cycles<const N: usize>(track: &mut SetPoint<N>, limits: Limits, dt: f64) -> u32 {
     let Goal::Point { target, .. } = track.goal() else {
         panic!("it heads for no point");
     };
@@ -71,7 +71,7 @@ fn rest_to_rest_takes_the_time_of_the_trapezium() {
     for (way, speed, acceleration, seconds) in moves {
         for dt in [0.001, 0.0007, 0.02, 0.033] {
             let target = [0.48 * way, -0.6 * way, 0.64 * way];
-            let mut track = Track::resting(ORIGIN).towards(to(target));
+            let mut track = SetPoint::resting(ORIGIN).towards(to(target));
             let cycles = cycles(&mut track, limits(speed, acceleration), dt);
             let time = f64::from(cycles) * dt;
             assert!(
@@ -85,7 +85,7 @@ fn rest_to_rest_takes_the_time_of_the_trapezium() {
 #[test]
 fn the_way_is_straight_and_never_passes_its_end() {
     let target = [30.0, -40.0, 120.0];
-    let mut track = Track::resting(ORIGIN).towards(to(target));
+    let mut track = SetPoint::resting(ORIGIN).towards(to(target));
     let mut before = 0.0;
     for _ in 0..200 {
         track.advance(limits(300.0, 600.0), 0.02, false);
@@ -101,7 +101,7 @@ fn the_way_is_straight_and_never_passes_its_end() {
 #[test]
 fn positions_along_the_way_are_those_of_the_closed_form() {
     // 400 mm at 200 mm/s and 400 mm/s²: 0.5 s up (50 mm), 1.5 s at 200 mm/s, 0.5 s down.
-    let mut track = Track::resting([0.0]).towards(to([400.0]));
+    let mut track = SetPoint::resting([0.0]).towards(to([400.0]));
     for cycle in 1..=125 {
         track.advance(limits(200.0, 400.0), 0.02, false);
         let t = f64::from(cycle) * 0.02;
@@ -120,7 +120,7 @@ fn positions_along_the_way_are_those_of_the_closed_form() {
 #[test]
 fn a_target_nearer_than_the_way_of_braking_is_passed_and_come_back_to() {
     // 100 mm/s under 100 mm/s² end 2 mm beyond the target, after 1 s; the return takes 0.283 s.
-    let mut track = Track::moving([0.0], [100.0]).towards(to([48.0]));
+    let mut track = SetPoint::moving([0.0], [100.0]).towards(to([48.0]));
     for cycle in 1..=50 {
         track.advance(limits(200.0, 100.0), 0.02, false);
         let t = f64::from(cycle) * 0.02;
@@ -134,7 +134,7 @@ fn a_target_nearer_than_the_way_of_braking_is_passed_and_come_back_to() {
 fn in_a_turn_both_parts_share_the_limits_as_the_sides_of_a_triangle() {
     // Straight across, either part gets 1/√2 of the acceleration; of 100 mm/s the part across keeps
     // its 60, so that 80 are left.
-    let mut track = Track::moving(ORIGIN, [60.0, 0.0, 0.0]).towards(to([0.0, 100.0, 0.0]));
+    let mut track = SetPoint::moving(ORIGIN, [60.0, 0.0, 0.0]).towards(to([0.0, 100.0, 0.0]));
     for cycle in 1..=20 {
         track.advance(limits(100.0, 400.0), 0.02, false);
         let along = 400.0 * core::f64::consts::FRAC_1_SQRT_2 * 0.02 * f64::from(cycle);
@@ -145,13 +145,13 @@ fn in_a_turn_both_parts_share_the_limits_as_the_sides_of_a_triangle() {
 #[test]
 fn what_is_left_for_an_instant_is_dropped() {
     // 0.5 mm/s take 0.5 s.
-    let mut track = Track::resting([0.0]).towards(Goal::Speed([0.5]));
+    let mut track = SetPoint::resting([0.0]).towards(Goal::Speed([0.5]));
     track.advance(limits(1.0, 1.0), 0.5 - INSTANT, false);
     assert_eq!(track.velocity(), [0.5]);
     // Two instants before its arrival.
     let speed = 2.0 * INSTANT;
     let target = [0.5 * speed * speed];
-    let mut track = Track::moving([0.0], [speed]).towards(to(target));
+    let mut track = SetPoint::moving([0.0], [speed]).towards(to(target));
     track.advance(limits(1.0, 1.0), INSTANT, false);
     assert_eq!((track.position(), track.velocity()), (target, [0.0]));
 }
@@ -162,7 +162,7 @@ fn random_retargets_exceed_no_limit_and_never_jump() {
         let mut dice = Dice::new(seed);
         let dt = dice.within(0.001, 0.05);
         let limits = limits(dice.within(10.0, 500.0), dice.within(10.0, 2000.0));
-        let mut track = Track::resting(dice.point());
+        let mut track = SetPoint::resting(dice.point());
         for _ in 0..2000 {
             match dice.next() % 20 {
                 0 => track = track.towards(to(dice.point())),
@@ -189,7 +189,7 @@ fn random_retargets_exceed_no_limit_and_never_jump() {
 
 #[test]
 fn a_target_that_moves_ahead_is_followed_at_full_speed() {
-    let mut track = Track::resting(ORIGIN);
+    let mut track = SetPoint::resting(ORIGIN);
     for cycle in 0..100 {
         let ahead = [200.0 + 4.0 * f64::from(cycle), 0.0, 0.0];
         track = track.towards(to(ahead));
@@ -203,7 +203,7 @@ fn limits_may_change_on_the_way() {
     for seed in 1..=40 {
         let mut dice = Dice::new(seed);
         let target = dice.point();
-        let mut track = Track::resting(dice.point()).towards(to(target));
+        let mut track = SetPoint::resting(dice.point()).towards(to(target));
         for _ in 0..300 {
             let limits = limits(dice.within(10.0, 500.0), dice.within(10.0, 2000.0));
             let dt = dice.within(0.001, 0.05);
@@ -220,7 +220,7 @@ fn limits_may_change_on_the_way() {
 
 #[test]
 fn a_lowered_speed_limit_is_reached_by_braking() {
-    let mut track = Track::resting([0.0]).towards(to([1000.0]));
+    let mut track = SetPoint::resting([0.0]).towards(to([1000.0]));
     for _ in 0..50 {
         track.advance(limits(300.0, 600.0), 0.02, false);
     }
@@ -236,7 +236,7 @@ fn a_lowered_speed_limit_is_reached_by_braking() {
 #[test]
 fn a_speed_limit_of_zero_brakes_under_the_acceleration_limit() {
     // 61² / 1200 mm.
-    let mut track = Track::moving([0.0], [61.0]).towards(to([100.0]));
+    let mut track = SetPoint::moving([0.0], [61.0]).towards(to([100.0]));
     for _ in 0..10 {
         track.advance(limits(0.0, 600.0), 0.02, false);
     }
@@ -250,7 +250,7 @@ fn high_speed_starts_and_stops_at_once_but_keeps_v_max() {
         target: [50.0],
         hs: true,
     };
-    let mut track = Track::resting([0.0]).towards(goal);
+    let mut track = SetPoint::resting([0.0]).towards(goal);
     for cycle in 1..=8 {
         track.advance(limits(300.0, 600.0), 0.02, false);
         assert!((track.position()[0] - 6.0 * f64::from(cycle)).abs() < 1e-9);
@@ -259,7 +259,7 @@ fn high_speed_starts_and_stops_at_once_but_keeps_v_max() {
     track.advance(limits(300.0, 600.0), 0.02, false);
     assert_eq!((track.position(), track.velocity()), ([50.0], [0.0]));
     // Held in motion, it stops immediately.
-    let mut track = Track::resting([0.0]).towards(goal);
+    let mut track = SetPoint::resting([0.0]).towards(goal);
     track.advance(limits(300.0, 600.0), 0.02, false);
     track.advance(limits(300.0, 600.0), 0.02, true);
     assert_eq!((track.position(), track.velocity()), ([6.0], [0.0]));
@@ -271,7 +271,7 @@ fn high_speed_from_a_motion_across_goes_straight_on() {
         target: [0.0, 60.0, 0.0],
         hs: true,
     };
-    let mut track = Track::moving(ORIGIN, [100.0, 0.0, 0.0]).towards(goal);
+    let mut track = SetPoint::moving(ORIGIN, [100.0, 0.0, 0.0]).towards(goal);
     for _ in 0..20 {
         track.advance(limits(300.0, 600.0), 0.02, false);
         assert!(track.position().iter().all(|x| x.is_finite()));
@@ -285,7 +285,7 @@ fn zero_limits_mean_no_motion() {
         for hs in [false, true] {
             let target = [10.0, 20.0, 30.0];
             let goal = Goal::Point { target, hs };
-            let mut track = Track::resting(ORIGIN).towards(goal);
+            let mut track = SetPoint::resting(ORIGIN).towards(goal);
             for _ in 0..10 {
                 track.advance(limits, 0.02, false);
             }
@@ -294,7 +294,7 @@ fn zero_limits_mean_no_motion() {
                 assert!(distance(track.position(), ORIGIN) < 1e-12);
             }
             // In motion it comes to rest.
-            let mut track = Track::moving(ORIGIN, [60.0, 0.0, 0.0]).towards(goal);
+            let mut track = SetPoint::moving(ORIGIN, [60.0, 0.0, 0.0]).towards(goal);
             for _ in 0..10 {
                 track.advance(limits, 0.02, false);
             }
@@ -305,14 +305,14 @@ fn zero_limits_mean_no_motion() {
             cycles(&mut track, self::limits(300.0, 600.0), 0.02);
         }
     }
-    let mut track = Track::resting([0.0]).towards(Goal::Speed([40.0]));
+    let mut track = SetPoint::resting([0.0]).towards(Goal::Speed([40.0]));
     track.advance(limits(300.0, 0.0), 0.02, false);
     assert_eq!(track.position(), [0.0]);
 }
 
 #[test]
 fn a_velocity_is_reached_under_the_acceleration_limit() {
-    let mut track = Track::resting(ORIGIN).towards(Goal::Speed([30.0, 40.0, 0.0]));
+    let mut track = SetPoint::resting(ORIGIN).towards(Goal::Speed([30.0, 40.0, 0.0]));
     track.advance(limits(1.0, 500.0), 0.02, false);
     assert!(distance(track.velocity(), [6.0, 8.0, 0.0]) < 1e-12);
     for _ in 0..9 {
@@ -326,7 +326,7 @@ fn a_velocity_is_reached_under_the_acceleration_limit() {
 #[test]
 fn far_targets_make_no_nonsense() {
     for target in [[1e308; 3], [-1e308, 1e200, 0.0], [1e-308, 0.0, 0.0]] {
-        let mut track = Track::moving(ORIGIN, [1.0, 2.0, 3.0]).towards(to(target));
+        let mut track = SetPoint::moving(ORIGIN, [1.0, 2.0, 3.0]).towards(to(target));
         for _ in 0..100 {
             track.advance(limits(300.0, 600.0), 0.02, false);
             assert!(!track.position().iter().any(|x| x.is_nan()));
@@ -338,7 +338,7 @@ fn far_targets_make_no_nonsense() {
 #[test]
 fn the_rest_point_is_where_braking_ends() {
     let limits = limits(300.0, 600.0);
-    let mut track = Track::moving(ORIGIN, [0.0, 120.0, 50.0]);
+    let mut track = SetPoint::moving(ORIGIN, [0.0, 120.0, 50.0]);
     let rest = track.rest_point(limits);
     // v² / 2 a = 130² / 1200.
     assert!((norm(rest) - 14.083_333_333).abs() < 1e-6);
@@ -354,11 +354,11 @@ fn the_rest_point_is_where_braking_ends() {
 fn the_swing_is_the_farthest_place_to_the_side_of_the_line() {
     let limits = limits(300.0, 600.0);
     // At a right angle the part across brakes with the √½ of the acceleration: v² / √2 a = 12.02.
-    let right = Track::moving(ORIGIN, [0.0, 101.0, 0.0]).towards(to([200.0, 0.0, 0.0]));
+    let right = SetPoint::moving(ORIGIN, [0.0, 101.0, 0.0]).towards(to([200.0, 0.0, 0.0]));
     let [_, y, _] = right.swing(limits);
     assert!((y - 101.0 * 101.0 / (600.0 * core::f64::consts::SQRT_2)).abs() < 1e-9);
     // Aslant it is as far as the track comes, seen in short steps.
-    let mut slant = Track::moving(ORIGIN, [40.0, 101.0, 0.0]).towards(to([200.0, 0.0, 0.0]));
+    let mut slant = SetPoint::moving(ORIGIN, [40.0, 101.0, 0.0]).towards(to([200.0, 0.0, 0.0]));
     let [x, y, _] = slant.swing(limits);
     let mut farthest = ORIGIN;
     for _ in 0..10_000 {
@@ -377,7 +377,7 @@ fn the_swing_is_the_farthest_place_to_the_side_of_the_line() {
 fn a_swing_is_finite_or_reaches_nowhere() {
     let target = [200.0, 0.0, 0.0];
     for acceleration in [0.0, 1e-308, 1e308, f64::INFINITY] {
-        let track = Track::moving(ORIGIN, [0.0, 101.0, 0.0]).towards(to(target));
+        let track = SetPoint::moving(ORIGIN, [0.0, 101.0, 0.0]).towards(to(target));
         let [_, y, _] = track.swing(limits(300.0, acceleration));
         assert!(
             y == 0.0 || y.abs() > 1e9 || (acceleration > 1e99 && y.abs() < 1e-9),
@@ -385,7 +385,7 @@ fn a_swing_is_finite_or_reaches_nowhere() {
         );
     }
     assert_eq!(
-        Track::resting(ORIGIN)
+        SetPoint::resting(ORIGIN)
             .towards(to(target))
             .swing(limits(300.0, 600.0)),
         ORIGIN
@@ -394,13 +394,13 @@ fn a_swing_is_finite_or_reaches_nowhere() {
 
 #[test]
 fn who_may_not_accelerate_rests_on_the_spot() {
-    let track = Track::moving([7.0], [120.0]);
+    let track = SetPoint::moving([7.0], [120.0]);
     assert_eq!(track.rest_point(limits(300.0, 0.0)), [7.0]);
 }
 
 #[test]
 fn who_may_hardly_brake_rests_far_away_at_a_finite_place() {
-    let track = Track::moving(ORIGIN, [0.0, 120.0, 50.0]);
+    let track = SetPoint::moving(ORIGIN, [0.0, 120.0, 50.0]);
     let [x, y, z] = track.rest_point(limits(300.0, 1e-308));
     assert_eq!(x, 0.0);
     assert!(y > 1e9 && z > 1e9 && y.is_finite() && z.is_finite());

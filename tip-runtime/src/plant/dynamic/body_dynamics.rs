@@ -2,7 +2,7 @@
 //! blocks where neither has a corner inside.
 
 use super::Vector;
-use super::contact::{Bristle, Touch};
+use super::contact::{Bristle, Penetration};
 use super::spatial::{Contribution, Inertia, MovingFrame, Spatial, placed};
 use super::terrain::{StepContext, Terrain};
 use crate::model::{Body, Range};
@@ -112,7 +112,7 @@ impl BodyDynamics {
         let extent = self.extent();
         let corners = self.corners().map(|corner| rotation * corner);
         let before = self.bristles;
-        let mut push = |bristle: &mut Bristle, arm: Vector, touch: Option<Touch>| {
+        let mut push = |bristle: &mut Bristle, arm: Vector, touch: Option<Penetration>| {
             let velocity = self.frame.velocity + rate.cross(&arm);
             let push = bristle.force(touch, velocity, context.law, context.step.dt);
             force = force - Spatial::pushing(push, arm);
@@ -177,7 +177,7 @@ fn for_each_edge_contact(
     extent: &Cuboid,
     frame: &MovingFrame,
     terrain: &Terrain,
-    mut meet: impl FnMut(Vector, Touch),
+    mut meet: impl FnMut(Vector, Penetration),
 ) {
     let corners = extent.corners();
     let reach = corners.iter().map(Vector::norm).fold(0.0, f64::max);

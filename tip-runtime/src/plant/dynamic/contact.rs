@@ -24,7 +24,7 @@ impl ContactLaw {
 
 /// A point inside of an obstacle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Touch {
+pub(super) struct Penetration {
     /// Penetration depth, m.
     pub(super) depth: f64,
     /// Outward normal, a unit vector.
@@ -36,7 +36,7 @@ pub(super) struct Touch {
 /// Least upward component of the normal of a contact that carries load; a wall carries none.
 const CARRIES: f64 = 0.25;
 
-impl Touch {
+impl Penetration {
     /// Returns the part of a force that is load, N.
     #[inline]
     pub(super) fn load(&self, force: Vector) -> f64 {
@@ -68,12 +68,12 @@ impl Bristle {
     #[inline]
     pub(super) fn force(
         &mut self,
-        touch: Option<Touch>,
+        touch: Option<Penetration>,
         velocity: Vector,
         law: &ContactLaw,
         dt: f64,
     ) -> Vector {
-        let Some(Touch {
+        let Some(Penetration {
             depth,
             normal,
             friction,
@@ -168,9 +168,9 @@ mod tests {
     };
 
     /// Returns a touch inside a floor with friction 0.5.
-    fn on_floor(depth: f64) -> Option<Touch> {
+    fn on_floor(depth: f64) -> Option<Penetration> {
         let normal = Vector::new(0.0, 0.6, 0.8);
-        Some(Touch {
+        Some(Penetration {
             depth,
             normal,
             friction: 0.5,

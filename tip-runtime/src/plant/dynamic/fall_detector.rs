@@ -30,7 +30,7 @@ pub(super) struct FallDetector {
     heading: f64,
     /// Turn since the beginning; whole turns count, rad.
     turned: f64,
-    /// The greatest slip of a foot in one stance, m.
+    /// The greatest slip of a foot in one stance at the end of a cycle, m.
     pub(super) slip: f64,
     /// Distance of the centre of mass from the edge of the polygon of all carrying points, mm;
     /// negative outside.
@@ -67,11 +67,6 @@ impl FallDetector {
         self.least = self.margin;
     }
 
-    /// Records the slip of a foot, m.
-    pub(super) fn slipped(&mut self, slip: f64) {
-        self.slip = self.slip.max(slip);
-    }
-
     /// Updates the measurements at the end of a cycle of `period` ms; `centre` is the centre of
     /// mass from the body's origin.
     pub(super) fn update<'a>(
@@ -83,6 +78,8 @@ impl FallDetector {
         feet: impl Iterator<Item = &'a FootContact> + Clone,
     ) {
         self.turn(&base.frame, terrain);
+        let slips = feet.clone().map(|foot| foot.slip);
+        self.slip = slips.fold(self.slip, f64::max);
         let over = flat(base.frame.position + centre);
         let carrying = feet.filter(|foot| foot.load > 0.0);
         let lowest = carrying.clone().map(|foot| foot.place.z);

@@ -7,7 +7,7 @@
 
 use super::Vector;
 use super::contact::{Bristle, FootContact};
-use super::servo::{Control, Drives, Servo};
+use super::servo::{Control, Drives, Saturation, Servo};
 use super::spatial::{
     CholeskyFactor, Contribution, Inertia, MovingFrame, Spatial, dot, placed, spread, tensor,
 };
@@ -15,6 +15,7 @@ use super::terrain::StepContext;
 use crate::hardware::JointCommand;
 use crate::kinematics::Chain;
 use crate::model::{Joint, Leg};
+use crate::plant::self_collision::Capsules;
 use crate::plant::walker::events::Path;
 use crate::plant::{Effort, GRAVITY};
 use nalgebra::{Rotation3, Unit};
@@ -49,11 +50,12 @@ pub(super) struct LegBody<const J: usize> {
     /// Bristles of the end of each link; the last one is the foot's.
     bristles: [Bristle; J],
     pub(super) foot: FootContact,
-    /// The saturated motors: bit j of joint j.
-    saturated: u16,
+    /// The motors at their greatest and at their least torque: bit j of joint j.
+    saturated: [u16; 2],
     /// The joints that are commanded torques: bit j of joint j.
     by_torque: u16,
     path: Path,
+    pub(super) capsules: Capsules<J>,
 }
 
 impl<const J: usize> LegBody<J> {
@@ -72,9 +74,10 @@ impl<const J: usize> LegBody<J> {
             bias: [0.0; J],
             bristles: [Bristle::FREE; J],
             foot: FootContact::NONE,
-            saturated: 0,
+            saturated: [0; 2],
             by_torque: 0,
             path: Path::NONE,
+            capsules: Capsules::NONE,
         }
     }
 
@@ -179,7 +182,6 @@ impl<const J: usize> LegBody<J> {
         commands: Option<&[JointCommand; J]>,
         left: f64,
     ) {
-        self.saturated = 0;
         let controls = self.controls();
         let joints = self.servos.iter_mut().zip(&self.model.joints);
         for (j, ((servo, joint), control)) in joints.zip(controls).enumerate() {
@@ -188,15 +190,22 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
+    /// Returns the effort that the position loop of joint `j` demands.
+    #[inline]
+    fn demand(&self, j: usize, servo: &Servo, joint: &Joint, context: &StepContext<'_>) -> Effort {
+        servo.demand(self.control(j), joint, context.drives, context.step.dt)
+    }
+
     /// Returns the effort of the motor of joint `j`.
     #[inline]
     fn motor(&self, j: usize, servo: &Servo, joint: &Joint, context: &StepContext<'_>) -> Effort {
-        let (drives, dt) = (context.drives, context.step.dt);
-        servo.motor(self.control(j), joint, drives, dt, self.is_saturated(j))
-    }
-
-    fn is_saturated(&self, j: usize) -> bool {
-        self.saturated & bit(j) != 0
+        let [above, below] = self.saturated.map(|motors| motors & bit(j) != 0);
+        let saturation = match (above, below) {
+            (true, _) => Saturation::Above,
+            (_, true) => Saturation::Below,
+            _ => Saturation::None,
+        };
+        saturation.limit(self.demand(j, servo, joint, context), joint)
     }
 
     /// Returns the joints' block of the equations of motion, factorised, and the torques on its
@@ -272,9 +281,12 @@ impl<const J: usize> LegBody<J> {
         factor.map_or([0.0; J], |factor| factor.solve(torques))
     }
 
-    /// Calculates the accelerations of the joints, and marks motors that would exceed their torque
-    /// as saturated; returns true if any of them is new.
-    pub(super) fn overload(
+    /// Calculates the accelerations of the joints, and marks the motors as saturated of which they
+    /// demand more than their torque, and no others; returns true if that changes any of them.
+    ///
+    /// The demand falls as a joint accelerates, so that a motor at its limit is released once the
+    /// joint moves its way. Limit and demand are compared at the end of the step.
+    pub(super) fn saturate(
         &mut self,
         context: &StepContext<'_>,
         body: &[f64; 6],
@@ -282,15 +294,15 @@ impl<const J: usize> LegBody<J> {
     ) -> bool {
         *accelerations = self.accelerations(context, body);
         let before = self.saturated;
-        for (j, acceleration) in accelerations.iter().enumerate() {
-            let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
-                break;
-            };
-            let own = self.motor(j, servo, joint, context);
-            if let Some(servo) = self.servos.get_mut(j)
-                && servo.overload(joint, own, *acceleration)
-            {
-                self.saturated |= bit(j);
+        self.saturated = [0; 2];
+        let joints = self.servos.iter().zip(&self.model.joints);
+        for (j, ((servo, joint), acceleration)) in joints.zip(accelerations).enumerate() {
+            let demand = self.demand(j, servo, joint, context).at(*acceleration);
+            let [above, below] = &mut self.saturated;
+            match Saturation::of(demand, joint) {
+                Saturation::Above => *above |= bit(j),
+                Saturation::Below => *below |= bit(j),
+                Saturation::None => {}
             }
         }
         self.saturated != before

@@ -3,7 +3,7 @@
 use super::body_dynamics::{BodyDynamics, rise_over_blocks};
 use super::fall_detector::FallDetector;
 use super::leg::LegBody;
-use super::self_collision::{clearance, push_legs_apart};
+use super::leg_contact::push_legs_apart;
 use super::servo::{Drives, TimeStep};
 use super::spatial::{CholeskyFactor, Contribution, Inertia, MovingFrame, Spatial};
 use super::terrain::{StepContext, Terrain};
@@ -12,14 +12,15 @@ use crate::command::{MAX, Port};
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::kinematics::frames;
 use crate::model::Leg;
+use crate::plant::self_collision::{self, CollisionCounter, Gap, nearest, nowhere};
 use crate::plant::walker::events::hurries;
 use crate::plant::{ContactLaw, GRAVITY, TrackingErrors, are_sane};
 
 /// The longest step: s.
-const LONGEST: f64 = 5e-4;
+const MAX_STEP: f64 = 5e-4;
 /// Maximum number of steps in a cycle.
-const MOST: f64 = 4000.0;
-/// Maximum number of repetitions of a step because another motor saturates.
+const MAX_STEPS: f64 = 4000.0;
+/// Maximum number of repetitions of a step because a motor saturates or is released.
 const ANEW: u32 = 4;
 /// Height above the lowest contact up to which contacts carry the robot at first, m.
 const LEVEL: f64 = 1e-3;
@@ -35,8 +36,7 @@ pub(super) struct Multibody<S: ?Sized> {
     pub(super) unit: f64,
     /// The sampling time: ms.
     pub(super) period: f64,
-    /// The share of their thickness that the legs have.
-    pub(super) clearance: f64,
+    pub(super) collisions: CollisionCounter,
     /// The inertia of the whole robot at the last step.
     pub(super) total: Inertia,
     pub(super) detector: FallDetector,
@@ -61,7 +61,7 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
     pub(super) fn stand(&mut self) {
         let mass = self.base.mass() + self.legs.iter().map(LegBody::mass).sum::<f64>();
         let feet = self.legs.iter().map(|leg| leg.foot_mass(&self.drives));
-        self.law = ContactLaw::of_robot(mass, feet.fold(f64::INFINITY, f64::min), LONGEST);
+        self.law = ContactLaw::of_robot(mass, feet.fold(f64::INFINITY, f64::min), MAX_STEP);
         let normal = self.terrain.normal;
         self.base = BodyDynamics::new(self.base.model);
         self.base.frame.rotation = self.terrain.tilt();
@@ -79,7 +79,7 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
         self.base.frame.position.z += rise;
         self.legs.iter_mut().for_each(LegBody::clear_contacts);
         self.refresh();
-        self.clearance = clearance(&self.legs, &self.base.frame);
+        self.collisions.begin(self.gap());
         self.detector = FallDetector::new(&self.base.frame, &self.terrain);
         self.update(0.0);
         self.detector.begin();
@@ -144,27 +144,42 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
     /// Simulates a control cycle; legs without commands are held.
     fn cycle(&mut self, commands: &[[JointCommand; J]]) {
         let time = self.period / 1000.0;
-        let steps = libm::ceil(time / LONGEST).clamp(1.0, MOST) as u32;
+        let steps = libm::ceil(time / MAX_STEP).clamp(1.0, MAX_STEPS) as u32;
         let step = TimeStep::of(time / f64::from(steps), &self.drives.servos);
         for left in (1..=steps).rev() {
             self.step(&step, commands, f64::from(left));
         }
         self.base.push.count_cycle();
         self.update(self.period);
+        self.collisions.update(self.gap(), self.detector.cycle);
         self.detector.cycle += 1;
+    }
+
+    /// Returns the least distance of two parts of the robot.
+    fn gap(&self) -> Option<Gap> {
+        let inverse = self.base.frame.rotation.inverse();
+        let mut lines = nowhere();
+        for (lines, leg) in lines.iter_mut().zip(&self.legs) {
+            for (j, line) in lines.iter_mut().enumerate() {
+                if let Some(link) = leg.link(j, &self.base.frame) {
+                    *line = link.map(|end| inverse * end * 1000.0);
+                }
+            }
+        }
+        let body = self_collision::body(self.base.model.as_ref());
+        let capsules = self.legs.iter().map(|leg| &leg.capsules);
+        nearest(body.as_ref(), capsules, &lines)
     }
 
     /// Integrates one of the steps that are `left` of a cycle (semi-implicit Euler method).
     fn step(&mut self, step: &TimeStep, commands: &[[JointCommand; J]], left: f64) {
         let frame = self.base.frame;
-        let clearance = self.clearance;
         let Multibody {
             base,
             terrain,
             law,
             drives,
             total,
-            detector,
             legs,
             ..
         } = self;
@@ -179,9 +194,8 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
         for (i, leg) in legs.iter_mut().enumerate() {
             share.add(leg.place(&context));
             leg.aim(&context, commands.get(i), left);
-            detector.slipped(leg.foot.slip);
         }
-        push_legs_apart(legs, &frame, law, clearance);
+        push_legs_apart(legs, &frame, law);
         *total = share.inertia;
         let is_loose = base.model.is_some();
         let mut body = [0.0; 6];
@@ -190,11 +204,11 @@ impl<const J: usize> Multibody<[LegBody<J>]> {
             if is_loose {
                 body = acceleration(&share, legs, &context);
             }
-            let mut yields = false;
+            let mut changes = false;
             for (leg, turns) in legs.iter_mut().zip(&mut turns) {
-                yields |= leg.overload(&context, &body, turns);
+                changes |= leg.saturate(&context, &body, turns);
             }
-            if !yields {
+            if !changes {
                 break;
             }
         }

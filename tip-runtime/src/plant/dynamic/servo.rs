@@ -170,29 +170,21 @@ impl Servo {
         self.rate * torque.signum() > speed
     }
 
-    /// Returns the effort of the motor, after [`aim`](Self::aim); limited to its greatest torque if
-    /// it is `saturated`.
+    /// Returns the effort that the position loop demands, after [`aim`](Self::aim).
     #[inline]
-    pub(super) fn motor(
+    pub(super) fn demand(
         &self,
         control: Control,
         joint: &Joint,
         drives: &Drives,
         dt: f64,
-        saturated: bool,
     ) -> Effort {
         let inertia = match control {
-            Control::Angle if !saturated => {
-                dt * (drives.damping + dt * drives.stiffness) * joint.torque
-            }
-            _ => 0.0,
+            Control::Angle => dt * (drives.damping + dt * drives.stiffness) * joint.torque,
+            Control::Torque => 0.0,
         };
         Effort {
-            torque: if saturated {
-                within(self.torque, joint.torque)
-            } else {
-                self.torque
-            },
+            torque: self.torque,
             inertia,
         }
     }
@@ -217,24 +209,51 @@ impl Servo {
         effort
     }
 
-    /// Returns true if an acceleration (rad/s²) takes more torque than the motor has, which then
-    /// gives its greatest torque.
-    #[inline]
-    pub(super) fn overload(&mut self, joint: &Joint, own: Effort, acceleration: f64) -> bool {
-        let torque = own.at(acceleration);
-        let is_too_much = libm::fabs(torque) > joint.torque;
-        if is_too_much {
-            self.torque = torque;
-        }
-        is_too_much
-    }
-
-    /// Integrates an acceleration (rad/s²) over `dt` s.
+    /// Integrates an acceleration (rad/s²) over `dt` s, which takes `own` effort.
     #[inline]
     pub(super) fn advance(&mut self, joint: &Joint, own: Effort, acceleration: f64, dt: f64) {
         self.torque = within(own.at(acceleration), joint.torque);
         self.rate += acceleration * dt;
         self.angle += self.rate * dt;
+    }
+}
+
+/// The state of a motor in a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Saturation {
+    /// It gives what its position loop demands.
+    None,
+    /// It gives its greatest torque.
+    Above,
+    /// It gives its least torque.
+    Below,
+}
+
+impl Saturation {
+    /// Returns the state of a motor of which a position loop demands a torque.
+    #[inline]
+    pub(super) fn of(torque: f64, joint: &Joint) -> Self {
+        if torque > joint.torque {
+            Saturation::Above
+        } else if torque < -joint.torque {
+            Saturation::Below
+        } else {
+            Saturation::None
+        }
+    }
+
+    /// Returns the effort of a motor whose position loop demands this one.
+    #[inline]
+    pub(super) fn limit(self, demand: Effort, joint: &Joint) -> Effort {
+        let torque = match self {
+            Saturation::None => return demand,
+            Saturation::Above => joint.torque,
+            Saturation::Below => -joint.torque,
+        };
+        Effort {
+            torque,
+            inertia: 0.0,
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 //! The systems of equations that follow are symmetric and positive definite: Cholesky's method, without a panic path.
 
 use super::Vector;
-use crate::model::Spread;
+use crate::model::InertialProperties;
 use core::ops::{Add, AddAssign, Sub};
 use nalgebra::{Matrix3, Rotation3};
 
@@ -175,7 +175,10 @@ impl AddAssign for Inertia {
 
 /// Returns the centre (m) of a mass in a rotated frame, and its inertia about it (kg·m²).
 #[inline]
-pub(super) fn placed(spread: &Spread, turned: Rotation3<f64>) -> (Vector, Matrix3<f64>) {
+pub(super) fn placed(
+    spread: &InertialProperties,
+    turned: Rotation3<f64>,
+) -> (Vector, Matrix3<f64>) {
     (
         turned * (Vector::from(spread.centre) / 1000.0),
         turned * tensor(spread) * turned.inverse(),
@@ -184,7 +187,7 @@ pub(super) fn placed(spread: &Spread, turned: Rotation3<f64>) -> (Vector, Matrix
 
 /// Returns the inertia about the centre in its own frame, kg·m².
 #[inline]
-pub(super) fn tensor(spread: &Spread) -> Matrix3<f64> {
+pub(super) fn tensor(spread: &InertialProperties) -> Matrix3<f64> {
     let [xx, yy, zz, xy, xz, yz] = spread.inertia;
     Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }

@@ -1,7 +1,7 @@
 //! The surroundings of a robot with mass: the floor and the blocks on it.
 
 use super::Vector;
-use super::contact::Touch;
+use super::contact::Penetration;
 use super::servo::{Drives, TimeStep};
 use super::spatial::MovingFrame;
 use crate::plant::ContactLaw;
@@ -47,7 +47,7 @@ impl Terrain {
 
     /// Returns the touch of a point of the world that is inside an obstacle.
     #[inline]
-    pub(super) fn touch(&self, point: Vector) -> Option<Touch> {
+    pub(super) fn touch(&self, point: Vector) -> Option<Penetration> {
         self.block(point).or_else(|| self.floor(point))
     }
 
@@ -65,15 +65,15 @@ impl Terrain {
     }
 
     /// Returns the touch of a point inside a block: it leaves by the nearest side.
-    fn block(&self, point: Vector) -> Option<Touch> {
+    fn block(&self, point: Vector) -> Option<Penetration> {
         let (depth, normal) = self.blocks().find_map(|block| block.depth(point))?;
         Some(self.touching(depth, normal))
     }
 
     /// Returns a touch on a side with a normal.
     #[inline]
-    pub(super) fn touching(&self, depth: f64, normal: Vector) -> Touch {
-        Touch {
+    pub(super) fn touching(&self, depth: f64, normal: Vector) -> Penetration {
+        Penetration {
             depth,
             normal,
             friction: self.friction,
@@ -82,7 +82,10 @@ impl Terrain {
 
     /// Iterates over the blocks that a rod passes through between its ends: the midpoint of the
     /// part inside, and a touch at right angles to the rod.
-    pub(super) fn bars(&self, rod: [Vector; 2]) -> impl Iterator<Item = (Vector, Touch)> + '_ {
+    pub(super) fn bars(
+        &self,
+        rod: [Vector; 2],
+    ) -> impl Iterator<Item = (Vector, Penetration)> + '_ {
         self.blocks().filter_map(move |block| {
             let middle = middle(rod, block.through(rod)?);
             let (depth, side) = block.depth(middle)?;
@@ -108,7 +111,7 @@ impl Terrain {
 
     /// Returns the touch of a point in the floor.
     #[inline]
-    fn floor(&self, point: Vector) -> Option<Touch> {
+    fn floor(&self, point: Vector) -> Option<Penetration> {
         let above = self.normal.dot(&point) - self.height * self.normal.z;
         (above < 0.0).then(|| self.touching(-above, self.normal))
     }

@@ -19,7 +19,7 @@ const STEP: f64 = 0.0005;
 const SWING: f64 = 0.12;
 
 /// The longest cycle, ms; longer ones are cut short.
-const LONGEST: f64 = 1000.0;
+const MAX_CYCLE: f64 = 1000.0;
 
 /// One finger and its contacts.
 #[derive(Clone, Debug)]
@@ -256,7 +256,7 @@ impl<const J: usize> ContactModel<[FingerContacts<J>]> {
     /// Contact forces in a middle depend on velocities, too, which are extrapolated from the step
     /// before.
     fn advance(&mut self) {
-        let time = self.period.min(LONGEST) / 1000.0;
+        let time = self.period.min(MAX_CYCLE) / 1000.0;
         // Whole multiples of the longest step are not split for a rounding error.
         let steps = libm::ceil(time / self.step - 1e-9);
         let dt = time / steps;

@@ -32,8 +32,7 @@ pub struct Unmodelled {
     pub tips: u32,
     /// Number of cycles in which the friction of the floor would not have held the feet.
     pub slides: u32,
-    /// Number of cycles in which a joint was below the floor, a leg or the body in a block, or a
-    /// leg in another one.
+    /// Number of cycles in which a joint was below the floor, or a leg or the body in a block.
     pub crossings: u32,
 }
 

@@ -1,5 +1,5 @@
 //! The legs of a walking robot without mass: joints that follow their commands under load, their
-//! links, and collisions of legs with other legs, blocks or the floor.
+//! links, and collisions of legs with each other, the body, blocks or the floor.
 
 use super::events::{CycleEvents, Path, hurries};
 use super::ground::GroundInterface;
@@ -12,6 +12,8 @@ use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::Leg;
 use crate::plant::GRAVITY;
+use crate::plant::cuboid::Cuboid;
+use crate::plant::self_collision::{Capsules, CollisionCounter, Gap, nearest, nowhere};
 
 /// The longest time step, ms.
 const LONGEST_STEP: f64 = 20.0;
@@ -22,8 +24,7 @@ pub(super) struct LegPlant<const J: usize> {
     model: Leg<J>,
     pub(super) servos: [Servo; J],
     pub(super) links: LegLinks<J>,
-    /// Length along the links from base to foot, mm.
-    length: f64,
+    pub(super) capsules: Capsules<J>,
     path: Path,
 }
 
@@ -31,7 +32,10 @@ pub(super) struct LegPlant<const J: usize> {
 #[derive(Clone, Debug)]
 pub(super) struct Legs<S: ?Sized> {
     pub(super) dynamics: ServoDynamics,
-    /// True if a leg is inside another one, or the floor.
+    /// The box of the body.
+    pub(super) body: Option<Cuboid>,
+    pub(super) collisions: CollisionCounter,
+    /// True if a leg is inside the floor or a block.
     pub(super) crosses: bool,
     pub(super) each: S,
 }
@@ -45,9 +49,7 @@ impl<const J: usize> LegPlant<J> {
             model: *model,
             servos: model.initial.map(Servo::at),
             links: LegLinks::NOWHERE,
-            length: (model.joints.iter())
-                .map(|joint| Vector::from(joint.link).norm())
-                .sum(),
+            capsules: Capsules::NONE,
             path: Path::NONE,
         }
     }
@@ -65,6 +67,14 @@ impl<const J: usize> LegPlant<J> {
         let push = -gravity * load;
         let torques = self.links.load_torques(&self.model, push, gravity);
         let is_torque = |command: &JointCommand| matches!(command, JointCommand::Torque(_));
+        let is_returning = self.servos.iter().any(Servo::is_returning);
+        let lifts = if is_returning {
+            self.links
+                .levers(-gravity)
+                .map(|lever| (GRAVITY * 1000.0 / lever).to_degrees())
+        } else {
+            [f64::INFINITY; J]
+        };
         let stiffness = if load > 0.0 && commands.iter().any(is_torque) {
             self.links.stiffness(-gravity, support::STIFFNESS)
         } else {
@@ -72,14 +82,20 @@ impl<const J: usize> LegPlant<J> {
         };
         let is_free = load <= 0.0;
         let mut turned = false;
-        let loads = torques.into_iter().zip(stiffness);
+        let loads = torques.into_iter().zip(stiffness).zip(lifts);
         let joints = self.servos.iter_mut().zip(&self.model.joints);
-        for (((servo, joint), command), (torque, stiffness)) in joints.zip(commands).zip(loads) {
+        for (((servo, joint), command), ((torque, stiffness), lift)) in
+            joints.zip(commands).zip(loads)
+        {
             if servo.gave_way && has_lost_hold && is_free {
                 continue;
             }
             let before = servo.angle;
-            let load = JointLoad { torque, stiffness };
+            let load = JointLoad {
+                torque,
+                stiffness,
+                lift,
+            };
             servo.advance(joint, *command, load, step);
             turned |= servo.angle != before;
         }
@@ -122,25 +138,26 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         ground.close(&events);
     }
 
-    /// Returns true if a joint is below the floor, a leg or the body in a block, or a leg in
-    /// another one.
+    /// Returns true if a joint is below the floor, or a leg or the body in a block.
     fn cross(&self, ground: &dyn GroundInterface) -> bool {
         let is_in_block = |leg: &LegPlant<J>| is_in_block(&leg.links, ground);
         if ground.has_blocks() && (ground.is_in_block() || self.each.iter().any(is_in_block)) {
             return true;
         }
-        let mut after = &self.each;
-        while let Some((leg, others)) = after.split_first() {
-            let touches = |other: &LegPlant<J>| {
-                let length = (leg.length + other.length) / 2.0;
-                touch(&leg.links, &other.links, length)
-            };
-            if is_below_floor(&leg.links, ground) || others.iter().any(touches) {
-                return true;
+        let mut legs = self.each.iter();
+        legs.any(|leg| is_below_floor(&leg.links, ground))
+    }
+
+    /// Returns the least distance of two parts of the robot.
+    fn gap(&self) -> Option<Gap> {
+        let mut lines = nowhere();
+        for (lines, leg) in lines.iter_mut().zip(&self.each) {
+            for (line, link) in lines.iter_mut().zip(leg.links.lines()) {
+                *line = link;
             }
-            after = others;
         }
-        false
+        let capsules = self.each.iter().map(|leg| &leg.capsules);
+        nearest(self.body.as_ref(), capsules, &lines)
     }
 
     /// Returns the events of a cycle that no robot with mass shows.
@@ -197,6 +214,20 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         ground.settle(mass, dt);
     }
 
+    /// Starts to count collisions.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn begin(&mut self) {
+        self.collisions.begin(self.gap());
+    }
+
+    /// Counts a collision at the end of a cycle.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn watch(&mut self, cycle: u64) {
+        self.collisions.update(self.gap(), cycle);
+    }
+
     /// Measures joints and soles.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
@@ -228,9 +259,6 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
     }
 }
 
-/// Thickness of a leg, as a share of its length.
-const THICK: f64 = 0.04;
-
 /// Returns true if a joint of a leg is below the floor.
 fn is_below_floor<const J: usize>(leg: &LegLinks<J>, ground: &dyn GroundInterface) -> bool {
     (leg.places().skip(1)).any(|joint| ground.height(joint) < -SINK_TOLERANCE)
@@ -239,61 +267,4 @@ fn is_below_floor<const J: usize>(leg: &LegLinks<J>, ground: &dyn GroundInterfac
 /// Returns true if a leg is in a block.
 pub(super) fn is_in_block<const J: usize>(leg: &LegLinks<J>, ground: &dyn GroundInterface) -> bool {
     leg.lines().any(|line| ground.is_segment_in_block(line))
-}
-
-/// Returns true if a leg goes through another one, both of this length (mm). Their first links are
-/// part of the body.
-pub(super) fn touch<const J: usize>(a: &LegLinks<J>, b: &LegLinks<J>, length: f64) -> bool {
-    let thick = THICK * length;
-    if a.is_beyond(b, thick) {
-        return false;
-    }
-    let mut lines = a.lines().skip(1);
-    lines.any(|one| (b.lines().skip(1)).any(|other| gap(one, other) < thick))
-}
-
-/// Returns the distance of two segments (Ericson, *Real-Time Collision Detection*, 2004, §5.1.9),
-/// mm.
-fn gap([from, to]: [Vector; 2], [other_from, other_to]: [Vector; 2]) -> f64 {
-    let (along, other, apart) = (to - from, other_to - other_from, from - other_from);
-    let (a, e, f) = (
-        along.norm_squared(),
-        other.norm_squared(),
-        other.dot(&apart),
-    );
-    let (b, c) = (along.dot(&other), along.dot(&apart));
-    let part = |share: f64, whole: f64| {
-        if whole > 0.0 {
-            (share / whole).clamp(0.0, 1.0)
-        } else {
-            0.0
-        }
-    };
-    let nearest = part(b * f - c * e, a * e - b * b);
-    let on_other = part(b * nearest + f, e);
-    let nearest = part(b * on_other - c, a);
-    (apart + along * nearest - other * on_other).norm()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn segments_are_as_far_apart_as_their_nearest_points() {
-        let at = |x: f64, y: f64, z: f64| Vector::new(x, y, z);
-        let flat = [at(0.0, 0.0, 0.0), at(10.0, 0.0, 0.0)];
-        // Over the middle, beyond an end, alongside, and a point.
-        let others = [
-            ([at(5.0, -5.0, 3.0), at(5.0, 5.0, 3.0)], 3.0),
-            ([at(13.0, 4.0, 0.0), at(20.0, 4.0, 0.0)], 5.0),
-            ([at(-4.0, 2.0, 0.0), at(4.0, 2.0, 0.0)], 2.0),
-            ([at(-3.0, 0.0, 4.0), at(-3.0, 0.0, 4.0)], 5.0),
-            ([at(5.0, -5.0, 0.0), at(5.0, 5.0, 0.0)], 0.0),
-        ];
-        for (other, expected) in others {
-            assert!((gap(flat, other) - expected).abs() < 1e-12, "{other:?}");
-            assert!((gap(other, flat) - expected).abs() < 1e-12, "{other:?}");
-        }
-    }
 }

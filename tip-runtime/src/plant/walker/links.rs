@@ -85,35 +85,23 @@ impl<const J: usize> LegLinks<J> {
         self.places().zip(ends).map(|(from, to)| [from, to])
     }
 
-    /// Returns true if there is more than `gap` mm between the boxes around two legs.
-    pub(super) fn is_beyond(&self, other: &Self, gap: f64) -> bool {
-        let [least, most] = self.extent();
-        let [other_least, other_most] = other.extent();
-        let apart = (other_least - most).sup(&(least - other_most));
-        apart.max() > gap
-    }
-
-    /// Returns the least and the greatest x, y and z of the joints and the foot, except the base.
-    fn extent(&self) -> [Vector; 2] {
-        let (mut least, mut most) = (self.foot, self.foot);
-        for place in self.places().skip(1) {
-            least = least.inf(&place);
-            most = most.sup(&place);
-        }
-        [least, most]
-    }
-
     /// Returns the stiffness of each joint against a foot whose contact gives way by `stiffness`
     /// (N/mm) along `normal`, N·m/rad. All joints turn together, so that a joint includes the terms
     /// that it shares with the others: row sums, which are no less than the stiffness of any motion
     /// of the leg.
     pub(super) fn stiffness(&self, normal: Vector, stiffness: f64) -> [f64; J] {
+        let levers = self.levers(normal);
+        let sum: f64 = levers.iter().sum();
+        levers.map(|lever| stiffness * lever * sum / 1000.0)
+    }
+
+    /// Returns the motion of the foot along `normal` for each joint's turn, mm/rad.
+    pub(super) fn levers(&self, normal: Vector) -> [f64; J] {
         let mut levers = [0.0; J];
         for (lever, (joint, axis)) in levers.iter_mut().zip(self.joints.iter().zip(&self.axes)) {
             *lever = libm::fabs(axis.cross(&(self.foot - joint)).dot(&normal));
         }
-        let sum: f64 = levers.iter().sum();
-        levers.map(|lever| stiffness * lever * sum / 1000.0)
+        levers
     }
 
     /// Returns the torque about each joint axis of the floor's `push` at the foot (N) and the

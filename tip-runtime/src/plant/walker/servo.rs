@@ -34,6 +34,7 @@ impl ServoDynamics {
         StepLimits {
             share: self.share(dt),
             farthest: self.speed * dt,
+            dt,
         }
     }
 }
@@ -45,6 +46,8 @@ pub(super) struct StepLimits {
     share: f64,
     /// The greatest turn, deg.
     farthest: f64,
+    /// s.
+    dt: f64,
 }
 
 /// The load of a joint.
@@ -54,6 +57,8 @@ pub(super) struct JointLoad {
     pub(super) torque: f64,
     /// Decrease of the torque with a turn, N·m/rad.
     pub(super) stiffness: f64,
+    /// Greatest angular acceleration of a joint that lifts the body, deg/s²: infinite if it lifts nothing.
+    pub(super) lift: f64,
 }
 
 /// The servo of one joint.
@@ -65,7 +70,12 @@ pub(super) struct Servo {
     pub(super) torque: f64,
     /// True if the load exceeded the motor at the last motion.
     pub(super) gave_way: bool,
+    /// Speed of a joint that gave way, deg/s, until it is back at its command.
+    returning: Option<f64>,
 }
+
+/// Greatest distance of a joint from its command at which it has come back, deg.
+const BACK: f64 = 0.1;
 
 impl Servo {
     /// Returns a joint at rest at an angle (deg).
@@ -74,7 +84,25 @@ impl Servo {
             angle,
             torque: 0.0,
             gave_way: false,
+            returning: None,
         }
+    }
+
+    /// Returns the turn of a joint that would turn by `turn` (deg) to its command: after it has given way, no faster
+    /// than the `surplus` of its torque, a share, accelerates the body.
+    fn turn_back(&mut self, turn: f64, surplus: f64, lift: f64, dt: f64) -> f64 {
+        let Some(speed) = self.returning else {
+            return turn;
+        };
+        let most = (speed + surplus * lift * dt) * dt;
+        let limited = within(turn, -most, most);
+        self.returning = (libm::fabs(turn) > BACK).then_some(libm::fabs(limited) / dt);
+        limited
+    }
+
+    /// Returns true if the joint has given way and is not back at its command.
+    pub(super) const fn is_returning(&self) -> bool {
+        self.returning.is_some()
     }
 
     /// Moves the joint under a load.
@@ -85,8 +113,13 @@ impl Servo {
         JointLoad {
             torque: load,
             stiffness,
+            lift,
         }: JointLoad,
-        StepLimits { share, farthest }: StepLimits,
+        StepLimits {
+            share,
+            farthest,
+            dt,
+        }: StepLimits,
     ) {
         let strongest = joint.torque;
         self.gave_way =
@@ -94,12 +127,14 @@ impl Servo {
         let turn = match command {
             JointCommand::Angle { .. } if self.gave_way => {
                 // The load wins: the joint gives way.
+                self.returning = Some(0.0);
                 self.torque = within(-load, -strongest, strongest);
                 farthest * (load + self.torque) / strongest
             }
             JointCommand::Angle { angle: target, .. } => {
                 self.torque = -load;
-                (target - self.angle) * share
+                let surplus = 1.0 - libm::fabs(load) / strongest;
+                self.turn_back((target - self.angle) * share, surplus, lift, dt)
             }
             JointCommand::Torque(torque) => {
                 // Without inertia a torque that nothing balances turns a viscous joint. The load is
@@ -141,6 +176,7 @@ mod tests {
         JointLoad {
             torque,
             stiffness: 0.0,
+            lift: f64::INFINITY,
         }
     }
 
@@ -195,6 +231,36 @@ mod tests {
     }
 
     #[test]
+    fn a_joint_that_gave_way_comes_back_as_its_torque_accelerates_the_body() {
+        let mut servo = Servo::at(90.0);
+        let command = JointCommand::at(90.0);
+        servo.advance(&KNEE, command, free(60.0), step());
+        assert!((servo.angle - 93.6).abs() < 1e-12);
+        // Half of its torque is left: 500 of 1000 deg/s², 0.2 deg in the first 20 ms, 0.4 deg in the next.
+        let load = JointLoad {
+            torque: 20.0,
+            stiffness: 0.0,
+            lift: 1000.0,
+        };
+        for expected in [93.4, 93.0, 92.4] {
+            servo.advance(&KNEE, command, load, step());
+            assert!((servo.angle - expected).abs() < 1e-9, "{}", servo.angle);
+        }
+        for _ in 0..50 {
+            servo.advance(&KNEE, command, load, step());
+        }
+        assert!((servo.angle - 90.0).abs() < 0.01 && !servo.is_returning());
+        // From then on it follows its commands as before.
+        servo.advance(&KNEE, JointCommand::at(86.0), load, step());
+        let share = ServoDynamics::default().share(0.02);
+        assert!(
+            (servo.angle - 90.0 + 4.0 * share).abs() < 0.02,
+            "{}",
+            servo.angle
+        );
+    }
+
+    #[test]
     fn the_stops_hold_and_nonsense_moves_nothing() {
         assert_eq!(advanced(JointCommand::Torque(40.0), 0.0, 1000).angle, 157.0);
         assert_eq!(advanced(JointCommand::Torque(-40.0), 0.0, 1000).angle, -2.0);
@@ -211,6 +277,7 @@ mod tests {
             let load = JointLoad {
                 torque,
                 stiffness: STIFFNESS,
+                lift: f64::INFINITY,
             };
             servo.advance(&KNEE, JointCommand::Torque(10.0), load, step());
             assert!(servo.angle - 90.0 >= depth, "it bounces");

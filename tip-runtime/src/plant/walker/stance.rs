@@ -42,8 +42,9 @@ impl<const L: usize> Stance<L> {
 
     /// Moves the body so that contacts that persist stay in place: the rigid motion of least
     /// squares, weighted by the loads, which determine friction. A body that falls gains at most
-    /// `pull` mm/s² along the floor within `dt` s, the limit of friction; its feet slip. Returns
-    /// the new rotation from the robot frame to the floor's.
+    /// `pull` mm/s² along the floor within `dt` s, the limit of friction; its feet slip. If none
+    /// persists because others carry the body now, those that did stay in place: they carried it
+    /// until then. Returns the new rotation from the robot frame to the floor's.
     pub(super) fn follow(
         &mut self,
         points: &Contacts<Vector, L>,
@@ -52,7 +53,12 @@ impl<const L: usize> Stance<L> {
         (pull, dt): (Option<f64>, f64),
     ) -> Rotation3<f64> {
         let levelling = FloorPose::levelling(body.normal);
-        let stays = self.stays(points, loads, &levelling);
+        let mut stays = self.stays(points, loads, &levelling);
+        let is_carried = loads.iter().any(|load| *load > 0.0);
+        if is_carried && stays.iter().all(Option::is_none) {
+            let alike = loads.map(|_| 1.0);
+            stays = self.stays(points, &alike, &levelling);
+        }
         let from = Vector2::new(body.x, body.y);
         fit(stays.iter().flatten(), body);
         let way = Vector2::new(body.x, body.y) - from;
@@ -169,4 +175,46 @@ fn fit<'a>(pairs: impl Iterator<Item = &'a ContactPair> + Clone, body: &mut Floo
     let (sin, cos) = (libm::sin(body.heading), libm::cos(body.heading));
     body.x = place_centre.x - (cos * own_centre.x - sin * own_centre.y);
     body.y = place_centre.y - (sin * own_centre.x + cos * own_centre.y);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns six feet on the floor that have moved backward by `back` mm under the body.
+    fn hexapod(back: f64) -> Contacts<Vector, 6> {
+        let feet = [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0];
+        let mut end = [200.0, 200.0, 0.0, 0.0, -200.0, -200.0].into_iter();
+        let feet = feet.map(|side| {
+            let y: f64 = end.next().unwrap_or(0.0);
+            Vector::new(100.0 * side, y - back, -100.0)
+        });
+        Contacts::new(feet, [Vector::zeros(); 4])
+    }
+
+    /// Returns the position of the body after its feet moved backward by 4 mm while the load went
+    /// from some of them to others.
+    fn moved(before: [f64; 6], after: [f64; 6]) -> [f64; 2] {
+        let mut stance = Stance::new();
+        let mut body = FloorPose::standing(None);
+        for (back, loads) in [(0.0, before), (4.0, after)] {
+            let loads = Contacts::new(loads, [0.0; 4]);
+            stance.follow(&hexapod(back), &loads, &mut body, (None, 0.02));
+        }
+        [body.x, body.y]
+    }
+
+    #[test]
+    fn the_body_moves_on_while_its_supporting_feet_change() {
+        let one = [9.0, 0.0, 0.0, 9.0, 9.0, 0.0];
+        let other = [0.0, 9.0, 9.0, 0.0, 0.0, 9.0];
+        let is_at = |at: [f64; 2], y: f64| at[0].abs() < 1e-9 && (at[1] - y).abs() < 1e-9;
+        // The same feet, some of them, and none of them.
+        for after in [one, [9.0, 0.0, 9.0, 9.0, 0.0, 0.0], other] {
+            let at = moved(one, after);
+            assert!(is_at(at, 4.0), "{after:?}: {at:?}");
+        }
+        assert!(is_at(moved(one, [0.0; 6]), 0.0), "nothing carries it");
+        assert!(is_at(moved([0.0; 6], other), 0.0), "nothing carried it");
+    }
 }

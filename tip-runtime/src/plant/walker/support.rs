@@ -16,7 +16,7 @@ use nalgebra::{Cholesky, Matrix3, U3, Vector3};
 /// Stiffness of a foot with its leg, and of the belly, N/mm.
 pub(super) const STIFFNESS: f64 = 200.0;
 /// Maximum number of rotations of the frame.
-const TURNS: u32 = 6;
+const MAX_ROTATIONS: u32 = 6;
 /// Maximum number of steps of Newton's method in one frame.
 const STEPS: u32 = 40;
 /// Maximum number of halvings of one step.
@@ -63,7 +63,7 @@ pub(super) fn rest<const L: usize>(
         found: false,
     };
     let pull = pull(load, body.heading);
-    for _ in 0..TURNS {
+    for _ in 0..MAX_ROTATIONS {
         let levelling = FloorPose::levelling(support.normal);
         let problem = Problem {
             points: points.map(|point| levelling * point),

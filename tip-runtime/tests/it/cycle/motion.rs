@@ -140,8 +140,8 @@ fn an_emergency_freezes_the_controller_where_the_robot_is() {
         machine.cycle();
     }
     assert_eq!(machine.hardware().angles(), measured);
-    let told = machine.controller().outputs();
-    for (told, measured) in told.iter().flatten().zip(measured.iter().flatten()) {
-        assert_eq!(told.value(), *measured);
+    let commanded = machine.controller().outputs();
+    for (commanded, measured) in commanded.iter().flatten().zip(measured.iter().flatten()) {
+        assert_eq!(commanded.value(), *measured);
     }
 }

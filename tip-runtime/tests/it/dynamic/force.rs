@@ -1,9 +1,9 @@
 //! Motors: commanded torques, their limits, and servos.
 
-use crate::dynamic::rig::{GRAVITY, SMOOTH, all, hold, rod, titan};
+use crate::dynamic::rig::{GRAVITY, SMOOTH, all, go, hold, rod, titan};
 use tip_runtime::hardware::{Hardware, JointCommand, Sensors};
 use tip_runtime::model::titan8;
-use tip_runtime::plant::{DynamicPlant, Noise, Plant};
+use tip_runtime::plant::{DynamicPlant, Noise, Plant, Scene};
 
 /// Inertia of the rod about its end, with the rotor, kg·m².
 const INERTIA: f64 = 0.4 * 0.4 / 3.0 + 7.5e-3;
@@ -134,6 +134,46 @@ fn a_servo_lags_and_turns_no_faster_than_it_can() {
     run(&mut plant, JointCommand::at(150.0), 5);
     let turned = plant.angles()[0][0] - angle;
     assert!(turned < 36.5, "0.1 s at 360 deg/s: {turned} deg");
+}
+
+#[test]
+fn motors_at_their_limit_hold_still() {
+    // 38 kg on legs that are stretched so far that at least one motor needs all of its torque.
+    let mut model = titan8::MODEL;
+    if let Some(body) = &mut model.body {
+        body.mass = 30.0;
+    }
+    let scene = Scene {
+        friction: 0.9,
+        ..Scene::EMPTY
+    };
+    for posture in [
+        [[-9, -38, 17], [6, -32, 49], [19, -36, 44], [4, -30, 45]],
+        [[-1, -31, 45], [6, -30, 48], [-18, -31, 31], [-9, -42, 37]],
+        [[2, -37, 40], [-13, -35, 33], [10, -40, 41], [19, -35, 17]],
+        [[-8, -29, 47], [11, -27, 48], [-9, -34, 12], [6, -32, 41]],
+    ] {
+        let posture = posture.map(|leg| leg.map(f64::from));
+        let mut plant = DynamicPlant::new(&model).with_scene(&scene);
+        go(&mut plant, posture);
+        hold(&mut plant, posture, 100);
+        let before = plant.torques();
+        let greatest = before
+            .iter()
+            .flatten()
+            .fold(0.0, |most: f64, torque| most.max(torque.abs()));
+        assert!((greatest - 40.0).abs() < 1e-9, "{greatest} N·m");
+        for _ in 0..10 {
+            hold(&mut plant, posture, 1);
+            let torques = plant.torques().into_iter().flatten();
+            for (now, before) in torques.zip(before.iter().flatten()) {
+                assert!(
+                    (now - before).abs() < 0.01,
+                    "{posture:?}: {now}, {before} N·m"
+                );
+            }
+        }
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use crate::dynamic::mass::{DIFFERENCE, Vector, rotation, rotors};
 use crate::dynamic::rig::{GRAVITY, Numbers, SMOOTH, all, go, loads};
 use tip_runtime::hardware::{Hardware, JointCommand};
 use tip_runtime::kinematics::frames;
-use tip_runtime::model::{Body, Joint, Leg, Model, Point, Range, Spread, titan8};
+use tip_runtime::model::{Body, InertialProperties, Joint, Leg, Model, Point, Range, titan8};
 use tip_runtime::plant::dynamic::Twist;
 use tip_runtime::plant::{DynamicPlant, SimulatedPlant};
 
@@ -12,7 +12,7 @@ use tip_runtime::plant::{DynamicPlant, SimulatedPlant};
 type Points = [Point; 4];
 
 /// Returns the inertia of a link or body that has a quarter of its mass (kg) at each point.
-const fn spread(points: Points, mass: f64) -> Spread {
+const fn spread(points: Points, mass: f64) -> InertialProperties {
     let mut centre = [0.0; 3];
     let mut at = 0;
     while at < 4 {
@@ -40,7 +40,7 @@ const fn spread(points: Points, mass: f64) -> Spread {
         ];
         at += 1;
     }
-    Spread { centre, inertia }
+    InertialProperties { centre, inertia }
 }
 
 const TRUNK: Points = [
@@ -184,10 +184,13 @@ fn in_the_air_it_keeps_energy_and_momentum_the_better_the_shorter_the_step() {
 fn even() -> Model<4, 3> {
     let mut model = titan8::MODEL;
     if let Some(body) = &mut model.body {
-        body.spread = Some(Spread::block([body.x, body.y, body.z], body.mass));
+        body.spread = Some(InertialProperties::block(
+            [body.x, body.y, body.z],
+            body.mass,
+        ));
     }
     for joint in model.legs.iter_mut().flat_map(|leg| &mut leg.joints) {
-        joint.spread = Some(Spread::rod(joint.link, joint.mass));
+        joint.spread = Some(InertialProperties::rod(joint.link, joint.mass));
     }
     model
 }

@@ -16,12 +16,12 @@ fn a_force_acts_through_the_transposed_jacobian() {
         let finger = Target::Foot(n);
         let expected = transposed(&rig.chain(usize::from(n)), [0.2, -0.3, 0.0]);
         rig.done(Op::Force, finger, &[0.2, -0.3, 50.0]);
-        let told = rig.told(usize::from(n)).map(Option::unwrap_or_default);
-        all_close(told, expected, 1e-9);
+        let commanded = rig.commanded(usize::from(n)).map(Option::unwrap_or_default);
+        all_close(commanded, expected, 1e-9);
         let expected = transposed(&rig.chain(usize::from(n)), [0.3, -0.3, 0.0]);
         rig.relative(Op::Force, finger, &[0.1, 0.0, 0.0]);
-        let told = rig.told(usize::from(n)).map(Option::unwrap_or_default);
-        all_close(told, expected, 1e-9);
+        let commanded = rig.commanded(usize::from(n)).map(Option::unwrap_or_default);
+        all_close(commanded, expected, 1e-9);
     }
 }
 
@@ -33,7 +33,7 @@ fn a_force_at_the_third_joint_leaves_that_joint_alone() {
     let third = chain.joint(2).expect("J13");
     let expected = moments(&chain, third, [0.2, 0.1]);
     rig.done(Op::Force, J13, &[0.2, 0.1, 0.0]);
-    let [first, second, third] = rig.told(1);
+    let [first, second, third] = rig.commanded(1);
     close(first.expect("a torque"), expected[0], 1e-9);
     close(second.expect("a torque"), expected[1], 1e-9);
     assert_eq!(third, None);
@@ -48,9 +48,9 @@ fn a_force_is_bound_by_torque_max_and_by_no_compliance_limit() {
     rig.done(Op::SetTorqueMax, Target::All, &[5.0]);
     rig.done(Op::Force, F1, &[1.0, 0.0, 0.0]);
     let free = transposed(&Hand::new().chain(1), [1.0, 0.0, 0.0]);
-    for (told, free) in rig.told(1).iter().zip(free) {
+    for (commanded, free) in rig.commanded(1).iter().zip(free) {
         assert!(free.abs() > 5.0);
-        close(told.expect("a torque"), 5.0 * free.signum(), 1e-9);
+        close(commanded.expect("a torque"), 5.0 * free.signum(), 1e-9);
     }
 }
 
@@ -147,13 +147,13 @@ fn the_generic_robot_counts_in_newton_metres() {
     controller.advance();
     // J = (0, 0, 90): the foot is 290 mm out and 200 mm down. The yaw feels the push forwards, the
     // thigh the lift at 240 mm and the push outwards at 200 mm, the knee the latter alone.
-    let told = controller.outputs()[1].map(|command| command.value());
+    let commanded = controller.outputs()[1].map(|command| command.value());
     all_close(
-        told,
+        commanded,
         [-5.0 * 0.29, -40.0 * 0.24 + 10.0 * 0.2, -10.0 * 0.2],
         1e-9,
     );
-    sensors.torques[1] = told;
+    sensors.torques[1] = commanded;
     controller.sense(&sensors).expect("good sensors");
     let force = controller.teach(Teach::Force, leg).expect("measured");
     all_close([force[0], force[1], force[2]], [10.0, -5.0, -40.0], 1e-9);

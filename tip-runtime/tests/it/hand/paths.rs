@@ -11,7 +11,7 @@ use tip_runtime::command::{Op, Target};
 use tip_runtime::model::hand;
 
 /// Number of lines of each point that must be possible, unless PATHS sets another.
-const FEW: usize = 20;
+const MIN_LINES: usize = 20;
 
 /// Postures to start from besides the initial and the straight one.
 const POSTURES: usize = 100;
@@ -95,7 +95,9 @@ pub(crate) fn go_on(rig: &mut Hand, n: u8, target: Target, place: Place) -> End 
 /// Returns the number of lines that must be possible.
 fn lines() -> usize {
     let lines = std::env::var("PATHS").ok();
-    lines.and_then(|lines| lines.parse().ok()).unwrap_or(FEW)
+    lines
+        .and_then(|lines| lines.parse().ok())
+        .unwrap_or(MIN_LINES)
 }
 
 /// Tries lines of one point; returns the counts of those that are possible, and of those that are

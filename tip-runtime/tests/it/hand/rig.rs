@@ -127,7 +127,7 @@ impl Hand {
     }
 
     /// Returns the commanded torques of finger `n`; `None` for a joint held by angle.
-    pub(crate) fn told(&self, n: usize) -> [Option<f64>; 3] {
+    pub(crate) fn commanded(&self, n: usize) -> [Option<f64>; 3] {
         self.controller.outputs()[n - 1].map(|command| match command {
             JointCommand::Angle { .. } => None,
             JointCommand::Torque(torque) => Some(torque),

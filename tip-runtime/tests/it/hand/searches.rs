@@ -24,17 +24,17 @@ fn fingers_close_until_they_feel_the_floor() {
         // 70 sin 40 + 50 sin 40 − 40 sin 40 = 51.42 mm outside of it, and 6.43 mm outside of joint 2.
         let second = (kind >= 2.0).then_some(60.0 * 6.43 / 51.42);
         for n in [1, 2, 3] {
-            let [first, of_second, third] = rig.told(n);
+            let [first, of_second, third] = rig.commanded(n);
             close(first.expect("a torque"), 60.0, 1e-9);
             assert_eq!((of_second.is_some(), third), (second.is_some(), None));
-            if let Some((told, expected)) = of_second.zip(second) {
-                close(told, expected, 0.01);
+            if let Some((commanded, expected)) = of_second.zip(second) {
+                close(commanded, expected, 0.01);
             }
         }
         rig.cycles(Op::DetectFloor, ALL, &[kind])
             .expect("there is a floor");
         for (n, at) in [(1, -130.0), (2, -130.0), (3, -126.0)] {
-            assert_eq!(rig.told(n), [None; 3]);
+            assert_eq!(rig.commanded(n), [None; 3]);
             close(rig.tip(n)[1], at, 1.0);
             close(rig.sensors.angles[n - 1][2], 80.0, 1e-9);
         }
@@ -70,7 +70,7 @@ fn other_types_are_refused() {
             Fault::Domain
         );
     }
-    assert_eq!(rig.told(1), [None; 3]);
+    assert_eq!(rig.commanded(1), [None; 3]);
 }
 
 // clauses: 7.46
@@ -93,13 +93,13 @@ fn fingers_close_until_they_feel_the_object() {
             Ok(Poll::Pending)
         );
         for n in [1, 2, 3] {
-            let third = rig.told(n)[2];
+            let third = rig.commanded(n)[2];
             assert_eq!(third.is_some(), kind != 2.0);
         }
         rig.cycles(Op::DetectObject, object, &[kind])
             .expect("there is an object");
         for n in [1, 2, 3] {
-            assert_eq!(rig.told(n), [None; 3]);
+            assert_eq!(rig.commanded(n), [None; 3]);
             close(rig.tip(n)[0].abs(), 100.0, 0.5);
             if kind == 3.0 {
                 close(rig.tip(n)[1], heights[n - 1], 1.0);
@@ -121,15 +121,15 @@ fn the_fingers_of_one_side_share_its_force() {
         // 0.5 N to the right by F1, as much to the left by F2 and F3.
         for (n, force) in [(1, 0.5), (2, -0.25), (3, -0.25)] {
             let chain = Hand::new().chain(n);
-            let told = rig.told(n);
+            let commanded = rig.commanded(n);
             if kind == 1.0 {
                 let expected = transposed(&chain, [force, 0.0, 0.0]);
-                all_close(told.map(Option::unwrap_or_default), expected, 1e-9);
+                all_close(commanded.map(Option::unwrap_or_default), expected, 1e-9);
             } else {
                 let third = chain.joint(2).expect("a third joint");
                 let expected = moments(&chain, third, [force, 0.0]);
-                close(told[0].expect("a torque"), expected[0], 1e-9);
-                close(told[1].expect("a torque"), expected[1], 1e-9);
+                close(commanded[0].expect("a torque"), expected[0], 1e-9);
+                close(commanded[1].expect("a torque"), expected[1], 1e-9);
             }
         }
     }

@@ -37,8 +37,8 @@ fn a_joint_spring_gives_way_at_its_limit_until_that_is_reset() {
     rig.done(Op::SetAngleStiffness, J11, &[1e6]);
     rig.done(Op::SetComplianceTorqueLimit, J11, &[15.0]);
     rig.done(Op::ComplianceAngle, J11, &[-20.0]);
-    assert_eq!(rig.told(1)[0], Some(15.0));
-    let strength = |rig: &Hand| rig.told(1)[0].map(f64::abs);
+    assert_eq!(rig.commanded(1)[0], Some(15.0));
+    let strength = |rig: &Hand| rig.commanded(1)[0].map(f64::abs);
     rig.done(Op::ResetComplianceTorqueLimit, J11, &[]);
     assert_eq!(strength(&rig), Some(1000.0));
     rig.done(Op::SetComplianceTorqueLimit, F1, &[5.0, 6.0, 7.0]);
@@ -64,7 +64,11 @@ fn a_limit_for_each_joint_of_all_fingers() {
     rig.done(Op::SetComplianceTorqueLimit, ALL, &[5.0, 6.0, 7.0]);
     rig.done(Op::RelComplianceAngle, ALL, &[5.0; 3]);
     for finger in 1..=3 {
-        assert_eq!(rig.told(finger), [5.0, 6.0, 7.0].map(Some), "F{finger}");
+        assert_eq!(
+            rig.commanded(finger),
+            [5.0, 6.0, 7.0].map(Some),
+            "F{finger}"
+        );
     }
     for operands in [&[1.0; 2][..], &[1.0; 4], &[1.0, 0.0, 1.0]] {
         let fault = rig.fault(Op::SetComplianceTorqueLimit, ALL, operands);
@@ -87,7 +91,7 @@ fn first_pulls(op: Op, target: Target, goal: &[f64]) -> [[Option<f64>; 3]; 2] {
         };
         assert_eq!(rig.controller.command(&command), Ok(Poll::Done));
         rig.controller.advance();
-        rig.told(1)
+        rig.commanded(1)
     })
 }
 
@@ -110,9 +114,13 @@ fn under_hs_a_set_point_is_at_full_speed_at_once() {
     ];
     for (op, goal) in moves {
         let pulls = first_pulls(op, F1, &goal);
-        for (told, way) in pulls.iter().zip([0.2, 0.0008]) {
+        for (commanded, way) in pulls.iter().zip([0.2, 0.0008]) {
             let expected = transposed(&hand.chain(1), [0.1 * way, 0.0, 0.0]);
-            all_close(told.map(|torque| torque.expect("a torque")), expected, 1e-9);
+            all_close(
+                commanded.map(|torque| torque.expect("a torque")),
+                expected,
+                1e-9,
+            );
         }
     }
 }
@@ -206,9 +214,9 @@ fn a_force_limit_is_that_of_a_fingertip_of_a_third_joint_or_of_all() {
         let (tip, third) = (chain.foot(), chain.joint(2).expect("J13"));
         let check = |rig: &Hand, at_tip: [f64; 2], at_third: [f64; 2]| {
             for (target, place, force) in [(F1, tip, at_tip), (J13, third, at_third)] {
-                let told = pulled(rig, target, place);
-                for (told, expected) in told.iter().zip(moments(&chain, place, force)) {
-                    close(*told, expected, 1e-9);
+                let commanded = pulled(rig, target, place);
+                for (commanded, expected) in commanded.iter().zip(moments(&chain, place, force)) {
+                    close(*commanded, expected, 1e-9);
                 }
             }
         };
@@ -227,7 +235,7 @@ fn the_third_joint_can_hang_on_a_spring_too() {
     rig.idle(1000);
     let [x, y, _] = rig.teach(Teach::Position, J13);
     rig.done(Op::CompliancePosition, J13, &[x + 10.0, y + 15.0, 0.0]);
-    assert_eq!(rig.told(1)[2], None);
+    assert_eq!(rig.commanded(1)[2], None);
     rig.idle(5000);
     all_close(
         rig.teach(Teach::Position, J13),
@@ -279,8 +287,8 @@ fn marks_of_a_rel_form_say_what_counts_from_the_target() {
         Value::Fixed(y - 4.0),
         Value::Absolute(0.0),
     ];
-    let told = rig.command(Op::RelCompliancePosition, F1, &marks);
-    assert_eq!(told, Ok(Poll::Done));
+    let commanded = rig.command(Op::RelCompliancePosition, F1, &marks);
+    assert_eq!(commanded, Ok(Poll::Done));
     rig.idle(5000);
     let tip = rig.teach(Teach::Position, F1);
     all_close(tip, [x + 5.0, y - 4.0, 0.0], 1e-3);
@@ -300,7 +308,7 @@ fn compliance_counts_as_position_and_angle_control() {
     assert!(!rig.controller.near(second));
     rig.cycles(Op::WaitNear, second, &[]).expect("it arrives");
     rig.done(Op::NoCompliance, second, &[]);
-    assert_eq!(rig.told(2), [None; 3]);
+    assert_eq!(rig.commanded(2), [None; 3]);
     assert!(rig.controller.inpos(second) && rig.controller.near(second));
     let held = rig.sensors.angles[1];
     rig.idle(100);
@@ -344,7 +352,7 @@ fn a_strained_spring_stays_strained_under_another_target() {
         rig.done(op, F1, &goal);
         // 0.1 N/mm.
         let pull = transposed(&Hand::new().chain(1), [1.0, 0.0, 0.0]);
-        all_close(rig.told(1).map(Option::unwrap_or_default), pull, 1e-9);
+        all_close(rig.commanded(1).map(Option::unwrap_or_default), pull, 1e-9);
     }
 }
 
@@ -365,9 +373,9 @@ fn no_compliance_leaves_positions_alone() {
     let [x, y, _] = rig.teach(Teach::Position, J13);
     rig.done(Op::Torque, J13, &[5.0]);
     rig.done(Op::Ptp, J13, &[x + 10.0, y + 10.0, 0.0]);
-    assert_eq!(rig.told(1), [None, None, Some(5.0)]);
+    assert_eq!(rig.commanded(1), [None, None, Some(5.0)]);
     rig.done(Op::NoCompliance, J13, &[]);
-    assert_eq!(rig.told(1), [None; 3]);
+    assert_eq!(rig.commanded(1), [None; 3]);
     rig.idle(300);
     let place = rig.teach(Teach::Position, J13);
     all_close(place, [x + 10.0, y + 10.0, 0.0], 1e-6);
@@ -382,7 +390,7 @@ fn no_compliance_holds_what_a_spring_at_the_third_joint_pulled() {
     rig.idle(100);
     let held = rig.sensors.angles[0];
     rig.done(Op::NoCompliance, F1, &[]);
-    assert_eq!(rig.told(1), [None; 3]);
+    assert_eq!(rig.commanded(1), [None; 3]);
     rig.idle(100);
     all_close(rig.sensors.angles[0], held, 1e-12);
 }

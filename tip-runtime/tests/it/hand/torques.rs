@@ -11,16 +11,16 @@ const ALL: Target = Target::All;
 fn joints_are_told_torques() {
     let mut rig = Hand::new();
     rig.done(Op::Torque, F1, &[10.0, 20.0, -30.0]);
-    assert_eq!(rig.told(1), [Some(10.0), Some(20.0), Some(-30.0)]);
-    assert_eq!(rig.told(2), [None; 3]);
+    assert_eq!(rig.commanded(1), [Some(10.0), Some(20.0), Some(-30.0)]);
+    assert_eq!(rig.commanded(2), [None; 3]);
     rig.relative(Op::Torque, J12, &[-5.0]);
-    assert_eq!(rig.told(1), [Some(10.0), Some(15.0), Some(-30.0)]);
+    assert_eq!(rig.commanded(1), [Some(10.0), Some(15.0), Some(-30.0)]);
     rig.done(Op::PtpAngle, J13, &[80.0]);
-    assert_eq!(rig.told(1), [Some(10.0), Some(15.0), None]);
+    assert_eq!(rig.commanded(1), [Some(10.0), Some(15.0), None]);
     // Where no torque was commanded, R counts from the one that is sensed.
     rig.sensors.torques[1][0] = 7.0;
     rig.relative(Op::Torque, Target::Joint(2, 1), &[1.0]);
-    assert_eq!(rig.told(2)[0], Some(8.0));
+    assert_eq!(rig.commanded(2)[0], Some(8.0));
     assert_eq!(rig.fault(Op::Torque, ALL, &[1.0; 3]), Fault::Domain);
 }
 
@@ -44,21 +44,21 @@ fn no_joint_is_told_more_than_its_torque_max() {
     let mut rig = Hand::new();
     // At once, so that no joint gets to its limit.
     rig.done(Op::SetSamplingTime, Target::None, &[1.0]);
-    let told = |rig: &mut Hand, torque: f64| {
+    let commanded = |rig: &mut Hand, torque: f64| {
         rig.done(Op::Torque, J11, &[torque]);
-        rig.told(1)[0]
+        rig.commanded(1)[0]
     };
     rig.done(Op::SetTorqueMax, J11, &[40.0]);
-    assert_eq!(told(&mut rig, 50.0), Some(40.0));
-    assert_eq!(told(&mut rig, -50.0), Some(-40.0));
+    assert_eq!(commanded(&mut rig, 50.0), Some(40.0));
+    assert_eq!(commanded(&mut rig, -50.0), Some(-40.0));
     rig.done(Op::SetTorqueMaxSoft, ALL, &[]);
-    assert_eq!(told(&mut rig, -700.0), Some(-500.0));
+    assert_eq!(commanded(&mut rig, -700.0), Some(-500.0));
     rig.done(Op::SetTorqueMaxFirmly, J11, &[]);
-    assert_eq!(told(&mut rig, 9000.0), Some(1500.0));
+    assert_eq!(commanded(&mut rig, 9000.0), Some(1500.0));
     rig.done(Op::SetTorqueMaxNormal, ALL, &[]);
-    assert_eq!(told(&mut rig, -9000.0), Some(-1000.0));
+    assert_eq!(commanded(&mut rig, -9000.0), Some(-1000.0));
     rig.done(Op::SetTorqueMaxRate, J11, &[3.0]);
-    assert_eq!(told(&mut rig, 31.0), Some(30.0));
+    assert_eq!(commanded(&mut rig, 31.0), Some(30.0));
     assert_eq!(rig.fault(Op::SetTorqueMax, J11, &[-1.0]), Fault::Domain);
     assert_eq!(
         rig.fault(Op::SetTorqueMaxRate, J11, &[100.1]),
@@ -73,15 +73,15 @@ fn all_stop_holds_by_angle_and_the_torque_comes_back() {
     rig.done(Op::Torque, J11, &[20.0]);
     rig.idle(20);
     rig.done(Op::AllStop, Target::None, &[]);
-    assert_eq!(rig.told(1), [None; 3]);
+    assert_eq!(rig.commanded(1), [None; 3]);
     let held = rig.sensors.angles[0][0];
     rig.idle(50);
     close(rig.sensors.angles[0][0], held, 1e-12);
     rig.done(Op::AllStopRelease, Target::None, &[]);
-    assert_eq!(rig.told(1)[0], Some(20.0));
+    assert_eq!(rig.commanded(1)[0], Some(20.0));
     rig.controller.finish();
     rig.idle(2);
-    assert_eq!(rig.told(1), [None; 3]);
+    assert_eq!(rig.commanded(1), [None; 3]);
 }
 
 // clauses: 5.1 7.13 7.16
@@ -94,7 +94,7 @@ fn a_torque_is_no_angle_control_until_it_ends() {
     rig.idle(20);
     rig.done(Op::NoCompliance, J11, &[]);
     assert!(rig.controller.near(J11) && rig.controller.inpos(J11));
-    assert_eq!(rig.told(1), [None; 3]);
+    assert_eq!(rig.commanded(1), [None; 3]);
     let held = rig.sensors.angles[0][0];
     rig.idle(50);
     close(rig.sensors.angles[0][0], held, 1e-12);
@@ -144,7 +144,7 @@ fn a_joint_that_overshot_is_commanded_no_angle_beyond_its_limit() {
         for _ in 0..100 {
             // An angle is where the joint of this rig is immediately.
             assert!(rig.sensors.angles[0][2] <= 110.0, "{}", op.name());
-            assert_eq!(rig.told(1), [None; 3]);
+            assert_eq!(rig.commanded(1), [None; 3]);
             rig.idle(1);
         }
     }
@@ -164,13 +164,21 @@ fn no_joint_is_told_more_than_its_motor_gives() {
     let mut rig = Hand::new();
     rig.done(Op::SetTorqueMax, ALL, &[5000.0]);
     rig.done(Op::Torque, F1, &[9000.0, -9000.0, 1499.0]);
-    assert_eq!(rig.told(1), [Some(1500.0), Some(-1500.0), Some(1499.0)]);
+    assert_eq!(
+        rig.commanded(1),
+        [Some(1500.0), Some(-1500.0), Some(1499.0)]
+    );
     // Springs and forces are bounded alike.
     let mut rig = Hand::new();
     rig.done(Op::SetTorqueMax, ALL, &[5000.0]);
     rig.done(Op::Force, F1, &[-1e6, 0.0, 0.0]);
-    let told = rig.told(1);
-    assert!(told.iter().flatten().all(|torque| torque.abs() == 1500.0));
+    let commanded = rig.commanded(1);
+    assert!(
+        commanded
+            .iter()
+            .flatten()
+            .all(|torque| torque.abs() == 1500.0)
+    );
 }
 
 // clauses: 2.22

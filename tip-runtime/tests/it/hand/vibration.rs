@@ -22,17 +22,17 @@ fn vibration(waveform: Waveform, amplitude: f64) -> Vibration {
 
 impl Hand {
     fn vibrate(&mut self, joint: Target, vibration: Vibration) {
-        let told = self.controller.vibrate(joint, Some(vibration));
-        told.expect("the joint vibrates");
+        let commanded = self.controller.vibrate(joint, Some(vibration));
+        commanded.expect("the joint vibrates");
     }
 
     /// Returns the commands of joint `m` of finger 1 in the next cycles.
-    fn told_next(&mut self, m: usize, cycles: usize) -> Vec<f64> {
-        let mut told = || {
+    fn commanded_next(&mut self, m: usize, cycles: usize) -> Vec<f64> {
+        let mut commanded = || {
             self.idle(1);
             self.controller.outputs()[0][m - 1].value()
         };
-        (0..cycles).map(|_| told()).collect()
+        (0..cycles).map(|_| commanded()).collect()
     }
 }
 
@@ -50,7 +50,7 @@ fn a_joint_vibrates_about_its_angle_and_is_measured_to() {
     }
     assert_eq!(rig.sensors.angles[0][..2], [-40.0, 0.0]);
     rig.controller.vibrate(J13, None).expect("it stops");
-    assert_eq!(rig.told_next(3, 1), [80.0]);
+    assert_eq!(rig.commanded_next(3, 1), [80.0]);
 }
 
 // clauses: 7.48
@@ -60,11 +60,15 @@ fn another_frequency_goes_on_from_the_same_place_of_the_wave() {
     let slow = vibration(Waveform::Sine, 2.0);
     rig.vibrate(J13, slow);
     // A quarter of a wave, then waves that are twice as fast: a tenth in each cycle.
-    rig.told_next(3, WAVE / 4);
+    rig.commanded_next(3, WAVE / 4);
     let frequency = 50.0;
     rig.vibrate(J13, Vibration { frequency, ..slow });
-    for (k, told) in (1..).zip(rig.told_next(3, 20)) {
-        close(told, 80.0 + (TAU * (0.25 + 0.1 * f64::from(k))).sin(), 1e-9);
+    for (k, commanded) in (1..).zip(rig.commanded_next(3, 20)) {
+        close(
+            commanded,
+            80.0 + (TAU * (0.25 + 0.1 * f64::from(k))).sin(),
+            1e-9,
+        );
     }
 }
 
@@ -75,14 +79,14 @@ fn the_waves_have_their_shapes() {
     rig.vibrate(J11, vibration(Waveform::OneSided, -2.0));
     rig.vibrate(J12, vibration(Waveform::Sawtooth, 2.0));
     rig.vibrate(J13, vibration(Waveform::Sawtooth, -2.0));
-    let mut told: [Vec<f64>; 3] = Default::default();
+    let mut commanded: [Vec<f64>; 3] = Default::default();
     for _ in 0..WAVE {
         rig.idle(1);
-        for (told, command) in told.iter_mut().zip(rig.controller.outputs()[0]) {
-            told.push(command.value());
+        for (commanded, command) in commanded.iter_mut().zip(rig.controller.outputs()[0]) {
+            commanded.push(command.value());
         }
     }
-    let [one_sided, sawtooth, reversed] = told;
+    let [one_sided, sawtooth, reversed] = commanded;
     for (k, angle) in (1..).zip(one_sided) {
         let phase = TAU * f64::from(k) / WAVE as f64;
         close(angle, -40.0 - (1.0 - phase.cos()) / 2.0, 1e-9);
@@ -107,16 +111,20 @@ fn a_torque_vibrates_within_torque_max() {
     rig.done(Op::Torque, J12, &[60.0]);
     rig.vibrate(J12, vibration(Waveform::Sine, 2.0));
     // Ten mN·m for each volt: the finger still closes with 40 at the least.
-    let told = rig.told_next(2, WAVE);
-    close(told[4], 80.0, 1e-9);
-    close(told[14], 40.0, 1e-9);
+    let commanded = rig.commanded_next(2, WAVE);
+    close(commanded[4], 80.0, 1e-9);
+    close(commanded[14], 40.0, 1e-9);
     rig.done(Op::SetTorqueMax, J12, &[70.0]);
-    let told = rig.told_next(2, WAVE);
-    close(told.iter().fold(0.0, |most, t| t.max(most)), 70.0, 1e-9);
+    let commanded = rig.commanded_next(2, WAVE);
+    close(
+        commanded.iter().fold(0.0, |most, t| t.max(most)),
+        70.0,
+        1e-9,
+    );
     // Nor does the motor give more than it can, whatever the amplitude.
     rig.done(Op::SetTorqueMax, J12, &[5000.0]);
     rig.vibrate(J12, vibration(Waveform::Sine, f64::MAX));
-    assert!(rig.told_next(2, 1)[0].abs() <= 1500.0);
+    assert!(rig.commanded_next(2, 1)[0].abs() <= 1500.0);
 }
 
 // clauses: 2.22 7.48
@@ -127,9 +135,13 @@ fn no_vibration_leads_beyond_a_working_limit() {
         rig.done(Op::PtpAngle, J13, &[109.8]);
         rig.idle(1000);
         rig.vibrate(J13, vibration(Waveform::Sine, amplitude));
-        let told = rig.told_next(3, 3 * WAVE);
-        assert!(told.iter().all(|angle| (-10.0..=110.0).contains(angle)));
-        assert!(told.contains(&110.0));
+        let commanded = rig.commanded_next(3, 3 * WAVE);
+        assert!(
+            commanded
+                .iter()
+                .all(|angle| (-10.0..=110.0).contains(angle))
+        );
+        assert!(commanded.contains(&110.0));
     }
     // A joint that a torque holds at its limit is not shaken on.
     let mut rig = Hand::new();
@@ -139,7 +151,7 @@ fn no_vibration_leads_beyond_a_working_limit() {
     rig.done(Op::Torque, J13, &[-1.0]);
     rig.sensors.angles[0][2] = 110.0;
     rig.vibrate(J13, vibration(Waveform::Sine, 2.0));
-    assert_eq!(rig.told_next(3, 1), [0.0]);
+    assert_eq!(rig.commanded_next(3, 1), [0.0]);
 }
 
 // clauses: 5.1 7.15 7.48
@@ -151,7 +163,7 @@ fn set_points_know_nothing_of_vibration() {
     rig.idle(1000);
     assert!(rig.controller.inpos(J13));
     rig.vibrate(J13, vibration(Waveform::Sine, 2.0));
-    rig.told_next(3, 7);
+    rig.commanded_next(3, 7);
     rig.done(Op::RelPtpAngle, J13, &[1.0]);
     rig.controller.vibrate(J13, None).expect("it stops");
     rig.idle(1000);
@@ -162,7 +174,7 @@ fn set_points_know_nothing_of_vibration() {
 // clauses: 2.18 7.5 7.48
 #[test]
 fn vibration_rests_under_all_stop_and_ends_with_the_program() {
-    let shaking = |rig: &mut Hand| rig.told_next(3, 3).iter().any(|angle| *angle != 80.0);
+    let shaking = |rig: &mut Hand| rig.commanded_next(3, 3).iter().any(|angle| *angle != 80.0);
     let shaken = || {
         let mut rig = Hand::new();
         rig.vibrate(J13, vibration(Waveform::Sine, 2.0));
@@ -181,7 +193,7 @@ fn vibration_rests_under_all_stop_and_ends_with_the_program() {
 
     let mut rig = shaken();
     rig.controller.emergency();
-    let held = rig.told_next(3, 3);
+    let held = rig.commanded_next(3, 3);
     assert!(held.iter().all(|angle| *angle == held[0]));
 }
 
@@ -190,8 +202,8 @@ fn vibration_rests_under_all_stop_and_ends_with_the_program() {
 fn only_joints_that_can_vibrate_do() {
     let sound = vibration(Waveform::Sine, 2.0);
     let refused = |target: Target, vibration: Vibration| {
-        let told = Hand::new().controller.vibrate(target, Some(vibration));
-        assert_eq!(told, Err(Fault::Domain));
+        let commanded = Hand::new().controller.vibrate(target, Some(vibration));
+        assert_eq!(commanded, Err(Fault::Domain));
     };
     for target in [F1, Target::All, Target::Joint(4, 1), Target::Joint(1, 4)] {
         refused(target, sound);

@@ -30,8 +30,8 @@ fn vibrate(rig: &mut Rig, n: u8, frequency: f64) {
         amplitude: 2.0,
         frequency,
     };
-    let told = rig.controller.vibrate(Target::Joint(n, 3), Some(vibration));
-    told.expect("the joint vibrates");
+    let commanded = rig.controller.vibrate(Target::Joint(n, 3), Some(vibration));
+    commanded.expect("the joint vibrates");
 }
 
 // clauses: 7.48

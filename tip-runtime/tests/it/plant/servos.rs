@@ -66,10 +66,10 @@ fn legs_too_weak_for_the_body_give_way_until_it_lies() {
 fn standing_servos_have_no_error_that_a_wait_could_trip_over() {
     let mut rig = Rig::standing();
     let feet = rig.feet;
-    let told = crate::plant::rig::angles(&feet);
+    let commanded = crate::plant::rig::angles(&feet);
     let measured = rig.sensors().angles;
-    for (told, measured) in told.iter().flatten().zip(measured.iter().flatten()) {
-        assert!(close(*told, *measured, 1e-6));
+    for (commanded, measured) in commanded.iter().flatten().zip(measured.iter().flatten()) {
+        assert!(close(*commanded, *measured, 1e-6));
     }
 }
 

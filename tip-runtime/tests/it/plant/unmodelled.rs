@@ -2,8 +2,8 @@
 
 use crate::plant::rig::{Rig, WEIGHT, angles, high_bellied, stance};
 use tip_runtime::hardware::JointCommand;
-use tip_runtime::model::titan8;
-use tip_runtime::plant::{Block, Floor, Scene, ServoDynamics, SimulatedPlant, Unmodelled};
+use tip_runtime::model::{Part, titan8};
+use tip_runtime::plant::{Block, Floor, Plant, Scene, ServoDynamics, SimulatedPlant, Unmodelled};
 
 /// Standard gravity: mm/s².
 const GRAVITY: f64 = 9806.65;
@@ -189,19 +189,31 @@ fn turned(rig: &mut Rig, change: impl Fn(&mut [[f64; 3]; 4])) {
 }
 
 #[test]
-fn legs_that_go_through_each_other_or_the_floor_are_counted() {
+fn legs_that_go_through_each_other_are_counted() {
     // Both legs on the left turn by 60 degrees towards each other: they cross where the thighs end.
     let mut rig = Rig::new();
     turned(&mut rig, |joints| {
         (joints[0][0], joints[2][0]) = (-60.0, 60.0);
     });
-    assert!(seen(&rig).crossings > 10, "{:?}", seen(&rig));
+    let found = rig.plant.clearance().expect("its legs are compared");
+    assert!(
+        found.collisions > 10 && found.least.distance < 0.0,
+        "{found:?}"
+    );
+    assert_eq!(found.least.parts, [Part::Link(3, 2), Part::Link(1, 2)]);
+    assert_eq!(seen(&rig).crossings, 0, "they are counted once");
     // By 20 degrees they stay apart.
     let mut rig = Rig::new();
     turned(&mut rig, |joints| {
         (joints[0][0], joints[2][0]) = (-20.0, 20.0);
     });
-    assert_eq!(seen(&rig).crossings, 0);
+    let found = rig.plant.clearance().expect("its legs are compared");
+    assert_eq!(found.collisions, 0);
+    assert!(found.least.distance > 0.0, "{found:?}");
+}
+
+#[test]
+fn legs_that_go_through_the_floor_are_counted() {
     // The knee is 240 sin 60° = 208 mm below a hip that is 200 mm above the floor.
     let mut rig = Rig::new();
     turned(&mut rig, |joints| joints[0] = [0.0, -60.0, 150.0]);

@@ -1,6 +1,6 @@
 //! Assignment judged against every run there is, and against gaps reasoned by hand.
 
-use super::{Assigned, Assignment, Gap, Read, Ways, gaps};
+use super::{Assigned, Assignment, Gap, Paths, Read, gaps};
 use crate::analysis::access;
 use crate::program::{Action, Program};
 use crate::{Options, load};
@@ -9,10 +9,10 @@ use std::fmt::Write as _;
 
 fn program(text: &str) -> Program {
     let loaded = load("test.prg", text.as_bytes(), &Options::default());
-    let told = loaded.diagnostics;
+    let reported = loaded.diagnostics;
     loaded
         .program
-        .unwrap_or_else(|| panic!("{told:#?}\n{text}"))
+        .unwrap_or_else(|| panic!("{reported:#?}\n{text}"))
 }
 
 /// Returns the gaps of statements: line 3 is the first.
@@ -226,7 +226,7 @@ fn a_long_program_is_judged() {
 /// Returns the reads of a program of 3.2, as they are proved and as ways find them.
 fn threads_of(statements: &str) -> (Assignment, Assignment) {
     let program = program(&format!("3.2\ntest\n{statements}\n"));
-    (Assignment::of(&program), Ways::of(&program).assignment)
+    (Assignment::of(&program), Paths::of(&program).assignment)
 }
 
 fn assigned(reads: &Assignment, step: u32) -> Vec<Assigned> {

@@ -16,7 +16,7 @@ const MAX_TURNS: usize = 64;
 
 /// Ways of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Ways {
+pub struct Paths {
     /// The reads that some way comes to.
     pub assignment: Assignment,
     /// The first read of each variable that finds no value on any way, by steps.
@@ -42,7 +42,7 @@ struct Start {
     judged: Judged,
 }
 
-impl Ways {
+impl Paths {
     /// Follows the ways of a program.
     pub fn of(program: &Program) -> Self {
         let flow = Flow::of(program);
@@ -71,7 +71,7 @@ impl Ways {
                 break;
             }
         }
-        Ways {
+        Paths {
             assignment: assignment(&flow, &all),
             no_value: no_value(program, &flow, &all),
             entered: entered(program, &flow, &all),

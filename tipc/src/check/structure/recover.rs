@@ -14,7 +14,7 @@ use crate::suggest::nearest;
 use crate::syntax::{Operand, OperandKind, Shape, StatementKind};
 
 /// Longest distance at which the end of a block, and the block that an end names, is searched.
-const FAR: usize = 1_000;
+const MAX_BLOCK_DISTANCE: usize = 1_000;
 
 /// The closers of one kind that may still come.
 #[derive(Default)]
@@ -242,7 +242,7 @@ impl Matcher<'_> {
     pub(super) fn named_by_next(&self, index: usize) -> Option<usize> {
         let name = self.named(index)?;
         let fors = self.open.within(BlockKind::For);
-        let near = &fors[fors.len().saturating_sub(FAR)..];
+        let near = &fors[fors.len().saturating_sub(MAX_BLOCK_DISTANCE)..];
         let mut near = near.iter().rev();
         let location = near.position(|at| self.counter(self.open[*at].first) == Some(name))?;
         let is_innermost = location == 0;
@@ -347,7 +347,10 @@ impl Matcher<'_> {
     /// Returns the number of ends of blocks of this kind that are open now and come after a statement.
     pub(super) fn later(&self, index: usize, kind: BlockKind) -> usize {
         let (mut inside, mut later) = (0, 0);
-        for statement in self.module.statements[index + 1..].iter().take(FAR) {
+        for statement in self.module.statements[index + 1..]
+            .iter()
+            .take(MAX_BLOCK_DISTANCE)
+        {
             match statement.kind.shape().keyword() {
                 Some(
                     Keyword::Subroutine | Keyword::SubEnd | Keyword::Thread | Keyword::ThreadEnd,
@@ -376,7 +379,7 @@ impl Matcher<'_> {
             let text = text.trim_matches(BLANKS);
             text.split([' ', '\t', ';']).next().unwrap_or_default()
         });
-        let words: Vec<&str> = words.take(FAR).collect();
+        let words: Vec<&str> = words.take(MAX_BLOCK_DISTANCE).collect();
         let has = |word: Keyword| words.iter().any(|one| word.is(one));
         let help: Message = match (has(closer), has(Keyword::End)) {
             (true, _) => Suggestion::Exit.into(),

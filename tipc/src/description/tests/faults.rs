@@ -7,13 +7,13 @@ use tip_runtime::model::Range;
 /// `LINE:COLUMN: reason (help)` of each fault.
 fn faults(text: &str) -> Vec<String> {
     let loaded = parse("robot.toml", text.as_bytes()).expect_err("it has a fault");
-    let told = loaded.diagnostics.iter().map(|fault| {
+    let reported = loaded.diagnostics.iter().map(|fault| {
         assert_eq!(fault.code, Code::Description);
         let (line, column) = loaded.source.line_column(fault.span.start);
         let help = fault.help.as_ref().expect("every fault says a way out");
         format!("{line}:{column}: {} ({help})", fault.reason)
     });
-    told.collect()
+    reported.collect()
 }
 
 /// Returns a description whose leg and joint stand in the lines 2 and 3, and `more` from line 4 on.
@@ -148,9 +148,12 @@ fn what_has_a_size_has_one_that_exported_files_can_hold() {
         ("block = [1, 1e-300, 1]", 65),
         ("cylinder = [1, 0.0000009]", 68),
     ] {
-        let told = faults(&with_joint(&format!("shape = [{{ {shape} }}]")));
+        let reported = faults(&with_joint(&format!("shape = [{{ {shape} }}]")));
         let start = format!("3:{column}: no size is below 0.000001 mm (");
-        assert!(told.len() == 1 && told[0].starts_with(&start), "{told:?}");
+        assert!(
+            reported.len() == 1 && reported[0].starts_with(&start),
+            "{reported:?}"
+        );
     }
     only(
         &with("").replace("[0, 0, 9]", "[0, 0, 1e-7]"),
@@ -341,9 +344,9 @@ v_max = -1";
 #[test]
 fn text_that_is_no_toml() {
     let help = "(the file is TOML: `key = value`, `[table]`, `[[one of many tables]]`)";
-    let told = faults("name = \"test\"\nlamps = = 3 4\nperiods = 1 2\n");
-    assert_eq!(told.len(), 2, "one for each line: {told:?}");
-    for (line, fault) in ["2:", "3:"].iter().zip(&told) {
+    let reported = faults("name = \"test\"\nlamps = = 3 4\nperiods = 1 2\n");
+    assert_eq!(reported.len(), 2, "one for each line: {reported:?}");
+    for (line, fault) in ["2:", "3:"].iter().zip(&reported) {
         assert!(fault.starts_with(line) && fault.ends_with(help), "{fault}");
     }
 }
@@ -399,11 +402,11 @@ fn faults_of_drive(more: &str) -> Vec<String> {
     let text = with(more);
     let loaded = parse_for_servos("robot.toml", text.as_bytes(), &SERVOS);
     let loaded = loaded.expect_err("it has a fault");
-    let told = loaded.diagnostics.iter().map(|fault| {
+    let reported = loaded.diagnostics.iter().map(|fault| {
         let (line, column) = loaded.source.line_column(fault.span.start);
         format!("{line}:{column}: {}", fault.reason)
     });
-    told.collect()
+    reported.collect()
 }
 
 #[test]

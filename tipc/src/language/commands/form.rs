@@ -392,6 +392,23 @@ impl Arguments {
 }
 
 impl Targets {
+    /// Returns true if a target that the robot has is one of these.
+    pub fn accept(self, target: Target, robot: Robot) -> bool {
+        match target {
+            Target::None => false,
+            Target::All => self.all,
+            Target::Floor => self.floor,
+            Target::Foot(_) => self.foot,
+            Target::Joint(_, joint) => match self.joints {
+                Joints::None => false,
+                Joints::Every => true,
+                Joints::Second => joint == 2,
+                Joints::Third => joint == 3,
+                Joints::ThirdOfHand => joint == 3 && robot.is_hand(),
+            },
+        }
+    }
+
     /// Returns one target of each sort that the robot has.
     pub(crate) fn examples(self, robot: Robot) -> String {
         let (joint, named) = match self.joints {

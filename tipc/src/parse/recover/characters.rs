@@ -71,7 +71,7 @@ impl Parser<'_> {
         let words = statement.split_whitespace().collect::<Vec<_>>();
         let wide = words.iter().filter(|word| !word.is_ascii()).count();
         let narrow = narrow(&words.join(" "));
-        (wide > 1 && statement.len() <= SHOWN && narrow.is_ascii()).then_some(narrow)
+        (wide > 1 && statement.len() <= MAX_SHOWN_BYTES && narrow.is_ascii()).then_some(narrow)
     }
 
     /// `30°`, `100ミリ`: whether a location is a unit right after a number.
@@ -175,7 +175,7 @@ impl Parser<'_> {
 pub const LONG_VOWEL: &str = "ー";
 
 /// The longest statement that is shown whole.
-const SHOWN: usize = 120;
+const MAX_SHOWN_BYTES: usize = 120;
 
 /// The colon of full-width text.
 const COLON: char = '：';

@@ -1,11 +1,13 @@
 //! Time on this machine: waiting for a deadline, priority, and a histogram of how late cycles start; `tip jitter`.
 
+use crate::Action;
 use crate::choices::LangName;
 use crate::error::Error;
 use crate::message::{Driving, Using, Weight};
 use crate::{Status, choices, interrupt, output, report};
 use clap::Args;
 use std::fmt::Write as _;
+use std::io;
 use std::time::{Duration, Instant};
 use tip_runtime::realtime::Pacer;
 use tipc::message::Lang;
@@ -46,47 +48,55 @@ pub(super) fn sleep(time: Duration) {
 }
 
 /// Priority of the control loop among real-time threads, 1 to 99.
+#[cfg(unix)]
 const PRIORITY: u8 = 50;
 
 /// Gives this thread real-time priority and keeps its memory in place; returns messages about what was not possible.
 pub(crate) fn prioritise() -> Vec<Driving> {
-    let mut refused = Vec::new();
-    #[cfg(unix)]
-    {
-        use thread_priority::{
-            RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy,
-            set_thread_priority_and_policy, thread_native_id,
-        };
-        let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
-        let priority = PRIORITY
-            .try_into()
-            .map_or(ThreadPriority::Max, ThreadPriority::Crossplatform);
-        if let Err(error) = set_thread_priority_and_policy(thread_native_id(), priority, policy) {
-            let error = match error {
-                thread_priority::Error::OS(code) => {
-                    std::io::Error::from_raw_os_error(code).to_string()
-                }
-                other => format!("{other:?}"),
-            };
-            refused.push(Driving::NoFifo {
-                error: error.into(),
-            });
-        }
-    }
-    #[cfg(target_os = "linux")]
-    {
-        use rustix::mm::{MlockAllFlags, mlockall};
-        let all = MlockAllFlags::CURRENT | MlockAllFlags::FUTURE;
-        if let Err(error) = mlockall(all) {
-            let error = std::io::Error::from(error).to_string().into();
-            refused.push(Driving::NoLock { error });
-        }
-    }
-    refused
+    let priority = set_priority().err().map(|error| Driving::NoFifo {
+        error: error.to_string().into(),
+    });
+    let memory = lock_memory().err().map(|error| Driving::NoLock {
+        error: error.to_string().into(),
+    });
+    priority.into_iter().chain(memory).collect()
+}
+
+#[cfg(unix)]
+fn set_priority() -> io::Result<()> {
+    use thread_priority::{
+        Error, RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy,
+        set_thread_priority_and_policy, thread_native_id,
+    };
+    let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
+    let priority = PRIORITY
+        .try_into()
+        .map_or(ThreadPriority::Max, ThreadPriority::Crossplatform);
+    let set = set_thread_priority_and_policy(thread_native_id(), priority, policy);
+    set.map_err(|error| match error {
+        Error::OS(code) => io::Error::from_raw_os_error(code),
+        other => io::Error::other(format!("{other:?}")),
+    })
+}
+
+#[cfg(not(unix))]
+fn set_priority() -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+#[cfg(target_os = "linux")]
+fn lock_memory() -> io::Result<()> {
+    use rustix::mm::{MlockAllFlags, mlockall};
+    Ok(mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE)?)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn lock_memory() -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
 }
 
 /// The longest lateness that is counted by itself, µs.
-const LONGEST: usize = 20_000;
+const MAX_LATENESS: usize = 20_000;
 
 /// Number of cycles that started so many µs late.
 #[derive(Debug)]
@@ -98,7 +108,7 @@ pub(crate) struct Histogram {
 impl Default for Histogram {
     fn default() -> Self {
         Histogram {
-            counts: vec![0; LONGEST + 1],
+            counts: vec![0; MAX_LATENESS + 1],
             worst: Duration::ZERO,
         }
     }
@@ -106,8 +116,8 @@ impl Default for Histogram {
 
 impl Histogram {
     pub(crate) fn add(&mut self, late: Duration) {
-        let place = usize::try_from(late.as_micros()).unwrap_or(LONGEST);
-        self.counts[place.min(LONGEST)] += 1;
+        let place = usize::try_from(late.as_micros()).unwrap_or(MAX_LATENESS);
+        self.counts[place.min(MAX_LATENESS)] += 1;
         self.worst = self.worst.max(late);
     }
 
@@ -123,7 +133,7 @@ impl Histogram {
             sum += count;
             sum >= wanted
         };
-        self.counts.iter().position(within).unwrap_or(LONGEST)
+        self.counts.iter().position(within).unwrap_or(MAX_LATENESS)
     }
 
     /// Returns the greatest lateness, µs.
@@ -136,7 +146,18 @@ impl Histogram {
         let mut text = String::new();
         let total = self.total().max(1);
         let mut from = 0;
-        for to in [10, 20, 50, 100, 200, 500, 1000, 2000, 5000, LONGEST + 1] {
+        for to in [
+            10,
+            20,
+            50,
+            100,
+            200,
+            500,
+            1000,
+            2000,
+            5000,
+            MAX_LATENESS + 1,
+        ] {
             let count: u64 = self.counts[from..to].iter().sum();
             if count > 0 {
                 let share = count as f64 / total as f64;
@@ -182,8 +203,14 @@ fn positive(text: &str) -> Result<f64, Using> {
     })
 }
 
+impl Action for Jitter {
+    fn execute(&self) -> Result<Status, Error> {
+        jitter(self)
+    }
+}
+
 /// Measures how late cycles start.
-pub(crate) fn jitter(arguments: &Jitter) -> Result<Status, Error> {
+fn jitter(arguments: &Jitter) -> Result<Status, Error> {
     interrupt::catch();
     if arguments.fifo {
         warn(&prioritise(), choices::lang(arguments.lang));
@@ -286,7 +313,7 @@ mod tests {
         histogram.add(Duration::from_secs(3));
         assert_eq!(histogram.quantile(0.5), 500);
         assert_eq!(histogram.quantile(0.99), 990);
-        assert_eq!(histogram.quantile(1.0), LONGEST);
+        assert_eq!(histogram.quantile(1.0), MAX_LATENESS);
         assert_eq!(histogram.worst(), 3_000_000);
     }
 

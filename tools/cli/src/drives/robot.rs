@@ -1,126 +1,61 @@
 //! A real robot, or one of simulated servos: from its description to joints that a run can move.
 
-use super::port::{AnyPort, SIMULATED, open_serial};
+use super::port::open_serial;
 use super::realtime;
-use super::simulated::Mishaps;
+use super::simulated::FaultInjection;
 use crate::error::Error;
 use crate::message::{Driving, Stopping};
 use crate::{Status, interrupt, report};
 use std::io;
+use std::ops::Deref;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
-use tip_drives::bus::{Bus, Port, Timing};
-use tip_drives::drives::{Drives, Failure, Joint, Policy, Problem, Settings};
+use tip_drives::bus::Port;
+use tip_drives::described::{Described, NotOnBus};
+use tip_drives::drives::{Failure, Policy, Problem};
 use tip_drives::guard::{Host, Outcome, Request, Step, TorqueGuard};
-use tip_drives::model::Model;
-use tip_drives::simulated::{MemoryPort, Servo, SimulatedBus};
-use tip_runtime::command::Target;
+use tip_drives::port::{AnyPort, SIMULATED};
+use tip_drives::simulated::{MemoryPort, SimulatedBus};
 use tip_runtime::console::{Console, Terminal};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
-use tip_sim::{Joints, Robot};
-use tipc::description::{self, Description};
+use tip_sim::Joints;
+use tipc::description::Description;
 use tipc::message::Lang;
 
-/// A described robot and the settings of its bus.
+/// A described robot on a bus, for the commands.
 #[derive(Clone, Debug)]
-pub(crate) struct Setup {
-    pub(crate) bus: description::Bus,
-    pub(crate) joints: Vec<Joint>,
-    /// Joints of each leg.
-    of_leg: usize,
-    /// Initial posture, deg.
-    initial: Vec<f64>,
-    /// Sampling time, ms.
-    period: f64,
+pub(crate) struct Setup(Described);
+
+impl Deref for Setup {
+    type Target = Described;
+
+    fn deref(&self) -> &Described {
+        &self.0
+    }
 }
 
 impl Setup {
     /// Returns the drives of a description.
     ///
     /// # Errors
-    /// It has none.
+    /// It has none, or what they cannot do.
     pub(crate) fn new(file: &Path, description: &Description, lang: Lang) -> Result<Self, Error> {
-        let file = file.display().to_string().into();
-        let none = || Error::failed(Driving::NoBus { file }, lang);
-        let bus = description.bus().ok_or_else(none)?;
-        let robot = Robot::described(description).anatomy();
-        let joints = bus.drives.iter().filter_map(|drive| {
-            Some(Joint {
-                id: drive.id,
-                // The description was checked for these models.
-                model: Model::named(&drive.model)?,
-                sign: drive.sign,
-                offset: drive.offset,
-                gear: drive.gear,
-                limits: drive.limits,
-                speed: drive.speed,
-                torque: drive.torque,
-            })
-        });
-        Ok(Setup {
-            joints: joints.collect(),
-            of_leg: robot.joints,
-            initial: robot
-                .legs
-                .iter()
-                .flat_map(|leg| leg.initial.clone())
-                .collect(),
-            period: robot.standards.period,
-            bus: bus.clone(),
-        })
-    }
-
-    /// Returns the name of a joint.
-    pub(crate) fn name(&self, joint: usize) -> String {
-        let of_leg = self.of_leg.max(1);
-        let [leg, joint] = [joint / of_leg, joint % of_leg].map(|it| it as u8 + 1);
-        Target::Joint(leg, joint).to_string()
+        let described = Described::new(description).map_err(|refused| {
+            let file = file.display().to_string().into();
+            let reason = match refused {
+                NotOnBus::NoBus => Driving::NoBus { file },
+                NotOnBus::NoServo(table) => Driving::NotOnBus { file, table },
+            };
+            Error::failed(reason, lang)
+        })?;
+        Ok(Setup(described))
     }
 
     /// Returns simulated servos a little beside the initial posture.
-    pub(crate) fn simulated(&self, mishaps: &Mishaps) -> SimulatedBus {
-        let servos = self.joints.iter().zip(&self.initial).map(|(joint, angle)| {
-            let angle = (angle + 5.0).min(joint.limits.max);
-            Servo::new(joint.model, joint.id, joint.counts(angle).into())
-        });
-        let bus = SimulatedBus::new(servos.collect(), self.timing());
-        bus.with_faults(mishaps.faults, 1)
-    }
-
-    fn timing(&self) -> Timing {
-        Timing {
-            baud: self.bus.baud,
-            return_delay: 500,
-            latency: (self.bus.latency * 1000.0) as u32,
-        }
-    }
-
-    fn settings(&self) -> Settings {
-        let description::Bus {
-            silence,
-            temperature,
-            voltage,
-            overload: [load, load_time],
-            lag: [lag, lag_time],
-            relaxes,
-            together,
-            ..
-        } = self.bus;
-        let [at_end, in_emergency] =
-            relaxes.map(|relaxes| if relaxes { Policy::Relax } else { Policy::Hold });
-        Settings {
-            silence,
-            temperature,
-            voltage,
-            overload: (load, load_time),
-            lag: (lag, lag_time),
-            at_end,
-            in_emergency,
-            fast: together,
-            ..Settings::default()
-        }
+    pub(crate) fn simulated(&self, mishaps: &FaultInjection) -> SimulatedBus {
+        self.0.simulated().with_faults(mishaps.faults, 1)
     }
 
     /// Opens the port of the command line, or that of the file.
@@ -143,7 +78,7 @@ impl Setup {
         };
         let (opened, mishaps) = match simulated {
             Some(mishaps) => {
-                let mut mishaps = Mishaps::new(mishaps, &self.ids()).map_err(fail)?;
+                let mut mishaps = FaultInjection::new(mishaps, &self.ids()).map_err(fail)?;
                 let mut bus = self.simulated(&mishaps);
                 mishaps.happen(&mut bus, 0);
                 (
@@ -153,13 +88,9 @@ impl Setup {
             }
             None => (open_serial(&port, self.bus.baud, lang)?, None),
         };
-        if self.joints.is_empty() {
-            let file = file.display().to_string().into();
-            return Err(fail(Driving::NoBus { file }));
-        }
-        let bus = Bus::new(opened, self.timing());
-        let drives = Drives::new(bus, &self.joints, self.settings());
-        let drives = drives.map_err(|error| Error::Failed(error.to_string()))?;
+        let drives = self
+            .drives(opened)
+            .map_err(|error| Error::Failed(error.to_string()))?;
         let (is_simulated, period) = (mishaps.is_some(), self.period);
         let operator = Operator {
             mishaps,
@@ -222,7 +153,7 @@ const ESCAPE: u8 = 0x1B;
 #[derive(Debug)]
 pub(crate) struct Operator {
     /// Faults to inject; `None` on a real bus.
-    mishaps: Option<Mishaps>,
+    mishaps: Option<FaultInjection>,
     /// Reads keys from the first torque to the last.
     keyboard: Option<Terminal<io::Sink>>,
     /// Other keys than those that end.
@@ -305,7 +236,7 @@ impl Connection {
     }
 
     /// Returns the sampling time, ms.
-    pub(crate) const fn period(&self) -> f64 {
+    pub(crate) fn period(&self) -> f64 {
         self.setup.period
     }
 
@@ -489,6 +420,7 @@ impl Connection {
                 id,
                 cycles: bus.silence,
             },
+            Problem::NotRead(cycles) => Driving::NotRead { joint, id, cycles },
             Problem::Model(number) => Driving::OtherModel {
                 joint,
                 id,

@@ -1,6 +1,6 @@
 //! `tip drives scan` and `tip drives id`: the servos that answer on a port, without a robot.
 
-use super::port::{AnyPort, open_serial};
+use super::port::open_serial;
 use crate::choices::{self, LangName};
 use crate::error::Error;
 use crate::message::Driving;
@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 use tip_drives::bus::{Bus, BusError, Timing, Wire};
 use tip_drives::family::{Family, Query, Reading};
 use tip_drives::model::{self, FAMILIES, Model};
+use tip_drives::port::AnyPort;
 use tip_runtime::model::Range;
 use tipc::message::Lang;
 

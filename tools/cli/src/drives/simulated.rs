@@ -10,14 +10,14 @@ type Mishap = fn(&mut SimulatedBus, u8);
 
 /// Faults of a simulated bus: `faults=0.01,unplug=3@1.5`, or `corrupt=0.01`.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Mishaps {
+pub(crate) struct FaultInjection {
     /// Probabilities of what happens to an answer.
     pub(super) faults: Faults,
     /// Events of servos: time, s, in any order; event; identity.
     events: Vec<(f64, Mishap, u8)>,
 }
 
-impl Mishaps {
+impl FaultInjection {
     /// Reads a list of faults on a bus with servos of these identities.
     ///
     /// # Errors
@@ -26,7 +26,7 @@ impl Mishaps {
         let wrong = || Driving::NotSimulated {
             text: text.to_owned(),
         };
-        let mut mishaps = Mishaps::default();
+        let mut mishaps = FaultInjection::default();
         if text.is_empty() {
             return Ok(mishaps);
         }
@@ -91,7 +91,7 @@ impl Mishaps {
 #[cfg(unix)]
 pub(super) fn serve(
     mut bus: SimulatedBus,
-    mut mishaps: Mishaps,
+    mut mishaps: FaultInjection,
     _: Lang,
     announce: impl FnOnce(String) -> Result<(), Error>,
 ) -> Result<Status, Error> {
@@ -148,7 +148,7 @@ pub(super) fn serve(
 #[cfg(not(unix))]
 pub(super) fn serve(
     _: SimulatedBus,
-    _: Mishaps,
+    _: FaultInjection,
     lang: Lang,
     _: impl FnOnce(String) -> Result<(), Error>,
 ) -> Result<Status, Error> {

@@ -8,7 +8,7 @@ use crate::{Status, input, interrupt, output, report};
 use clap::Args;
 use std::fmt::Write as _;
 use tip_drives::bus::BusError;
-use tip_drives::drives::Policy;
+use tip_drives::described;
 use tip_drives::family::{Query, Reading};
 use tip_drives::model::Model;
 use tip_runtime::model::Range;
@@ -117,7 +117,7 @@ fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
     let mut robot = connection.robot();
     for place in joints {
         let drives = robot.drives_mut();
-        let mut tries = (0..READINGS).map(|_| drives.confirm(place, Policy::Relax));
+        let mut tries = (0..READINGS).map(|_| drives.relax(place));
         if !tries.any(|confirmed| confirmed == Ok(true)) {
             let joints = connection.setup.names(&[place]);
             return Err(Error::failed(Driving::PerhapsStiff { joints }, lang));
@@ -315,7 +315,7 @@ struct Zeroed {
 /// a form that lines do not show.
 fn with_zeros(text: &[u8], found: &[Zeroed]) -> Option<String> {
     let key_of = |line: &str| line.split_once('=').map(|(key, _)| key.trim().to_owned());
-    let old = description::parse_for_servos("", text, &input::servos()).ok()?;
+    let old = description::parse_for_servos("", text, &described::servos()).ok()?;
     let mut lines: Vec<String> = str::from_utf8(text)
         .ok()?
         .split_inclusive('\n')
@@ -360,7 +360,7 @@ fn with_zeros(text: &[u8], found: &[Zeroed]) -> Option<String> {
         let drive = expected.drives.get_mut(zeroed.place)?;
         (drive.sign, drive.offset) = (zeroed.sign, zeroed.offset);
     }
-    let read = description::parse_for_servos("", new.as_bytes(), &input::servos()).ok()?;
+    let read = description::parse_for_servos("", new.as_bytes(), &described::servos()).ok()?;
     (read.bus() == Some(&expected)).then_some(new)
 }
 

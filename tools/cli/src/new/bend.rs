@@ -2,7 +2,7 @@
 
 use crate::new::fill;
 use tip_runtime::command::Target;
-use tip_sim::{Anatomy, Limb, Limit, Robot, Run, load};
+use tip_sim::{RobotDescription, Limb, Limit, Robot, Run, load};
 
 /// Angle that joints turn, if they can, deg.
 pub(super) const BEND_ANGLE: f64 = 15.0;
@@ -12,7 +12,7 @@ pub(super) const BEND_ANGLES: [f64; 3] = [BEND_ANGLE, 6.0, 3.0];
 const SHARE: f64 = 0.8;
 
 /// Returns a program that turns each joint by an angle, deg.
-pub(super) fn program(anatomy: &Anatomy, turn: f64) -> String {
+pub(super) fn program(anatomy: &RobotDescription, turn: f64) -> String {
     let numbered = (1..).zip(&anatomy.legs);
     let legs = numbered.map(|(number, limb)| bend_leg(Target::Foot(number), limb, turn));
     let begin = include_str!("../../templates/motions/bend.prg");
@@ -85,7 +85,7 @@ fn bent_angles(limb: &Limb, turn: f64) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    fn anatomy(joints: &str, initial: &str) -> Anatomy {
+    fn anatomy(joints: &str, initial: &str) -> RobotDescription {
         let text = format!(
             "name = \"ours\"\njoint = [{joints}]\nleg = [{{ base = [0, 100, 0] }}]\ninitial = [{initial}]\n"
         );

@@ -30,10 +30,10 @@ pub(super) fn crate_files(
     place: &CratePath,
     template: &Template,
     origin: &Origin,
-    with_hardware: bool,
+    hardware: Option<Drives>,
 ) -> Vec<File> {
     let stem = template.motion.stem;
-    let placeholders = placeholders(place, template, origin, with_hardware);
+    let placeholders = placeholders(place, template, origin, hardware);
     let placeholders: Vec<_> = placeholders
         .iter()
         .map(|(name, value)| (*name, &**value))
@@ -61,16 +61,23 @@ pub(super) fn crate_files(
         (format!("tests/{stem}.rs"), template.motion.test),
         ("tip.toml".to_owned(), template_text!("project.toml")),
     ];
-    if with_hardware {
-        files.extend([
-            ("src/bin/drive.rs".to_owned(), template_text!("drive.rs")),
-            ("src/hardware.rs".to_owned(), template_text!("hardware.rs")),
-            (
-                "tests/hardware.rs".to_owned(),
-                template_text!("test_hardware.rs"),
-            ),
-        ]);
-    }
+    let drives: &[(&str, &str)] = match hardware {
+        None => &[],
+        Some(Drives::Own) => &[
+            ("src/bin/drive.rs", template_text!("drive.rs")),
+            ("src/hardware.rs", template_text!("hardware.rs")),
+            ("tests/hardware.rs", template_text!("test_hardware.rs")),
+        ],
+        Some(Drives::Bus) => &[
+            ("src/bin/drive.rs", template_text!("drive_bus.rs")),
+            ("tests/hardware.rs", template_text!("test_bus.rs")),
+        ],
+    };
+    files.extend(
+        drives
+            .iter()
+            .map(|(name, text)| ((*name).to_owned(), *text)),
+    );
     let scene = template.motion.scene;
     files.extend(scene.map(|scene| ("scene.toml".to_owned(), scene.text)));
     let filled = |(name, text): (String, &str)| File {
@@ -88,6 +95,15 @@ pub(super) fn crate_files(
     files
 }
 
+/// The drives for which a crate has code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Drives {
+    /// A skeleton to be filled in.
+    Own,
+    /// The servos of the description.
+    Bus,
+}
+
 /// The name of a described robot in code.
 const DESCRIBED: &str = "ROBOT";
 
@@ -98,7 +114,7 @@ fn placeholders(
     place: &CratePath,
     template: &Template,
     origin: &Origin,
-    with_hardware: bool,
+    hardware: Option<Drives>,
 ) -> Vec<Placeholder> {
     let is_inside = is_inside_a_workspace(place.folder());
     let default_run = format!("default-run = \"{}\"\n", place.name());
@@ -110,16 +126,31 @@ fn placeholders(
             "lib_scene",
             when(is_in_code, template_text!("lib_scene.rs")),
         ),
-        ("lib_hardware", when(with_hardware, "\npub mod hardware;\n")),
+        (
+            "lib_hardware",
+            when(hardware == Some(Drives::Own), "\npub mod hardware;\n"),
+        ),
         (
             "readme_hardware",
-            when(with_hardware, template_text!("README_hardware.md")),
+            match hardware {
+                None => String::new(),
+                Some(Drives::Own) => template_text!("README_hardware.md").to_owned(),
+                Some(Drives::Bus) => template_text!("README_bus.md").to_owned(),
+            },
         ),
+        (
+            "bus",
+            when(
+                hardware == Some(Drives::Bus),
+                "tip-drives = { <<drives>>, features = [\"std\"] }\n",
+            ),
+        ),
+        ("drives", origin.dependency(DRIVES)),
         (
             "workspace",
             when(is_inside, template_text!("manifest_workspace.toml")),
         ),
-        ("default_run", when(with_hardware, &default_run)),
+        ("default_run", when(hardware.is_some(), &default_run)),
         ("macros", origin.dependency(MACROS)),
         ("runtime", origin.dependency(RUNTIME)),
         ("sim", origin.dependency(SIM)),
@@ -272,13 +303,18 @@ impl Drop for TemporaryFolder {
 /// The version of this command and of the crates.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The folder that this command was built from, if it still exists.
-const BUILT_FROM: &str = env!("CARGO_MANIFEST_DIR");
+/// The folder that this command was built from, which may no longer exist. A release, which `.ci/release` builds, has none: its crates
+/// depend on the registry, and no path of the machine that built it is in the executable.
+const BUILT_FROM: Option<&str> = match option_env!("TIP_RELEASE") {
+    Some(_) => None,
+    None => Some(env!("CARGO_MANIFEST_DIR")),
+};
 
 /// Folders of a checkout.
 const MACROS: &str = "tip-macros";
 const RUNTIME: &str = "tip-runtime";
 const SIM: &str = "tools/sim";
+const DRIVES: &str = "tools/drives";
 
 /// The source of the dependencies.
 #[derive(Debug)]
@@ -304,7 +340,7 @@ impl Origin {
             let checkout = Self::checkout(folder, named);
             return checkout.ok_or_else(refused)?.nameable();
         }
-        let built_from = Path::new(BUILT_FROM).ancestors().nth(2);
+        let built_from = BUILT_FROM.and_then(|folder| Path::new(folder).ancestors().nth(2));
         let found = built_from.and_then(|folder| Self::checkout(folder, folder.to_owned()));
         found.unwrap_or(Origin::Published).nameable()
     }
@@ -349,6 +385,18 @@ impl Origin {
         }
     }
 
+    /// Returns the line of the report that names the source.
+    pub(super) fn message(&self) -> Making {
+        match self {
+            Origin::Checkout { named, .. } => Making::DependsOnCheckout {
+                folder: named.display().to_string().into(),
+            },
+            Origin::Published => Making::DependsOnPublished {
+                version: VERSION.to_owned(),
+            },
+        }
+    }
+
     /// Returns the lock file of the checkout.
     pub(super) fn lock(&self) -> Option<Vec<u8>> {
         match self {
@@ -378,7 +426,7 @@ fn seen_from(place: &Path, path: &Path) -> PathBuf {
 }
 
 /// Maximum length of a name in registries.
-const LONGEST: usize = 64;
+const MAX_NAME_CHARS: usize = 64;
 
 /// Names that mean something else: to Rust, to cargo, to Windows, or in the crate that is made.
 const TAKEN: [&str; 5] = [
@@ -393,7 +441,7 @@ const TAKEN: [&str; 5] = [
     // Devices of Windows.
     "aux com1 com2 com3 com4 com5 com6 com7 com8 com9 con lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 nul prn",
     // What the crate depends on, and its other executable.
-    "drive tip-macros tip-runtime tip-sim tip_macros tip_runtime tip_sim tipc",
+    "drive tip-drives tip-macros tip-runtime tip-sim tip_drives tip_macros tip_runtime tip_sim tipc",
 ];
 
 fn is_taken(name: &str) -> bool {
@@ -453,7 +501,7 @@ fn is_plain_name(name: &str) -> bool {
                 .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit())
     };
     name.starts_with(|first: char| first.is_ascii_lowercase())
-        && name.len() <= LONGEST
+        && name.len() <= MAX_NAME_CHARS
         && name.split(['-', '_']).all(is_word)
 }
 
@@ -462,7 +510,7 @@ fn near(name: &str) -> String {
     let small = name.to_lowercase();
     let words = small.split(|c: char| !c.is_ascii_alphanumeric());
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let near: String = words.join("-").chars().take(LONGEST / 2).collect();
+    let near: String = words.join("-").chars().take(MAX_NAME_CHARS / 2).collect();
     let near = near.trim_end_matches('-');
     match near.chars().next() {
         None => "demo".to_owned(),
@@ -474,6 +522,7 @@ fn near(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tipc::message::Lang;
 
     #[test]
     fn a_checkout_keeps_its_place_beside_the_crate() {
@@ -500,11 +549,16 @@ mod tests {
     fn published_crates_are_those_of_this_version() {
         let expected = format!("version = \"={VERSION}\"");
         assert_eq!(Origin::Published.dependency(SIM), expected);
+        let said = Origin::Published
+            .message()
+            .in_lang(Lang::English)
+            .to_string();
+        assert!(said.contains(VERSION), "{said}");
     }
 
     #[test]
     fn names_that_cargo_and_rust_take_are_taken() {
-        let longest = "a".repeat(LONGEST);
+        let longest = "a".repeat(MAX_NAME_CHARS);
         for name in [
             "demo",
             "first-walk",
@@ -532,7 +586,7 @@ mod tests {
 
     #[test]
     fn other_names_are_refused_with_one_that_is_taken() {
-        let too_long = "a".repeat(LONGEST + 1);
+        let too_long = "a".repeat(MAX_NAME_CHARS + 1);
         for (name, better) in [
             ("", "demo"),
             (".", "demo"),
@@ -554,7 +608,7 @@ mod tests {
             ("nul", "my-nul"),
             ("tip-runtime", "my-tip-runtime"),
             ("tip_runtime", "my-tip_runtime"),
-            (&too_long, &"a".repeat(LONGEST / 2)),
+            (&too_long, &"a".repeat(MAX_NAME_CHARS / 2)),
         ] {
             let refused = name.parse::<CratePath>().expect_err(name);
             let (Using::NotACrateName { near, .. } | Using::CrateNameTaken { near, .. }) = refused

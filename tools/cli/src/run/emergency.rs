@@ -10,7 +10,7 @@ use tip_runtime::command::Target;
 use tip_runtime::fault::Fault;
 use tip_runtime::machine::Emergency;
 use tip_runtime::program::Program as _;
-use tip_sim::{Anatomy, Interpreter, Run};
+use tip_sim::{Interpreter, Robot, RobotDescription, Run};
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::list::List;
@@ -27,15 +27,16 @@ pub(super) struct Stopped<'a> {
     /// The program as it was loaded.
     pub(super) loaded: &'a Loaded,
     pub(super) options: Options,
-    pub(super) anatomy: &'a Anatomy,
+    pub(super) robot: &'a Robot,
+    pub(super) anatomy: &'a RobotDescription,
 }
 
 /// The last measured state of a joint, deg.
-struct JointState {
-    joint: Target,
-    angle: f64,
-    min: f64,
-    max: f64,
+pub(super) struct JointState {
+    pub(super) joint: Target,
+    pub(super) angle: f64,
+    pub(super) min: f64,
+    pub(super) max: f64,
 }
 
 impl Stopped<'_> {
@@ -115,17 +116,14 @@ impl Stopped<'_> {
                 let reason = Stopping::NoValue { name };
                 (reason.into(), Some(Stopping::AssignFirst.into()))
             }
-            Fault::InvalidMode => (Stopping::OtherMode.into(), None),
+            Fault::InvalidMode => self.refused_mode(),
             Fault::TooDeep => (
                 Stopping::TooDeep.into(),
                 Some(Stopping::LeaveSubroutines.into()),
             ),
             Fault::WrongStep => (Stopping::NoStep.into(), None),
             Fault::JointLimit(leg, joint) => (self.at_limit(Target::Joint(leg, joint)), None),
-            Fault::OutOfReach(target) => (
-                Stopping::OutOfReach { target }.into(),
-                self.joints_of(target),
-            ),
+            Fault::OutOfReach(target) => self.out_of_reach(target),
             Fault::Hardware(fault) => match self.run.plant_error() {
                 Some(trouble) => (trouble.message().into(), None),
                 None => {
@@ -144,7 +142,7 @@ impl Stopped<'_> {
     }
 
     /// Returns the last measured states of all joints, leg by leg.
-    fn joints(&self) -> impl Iterator<Item = JointState> {
+    pub(super) fn joints(&self) -> impl Iterator<Item = JointState> {
         let joints = (1..).zip(&self.anatomy.legs).flat_map(|(leg, limb)| {
             let joints = (1..).zip(&limb.joints);
             joints.map(move |(joint, _)| Target::Joint(leg, joint))
@@ -175,7 +173,7 @@ impl Stopped<'_> {
     }
 
     /// Returns the angles of the leg of a target.
-    fn joints_of(&self, target: Target) -> Option<Message> {
+    pub(super) fn joints_of(&self, target: Target) -> Option<Message> {
         let (Target::Foot(leg) | Target::Joint(leg, _)) = target else {
             return None;
         };

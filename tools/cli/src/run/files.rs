@@ -180,6 +180,7 @@ impl Trace {
             joints_per_leg: legs.first().map_or(0, Vec::len),
             angles: &legs.concat(),
             loads: limbs.as_ref().map_or(&[], |limbs| &limbs.loads),
+            clearance: run.clearance(),
         });
     }
 

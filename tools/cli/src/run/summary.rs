@@ -6,6 +6,7 @@ use crate::message::count::Cycles;
 use crate::message::{Along, Aside, Figure, How, Running, Until, Upright, Waiting, Weight};
 use crate::output::width;
 use crate::report::step_location;
+use serde::Serialize;
 use std::fmt::{self, Write as _};
 use tip_runtime::command::Op;
 use tip_runtime::machine::Emergency;
@@ -13,9 +14,12 @@ use tip_runtime::plant::{Motion, Travel, Unmodelled};
 use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Fall, Grasp, Interpreter, Run, Wait};
+use tip_sim::{
+    Approach, Fall, FallKind, Grasp, Interpreter, Peak, Run, Summary, TravelFigures, Wait,
+    WaitFigure,
+};
 use tipc::language::Keyword;
-use tipc::message::Lang;
+use tipc::message::{Lang, Message};
 use tipc::program::Action;
 use tipc::source::Source;
 
@@ -25,21 +29,20 @@ pub(super) fn summary(
     run: &Run,
     ending: Ending,
     wait: Option<&Wait>,
+    figures: &Summary,
     source: &Source,
     lang: Lang,
 ) -> String {
     let program = run.program();
-    // A thread may have ended the program.
-    let last = run.steps().last();
-    let last = last.map_or(program.at(), |step| step.from.step);
     let by = |word| How::By { word };
-    let (how, step) = match ending {
-        Ending::Program(End::End) => (by(Keyword::End), last),
-        Ending::Program(End::Exit) => (by(Keyword::Exit), last),
-        Ending::Emergency(Emergency { step, .. }) => (How::Emergency, step),
-        Ending::Interrupted => (How::Interrupted, program.at()),
-        Ending::Limit => (How::Limit, program.at()),
+    let how = match ending {
+        Ending::Program(End::End) => by(Keyword::End),
+        Ending::Program(End::Exit) => by(Keyword::Exit),
+        Ending::Emergency(_) => How::Emergency,
+        Ending::Interrupted => How::Interrupted,
+        Ending::Limit => How::Limit,
     };
+    let step = last_step(run, ending);
     let ended = Running::Ended {
         file: Printable::line(source.name()).to_string().into(),
         how,
@@ -61,12 +64,63 @@ pub(super) fn summary(
         lines.travel(&travel);
     }
     if let Some(moved) = run.motion() {
-        lines.motion(&moved, run.first_fall(), run);
+        lines.motion(&moved, figures, run);
     }
+    if run.motion().is_none() {
+        lines.effort(figures);
+    }
+    lines.collisions(run);
     if let Some(held) = run.grasp() {
         lines.grasp(&held);
     }
+    for wait in &figures.waits {
+        lines.waited(wait);
+    }
     lines.text
+}
+
+/// Returns the step that ran last, or that comes next in a run that was cut off.
+fn last_step(run: &Run, ending: Ending) -> u32 {
+    let next = run.program().at();
+    match ending {
+        // A thread may have ended the program.
+        Ending::Program(_) => (run.steps().last()).map_or(next, |step| step.from.step),
+        Ending::Emergency(Emergency { step, .. }) => step,
+        Ending::Interrupted | Ending::Limit => next,
+    }
+}
+
+/// The summary as JSON: docs/files.md lists its keys.
+#[derive(Serialize)]
+struct Report<'a> {
+    file: &'a str,
+    end: &'static str,
+    error: Option<String>,
+    line: u32,
+    #[serde(flatten)]
+    figures: &'a Summary,
+}
+
+/// Returns the summary as a line of JSON.
+pub(super) fn json(run: &Run, ending: Ending, figures: &Summary, source: &Source) -> String {
+    let report = Report {
+        file: source.name(),
+        end: match ending {
+            Ending::Program(End::End) => Keyword::End.word(),
+            Ending::Program(End::Exit) => Keyword::Exit.word(),
+            Ending::Emergency(_) => "EMERGENCY",
+            Ending::Interrupted => "INTERRUPTED",
+            Ending::Limit => "LIMIT",
+        },
+        error: match ending {
+            Ending::Emergency(emergency) => Some(emergency.fault.to_string()),
+            _ => None,
+        },
+        line: run.program().line(last_step(run, ending)),
+        figures,
+    };
+    // No value of it can fail to be written.
+    serde_json::to_string(&report).unwrap_or_default() + "\n"
 }
 
 /// Returns a line of the summary.
@@ -168,12 +222,31 @@ impl Lines {
         self.add(Figure::Turn, &Running::Turn { angle, aside });
     }
 
-    fn motion(&mut self, motion: &Motion, first: Option<Fall>, run: &Run) {
-        self.add(Figure::Falls, &falls(motion, first, run));
-        let value = tenths(motion.slip);
-        self.add(Figure::Slip, &Running::AtMost { value });
-        let value = tenths(motion.least_margin);
-        self.add(Figure::Margin, &Running::AtLeast { value });
+    fn motion(&mut self, motion: &Motion, figures: &Summary, run: &Run) {
+        let moved = |travel: &&TravelFigures| tenths(travel.speed_mm_s.abs()) != "0.0";
+        if let Some(travel) = figures.travel.as_ref().filter(moved) {
+            let (value, along) = sense(travel.speed_mm_s, Along::Forward, Along::Backward);
+            self.add(Figure::Speed, &Running::Speed { value, along });
+        }
+        self.add(Figure::Falls, &falls(motion, run.first_fall(), run));
+        match &figures.slip {
+            Some(slip) if tenths(slip.value) != "0.0" => self.largest(Figure::Slip, slip),
+            _ => self.add(Figure::Slip, &Running::AtMost { value: tenths(0.0) }),
+        }
+        if let Some(Peak {
+            value, unit, at, ..
+        }) = &figures.margin
+        {
+            let least = Running::Least {
+                value: tenths(*value),
+                unit,
+                time: seconds(at.time_s * 1000.0),
+                cycle: at.cycle.to_string(),
+                line: at.line,
+            };
+            self.add(Figure::Margin, &least);
+        }
+        self.effort(figures);
         let following = motion.tracking_errors;
         if let Some(unmodelled) = motion.unmodelled {
             self.unmodelled(&unmodelled);
@@ -191,6 +264,109 @@ impl Lines {
         if motion.unmodelled.is_some_and(matters) {
             self.add(Figure::Note, &Running::MassMatters);
         }
+    }
+
+    /// Adds the lines about joints.
+    fn effort(&mut self, figures: &Summary) {
+        for (figure, peak) in [
+            (Figure::Rate, &figures.rate),
+            (Figure::Torque, &figures.torque),
+        ] {
+            if let Some(peak) = peak.as_ref().filter(|peak| tenths(peak.value) != "0.0") {
+                self.largest(figure, peak);
+            }
+        }
+        if let Some(energy) = figures.energy {
+            let value = tenths(energy.work_j);
+            let work = match energy.cost_of_transport {
+                Some(cost) => Running::WorkAndCost {
+                    value,
+                    cost: format!("{cost:.2}"),
+                },
+                None => Running::Work { value },
+            };
+            self.add(Figure::Energy, &work);
+        }
+    }
+
+    fn largest(&mut self, figure: Figure, peak: &Peak) {
+        let (value, unit, at) = (tenths(peak.value), peak.unit, peak.at);
+        let of = peak.of.clone().unwrap_or_default().into();
+        let (time, cycle, line) = (seconds(at.time_s * 1000.0), at.cycle.to_string(), at.line);
+        let largest = match peak.limit {
+            Some(limit) => Running::LargestOf {
+                value,
+                unit,
+                limit: limit.to_string(),
+                of,
+                time,
+                cycle,
+                line,
+            },
+            None => Running::Largest {
+                value,
+                unit,
+                of,
+                time,
+                cycle,
+                line,
+            },
+        };
+        self.add(figure, &largest);
+    }
+
+    fn waited(&mut self, wait: &WaitFigure) {
+        let ([first, last], length) = (wait.lines, tenths(wait.length_s));
+        let (time, cycle) = (seconds(wait.at.time_s * 1000.0), wait.at.cycle.to_string());
+        let until = wait.until.clone().map(Message::from);
+        let waited = match until {
+            Some(until) if first == last => Running::WaitedAtFor {
+                length,
+                line: first,
+                until,
+                time,
+                cycle,
+            },
+            Some(until) => Running::WaitedInFor {
+                length,
+                first,
+                last,
+                until,
+                time,
+                cycle,
+            },
+            None if first == last => Running::WaitedAt {
+                length,
+                line: first,
+                time,
+                cycle,
+            },
+            None => Running::WaitedIn {
+                length,
+                first,
+                last,
+                time,
+                cycle,
+            },
+        };
+        self.add(Figure::Waited, &waited);
+    }
+
+    /// Adds a line about collisions, if there were any.
+    fn collisions(&mut self, run: &Run) {
+        let Some((clearance, nearest)) = run.clearance().zip(run.nearest_approach()) else {
+            return;
+        };
+        let [one, other] = nearest.gap.parts;
+        let collisions = Running::Collisions {
+            cycles: (clearance.collisions as usize).into(),
+            by: tenths(-nearest.gap.distance),
+            one,
+            other,
+            time: seconds(nearest.time),
+            line: run.program().line(nearest.step),
+        };
+        self.counted(clearance.collisions, Figure::Gap, &collisions);
     }
 
     /// Adds a line about something that was counted, unless the count is 0.
@@ -297,22 +473,46 @@ pub(super) fn status(run: &Run, wait: Option<&Wait>, source: &Source, lang: Lang
 pub(super) fn fall(
     fall: &Fall,
     weight: &Weight,
-    has_mass: bool,
+    kind: FallKind,
     source: &Source,
     program: &Interpreter,
     lang: Lang,
 ) -> String {
     let (time, cycle) = (seconds(fall.time), fall.cycle.to_string());
-    let fell = match (fall.is_upright, has_mass) {
-        (false, _) => Running::Fell { time, cycle },
-        (true, false) => Running::WouldHaveFallen { time, cycle },
-        (true, true) => Running::Unsupported { time, cycle },
+    let fell = match kind {
+        FallKind::Fell => Running::Fell { time, cycle },
+        FallKind::WouldFall => Running::WouldHaveFallen { time, cycle },
+        FallKind::LostSupport => Running::Unsupported { time, cycle },
     };
     let location = step_location(source, program.program(), fall.step);
     format!(
         "{}: {}\n{location}",
         weight.in_lang(lang),
         fell.in_lang(lang)
+    )
+}
+
+/// Returns the report of a collision, with its statement.
+pub(super) fn collision(
+    found: &Approach,
+    weight: &Weight,
+    source: &Source,
+    program: &Interpreter,
+    lang: Lang,
+) -> String {
+    let [one, other] = found.gap.parts;
+    let collided = Running::Collided {
+        one,
+        other,
+        by: tenths(-found.gap.distance),
+        time: seconds(found.time),
+        cycle: found.cycle.to_string(),
+    };
+    let location = step_location(source, program.program(), found.step);
+    format!(
+        "{}: {}\n{location}",
+        weight.in_lang(lang),
+        collided.in_lang(lang)
     )
 }
 

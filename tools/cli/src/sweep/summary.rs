@@ -1,8 +1,8 @@
 //! The summary of a table, gathered row by row.
 
+use crate::choices::quoted;
 use crate::message::{Figure, Sweeping};
 use crate::run::line;
-use crate::usage::quoted;
 use std::time::Duration;
 use tip_sweep::{Outcome, Row};
 use tipc::message::Lang;
@@ -14,6 +14,8 @@ pub(super) struct Summary {
     pub(super) runs: u64,
     /// Number of runs in which the robot fell; `None` if falls are not counted.
     falls: Option<u64>,
+    /// Number of runs in which two parts of the robot overlapped.
+    collided: u64,
     /// Number of emergency stops.
     stopped: u64,
     /// Number of runs that were cut off.
@@ -29,6 +31,7 @@ impl Summary {
         if row.counts_falls() {
             *self.falls.get_or_insert(0) += u64::from(row.has_fallen());
         }
+        self.collided += u64::from(row.has_collided());
         self.stopped += u64::from(row.is_stopped());
         self.cut_off += u64::from(row.is_cut_off());
         let outcome = row.outcome();
@@ -48,6 +51,11 @@ impl Summary {
     /// Returns the number of runs in which the robot fell.
     pub(super) fn fell(&self) -> u64 {
         self.falls.unwrap_or(0)
+    }
+
+    /// Returns the number of runs in which two parts of the robot overlapped.
+    pub(super) fn collided(&self) -> u64 {
+        self.collided
     }
 
     /// Returns the summary of the table `name`; `made` is the number of runs that were made now, and their time.

@@ -1,4 +1,4 @@
-//! The files of a sweep: a table that grows and can be gone on with, and the specification next to it.
+//! The files of a sweep: a table that grows and can be resumed, and the specification next to it.
 //!
 //! Both grow under names with `.part`, and get their own names when the table is complete: the specification first. Each row has a check
 //! over its cells and the specification, so that a process that is killed at any point leaves files that belong together, or files whose
@@ -280,10 +280,15 @@ impl Table {
         path: &Path,
         sweep: &Sweep,
         resume: bool,
+        force: bool,
         lang: Lang,
     ) -> Result<(Self, Summary), Error> {
         let paths = Paths::of(path, lang)?;
         let length = |path: &Path| fs::metadata(path).map(|found| found.len()).ok();
+        if !resume && !force && length(&paths.table).unwrap_or(0) > 0 {
+            let file = path.display().to_string().into();
+            return Err(Error::failed(Using::HasTable { file }, lang));
+        }
         let part = length(&paths.part);
         if resume && part.unwrap_or(0) == 0 && paths.table.exists() {
             let other_sweep = || other_sweep(&paths.table, lang);

@@ -423,7 +423,7 @@ fn denied_warnings_fail() {
         for command in ["check", "run"] {
             let refused = tip(&[command, "--deny", word, "naps.prg"]).expect(2);
             assert!(
-                refused.err.contains("falls, warnings, W101, "),
+                refused.err.contains("falls, collisions, warnings, W101, "),
                 "{refused:#?}"
             );
         }

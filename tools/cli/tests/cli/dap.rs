@@ -186,10 +186,10 @@ fn changes_of_the_past_are_confirmed_by_asking_again() {
     client.go("next", thread());
     client.go("stepBack", thread());
     let change = json!({ "variablesReference": 1, "name": "N", "value": "35" });
-    let told = client.refusal("setVariable", change.clone());
+    let reported = client.refusal("setVariable", change.clone());
     assert!(
-        told.contains("later cycles that would be discarded: 1"),
-        "{told}"
+        reported.contains("later cycles that would be discarded: 1"),
+        "{reported}"
     );
     assert_eq!(client.ask("setVariable", change)["value"], "35");
     let repl = |expression: &str| json!({ "expression": expression, "context": "repl" });
@@ -199,11 +199,11 @@ fn changes_of_the_past_are_confirmed_by_asking_again() {
     client.refusal("evaluate", repl("key F"));
     client.ask("evaluate", repl("discard key F"));
     assert_eq!(client.go("evaluate", repl("to 20")).0, "goto");
-    let told = client.refusal(
+    let reported = client.refusal(
         "setVariable",
         json!({ "variablesReference": 1, "name": "CHAR_A", "value": "1" }),
     );
-    assert!(told.contains("CHAR_A"), "{told}");
+    assert!(reported.contains("CHAR_A"), "{reported}");
 }
 
 #[test]
@@ -216,10 +216,10 @@ fn what_does_not_load_is_told_in_the_language_of_the_client() {
             "initialize",
             json!({ "adapterID": "tip", "locale": locale }),
         );
-        let told = client.refusal("launch", json!({ "program": path }));
+        let reported = client.refusal("launch", json!({ "program": path }));
         assert!(
-            told.contains("wrong.prg:3:1") && told.contains(reason),
-            "{told}"
+            reported.contains("wrong.prg:3:1") && reported.contains(reason),
+            "{reported}"
         );
     }
 }

@@ -109,6 +109,28 @@ fn trace(text: &str) -> (Vec<u64>, Vec<String>, Vec<f64>) {
     (steps, said, angles)
 }
 
+/// No servo measures a force or moves a slider: such a robot would stop in its first cycle, with its torque on.
+#[test]
+fn a_robot_that_a_bus_cannot_measure_is_refused_before_torque() {
+    let folder = crate_for("phantomx");
+    let text = folder.read("it/robot.toml");
+    for (table, keys) in [
+        ("forces", "torque_max = 2"),
+        ("slider", "initial = [0, 0, 0]"),
+    ] {
+        let folder = Folder::new(&format!("drives-no-{table}"))
+            .file("robot.toml", format!("{text}\n[{table}]\n{keys}\n"))
+            .file("walk.prg", folder.read("it/motions/walk.prg"));
+        // The same file is sound where nothing is real.
+        folder.tip(&["robot", "check", "robot.toml"]).expect(0);
+        let run = ["run", "walk.prg", "--hardware", "robot.toml"];
+        let outcome = folder.tip(&run).expect(1);
+        let said = format!("error: robot.toml: [{table}] cannot be on a bus");
+        assert!(outcome.err.contains(&said), "{outcome:#?}");
+        assert!(!outcome.err.contains("18 servos"), "{outcome:#?}");
+    }
+}
+
 #[test]
 fn robots_walk_on_servos_as_they_do_in_the_simulation() {
     for (robot, resolution, servos) in [("phantomx", 0.3, 18), ("spotmicro", 0.09, 12)] {

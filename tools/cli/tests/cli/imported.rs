@@ -80,7 +80,7 @@ fn a_urdf_file_that_cannot_be_imported_leaves_nothing() {
         .file("broken.urdf", &URDF[..100]);
     for (file, reason) in [
         ("sliding.urdf", "joint `hinge` on link `base` is prismatic"),
-        ("broken.urdf", "this is not URDF"),
+        ("broken.urdf", "this is neither URDF nor MJCF"),
         ("gone.urdf", "there is no such file"),
     ] {
         let outcome = folder

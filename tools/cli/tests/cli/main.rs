@@ -16,6 +16,7 @@ mod external;
 #[cfg(target_os = "linux")]
 mod faults;
 #[cfg(target_os = "linux")]
+mod figures;
 mod files;
 mod fix;
 mod fmt;

@@ -99,7 +99,7 @@ fn the_summary_speaks_japanese() {
         .tip(&["run", "p.prg", "--cycles", "3", "--lang", "ja"])
         .expect(0);
     let lines: Vec<&str> = outcome.err.lines().collect();
-    let margin = lines.last().expect("a margin");
+    let [margin, torque] = [lines[7], lines[8]];
     assert_eq!(
         lines[..7],
         [
@@ -113,6 +113,7 @@ fn the_summary_speaks_japanese() {
         ]
     );
     assert!(margin.starts_with("  余裕    最小"), "{margin}");
+    assert!(torque.starts_with("  トルク  最大"), "{torque}");
     let checked = folder
         .tip(&["check", "p.prg", "p.prg", "--lang", "ja"])
         .expect(0);
@@ -127,15 +128,23 @@ fn the_summary_of_a_robot_that_lies_still_is_this() {
     let folder = Folder::new("speaks-still").program("p.prg", "END");
     let outcome = folder.tip(&["run", "p.prg"]).expect(0);
     let margin = number(&outcome.err, "margin", " mm at least");
+    let torque = number(&outcome.err, "torque", " of 40");
+    let (summary, moment) = outcome.err.rsplit_once(" N·m at most, ").expect("a torque");
+    // The belly carries the robot; the legs hang.
+    assert!(
+        moment.ends_with(" after 0.000 s (cycle 0, line 3)\n"),
+        "{moment}"
+    );
     assert_eq!(
-        outcome.err,
+        summary,
         format!(
             "p.prg: END at line 3 after 1 cycle, 0.020 s of robot time\n  \
              travel  0.0 mm forward, 0.0 mm to the right, 0.0 mm up\n  \
              turn    0.0 deg to the left\n  \
              falls   none\n  \
              slip    0.0 mm at most\n  \
-             margin  {margin:.1} mm at least\n"
+             margin  {margin:.1} mm at least, after 0.000 s (cycle 0, line 3)\n  \
+             torque  {torque:.1} of 40"
         )
     );
     assert!(margin > 0.0);
@@ -152,13 +161,8 @@ fn the_summary_says_where_mass_would_have_mattered() {
     let gentle = folder
         .tip(&["run", "p.prg", "--scene", "gentle.toml"])
         .expect(0);
-    assert!(
-        gentle
-            .err
-            .lines()
-            .last()
-            .is_some_and(|line| line.starts_with("  margin"))
-    );
+    assert!(gentle.err.contains("\n  margin  "), "{gentle:#?}");
+    assert!(!gentle.err.contains("grip") && !gentle.err.contains("note"));
     let steep = ["run", "p.prg", "--scene", "steep.toml"];
     let ends = [
         (
@@ -406,7 +410,7 @@ fn a_hand_says_how_far_it_lifts_and_how_hard_it_pushes() {
 }
 
 #[test]
-fn a_robot_that_is_bolted_down_says_how_it_ended_and_no_more() {
+fn a_robot_that_is_bolted_down_says_how_it_ended_and_how_its_joints_turned() {
     let bolted = "name = \"bolted\"\njoint = [{ axis = \"y\", link = [0, 0, -100], limits = [-90, 90] }]\nleg = [{ base = [0, 0, 0] }]\n";
     let folder = Folder::new("speaks-bolted")
         .program("p.prg", "PTP_ANGLE J11 5\nEND")
@@ -414,7 +418,9 @@ fn a_robot_that_is_bolted_down_says_how_it_ended_and_no_more() {
     let outcome = folder
         .tip(&["run", "p.prg", "--robot", "bolted.toml"])
         .expect(0);
-    assert_eq!(outcome.err.lines().count(), 1, "{outcome:#?}");
+    let lines: Vec<&str> = outcome.err.lines().collect();
+    assert_eq!(lines.len(), 2, "{outcome:#?}");
+    assert!(lines[1].starts_with("  rate "), "{outcome:#?}");
 }
 
 /// 1.2 s of the robot, in 60 cycles of SLEEP and one of END.

@@ -48,8 +48,13 @@ fn a_crate_has_all_that_it_says() {
     let outcome = folder.tip(&["new", "first-walk"]).expect(0);
     assert_eq!(tree(&folder, "first-walk"), PLAIN);
     let listed: String = PLAIN.map(|name| format!("  {name}\n")).concat();
+    let checkout = Path::new(TIP).canonicalize().expect("it exists");
+    let depends = format!(
+        "Cargo.toml depends on the crates of the checkout `{}`\n",
+        checkout.display()
+    );
     let said = format!(
-        "made first-walk, a crate for titan8:\n{listed}next:\n  cd first-walk\n  cargo run\n"
+        "made first-walk, a crate for titan8:\n{listed}{depends}next:\n  cd first-walk\n  cargo run\n"
     );
     assert_eq!(outcome.out, said);
     assert_eq!(outcome.err, "");
@@ -72,6 +77,41 @@ fn drives_of_our_own_are_a_file_to_fill_in() {
     assert_eq!(tree(&folder, "demo"), expected);
     let manifest = folder.read("demo/Cargo.toml");
     assert!(manifest.contains("default-run = \"demo\""), "{manifest}");
+}
+
+/// A described robot gets a program that holds the guard of torque; one that no bus can measure gets a skeleton.
+#[test]
+fn a_described_robot_has_its_bus_and_the_guard_of_its_torque() {
+    let forces = format!("{OURS}\n[forces]\ntorque_max = 2\n");
+    let folder = Folder::new("new-bus")
+        .file("ours.toml", OURS)
+        .file("forces.toml", forces);
+    folder
+        .tip(&["new", "six", "--robot", "ours.toml", "--hardware"])
+        .expect(0);
+    let files = tree(&folder, "six");
+    for name in ["robot.toml", "src/bin/drive.rs", "tests/hardware.rs"] {
+        assert!(files.iter().any(|file| file == name), "{files:?}");
+    }
+    assert!(
+        !files.iter().any(|file| file == "src/hardware.rs"),
+        "{files:?}"
+    );
+    assert!(folder.read("six/robot.toml").contains("[bus]"));
+    assert!(folder.read("six/Cargo.toml").contains("tip-drives = { "));
+    let drive = folder.read("six/src/bin/drive.rs");
+    assert!(
+        drive.contains("operator::open(") && !drive.contains("<<"),
+        "{drive}"
+    );
+    let forces = ["new", "grip", "--robot", "forces.toml", "--hardware"];
+    folder.tip(&forces).expect(0);
+    assert!(
+        tree(&folder, "grip")
+            .iter()
+            .any(|file| file == "src/hardware.rs")
+    );
+    assert!(!folder.read("grip/robot.toml").contains("[bus]"));
 }
 
 /// Every robot's program is without findings, runs to its end by what `tip.toml` says alone, and is laid out in the one style.

@@ -7,7 +7,7 @@ use crate::support::Folder;
 /// A name that would start a line of its own, then recolour it.
 const NAME: &str = "a\nb\u{1b}[31m.prg";
 /// The expected output for it.
-const SHOWN: &str = r"a\u{a}b\u{1b}[31m.prg";
+const PRINTED: &str = r"a\u{a}b\u{1b}[31m.prg";
 
 /// Nothing acts on a terminal but line ends, tabs and these.
 #[track_caller]
@@ -30,7 +30,7 @@ fn a_run_shows_the_controls_of_a_program_as_escapes() {
     let outcome = folder.tip(&run).expect(3);
     assert_eq!(outcome.out, "a\u{7}\t\\u{1b}[31m\\u{202e}b\\u{9b}c\n");
     require_printable(&outcome.err, "");
-    let place = format!(" --> {SHOWN}:4:1\n");
+    let place = format!(" --> {PRINTED}:4:1\n");
     assert!(outcome.err.contains(&place), "{outcome:#?}");
     assert!(
         outcome.err.contains(r"4 | RETURN // \u{1b}[2J"),
@@ -41,12 +41,12 @@ fn a_run_shows_the_controls_of_a_program_as_escapes() {
     }
     let report = folder.read("logs/EMG.log");
     assert!(
-        report.starts_with(&format!("# EMG.log of ../{SHOWN}\n")),
+        report.starts_with(&format!("# EMG.log of ../{PRINTED}\n")),
         "{report}"
     );
     assert!(
         report.contains(&format!(
-            "\nprogram\t{SHOWN}\ntitle\tt\\u{{1b}}]0;x\\u{{7}}\n"
+            "\nprogram\t{PRINTED}\ntitle\tt\\u{{1b}}]0;x\\u{{7}}\n"
         )),
         "{report}"
     );
@@ -64,7 +64,7 @@ fn a_diagnostic_is_one_record_whatever_the_file_is_called() {
     let short = folder
         .tip(&["check", "--message-format", "short", NAME])
         .expect(1);
-    let start = format!("{SHOWN}:3:4: error[");
+    let start = format!("{PRINTED}:3:4: error[");
     assert!(
         short.lines().iter().all(|line| line.starts_with(&start)),
         "{short:#?}"
@@ -75,7 +75,7 @@ fn a_diagnostic_is_one_record_whatever_the_file_is_called() {
         human.err.contains(r"3 | FOO\u{1b}[2J\u{7f} 1"),
         "{human:#?}"
     );
-    assert!(human.err.contains(&format!("\n{SHOWN}: ")), "{human:#?}");
+    assert!(human.err.contains(&format!("\n{PRINTED}: ")), "{human:#?}");
 }
 
 #[test]
@@ -90,7 +90,7 @@ fn questions_counts_and_errors_show_names_and_lines_as_escapes() {
         "{question:#?}"
     );
     for line in question.err.lines().filter(|line| !line.starts_with(' ')) {
-        assert!(line.starts_with(SHOWN), "{line}");
+        assert!(line.starts_with(PRINTED), "{line}");
     }
     let counts = folder.tip(&["cycles", "c\u{200f}\n.prg"]).expect(0);
     assert!(

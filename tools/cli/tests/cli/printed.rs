@@ -22,18 +22,19 @@ const FOLLOWED: [&str; 4] = [
 
 /// A simulator of a robot that replaces Python.
 const SIMULATOR: &str = r#"#!/bin/sh
-while read -r kind rest; do
-  for word in $rest; do
-    case $word in
-      n=*) n=${word#n=} ;;
-      initial=*) initial=${word#initial=} ;;
-      targets=*) targets=${word#targets=} ;;
-    esac
-  done
-  case $kind in
-    hello) echo "ready version=1 angles=$initial loads=10,20,30,40 pose=0,0,200,0,0,0" ;;
-    cycle) echo "state n=$n angles=$targets loads=10,20,30,40 pose=0,$n,200,0,0,0" ;;
-    bye) exit 0 ;;
+readings='"loads":[10,20,30,40],"pose":[0,0,200,0,0,0]'
+# The value of a field that is a list.
+list() { value=${line#*"\"$1\":"}; value="${value%%]*}]"; }
+while read -r line; do
+  case $line in
+    *'"type":"hello"'*)
+      list initial
+      echo "{\"version\":2,\"angles\":$value,$readings}" ;;
+    *'"type":"cycle"'*)
+      n=${line#*'"n":'}
+      list targets
+      echo "{\"n\":${n%%[,\}]*},\"angles\":$value,$readings}" ;;
+    *'"type":"bye"'*) exit 0 ;;
   esac
 done
 "#;
@@ -61,6 +62,7 @@ fn provide(folder: &Folder, line: &str) {
         ("motions/walk.prg", &walk),
         ("turn.prg", "3.1\nturn\nSTAND_UP 60\nEND\n"),
         ("step.prg", &walk),
+        ("faster.prg", &walk),
         ("ask.prg", "3.1\nask\nDEF_VAR K\nKEY_IN K\nKEY_IN K\nEND\n"),
         (
             "sense.prg",
@@ -104,6 +106,12 @@ fn provide(folder: &Folder, line: &str) {
         // Another test may make the same one.
         let _ = std::os::unix::fs::symlink(target, &link);
         assert!(link.exists(), "{name}");
+    }
+    if !folder.has("walk.jsonl") {
+        let run =
+            "run examples/walk/motions/walk.prg --cycles 100 -q --trace walk.jsonl --trace-motion";
+        let words: Vec<&str> = run.split(' ').collect();
+        folder.tip(&words).expect(0);
     }
     if !folder.has("runs.csv") {
         let sweep = "sweep examples/walk/motions/walk.prg --vary STRIDE=160..240/20 --cycles 1 -q -o runs.csv";
@@ -188,6 +196,8 @@ fn statuses(line: &str) -> &'static [i32] {
         _ if line == "tip lsp" => &[0, 1],
         // There is no such port, or no keyboard.
         _ if line.contains("/dev/tty") || line.contains("tip drives jog") => &[1],
+        // Only a release has the page.
+        _ if line.contains("tip playground") => &[1],
         // It needs a terminal.
         _ if line.contains("tip debug") => &[1, 2],
         _ => &[0],
@@ -205,6 +215,11 @@ fn prepared(line: &str) -> String {
     let line = line.split(" && cd ").next().unwrap_or_default();
     let line = line.replace("0.0.0.0:8000", "127.0.0.1:0");
     let line = line.replace("--realtime", "--realtime --cycles 20");
+    // The table of another line may be there.
+    let line = match line.contains("--resume") {
+        true => line,
+        false => line.replace("tip sweep ", "tip sweep --force "),
+    };
     // The process is asked to end, not the shell.
     match goes_on(&line) {
         true => format!("exec {line}"),

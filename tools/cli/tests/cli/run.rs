@@ -63,8 +63,8 @@ fn texts_that_fout_log_has_no_room_for_are_counted_at_the_end() {
     let program = format!("3.2\nt\nDEF_VAR I\nFOR I = 1 TO 5300\nF_MESSAGE {text}\\n\nNEXT\nEND\n");
     let folder = Folder::new("run-full-output").file("p.prg", &program);
     let outcome = folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(0);
-    let told = "FOUT.LOG is full: 31 of F_MESSAGE's texts are left out";
-    assert!(outcome.err.contains(told), "{}", outcome.err);
+    let reported = "FOUT.LOG is full: 31 of F_MESSAGE's texts are left out";
+    assert!(outcome.err.contains(reported), "{}", outcome.err);
     let log = folder.read("logs/FOUT.LOG");
     assert!(log.starts_with("# FOUT.LOG of ../p.prg\n"));
     assert_eq!((log.len(), log.lines().count()), (23 + 5269 * 199, 5270));

@@ -38,7 +38,7 @@ const STOPS: &[(&str, &str, &str)] = &[
     (
         "reaches.prg",
         "PTP F1 -391 201 900\nWAIT_INPOS ALL\nEND",
-        "reaches.prg:3:1: error[E404]: F1 cannot reach its target, or a point on the way there (TIP_ERR:Out of reach F1)",
+        "reaches.prg:3:1: error[E404]: F1 cannot reach its target: it ends about 492.6 mm before it (TIP_ERR:Out of reach F1)",
     ),
 ];
 
@@ -127,6 +127,83 @@ fn a_joint_at_its_limit_is_shown_with_its_angle_and_its_limits() {
     );
 }
 
+// The legs have links of 50, 240 and 200 mm; J12 turns from -60 to 75 deg.
+// clauses: 2.22 16.3
+#[test]
+fn a_target_out_of_reach_is_explained_by_the_joint_that_would_turn_too_far() {
+    for (statements, expected) in [
+        (
+            "DEF_VAR H\nH = 400\nREL_PTP F1 0 0 H",
+            "E404]: J12 would turn 4.6 deg beyond its limit of 75 deg",
+        ),
+        (
+            "DEF_VAR H\nH = 100\nPTP_ANGLE J12 H",
+            "E404]: J12 would turn 25 deg beyond its limit of 75 deg",
+        ),
+        (
+            "DEF_VAR H\nSET_LIMIT J11 -20 20\nH = 32\nPTP_ANGLE J11 R H",
+            "E404]: J11 would turn 12 deg beyond its limit of 20 deg",
+        ),
+        // The ends are within reach; the path between them is not.
+        (
+            "PTP F1 -408 93 235\nWAIT_INPOS ALL\nPTP F1 -199 183 -137\nWAIT_INPOS ALL",
+            "E404]: F1 leaves its reach on the way to its target: J12 is ",
+        ),
+    ] {
+        let text = format!("3.2\nt\n{statements}\nEND\n");
+        let folder = Folder::new("stops-reach").file("p.prg", &text);
+        let err = folder.tip(&["run", "p.prg", "-q"]).err;
+        assert!(err.contains(expected), "{statements}: {err}");
+    }
+}
+
+// clauses: 15.1 15.4 16.2
+#[test]
+fn what_another_thread_prevents_is_explained_with_thread_and_line() {
+    for (main, thread, expected) in [
+        (
+            "START_THREAD ARM:\nSLEEP 100\nSTART_THREAD ARM:",
+            "REM\nSLEEP 5000",
+            "p.prg:5:1: error[E304]: thread ARM runs already: it is at line 9 (",
+        ),
+        (
+            "START_THREAD ARM:\nSLEEP 100\nSTOP_THREAD ARM:\nSLEEP 20\nPTP F1 -391 201 -150",
+            "LOCK J12\nSLEEP 5000",
+            "p.prg:7:1: error[E304]: J12 is locked by LOCK in line 10, in thread ARM (",
+        ),
+        (
+            "LOCK F1\nSTART_THREAD ARM:\nPTP_ANGLE J11 5",
+            "SLEEP 5000",
+            "p.prg:5:1: error[E304]: J11 is locked by LOCK in line 3 (",
+        ),
+        (
+            "START_THREAD ARM:\nSLEEP 100\nINITIAL_POSTURE",
+            "STAND_UP 20",
+            "p.prg:5:1: error[E304]: thread ARM is executing STAND_UP in line 8; only one such command can run at a time (",
+        ),
+        // Nothing is locked, and nobody stands in the way: the mode is another one.
+        (
+            "START_THREAD ARM:\nWAIT_NEAR F1",
+            "LOCK J21",
+            "p.prg:4:1: error[E304]: the target is not in the control mode that this command needs (",
+        ),
+    ] {
+        let text = format!("3.2\nt\n{main}\nEXIT\nTHREAD ARM:\n{thread}\nTHREADEND\nEND\n");
+        let folder = Folder::new("stops-threads").file("p.prg", &text);
+        let run = [
+            "run",
+            "p.prg",
+            "-q",
+            "--message-format",
+            "short",
+            "--cycles",
+            "900",
+        ];
+        let err = folder.tip(&run).err;
+        assert!(err.contains(expected), "{main}: {err}");
+    }
+}
+
 // clauses: 16.3
 #[test]
 fn limits_are_those_that_the_program_set() {
@@ -147,7 +224,7 @@ fn people_see_the_values_at_their_places() {
     assert_eq!(
         lines[..8],
         [
-            "error[E404]: F1 cannot reach its target, or a point on the way there",
+            "error[E404]: F1 cannot reach its target: it ends about 492.6 mm before it",
             " --> p.prg:9:1",
             "  |",
             "9 | PTP F1 P",
@@ -159,7 +236,7 @@ fn people_see_the_values_at_their_places() {
         "{outcome:#?}"
     );
     assert!(
-        lines[8].starts_with("  = help: the joints and their limits in deg: J11 "),
+        lines[8].starts_with("  = help: choose a place nearer to the base of the leg"),
         "{outcome:#?}"
     );
     assert_eq!(lines[9], "  = note: TIP_ERR:Out of reach F1 (RobotError)");

@@ -138,10 +138,10 @@ fn falls_are_counted_and_denied() {
         outcome.err
     );
     folder
-        .tip(&[&arguments[..], &["--deny", "falls"]].concat())
+        .tip(&[&arguments[..], &["--deny", "falls", "--force"]].concat())
         .expect(4);
     let outcome = folder
-        .tip(&[&arguments[..], &["--lang", "ja"]].concat())
+        .tip(&[&arguments[..], &["--lang", "ja", "--force"]].concat())
         .expect(0);
     assert!(
         outcome.err.contains("転倒    2回中1回、50.0%"),
@@ -163,7 +163,7 @@ fn a_program_that_never_ends_is_cut_off() {
         outcome.err
     );
     folder
-        .tip(&[&sweep[..], &["--cycles", "7", "-q"]].concat())
+        .tip(&[&sweep[..], &["--cycles", "7", "-q", "--force"]].concat())
         .expect(0);
     let table = folder.read("runs.csv");
     assert!(
@@ -433,7 +433,19 @@ fn a_table_takes_the_place_of_files_only() {
         .file("foreign.sweep.json", "{\"mine\": 1}");
     std::os::unix::fs::symlink("far/table.csv", folder.path("link.csv")).expect("a link");
     let sweep = |out: &str| folder.tip(&["sweep", "lift.prg", "--vary", "Z=10,20", "-o", out]);
-    sweep("link.csv").expect(0);
+    // What is there stays, unless it is to be replaced.
+    let outcome = sweep("link.csv").expect(1);
+    assert!(
+        outcome.err.contains("link.csv exists: --force"),
+        "{}",
+        outcome.err
+    );
+    assert_eq!(folder.read("far/table.csv"), "old");
+    assert!(!folder.has("far/table.csv.part"));
+    let replaced = [
+        "sweep", "lift.prg", "--vary", "Z=10,20", "--force", "-o", "link.csv",
+    ];
+    folder.tip(&replaced).expect(0);
     assert!(folder.path("link.csv").is_symlink());
     assert!(folder.read("far/table.csv").starts_with("case,"));
     for out in ["/dev/null", "far"] {
@@ -524,14 +536,14 @@ fn a_killed_sweep_leaves_the_complete_one() {
     let files = || ["runs.csv", "runs.sweep.json"].map(|name| folder.read(name));
     let complete = files();
     let newer = [
-        "sweep", "on.prg", "--vary", "A=1,2", "--until", "1e9s", "-q", "-o", "runs.csv",
+        "sweep", "on.prg", "--vary", "A=1,2", "--until", "1e9s", "-q", "--force", "-o", "runs.csv",
     ];
     let mut child = folder.command(&newer).spawn().expect("tip starts");
     while !folder.has("runs.sweep.json.part") {
         thread::sleep(Duration::from_millis(2));
     }
     // Nobody else writes the same table.
-    let outcome = heights(&folder, &[]).expect(1);
+    let outcome = heights(&folder, &["--force"]).expect(1);
     assert!(
         outcome.err.contains("another process is writing"),
         "{}",
@@ -548,7 +560,7 @@ fn a_killed_sweep_leaves_the_complete_one() {
     assert_eq!(files(), complete);
     folder.tip(&["view", "runs.csv", "--case", "2"]).expect(0);
     // Nothing of the killed one is worth keeping.
-    heights(&folder, &[]).expect(0);
+    heights(&folder, &["--force"]).expect(0);
     assert_eq!(files(), complete);
     assert!(!folder.has("runs.csv.part") && !folder.has("runs.sweep.json.part"));
 }

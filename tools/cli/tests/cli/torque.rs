@@ -155,8 +155,11 @@ fn keys_on_the_way_to_the_first_posture_end_it_as_the_file_says() {
 
 #[test]
 fn signals_do_not_cut_the_leaving_short() {
-    let signals: [(&[Signal], i32); 4] = [
+    let signals: [(&[Signal], i32); 7] = [
         (&[Signal::TERM; 2], 143),
+        (&[Signal::USR1], 128 + 10),
+        (&[Signal::ALARM, Signal::USR2], 128 + 14),
+        (&[Signal::XCPU], 128 + 24),
         (&[Signal::INT; 5], 130),
         (&[Signal::QUIT; 3], 131),
         (&[Signal::HUP, Signal::TERM, Signal::QUIT], 129),
@@ -179,6 +182,43 @@ fn signals_do_not_cut_the_leaving_short() {
             scope.spawn(move || one(number, signals, status));
         }
     });
+}
+
+/// A shell starts jobs in the background so. What is meant for the robot counts all the same.
+#[test]
+fn a_command_that_inherits_ignored_signals_obeys_them_on_a_robot() {
+    for (sent, status) in [(Signal::INT, 130), (Signal::QUIT, 131)] {
+        let robot = leg("relax", "hold", "");
+        let name = format!("ignored-{status}");
+        let mut session = Session::new(&name, &robot, 0.5, WAITS);
+        let run = [
+            "run",
+            "p.prg",
+            "--hardware",
+            "robot.toml",
+            "--yes",
+            "--port",
+        ];
+        let tip = session
+            .folder
+            .command(&[&run[..], &[session.bus.port()]].concat());
+        let mut command = std::process::Command::new("sh");
+        command.args(["-c", "trap '' INT QUIT; exec \"$@\"", "sh"]);
+        command.arg(tip.get_program()).args(tip.get_args());
+        command.envs(
+            tip.get_envs()
+                .filter_map(|(key, value)| Some((key, value?))),
+        );
+        if let Some(folder) = tip.get_current_dir() {
+            command.current_dir(folder);
+        }
+        command.stdin(session.pty.input()).stdout(Stdio::piped());
+        let mut child = command.stderr(Stdio::piped()).spawn().expect("sh starts");
+        await_go(&mut child);
+        signal(&child, sent);
+        let outcome = session.ended(child).expect(status);
+        assert_eq!(session.bus.stiff(), stiff("relax"), "{outcome:#?}");
+    }
 }
 
 #[test]

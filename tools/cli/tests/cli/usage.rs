@@ -38,7 +38,7 @@ fn other_words_lead_to_commands() {
         check(&folder, &[word, "walk.prg"], &expected);
     }
     let outcome = folder.tip(&["dance"]).expect(2);
-    let start = "error: `dance` is not a command of tip; the commands are new, check, run, ";
+    let start = "error: `dance` is not a command of tip; the commands are new, check, fmt, ";
     assert!(outcome.err.starts_with(start), "{outcome:#?}");
 }
 
@@ -154,14 +154,7 @@ fn help_fits_a_screen_and_groups_the_commands() {
         .into_iter()
         .filter(|line| line.ends_with(':'))
         .collect();
-    let groups = [
-        "Write:",
-        "Run:",
-        "See:",
-        "Embed:",
-        "Robots:",
-        "Editors and shells:",
-    ];
+    let groups = ["Write:", "Run:", "See:", "Robots:", "Editors and shells:"];
     assert_eq!(headings, [&groups[..], &["Options:"]].concat());
 }
 

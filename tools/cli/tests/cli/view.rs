@@ -5,12 +5,12 @@ use crate::support::Folder;
 const WAVE: &str = "MESSAGE hello\nPTP_ANGLE J11 10\nWAIT_INPOS ALL\nEND";
 
 #[test]
-fn a_program_becomes_a_page_beside_it() {
+fn a_program_becomes_a_page_in_this_folder() {
     let folder = Folder::new("view").program("in/wave.prg", WAVE);
     let outcome = folder.tip(&["view", "in/wave.prg"]).expect(0);
     assert!(outcome.out.is_empty());
-    assert!(outcome.err.starts_with("in/wave.html: "), "{}", outcome.err);
-    let page = folder.read("in/wave.html");
+    assert!(outcome.err.starts_with("wave.html: "), "{}", outcome.err);
+    let page = folder.read("wave.html");
     assert!(page.contains("<title>test</title>"));
     folder
         .tip(&[
@@ -47,14 +47,17 @@ fn a_hyphen_is_standard_output_of_every_command_that_writes() {
 }
 
 #[test]
-fn a_plot_stands_beside_its_program_too() {
+fn a_plot_and_a_log_stand_in_this_folder_too() {
     let folder = Folder::new("view-plot").program("in/wave.prg", WAVE);
     let outcome = folder.tip(&["plot", "in/wave.prg"]).expect(0);
     assert_eq!(
         (outcome.out.as_str(), outcome.err.as_str()),
-        ("", "in/wave.svg\n")
+        ("", "wave.svg\n")
     );
-    assert!(folder.read("in/wave.svg").starts_with("<svg "));
+    assert!(folder.read("wave.svg").starts_with("<svg "));
+    let outcome = folder.tip(&["log", "in/wave.prg"]).expect(0);
+    assert!(outcome.err.starts_with("wave.mcap: "), "{}", outcome.err);
+    assert!(folder.has("wave.mcap"));
 }
 
 /// The data of an element of a page.

@@ -166,6 +166,16 @@ pub(super) trait Firmware: Debug {
     fn registers_mut(&mut self) -> Option<&mut dyn Registers> {
         None
     }
+    /// Sets a register before the start.
+    ///
+    /// # Panics
+    /// It has no such register.
+    fn preset(&mut self, address: u16, value: i64) {
+        let registers = self.registers_mut();
+        registers
+            .expect("a family with registers")
+            .preset(address, value);
+    }
     /// Executes a frame of a family that has no registers by address, and returns the payload of its answer.
     fn serve(&mut self, _code: u8, _payload: &[u8], _shaft: &Shaft, _now: u64) -> Option<Vec<u8>> {
         None

@@ -43,7 +43,7 @@ mod command {
 const LAST: i16 = 1000;
 const TRAVEL: f64 = 240.0;
 /// "30000 ms" at most.
-const LONGEST: u16 = 30_000;
+const MAX_MOVE: u16 = 30_000;
 
 /// What is kept without power.
 #[derive(Clone, Copy, Debug)]
@@ -200,7 +200,7 @@ impl Firmware for Lx {
             _ => None,
         };
         let movement = words.filter(|[goal, time]| {
-            (0..=LAST).contains(goal) && (0..=LONGEST).contains(&(*time as u16))
+            (0..=LAST).contains(goal) && (0..=MAX_MOVE).contains(&(*time as u16))
         });
         let movement = movement.map(|[goal, time]| (goal, time as u16));
         let pair = |(goal, time): (i16, u16)| two([goal, time as i16]);

@@ -15,6 +15,7 @@ mod at {
     pub(super) const POSITION: u32 = 0x001;
     pub(super) const VELOCITY: u32 = 0x002;
     pub(super) const TORQUE: u32 = 0x003;
+    pub(super) const HOME_STATE: u32 = 0x00C;
     pub(super) const VOLTAGE: u32 = 0x00D;
     pub(super) const TEMPERATURE: u32 = 0x00E;
     pub(super) const FAULT: u32 = 0x00F;
@@ -87,6 +88,8 @@ impl Command {
 #[derive(Clone, Debug)]
 pub(super) struct Moteus {
     id: u8,
+    /// Register 0x00c: 0 relative, 1 rotor, 2 output.
+    home: u8,
     /// Torque that the motor can have, Nm.
     stall: f64,
     mode: u8,
@@ -157,6 +160,8 @@ impl Moteus {
         };
         let moteus = Moteus {
             id,
+            // Its position is that of an encoder at the output.
+            home: 2,
             stall,
             mode: mode::STOPPED,
             fault: 0.0,
@@ -172,6 +177,7 @@ impl Moteus {
             at::POSITION => shaft.angle / 360.0,
             at::VELOCITY => shaft.velocity / 360.0,
             at::TORQUE => shaft.load * self.stall,
+            at::HOME_STATE => self.home.into(),
             at::VOLTAGE => shaft.voltage,
             at::TEMPERATURE => shaft.temperature,
             at::FAULT => self.fault,
@@ -318,6 +324,11 @@ impl Firmware for Moteus {
 
     fn mode(&self) -> Option<u8> {
         Some(self.mode)
+    }
+
+    fn preset(&mut self, address: u16, value: i64) {
+        assert_eq!(u32::from(address), at::HOME_STATE, "a setting");
+        self.home = value as u8;
     }
 
     fn serve(&mut self, _code: u8, payload: &[u8], shaft: &Shaft, now: u64) -> Option<Vec<u8>> {

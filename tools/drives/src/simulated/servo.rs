@@ -75,13 +75,10 @@ impl Servo {
     /// Sets a register before the start, and keeps it without power: the servo's user has written it with the maker's tool.
     ///
     /// # Panics
-    /// The family has no registers.
+    /// The family has no such register.
     #[must_use]
     pub fn with(mut self, address: u16, value: i64) -> Self {
-        let registers = self.firmware.registers_mut();
-        registers
-            .expect("a family with registers")
-            .preset(address, value);
+        self.firmware.preset(address, value);
         self.reset();
         self
     }

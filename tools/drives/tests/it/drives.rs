@@ -1,10 +1,12 @@
 //! Drives on a simulated bus that fails.
 
+use std::ops::{Deref, DerefMut};
 use tip_drives::bus::{Bus, BusError, Timing, Wire};
-use tip_drives::drives::{Drives, Joint, Policy, Problem, Settings};
+use tip_drives::drives::{Drives, Failure, Joint, Policy, Problem, Settings};
 use tip_drives::dynamixel1::Protocol1;
 use tip_drives::dynamixel2::Protocol2;
 use tip_drives::family::Setpoint;
+use tip_drives::guard::{Host, Request, Step, TorqueGuard};
 use tip_drives::model::Model;
 use tip_drives::moteus;
 use tip_drives::registers::{Framing, instruction};
@@ -79,17 +81,71 @@ pub(crate) fn bus_of(bus: SimulatedBus, model: &Model) -> Bus<MemoryPort> {
     Bus::new(MemoryPort::new(bus), timing(model))
 }
 
+/// An operator who presses nothing, and the torque limits of the first servo at the end of each cycle.
+#[derive(Default)]
+pub(crate) struct Nobody {
+    limits: Vec<f64>,
+}
+
+impl Host<MemoryPort> for Nobody {
+    fn wait(&mut self, port: &mut MemoryPort, until: u64) {
+        port.pass(until);
+        self.limits.push(port.bus.servos()[0].torque_limit());
+    }
+
+    fn request(&mut self) -> Option<Request> {
+        None
+    }
+}
+
+/// A robot with its guard.
+pub(crate) struct Robot(pub(crate) TorqueGuard<MemoryPort, Nobody>);
+
+impl Robot {
+    /// Connected drives, with the sampling time in ms.
+    pub(crate) fn new(drives: Drives<MemoryPort>, period: f64) -> Self {
+        Robot(TorqueGuard::new(drives, Nobody::default(), period))
+    }
+
+    pub(crate) fn hold(&mut self) -> Result<(), Failure> {
+        self.0.hold().map(drop)
+    }
+
+    pub(crate) fn write_cycle(
+        &mut self,
+        commands: &[JointCommand],
+        period: f64,
+    ) -> Result<(), Failure> {
+        self.0.write_cycle(commands, period)
+    }
+}
+
+impl Deref for Robot {
+    type Target = Drives<MemoryPort>;
+
+    fn deref(&self) -> &Self::Target {
+        self.0.drives()
+    }
+}
+
+impl DerefMut for Robot {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        self.0.drives_mut()
+    }
+}
+
 /// A robot that holds itself.
-pub(crate) fn held(name: &str, servos: u8, faults: Faults) -> Drives<MemoryPort> {
+pub(crate) fn held(name: &str, servos: u8, faults: Faults) -> Robot {
     held_with(robot(name, servos, faults))
 }
 
-pub(crate) fn held_with(mut drives: Drives<MemoryPort>) -> Drives<MemoryPort> {
-    drives.connect().expect("all are there");
+pub(crate) fn held_with(drives: Drives<MemoryPort>) -> Robot {
+    let mut robot = Robot::new(drives, PERIOD);
+    robot.connect().expect("all are there");
     // Not long before the first cycle, because of watchdogs.
-    drives.bus_mut().port_mut().pass((START - 5) * 20_000);
-    drives.hold().expect("all are there");
-    drives
+    robot.bus_mut().port_mut().pass((START - 5) * 20_000);
+    robot.hold().expect("all are there");
+    robot
 }
 
 /// A command to go to a position.
@@ -110,11 +166,7 @@ fn wave(cycle: u64) -> f64 {
 }
 
 /// Runs one cycle on the time grid; returns the problem.
-pub(crate) fn cycle(
-    drives: &mut Drives<MemoryPort>,
-    number: u64,
-    angle: f64,
-) -> Result<(), Problem> {
+pub(crate) fn cycle(drives: &mut Robot, number: u64, angle: f64) -> Result<(), Problem> {
     let begin = number * (PERIOD * 1000.0) as u64;
     drives.bus_mut().port_mut().pass(begin);
     let commands = vec![JointCommand::at(angle); drives.joints().count()];
@@ -179,11 +231,7 @@ fn servos_of_protocol_2_answer_in_one_frame() {
         fast: true,
         ..Settings::default()
     };
-    let mut drives = Drives::new(bus, &joints, settings).expect("not too many");
-    drives.connect().expect("all are there");
-    // Not long before the first cycle, because of watchdogs.
-    drives.bus_mut().port_mut().pass((START - 5) * 20_000);
-    drives.hold().expect("all are there");
+    let mut drives = held_with(Drives::new(bus, &joints, settings).expect("not too many"));
     for number in START..START + 200 {
         cycle(&mut drives, number, wave(number - START)).expect("no fault");
         assert_eq!(wrong(&drives, number * 20_000), 0);
@@ -284,7 +332,7 @@ fn a_silent_servo_is_held_and_then_stops_the_robot() {
 }
 
 /// Runs until a problem, and returns it with the number of cycles before it.
-fn until_problem(drives: &mut Drives<MemoryPort>) -> (Problem, u64) {
+fn until_problem(drives: &mut Robot) -> (Problem, u64) {
     for number in 0..1000 {
         if let Err(problem) = cycle(drives, START + 1 + number, wave(number)) {
             return (problem, number);
@@ -385,13 +433,7 @@ fn the_start_is_slow() {
     let mut drives = held("AX-12", 18, Faults::default());
     let to = [45.0; 18];
     let mut cycles = 0;
-    loop {
-        let begin = (START + cycles) * 20_000;
-        drives.bus_mut().port_mut().pass(begin);
-        let left = drives.approach(&to, 30.0, PERIOD).expect("well");
-        if left == 0.0 {
-            break;
-        }
+    while drives.0.step(&to, 30.0) == Ok(Step::Moving) {
         cycles += 1;
     }
     // 45 deg at 30 deg/s.
@@ -404,7 +446,7 @@ fn an_end_holds_or_relaxes() {
     for number in START..START + 20 {
         cycle(&mut drives, number, 20.0).expect("well");
     }
-    assert_eq!(drives.rest(Policy::Hold), Ok(false));
+    drives.0.stop_cycle().expect("sent");
     drives.bus_mut().port_mut().pass((START + 100) * 20_000);
     let bus = &drives.bus().port().bus;
     assert!(
@@ -413,10 +455,16 @@ fn an_end_holds_or_relaxes() {
             .all(|servo| servo.has_torque() && servo.velocity() == 0.0)
     );
 
-    let mut limits = Vec::new();
-    while drives.rest(Policy::Relax) == Ok(false) {
-        limits.push(drives.bus().port().bus.servos()[0].torque_limit());
+    let settings = Settings {
+        at_end: Policy::Relax,
+        ..Settings::default()
+    };
+    let mut drives = held_with(robot_with("STS3215", 3, Faults::default(), settings));
+    for number in START..START + 20 {
+        cycle(&mut drives, number, 20.0).expect("well");
     }
+    drives.0.leave();
+    let limits = &drives.0.host_mut().limits;
     // In 2 s, from 0.8 of the torque; the last of 100 cycles switches it off.
     assert_eq!(limits.len(), 99);
     assert!(limits.is_sorted_by(|a, b| a > b), "{limits:?}");
@@ -461,7 +509,8 @@ fn a_moteus_that_timed_out_is_taken_over_by_the_next_host() {
     let port = drives.bus().port().clone();
     let joints: Vec<Joint> = drives.joints().copied().collect();
     let bus = Bus::new(port, drives.bus().timing());
-    let mut next = Drives::new(bus, &joints, Settings::default()).expect("three");
+    let next = Drives::new(bus, &joints, Settings::default()).expect("three");
+    let mut next = Robot::new(next, PERIOD);
     next.connect().expect("a time-out is no fault");
     next.hold().expect("well");
     for number in 0..100 {

@@ -1,7 +1,9 @@
 //! What is checked before a robot moves: its description, the settings of its servos, the load of its bus, and the sampling time.
 
-use crate::drives::{START, bus_of, held, joint, robot, robot_with, timing, write};
-use tip_drives::bus::{Bus, Timing, Wire};
+use crate::drives::{Robot, START, bus_of, held, joint, robot, robot_with, timing, write};
+use embedded_io::{ErrorType, Read, Write};
+use std::convert::Infallible;
+use tip_drives::bus::{Bus, Port, Timing, Wire};
 use tip_drives::drives::{Drives, Invalid, Joint, Problem, Settings};
 use tip_drives::lx;
 use tip_drives::model::Model;
@@ -116,6 +118,37 @@ fn settings_of_an_lx_are_compared() {
     }
 }
 
+/// Register 0x00c: 0 is the position since the start, 1 that within a turn of the rotor, 2 that of the output. A qdd100 has a reducer
+/// of 6, so that a turn of its rotor is 60 deg.
+#[test]
+fn a_moteus_must_know_where_it_is() {
+    for (name, state, expected) in [
+        ("moteus-mj5208", 0, Some((0x00C, 0, 2))),
+        ("moteus-mj5208", 1, None),
+        ("moteus-mj5208", 2, None),
+        ("moteus-qdd100", 0, Some((0x00C, 0, 2))),
+        ("moteus-qdd100", 1, Some((0x00C, 1, 2))),
+        ("moteus-qdd100", 2, None),
+    ] {
+        let model = Model::named(name).expect("a model");
+        let servo = Servo::of(name, 1, model.middle).with(0x00C, state);
+        assert_eq!(mismatch(&mut one(model, servo)), expected, "{name} {state}");
+    }
+    // Beyond half a turn, where the position after a start is another one.
+    let model = Model::named("moteus-mj5208").expect("a model");
+    for (most, expected) in [(180.0, None), (181.0, Some((0x00C, 1, 2)))] {
+        let limits = Range::new(-90.0, most);
+        let joint = Joint {
+            limits,
+            ..joint(1, model)
+        };
+        let servo = Servo::of("moteus-mj5208", 1, model.middle).with(0x00C, 1);
+        let bus = bus_of(SimulatedBus::new(vec![servo], timing(model)), model);
+        let drives = Drives::new(bus, &[joint], Settings::default());
+        assert_eq!(mismatch(&mut drives.expect("a robot")), expected, "{most}");
+    }
+}
+
 #[test]
 fn a_robot_that_is_only_measured_may_be_anywhere() {
     let model = Model::named("STS3215").expect("a model");
@@ -134,7 +167,7 @@ fn a_robot_that_is_only_measured_may_be_anywhere() {
 
 #[test]
 fn the_first_failure_ends_with_the_next_connect() {
-    let mut drives = robot("STS3215", 2, Faults::default());
+    let mut drives = Robot::new(robot("STS3215", 2, Faults::default()), 20.0);
     write(&mut drives, 2, 33, &[1]);
     let first = drives.connect().expect_err("a wheel");
     assert_eq!(drives.failure(), Some(first));
@@ -145,7 +178,7 @@ fn the_first_failure_ends_with_the_next_connect() {
 }
 
 /// Runs cycles of a period from a time on; returns the time after them.
-fn cycles(drives: &mut Drives<MemoryPort>, from: u64, period: f64, count: u64) -> u64 {
+fn cycles(drives: &mut Robot, from: u64, period: f64, count: u64) -> u64 {
     let commands = vec![JointCommand::at(0.0); drives.joints().count()];
     let step = (period * 1000.0) as u64;
     for number in 0..count {
@@ -191,9 +224,8 @@ fn the_watchdog_is_ten_cycles_of_the_period_in_force() {
 /// A watchdog of 2540 ms is three cycles of 846 ms.
 #[test]
 fn a_period_beyond_the_watchdog_is_refused() {
-    let mut drives = robot("XL430-W250", 2, Faults::default());
+    let mut drives = Robot::new(robot("XL430-W250", 2, Faults::default()), 847.0);
     drives.connect().expect("well");
-    drives.set_period(847.0);
     let refused = drives.hold().map_err(|it| it.problem);
     assert!(matches!(refused, Err(Problem::Period(most)) if (most - 846.67).abs() < 0.01));
     assert!(!drives.bus().port().bus.servos()[0].has_torque());
@@ -215,9 +247,8 @@ fn a_period_beyond_the_watchdog_is_refused() {
 #[test]
 fn a_bus_that_cannot_carry_a_cycle_is_refused() {
     let robot_at = |name: &str, servos: u8, period: f64| {
-        let mut drives = robot(name, servos, Faults::default());
-        drives.connect().expect("well");
-        drives.set_period(period);
+        let mut drives = Robot::new(robot(name, servos, Faults::default()), period);
+        drives.0.connect().expect("well");
         drives
     };
     let mut drives = robot_at("LX-16A", 18, 20.0);
@@ -267,14 +298,15 @@ fn silence_is_in_cycles() {
     let rest = |joint: &Joint| Servo::of("AX-12", joint.id, 512.0);
     let bus = SimulatedBus::new(joints.iter().map(rest).collect(), slow);
     let bus = Bus::new(MemoryPort::new(bus), slow);
-    let mut drives = Drives::new(bus, &joints, Settings::default()).expect("a robot");
+    let drives = Drives::new(bus, &joints, Settings::default()).expect("a robot");
+    let mut drives = Robot::new(drives, 20.0);
     drives.connect().expect("well");
     drives.hold().expect("well");
     let cycles_of_each = drives.load().cycles;
     assert!((2..=3).contains(&cycles_of_each), "{cycles_of_each}");
     let mut ages = [0; 12];
     let commands = [JointCommand::at(0.0); 12];
-    let mut cycle = |drives: &mut Drives<MemoryPort>, number: u64| {
+    let mut cycle = |drives: &mut Robot, number: u64| {
         let begin = (START + number) * 20_000;
         drives.bus_mut().port_mut().pass(begin);
         let read = drives.read_cycle();
@@ -463,5 +495,89 @@ fn a_damaged_answer_at_the_start_refuses_no_servo() {
             let connected = drives.expect("six").connect();
             assert_eq!(connected, Ok(()), "{name}, {seed}");
         }
+    }
+}
+
+/// A port whose host is taken away for some µs after each request.
+struct Starved(MemoryPort, u64);
+
+impl ErrorType for Starved {
+    type Error = Infallible;
+}
+
+impl Read for Starved {
+    fn read(&mut self, into: &mut [u8]) -> Result<usize, Infallible> {
+        self.0.read(into)
+    }
+}
+
+impl Write for Starved {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        let written = self.0.write(bytes);
+        let now = self.0.now();
+        self.0.pass(now + self.1);
+        written
+    }
+
+    fn flush(&mut self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+impl Port for Starved {
+    fn now(&mut self) -> u64 {
+        self.0.now()
+    }
+
+    fn wait(&mut self, until: u64) -> Result<bool, Infallible> {
+        self.0.wait(until)
+    }
+}
+
+/// Returns the drives of a robot whose host is starved after each request, as soon as it is connected.
+fn starved(name: &str, servos: u8, delay: u64) -> Drives<Starved> {
+    let model = Model::named(name).expect("a model");
+    let joints: Vec<Joint> = (1..=servos).map(|id| joint(id, model)).collect();
+    let rest = |joint: &Joint| Servo::of(name, joint.id, model.middle);
+    let bus = SimulatedBus::new(joints.iter().map(rest).collect(), timing(model));
+    let bus = Bus::new(Starved(MemoryPort::new(bus), 0), timing(model));
+    let mut drives = Drives::new(bus, &joints, Settings::default()).expect("a robot");
+    drives.connect().expect("well");
+    drives.bus_mut().port_mut().1 = delay;
+    drives
+}
+
+/// All answers came while the host slept, 1.7 times as long as a cycle: more than one read of the port gives.
+#[test]
+fn answers_that_came_while_the_host_slept_count() {
+    for name in ["XL430-W250", "STS3215"] {
+        let mut drives = starved(name, 12, 34_000);
+        for number in START..START + 20 {
+            drives.bus_mut().port_mut().0.pass(number * 20_000);
+            drives.read_cycle().expect("well");
+            let ages: Vec<u32> = (0..12).filter_map(|joint| drives.age(joint)).collect();
+            assert_eq!(ages, [0; 12], "{name}");
+        }
+        assert_eq!(drives.counts().missing, 0, "{name}");
+    }
+}
+
+/// One of 18 servos is asked in each cycle, and all answer: none is silent, but the robot cannot go on with angles of 16 cycles
+/// ago. With two in each cycle it goes on.
+#[test]
+fn a_host_that_is_late_does_not_call_its_servos_silent() {
+    for (delay, expected) in [(13_000, Some(15)), (7_000, None)] {
+        let mut drives = starved("AX-12", 18, delay);
+        let stopped = (0..60).find_map(|number| {
+            drives
+                .bus_mut()
+                .port_mut()
+                .0
+                .pass((START + number) * 20_000);
+            Some((number, drives.read_cycle().err()?.problem))
+        });
+        assert_eq!(drives.counts().missing, 0);
+        let age = expected.map(|cycle| (cycle, Problem::NotRead(16)));
+        assert_eq!(stopped, age, "{delay}");
     }
 }

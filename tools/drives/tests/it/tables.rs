@@ -1,13 +1,13 @@
 //! The master's tables against those of the simulated servos, which are written from the makers' manuals: what a joint is
 //! commanded is what its servo does, and what a servo measures is what the master reads.
 
-use crate::drives::{START, bus_of, cycle, joint, timing};
+use crate::drives::{Robot, START, bus_of, cycle, held_with, joint, timing};
 use tip_drives::drives::{Drives, Joint, Settings};
 use tip_drives::model::{MODELS, Model};
-use tip_drives::simulated::{MemoryPort, Servo, SimulatedBus};
+use tip_drives::simulated::{Servo, SimulatedBus};
 use tip_runtime::model::Range;
 
-fn held(joints: &[Joint], at: f64) -> Drives<MemoryPort> {
+fn held(joints: &[Joint], at: f64) -> Robot {
     let servos = joints.iter().map(|joint| {
         let mut servo = Servo::of(joint.model.name, joint.id, 0.0);
         // By hand, in degrees of the maker's scale: the master's scale is not asked.
@@ -20,11 +20,7 @@ fn held(joints: &[Joint], at: f64) -> Drives<MemoryPort> {
         ..Settings::default()
     };
     let drives = Drives::new(bus_of(bus, joints[0].model), joints, settings);
-    let mut drives = drives.expect("not too many");
-    drives.connect().expect("all are there");
-    drives.bus_mut().port_mut().pass((START - 5) * 20_000);
-    drives.hold().expect("all are there");
-    drives
+    held_with(drives.expect("not too many"))
 }
 
 /// Half of the torque, where it can be limited.

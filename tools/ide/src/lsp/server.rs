@@ -97,20 +97,25 @@ impl<W: Workspace> Server<W> {
         }
     }
 
-    /// Returns the diagnostics of all programs that have changed since they were last returned.
-    pub fn due_diagnostics(&mut self) -> Vec<Message> {
-        let mut messages = Vec::new();
-        let due = self.buffers.iter().filter(|(_, buffer)| buffer.is_due);
-        let due: Vec<String> = due.map(|(uri, _)| uri.clone()).collect();
-        for uri in due {
-            messages.extend(self.diagnostics(&uri));
-        }
-        messages
+    /// Returns the addresses of the programs that have changed since the last call: their diagnostics are due.
+    pub fn take_due(&mut self) -> Vec<String> {
+        let due = self.buffers.iter_mut().filter_map(|(uri, buffer)| {
+            let is_due = std::mem::take(&mut buffer.is_due);
+            is_due.then(|| uri.clone())
+        });
+        due.collect()
     }
 
-    /// Computes what hovers and hints need; for moments without requests.
-    pub fn prepare(&self) {
-        self.buffers.values().for_each(Buffer::prepare);
+    /// Returns the addresses of all open programs.
+    pub fn open(&self) -> Vec<String> {
+        self.buffers.keys().cloned().collect()
+    }
+
+    /// Computes what hovers and hints need of an open program; for moments without requests.
+    pub fn prepare(&self, uri: &str) {
+        if let Some(buffer) = self.buffers.get(uri) {
+            buffer.prepare();
+        }
     }
 
     fn request(&mut self, request: Request) -> Result<Value, ResponseError> {
@@ -227,18 +232,14 @@ impl<W: Workspace> Server<W> {
         Some((program, config))
     }
 
-    /// Returns the diagnostics of one program, and the error about its robot unless it was shown before.
-    fn diagnostics(&mut self, uri: &str) -> Vec<Message> {
+    /// Returns the diagnostics of an open program, and the error about its robot unless it was shown before.
+    pub fn diagnostics(&mut self, uri: &str) -> Vec<Message> {
         let Some((program, config)) = self.open_program(uri) else {
             return Vec::new();
         };
         let loaded = program.document.loaded();
         let diagnostics = convert::diagnostics(loaded, uri, program.client, program.workspace);
-        let mut version = None;
-        if let Some(buffer) = self.buffers.get_mut(uri) {
-            buffer.is_due = false;
-            version = Some(buffer.version);
-        }
+        let version = self.buffers.get(uri).map(|buffer| buffer.version);
         let mut messages = vec![publish(uri.to_owned(), version, diagnostics)];
         if let Some(error) = &config.error
             && !self.shown_errors.contains(error)
@@ -359,26 +360,37 @@ fn watch_request() -> Message {
     Request::new(id, "client/registerCapability".to_owned(), params).into()
 }
 
-/// Returns the path of a `file:` address: `file:///x`, `file:/x` or `file://localhost/x`.
+/// Returns the path of a `file:` address: `file:///x`, `file:/x` or `file://localhost/x`; `None` if it names no file of this
+/// machine.
 pub(super) fn path(uri: &str) -> Option<PathBuf> {
     let path = uri.strip_prefix("file:")?;
     let path = match path.strip_prefix("//") {
-        Some(rest) => rest
-            .strip_prefix("localhost")
-            .filter(|path| path.starts_with('/'))
-            .unwrap_or(rest),
+        Some(rest) => rest.strip_prefix("localhost").unwrap_or(rest),
         None => path,
     };
-    let mut bytes = Vec::new();
-    let mut rest = path.as_bytes();
+    if !path.starts_with('/') {
+        return None;
+    }
+    let path = String::from_utf8(percent_decoded(path)).ok()?;
+    // On Windows, the path of the address is /C:/folder.
+    let is_drive =
+        matches!(path.as_bytes(), [b'/', letter, b':', ..] if letter.is_ascii_alphabetic());
+    Some(PathBuf::from(if is_drive { &path[1..] } else { &path }))
+}
+
+/// Returns the bytes of a text with `%XX` replaced by the byte. Another `%` stays.
+fn percent_decoded(text: &str) -> Vec<u8> {
+    let digit = |byte: u8| char::from(byte).to_digit(16);
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
     while let [first, after @ ..] = rest {
-        let code = after
-            .get(..2)
-            .and_then(|digits| std::str::from_utf8(digits).ok());
-        let code = code.and_then(|digits| u8::from_str_radix(digits, 16).ok());
-        match code.filter(|_| *first == b'%') {
-            Some(byte) => {
-                bytes.push(byte);
+        let code = match after {
+            [high, low, ..] if *first == b'%' => digit(*high).zip(digit(*low)),
+            _ => None,
+        };
+        match code {
+            Some((high, low)) => {
+                bytes.push((high * 16 + low) as u8);
                 rest = &after[2..];
             }
             None => {
@@ -387,10 +399,7 @@ pub(super) fn path(uri: &str) -> Option<PathBuf> {
             }
         }
     }
-    let path = String::from_utf8(bytes).ok()?;
-    // On Windows, the path of the address is /C:/folder.
-    let is_drive = path.get(2..3) == Some(":");
-    Some(PathBuf::from(if is_drive { &path[1..] } else { &path }))
+    bytes
 }
 
 fn capabilities(encoding: &str) -> Value {

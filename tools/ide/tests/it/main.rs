@@ -1,5 +1,6 @@
 //! The tests of what editors ask, in one binary.
 
+mod completions;
 mod ide;
 mod transport;
 mod vscode;

@@ -1,7 +1,9 @@
 //! Framing, and servers on connections in memory.
 
+use serde_json::{Value, json};
+use std::cell::RefCell;
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
 use tip_ide::lsp::{self, RobotConfig, Workspace};
@@ -77,11 +79,15 @@ fn a_long_header_line_is_cut() {
     assert_eq!(next(&mut stream), None, "the line never ends");
 }
 
-/// A workspace without files.
-struct NoFiles;
+/// A workspace without files. It notes the paths of programs, and panics for one that is called `panic.prg`.
+#[derive(Clone, Default)]
+struct NoFiles(Rc<RefCell<Vec<Option<PathBuf>>>>);
 
 impl Workspace for NoFiles {
-    fn robot(&mut self, _: Option<&Path>, _: Option<&str>, _: Lang) -> Rc<RobotConfig> {
+    fn robot(&mut self, path: Option<&Path>, _: Option<&str>, _: Lang) -> Rc<RobotConfig> {
+        self.0.borrow_mut().push(path.map(Path::to_owned));
+        let is_bad = path.is_some_and(|path| path.ends_with("panic.prg"));
+        assert!(!is_bad, "a defect");
         Rc::new(RobotConfig {
             options: Options::default(),
             robot: None,
@@ -124,13 +130,17 @@ impl Write for Output {
 
 /// Serves a language client that sends messages; returns the responses, and the result of the session.
 fn served(messages: &[&str]) -> (Vec<String>, bool) {
+    served_in(NoFiles::default(), messages)
+}
+
+fn served_in(files: NoFiles, messages: &[&str]) -> (Vec<String>, bool) {
     let mut input = Vec::new();
     for message in messages {
         write(&mut input, message).expect("it is in memory");
     }
     let output = Output::default();
     let connection = Connection::new(io::Cursor::new(input), output.clone());
-    let is_proper = lsp::serve(connection, NoFiles).expect("it is in memory");
+    let is_proper = lsp::serve(connection, files).expect("it is in memory");
     let bytes = output.0.lock().expect("no panic").clone();
     let mut stream = &bytes[..];
     let mut sent = Vec::new();
@@ -161,4 +171,77 @@ fn a_language_server_needs_no_process() {
     assert!(sent[2].contains(r#""id":2,"result":null"#), "{}", sent[2]);
     assert!(!served(&[begin, exit]).1, "exit without shutdown");
     assert!(!served(&[begin]).1, "the stream ends");
+}
+
+const BEGIN: &str =
+    r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}"#;
+
+fn opened(uri: &str) -> String {
+    let document =
+        json!({ "uri": uri, "languageId": "tip", "version": 1, "text": "3.1\nT\nEND\n" });
+    let params = json!({ "textDocument": document });
+    json!({ "jsonrpc": "2.0", "method": "textDocument/didOpen", "params": params }).to_string()
+}
+
+#[test]
+fn a_defect_in_one_program_leaves_the_others_their_diagnostics() {
+    let open = ["file:///a.prg", "file:///panic.prg", "file:///z.prg"].map(opened);
+    let (sent, _) = served(&[BEGIN, &open[0], &open[1], &open[2]]);
+    let sent = sent.iter().skip(1);
+    let sent = sent.map(|message| {
+        let message: Value = serde_json::from_str(message).expect("it is JSON");
+        let params = &message["params"];
+        let text = params["uri"].as_str().or(params["message"].as_str());
+        (
+            message["method"].as_str().unwrap_or_default().to_owned(),
+            text.unwrap_or_default().to_owned(),
+        )
+    });
+    let published = |uri: &str| ("textDocument/publishDiagnostics".to_owned(), uri.to_owned());
+    let reported = "file:///panic.prg: tip failed; this is a defect of tip, please report it";
+    let expected = [
+        published("file:///a.prg"),
+        ("window/logMessage".to_owned(), reported.to_owned()),
+        published("file:///z.prg"),
+    ];
+    // Documents that arrive later may be in a later round; each round keeps this order, and none repeats the defect.
+    let mut sent: Vec<(String, String)> = sent.collect();
+    sent.sort_by(|one, other| one.1.cmp(&other.1));
+    assert_eq!(sent, expected);
+}
+
+#[test]
+fn addresses_lead_to_paths_and_the_others_to_none() {
+    let path = |uri: &str| {
+        let files = NoFiles::default();
+        served_in(files.clone(), &[BEGIN, &opened(uri)]);
+        let asked = files.0.borrow();
+        asked.first().expect("the program is checked").clone()
+    };
+    for (uri, expected) in [
+        ("file:///robot/walk.prg", Some("/robot/walk.prg")),
+        ("file:/robot/walk.prg", Some("/robot/walk.prg")),
+        ("file://localhost/robot/walk.prg", Some("/robot/walk.prg")),
+        ("file:///C:/walk.prg", Some("C:/walk.prg")),
+        ("file:///c%3A/walk.prg", Some("c:/walk.prg")),
+        ("file:///%C3%A9:/x.prg", Some("/\u{E9}:/x.prg")),
+        ("file:///%E6%AD%A9.prg", Some("/\u{6B69}.prg")),
+        ("file:///\u{6B69}%20.prg", Some("/\u{6B69} .prg")),
+        ("file:///100%", Some("/100%")),
+        ("file:///%+1%zz%4.prg", Some("/%+1%zz%4.prg")),
+        ("file:///%\u{E9}1.prg", Some("/%\u{E9}1.prg")),
+        // No text, no file of this machine, no path from the root, or no file at all.
+        ("file:///%FF.prg", None),
+        ("file://host/walk.prg", None),
+        ("file://localhosts/walk.prg", None),
+        ("file:%C3%A9:/x.prg", None),
+        ("file:x.prg", None),
+        ("file:", None),
+        ("file://", None),
+        ("untitled:Untitled-1", None),
+        ("\u{E9}", None),
+        ("", None),
+    ] {
+        assert_eq!(path(uri), expected.map(PathBuf::from), "{uri}");
+    }
 }

@@ -8,7 +8,7 @@ use tipc::analysis::flow::{Flow, NodeId};
 use tipc::program::{Action, Operand, Program, StepId};
 
 /// The most turns that are counted. At 20 ms they take more than five hours.
-const TURNS: u64 = 1_000_000;
+const MAX_TURNS: u64 = 1_000_000;
 
 /// Maximum nesting depth of counted loops. Those inside count as loops without a bound.
 const DEPTH: usize = 32;
@@ -33,6 +33,7 @@ impl Counted {
 /// the work is bounded.
 pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counted> {
     let work = Work::of(flow.nodes().len());
+    let additions = Work::new(MAX_TURNS as usize, flow.nodes().len());
     let before = flow.before();
     let entries: BTreeSet<NodeId> = flow.calls().map(|call| call.entry).collect();
     // Something else leads or calls into the body.
@@ -50,7 +51,7 @@ pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counte
     assignments.find_shared();
     let mut all = BTreeMap::new();
     for (head, node) in flow.nodes().iter().enumerate() {
-        if let Some(one) = candidate(program, flow, node.step)
+        if let Some(one) = candidate(program, flow, node.step, &additions)
             && work.take(one.nodes.len()).is_some()
             && !is_entered(head, &one.nodes)
             && !assignments.set_counter(head, &one, &work)
@@ -68,7 +69,7 @@ pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counte
 }
 
 /// Returns the loop of a FOR over constants that is entered.
-fn candidate(program: &Program, flow: &Flow, step: StepId) -> Option<Counted> {
+fn candidate(program: &Program, flow: &Flow, step: StepId, additions: &Work) -> Option<Counted> {
     let Action::For {
         from: Operand::Constant(from),
         to: Operand::Constant(to),
@@ -81,12 +82,13 @@ fn candidate(program: &Program, flow: &Flow, step: StepId) -> Option<Counted> {
     };
     Some(Counted {
         nodes: flow.first(step + 1)..flow.first(exit),
-        turns: turns(from, to, by)?,
+        turns: turns([from, to, by], additions)?,
     })
 }
 
-/// Returns the number of runs of FOR's body; `None` if never, or too often to count.
-fn turns(from: f64, to: f64, by: f64) -> Option<u64> {
+/// Returns the number of runs of FOR's body; `None` if never, or too often to count. The sums of fractions are rounded as they
+/// are when the loop runs, so each takes an addition.
+fn turns([from, to, by]: [f64; 3], additions: &Work) -> Option<u64> {
     let goes_on = |value: f64| {
         if by > 0.0 {
             value <= to
@@ -96,14 +98,15 @@ fn turns(from: f64, to: f64, by: f64) -> Option<u64> {
     };
     if [from, to, by].iter().all(|number| is_whole(*number)) && goes_on(from) {
         let turns = ((to - from) / by).floor() + 1.0;
-        return (turns <= TURNS as f64).then_some(turns as u64);
+        return (turns <= MAX_TURNS as f64).then_some(turns as u64);
     }
     let mut value = from;
     let mut turns = 0;
     while goes_on(value) {
+        additions.take(1)?;
         value += by;
         turns += 1;
-        if turns > TURNS || !value.is_finite() {
+        if turns > MAX_TURNS || !value.is_finite() {
             return None;
         }
     }

@@ -34,14 +34,19 @@ pub(super) struct Work(Cell<usize>);
 
 impl Work {
     /// Work that every program may take. What honest programs take is far below.
-    const LEAST: usize = 1_000_000;
+    const MIN_WORK: usize = 100_000;
 
     /// Work for each of its nodes.
     const FOR_NODE: usize = 32;
 
     /// Returns the work that a program of so many nodes may take.
     pub(super) fn of(nodes: usize) -> Self {
-        Work(Cell::new(Work::LEAST + Work::FOR_NODE * nodes))
+        Work::new(Work::MIN_WORK, nodes)
+    }
+
+    /// Returns the work of every program, and that for each of its nodes.
+    pub(super) fn new(least: usize, nodes: usize) -> Self {
+        Work(Cell::new(least + Work::FOR_NODE * nodes))
     }
 
     /// Takes some of it; `None` if there is not so much left, and nothing then is.

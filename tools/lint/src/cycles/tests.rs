@@ -12,10 +12,10 @@ const TITAN: Sampling = Sampling {
 fn program(statements: &str) -> Program {
     let text = format!("3.1\ntest\n{statements}\n");
     let loaded = load("test.prg", text.as_bytes(), &Options::default());
-    let told = loaded.diagnostics;
+    let reported = loaded.diagnostics;
     loaded
         .program
-        .unwrap_or_else(|| panic!("{told:#?}\n{text}"))
+        .unwrap_or_else(|| panic!("{reported:#?}\n{text}"))
 }
 
 /// Returns the parts as lines without the file's name; line 3 is the first of the statements.

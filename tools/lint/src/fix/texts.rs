@@ -56,7 +56,7 @@ fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
     let text = site.source.text();
     let first = Span::new(
         span.start,
-        word_end(text.as_bytes(), span.start).min(span.end),
+        word_end(&text.as_bytes()[..span.end], span.start),
     );
     // After these words any character may stand.
     let word = narrow(site.slice(first));

@@ -91,7 +91,7 @@ pub(super) fn conditions(
     unreachable: &Unreachable,
     found: &mut Diagnostics,
 ) {
-    let deeds = Deeds::of(context.program);
+    let deeds = EffectCounts::of(context.program);
     for Constant { step, outcome } in constant {
         let Some(statement) = context
             .statement(*step)
@@ -117,9 +117,9 @@ pub(super) fn conditions(
 }
 
 /// For each step how many before it do something or go elsewhere.
-struct Deeds(Vec<u32>);
+struct EffectCounts(Vec<u32>);
 
-impl Deeds {
+impl EffectCounts {
     fn of(program: &Program) -> Self {
         let mut deeds = vec![0];
         let mut count = 0;
@@ -127,7 +127,7 @@ impl Deeds {
             count += u32::from(step.action.acts() || leads_on(&step.action));
             deeds.push(count);
         }
-        Deeds(deeds)
+        EffectCounts(deeds)
     }
 
     /// Returns true if something depends on a step: a block without any action is a sketch.

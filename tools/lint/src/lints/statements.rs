@@ -7,7 +7,7 @@ use crate::message::{Lack, Linting, Stretch};
 use smol_str::SmolStr;
 use std::collections::BTreeSet;
 use tip_runtime::command::{ABSOLUTE, Op, READING, RELATIVE, Reading, TIMERS, Target};
-use tipc::analysis::assignment::{Assigned, Assignment, Gap, Ways, gaps};
+use tipc::analysis::assignment::{Assigned, Assignment, Gap, Paths, gaps};
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Diagnostics};
 use tipc::language::commands::{self, Form};
@@ -22,7 +22,7 @@ use tipc::syntax::{self, Equation, Expression, OperandKind, StatementKind, upper
 pub(super) fn unassigned(context: &LintContext<'_>, found: &mut Diagnostics) {
     let program = context.program;
     let assignment = match program.edition().is_strict() {
-        true => Ways::of(program).assignment,
+        true => Paths::of(program).assignment,
         false => Assignment::along(program, context.flow),
     };
     let gaps = gaps(program, &assignment);

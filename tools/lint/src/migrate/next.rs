@@ -32,6 +32,7 @@ pub(super) fn to_3_2(name: &str, bytes: &[u8], encoding: Encoding) -> (Vec<u8>, 
     let mut notes = vec![Note::new(NoteKind::Change, source, version, text)];
     rename(&before, &mut edits, &mut notes);
     let result = changed(source, edits);
+    let mut asked: HashSet<(u32, u32)> = HashSet::new();
     for robot in robots(name, bytes, encoding) {
         let after = load(name, &result, encoding, robot);
         // Line 1 and the names have changed, the lines and the statements have not.
@@ -44,9 +45,7 @@ pub(super) fn to_3_2(name: &str, bytes: &[u8], encoding: Encoding) -> (Vec<u8>, 
             before.flat_map(|before| shown(before, program))
         });
         for ((line, column), text) in errors.chain(shown) {
-            let is_known =
-                |it: &Note| (it.line, it.column, it.kind) == (line, column, NoteKind::Question);
-            if !notes.iter().any(is_known) {
+            if asked.insert((line, column)) {
                 notes.push(Note {
                     kind: NoteKind::Question,
                     line,

@@ -7,7 +7,7 @@ use tip_lint::{Options, load};
 use tipc::code::Mistake;
 
 /// About as many words of a program are left out, doubled or taken for another.
-const MOST: usize = 4;
+const MAX_VARIANTS: usize = 4;
 
 /// Collects all programs in a folder and the folders in it, in order.
 fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -29,7 +29,7 @@ fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
 fn variants(text: &str) -> Vec<String> {
     let words: Vec<&str> = text.split_whitespace().skip(2).collect();
     let place = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
-    let stride = words.len() / MOST + 1;
+    let stride = words.len() / MAX_VARIANTS + 1;
     let mut variants = Vec::new();
     for pair in words.windows(2).step_by(stride) {
         let (start, end) = (place(pair[0]), place(pair[0]) + pair[0].len());

@@ -2,8 +2,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use tip_lint::{Loaded, Options, load};
-use tipc::code::Code;
+use tip_lint::{Loaded, Options, load, recognize_robot};
+use tipc::Robot;
+use tipc::code::{Code, Level};
 use tipc::message::{Lang, Message};
 use tipc::render::{Style, human};
 
@@ -161,4 +162,32 @@ fn foreign_declarations_inputs_and_conditions() {
     assert_eq!(help("DEF_VAR V\nV = AD_IN(VR1)\nSLEEP V"), read);
     let conditions = Some("a condition is a comparison of two numbers, as `A >= 5`, or an event flag, as `KB_HIT` or `!KB_HIT`".to_owned());
     assert_eq!(help("IF THEN\nALL_STOP\nENDIF"), conditions);
+}
+
+/// A program for the hand is no mistake of its own on each line of another robot.
+#[test]
+fn a_program_for_another_robot_is_one_error() {
+    let errors = |statements: &str, robot: Robot| {
+        let text = format!("3.1\nt\n{statements}\nEND\n");
+        let options = Options {
+            robot,
+            ..Options::default()
+        };
+        let mut loaded = load("p.prg", text.as_bytes(), &options);
+        recognize_robot(&mut loaded, text.as_bytes(), &options);
+        let found = loaded.diagnostics.iter();
+        let found = found.filter(|it| it.level() == Level::Error);
+        found.map(|it| it.reason.to_string()).collect::<Vec<_>>()
+    };
+    let grasp = "PTP FLOOR 0 0 0\nTORQUE J11 200\nTORQUE J21 100\nTORQUE J31 100";
+    let one = "this looks like a program for hand: it has no errors there, and many for titan8";
+    assert_eq!(errors(grasp, Robot::Titan8), [one]);
+    assert!(errors(grasp, Robot::Hand).is_empty());
+    // Too few to tell, and a program that has errors on the hand too.
+    assert_eq!(
+        errors("TORQUE J11 200\nTORQUE J21 100", Robot::Titan8).len(),
+        2
+    );
+    let wrong = format!("{grasp}\nSLEEP X");
+    assert_eq!(errors(&wrong, Robot::Titan8).len(), 5);
 }

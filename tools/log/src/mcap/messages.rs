@@ -405,11 +405,16 @@ protobuf! { same:
 /// Returns the file of the own messages.
 fn own_file(recording: &Recording) -> FileDescriptorProto {
     let feet = (1..).take(recording.robot.legs.len());
-    let feet = (2..).zip(feet.map(|leg| format!("{}_N", foot(leg))));
-    let mut loads = vec![time_field()];
-    loads.extend(feet.map(|(number, name)| number_field(&name, number)));
+    let of_feet = |unit: &str| {
+        let names = feet.clone().map(|leg| format!("{}_{unit}", foot(leg)));
+        let fields = (2..)
+            .zip(names)
+            .map(|(number, name)| number_field(&name, number));
+        [time_field()].into_iter().chain(fields).collect()
+    };
     let mut messages = same();
-    messages.push(message("Loads", loads));
+    messages.push(message("Loads", of_feet("N")));
+    messages.push(message("Slips", of_feet("mm")));
     messages.push(Variables::of(&recording.script.scalars).descriptor());
     descriptors("tip.proto", "tip", "proto2", &[TIME], messages)
 }
@@ -446,13 +451,13 @@ pub(super) fn margin(time: u64, frame: &Frame, falls: usize) -> Option<Margin> {
     })
 }
 
-/// Returns `tip.Loads`.
-pub(super) fn loads(time: u64, frame: &Frame) -> Option<Vec<u8>> {
+/// Returns `tip.Loads` or `tip.Slips`: a number of each foot.
+pub(super) fn of_feet(time: u64, values: &[f64]) -> Option<Vec<u8>> {
     let mut message = begun(time);
-    for (field, load) in (2..).zip(&frame.loads) {
-        double::encode(field, load, &mut message);
+    for (field, value) in (2..).zip(values) {
+        double::encode(field, value, &mut message);
     }
-    (!frame.loads.is_empty()).then_some(message)
+    (!values.is_empty()).then_some(message)
 }
 
 /// Returns a message whose first field is its time.

@@ -1,7 +1,7 @@
 //! Tables of runs.
 
 use tip_sim::{Events, Robot, tipc};
-use tip_view::{Extent, Pace, Recording};
+use tip_view::{DurationLimit, FrameRate, Recording};
 
 const TEXT: &str = "3.1\nTable\nDEF_VAR COUNT\nCOUNT = 1\nMESSAGE one, \"two\"\nLAMP_ON 2\nREL_PTP_ANGLE HS J11 1\nCOUNT = 2\nREM\nEND\n";
 
@@ -12,7 +12,7 @@ fn table(every: u64) -> Vec<Vec<String>> {
 fn record(text: &str, every: u64) -> Recording {
     let robot = Robot::named("titan8").expect("it has a name");
     let loaded = tipc::load("test.prg", text.as_bytes(), &robot.options());
-    let (extent, pace) = (Extent::cycles(100), Pace::Every(every));
+    let (extent, pace) = (DurationLimit::cycles(100), FrameRate::Every(every));
     let recording = Recording::paced(&loaded, &robot, &Events::NONE, extent, pace, || true);
     recording.expect("it runs")
 }

@@ -7,7 +7,7 @@ use std::io::Cursor;
 use std::path::Path;
 use tip_runtime::plant::{Block, Scene};
 use tip_sim::{Events, Robot, tipc, urdf};
-use tip_view::{Extent, Pace, Recording, robot_frame};
+use tip_view::{DurationLimit, FrameRate, Recording, robot_frame};
 
 fn example(path: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -16,8 +16,15 @@ fn example(path: &str) -> String {
 
 fn record(text: &str, robot: &Robot, cycles: u64) -> Recording {
     let loaded = tipc::load("test.prg", text.as_bytes(), &robot.options());
-    let extent = Extent::cycles(cycles);
-    let recording = Recording::paced(&loaded, robot, &Events::NONE, extent, Pace::Smooth, || true);
+    let extent = DurationLimit::cycles(cycles);
+    let recording = Recording::paced(
+        &loaded,
+        robot,
+        &Events::NONE,
+        extent,
+        FrameRate::Smooth,
+        || true,
+    );
     recording.expect("it runs")
 }
 
@@ -192,6 +199,7 @@ fn each_topic_has_its_schema_and_as_many_messages_as_the_run() {
             ("/tip/loads", "tip.Loads", frames),
             ("/tip/margin", "tip.Margin", frames),
             ("/tip/messages", "foxglove.Log", said),
+            ("/tip/slips", "tip.Slips", frames),
             ("/tip/state", "tip.State", frames + recording.steps.len()),
             ("/tip/variables", "tip.Variables", assigning.len()),
         ]

@@ -6,13 +6,20 @@ use tip_log::{Diagram, plot};
 use tip_runtime::plant::Scene;
 use tip_sim::tipc::message::Lang;
 use tip_sim::{Events, Robot, tipc};
-use tip_view::{Extent, Recording};
+use tip_view::{DurationLimit, Recording};
 
 fn record(path: &str, robot: &Robot) -> Recording {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let text = fs::read(root.join(path)).expect("the example is there");
     let loaded = tipc::load("test.prg", &text, &robot.options());
-    Recording::of(&loaded, robot, &Events::NONE, Extent::cycles(1000), || true).expect("it runs")
+    Recording::of(
+        &loaded,
+        robot,
+        &Events::NONE,
+        DurationLimit::cycles(1000),
+        || true,
+    )
+    .expect("it runs")
 }
 
 fn walk() -> Recording {
@@ -110,7 +117,13 @@ fn what_xml_cannot_hold_is_not_in_a_diagram() {
     let text = "3.1\na\u{1}b\u{1b}[31m<c>\u{fffe}&\u{ffff}\nSLEEP 100\nEND\n";
     let robot = Robot::named("titan8").expect("it has a name");
     let loaded = tipc::load("t.prg", text.as_bytes(), &robot.options());
-    let recording = Recording::of(&loaded, &robot, &Events::NONE, Extent::cycles(9), || true);
+    let recording = Recording::of(
+        &loaded,
+        &robot,
+        &Events::NONE,
+        DurationLimit::cycles(9),
+        || true,
+    );
     let recording = recording.expect("it runs");
     let svg = plot(&recording, &Diagram::ALL, Lang::English).expect("it stood");
     let is_char = |c: char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{fffd}' | '\u{10000}'..);

@@ -86,20 +86,22 @@ pub(super) enum HitPrediction {
 #[derive(Debug)]
 pub(super) struct Breakpoints {
     all: Vec<Breakpoint>,
-    /// True for each step that has a breakpoint.
-    steps: Vec<bool>,
+    /// The number of breakpoints at each step.
+    steps: Vec<u32>,
 }
 
 impl Breakpoints {
     pub(super) fn new(steps: usize) -> Self {
         Breakpoints {
             all: Vec::new(),
-            steps: vec![false; steps],
+            steps: vec![0; steps],
         }
     }
 
     fn are_at(&self, step: u32) -> bool {
-        self.steps.get(step as usize).copied().unwrap_or(false)
+        self.steps
+            .get(step as usize)
+            .is_some_and(|count| *count > 0)
     }
 
     fn at(&self, step: u32) -> impl Iterator<Item = &Breakpoint> {
@@ -107,13 +109,26 @@ impl Breakpoints {
         all.iter().filter(move |one| one.steps.contains(&step))
     }
 
-    fn changed(&mut self) {
-        self.steps.fill(false);
-        for step in self.all.iter().flat_map(|one| &one.steps) {
-            if let Some(place) = self.steps.get_mut(*step as usize) {
-                *place = true;
+    fn add(&mut self, one: Breakpoint) {
+        for step in &one.steps {
+            if let Some(count) = self.steps.get_mut(*step as usize) {
+                *count += 1;
             }
         }
+        self.all.push(one);
+    }
+
+    fn remove(&mut self, id: u32) -> bool {
+        // The numbers grow.
+        let Ok(place) = self.all.binary_search_by_key(&id, |one| one.id) else {
+            return false;
+        };
+        for step in self.all.remove(place).steps {
+            if let Some(count) = self.steps.get_mut(step as usize) {
+                *count -= 1;
+            }
+        }
+        true
     }
 
     /// Returns the first one that stops a run at a position where a step begins.
@@ -252,7 +267,7 @@ impl Debugger {
             .and_then(|step| self.program.steps().get(*step as usize));
         let (line, column) = first.map_or((0, 0), |step| (step.line, step.column));
         let id = self.new_id();
-        self.breakpoints.all.push(Breakpoint {
+        self.breakpoints.add(Breakpoint {
             id,
             steps,
             asked,
@@ -261,16 +276,12 @@ impl Debugger {
             passes: Vec::new(),
             known: 0,
         });
-        self.breakpoints.changed();
         Ok(Placed { id, line, column })
     }
 
     /// Removes a breakpoint; returns true if there was one.
     pub fn remove_breakpoint(&mut self, id: u32) -> bool {
-        let before = self.breakpoints.all.len();
-        self.breakpoints.all.retain(|one| one.id != id);
-        self.breakpoints.changed();
-        self.breakpoints.all.len() < before
+        self.breakpoints.remove(id)
     }
 
     /// Returns the lines of a step where breakpoints are, with their numbers.
@@ -284,12 +295,11 @@ impl Debugger {
     }
 }
 
-/// Returns the first step that does not begin before a place.
+/// Returns the first step that does not begin before a place. Steps are in the order of the text.
 fn first_from(program: &Program, line: u32, column: u32) -> Option<u32> {
-    let steps = (0..).zip(program.steps());
-    let behind = steps.filter(|(_, step)| (step.line, step.column) >= (line, column));
-    let first = behind.min_by_key(|(_, step)| (step.line, step.column));
-    first.map(|(number, _)| number)
+    let steps = program.steps();
+    let first = steps.partition_point(|step| (step.line, step.column) < (line, column));
+    (first < steps.len()).then_some(first as u32)
 }
 
 impl Debugger {

@@ -49,10 +49,12 @@ pub(super) enum Expression {
 
 impl Expression {
     pub(super) fn new(text: &str, asker: &QueryContext) -> Result<Self, DebugError> {
-        match (asker.number(text), asker.condition(text)) {
-            (Ok(value), _) => Ok(Expression::Number(value)),
-            (Err(_), Ok(condition)) => Ok(Expression::Truth(condition)),
-            (Err(error), Err(_)) => Err(error.into()),
+        match asker.number(text) {
+            Ok(value) => Ok(Expression::Number(value)),
+            Err(error) => match asker.condition(text) {
+                Ok(condition) => Ok(Expression::Truth(condition)),
+                Err(_) => Err(error.into()),
+            },
         }
     }
 

@@ -1,6 +1,6 @@
 //! The process behind an external plant, and the pipes to it.
 
-use super::protocol::{BYE, Ended, LONGEST};
+use super::protocol::{Ended, MAX_ANSWER_BYTES, Request};
 use crate::process_group::ProcessGroup;
 use std::ffi::{OsStr, OsString};
 use std::io::{self, BufRead, BufReader, Read, Write};
@@ -138,7 +138,7 @@ impl Link {
 impl Drop for Link {
     /// Says good-bye, closes its input and waits for its end and that of what it started, which comes in any case.
     fn drop(&mut self) {
-        self.notify(BYE.to_owned());
+        self.notify(Request::Bye.line());
         self.lines = None;
         let grace = if self.skips_grace {
             Duration::ZERO
@@ -175,11 +175,11 @@ fn read_line(output: &mut impl BufRead) -> Received {
     let mut bytes = Vec::new();
     let read = output
         .by_ref()
-        .take(LONGEST + 1)
+        .take(MAX_ANSWER_BYTES + 1)
         .read_until(b'\n', &mut bytes);
     let is_whole = bytes.pop_if(|byte| *byte == b'\n').is_some();
     match (read, is_whole, String::from_utf8(bytes)) {
-        (Ok(read), false, _) if read as u64 > LONGEST => Received::TooLong,
+        (Ok(read), false, _) if read as u64 > MAX_ANSWER_BYTES => Received::TooLong,
         (Ok(_), true, Ok(line)) => Received::Line(line),
         (Ok(_), true, Err(_)) => Received::NotText,
         // A line without its end was cut off.

@@ -1,243 +1,203 @@
-//! The protocol of external plants: the lines that they get, what they answer, and what may be wrong with it.
+//! The protocol of external plants: JSON lines to the process, JSON lines from it, and what may be wrong with an answer.
 
 use crate::message::Simulating;
-use crate::model::Anatomy;
+use crate::model::RobotDescription;
 use crate::sim_hardware::Commands;
+use serde::{Deserialize, Serialize};
 use std::fmt;
-use std::fmt::Write as _;
 use std::time::Duration;
 use tip_runtime::command::Port;
-use tip_runtime::command::Target;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::plant::Pose;
 use tip_runtime::printable::Printable;
 use tipc::message::{Lang, Text};
 
-/// The readings that a process gives of its robot. Lists that it does not measure are empty.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Measured {
+/// The version of the protocol.
+const VERSION: u32 = 2;
+/// Maximum length of an answer, bytes, without the end of the line.
+pub(super) const MAX_ANSWER_BYTES: u64 = 65_536;
+
+/// A line to the process.
+#[derive(Serialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub(super) enum Request<'a> {
+    /// The first line; the process answers with its version and the first readings.
+    Hello {
+        version: u32,
+        robot: &'a str,
+        legs: usize,
+        /// Number of joints of each leg.
+        joints: usize,
+        /// ms.
+        period: f64,
+        /// The initial posture, leg by leg, deg.
+        initial: &'a [f64],
+        /// Fields that every answer must have.
+        needs: Vec<&'static str>,
+    },
+    /// A control cycle; the process answers with its number and the readings after it.
+    Cycle {
+        n: u64,
+        /// ms.
+        period: f64,
+        modes: Vec<&'static str>,
+        /// deg or N·m.
+        targets: Vec<f64>,
+        /// deg/s.
+        rates: Vec<f64>,
+        /// mm.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        slider: Option<[f64; 3]>,
+    },
+    /// An emergency; not answered.
+    Stop { n: u64 },
+    /// The last line; not answered.
+    Bye,
+}
+
+impl Request<'_> {
+    /// Returns the line with its end.
+    pub(super) fn line(&self) -> String {
+        // Only maps whose keys are no strings cannot be written as JSON.
+        serde_json::to_string(self).unwrap_or_default() + "\n"
+    }
+}
+
+/// The readings of a robot, as the process sends them. A field that is not measured is absent.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Answer {
+    /// Protocol version, in the first answer.
+    version: Option<u32>,
+    /// Number of the cycle, in all others.
+    n: Option<u64>,
     /// deg.
+    #[serde(default)]
     pub(super) angles: Vec<f64>,
     /// N·m.
+    #[serde(default)]
     pub(super) torques: Vec<f64>,
     /// N.
+    #[serde(default)]
     pub(super) loads: Vec<f64>,
     /// mm.
-    pub(super) slider: [f64; 3],
-    /// True if it gives the pose of the body.
-    has_pose: bool,
+    pub(super) slider: Option<[f64; 3]>,
+    /// mm and deg: x, y, z, roll, pitch, yaw.
+    pose: Option<[f64; 6]>,
 }
 
-/// An answer that is right.
-pub(super) struct Answer {
-    pub(super) measured: Measured,
-    pub(super) pose: Option<Pose>,
-}
-
-/// Reads the answer to a line. What the first one measures all others have to measure.
-pub(super) fn read(
-    line: &str,
-    to: Head,
-    layout: &Layout,
-    before: &Measured,
-) -> Result<Answer, PlantError> {
-    let begins = match to {
-        Head::Hello => READY,
-        Head::Cycle(_) => STATE,
-    };
-    let mut words = line.split_ascii_whitespace();
-    if words.next() != Some(begins) {
-        let line = line.to_owned();
-        return Err(PlantError::Garbage { to, line, begins });
-    }
-    let mut fields = Fields::default();
-    for word in words {
-        fields.add(word, to)?;
-    }
-    match to {
-        Head::Hello => version(fields.of(PROTOCOL, to)?)?,
-        Head::Cycle(number) => cycle(fields.of(NUMBER, to)?, number, to)?,
-    }
-    let numbers = Numbers {
-        fields: &fields,
-        to,
-        layout,
-    };
-    let joints = layout.legs * layout.joints;
-    let is_first = to == Head::Hello;
-    let torques = layout.has_torques || !is_first && !before.torques.is_empty();
-    let loads = !is_first && !before.loads.is_empty();
-    let pose = !is_first && before.has_pose;
-    let slider = numbers.of(
-        SLIDER,
-        if layout.has_slider { 3 } else { 0 },
-        layout.has_slider,
-    )?;
-    let pose = numbers.of(POSE, 6, pose)?;
-    let pose = <[f64; 6]>::try_from(pose)
-        .ok()
-        .map(|[x, y, z, roll, pitch, yaw]| Pose {
+impl Answer {
+    /// Returns the pose of the body, if the process gives it.
+    pub(super) fn pose(&self) -> Option<Pose> {
+        self.pose.map(|[x, y, z, roll, pitch, yaw]| Pose {
             position: [x, y, z],
             roll,
             pitch,
             yaw,
-        });
-    let measured = Measured {
-        angles: numbers.of(ANGLES, joints, true)?,
-        torques: numbers.of(TORQUES, joints, torques)?,
-        loads: numbers.of(LOADS, layout.soles, loads)?,
-        slider: slider.try_into().unwrap_or_default(),
-        has_pose: pose.is_some(),
-    };
-    Ok(Answer { measured, pose })
-}
-
-fn version(found: &str) -> Result<(), PlantError> {
-    match found.parse::<u32>() {
-        Ok(VERSION) => Ok(()),
-        _ => Err(PlantError::Version {
-            found: found.to_owned(),
-        }),
+        })
     }
 }
 
-fn cycle(found: &str, number: u64, to: Head) -> Result<(), PlantError> {
-    match found.parse::<u64>() {
-        Ok(found) if number == found => Ok(()),
-        _ => Err(PlantError::Cycle {
-            to,
-            found: found.to_owned(),
-        }),
-    }
-}
-
-/// The words of an answer by their keys.
-#[derive(Default)]
-struct Fields<'a>(Vec<(&'static str, &'a str)>);
-
-impl<'a> Fields<'a> {
-    fn add(&mut self, word: &'a str, to: Head) -> Result<(), PlantError> {
-        let unknown = || PlantError::Word {
-            to,
-            word: word.to_owned(),
-        };
-        let (key, values) = word.split_once('=').ok_or_else(unknown)?;
-        let own = match to {
-            Head::Hello => PROTOCOL,
-            Head::Cycle(_) => NUMBER,
-        };
-        let mut keys = [own, ANGLES, TORQUES, LOADS, SLIDER, POSE].into_iter();
-        let key = keys.find(|known| *known == key).ok_or_else(unknown)?;
-        if self.get(key).is_some() {
-            return Err(PlantError::Twice { to, key });
-        }
-        self.0.push((key, values));
-        Ok(())
-    }
-
-    fn get(&self, key: &str) -> Option<&'a str> {
-        let found = self.0.iter().find(|(known, _)| *known == key);
-        found.map(|(_, values)| *values)
-    }
-
-    fn of(&self, key: &'static str, to: Head) -> Result<&'a str, PlantError> {
-        self.get(key).ok_or(PlantError::Missing { to, key })
-    }
-}
-
-/// The numbers of an answer.
-struct Numbers<'a> {
-    fields: &'a Fields<'a>,
+/// Reads the answer to a request. A quantity that the first answer measures is required in all others.
+pub(super) fn read(
+    line: &str,
     to: Head,
-    layout: &'a Layout,
-}
-
-impl Numbers<'_> {
-    /// Reads the finite numbers of a key; none if the key is not there and not needed.
-    fn of(
-        &self,
-        key: &'static str,
-        wanted: usize,
-        is_needed: bool,
-    ) -> Result<Vec<f64>, PlantError> {
-        let to = self.to;
-        let Some(values) = self.fields.get(key) else {
-            return if is_needed {
-                Err(PlantError::Missing { to, key })
-            } else {
-                Ok(Vec::new())
-            };
-        };
-        let words: Vec<&str> = values.split(',').filter(|_| !values.is_empty()).collect();
-        if words.len() != wanted {
-            let found = words.len();
-            return Err(PlantError::Count {
-                to,
-                key,
-                wanted,
-                found,
-            });
+    layout: &Layout,
+    before: &Answer,
+) -> Result<Answer, PlantError> {
+    if let (Head::Hello, Some(found)) = (to, version(line))
+        && found != VERSION
+    {
+        return Err(PlantError::Version { found });
+    }
+    let wrong = |path: String, reason: String| PlantError::Wrong {
+        to,
+        line: line.to_owned(),
+        path,
+        reason,
+    };
+    let mut json = serde_json::Deserializer::from_str(line);
+    let read = serde_path_to_error::deserialize(&mut json);
+    let answer: Answer = read.map_err(|error| {
+        let path = error.path().to_string();
+        // JSON cannot write these numbers; libraries write words in their place. An answer holds no text.
+        let is_not_finite = ["NaN", "Infinity"].iter().any(|word| line.contains(word));
+        if error.inner().is_syntax() && is_not_finite {
+            PlantError::NotFinite { to, path }
+        } else {
+            wrong(path, error.inner().to_string())
         }
-        let numbers = words.iter().enumerate().map(|(index, word)| {
-            let place = || place(self.layout, key, index);
-            let word = (*word).to_owned();
-            match word.parse::<f64>() {
-                Ok(number) if number.is_finite() => Ok(number),
-                Ok(_) => Err(PlantError::NotFinite {
-                    to,
-                    key,
-                    place: place(),
-                }),
-                Err(_) => Err(PlantError::NotNumber {
-                    to,
-                    key,
-                    place: place(),
-                    word,
-                }),
+    })?;
+    json.end()
+        .map_err(|error| wrong(".".to_owned(), error.to_string()))?;
+
+    let missing = |key: &str| wrong(".".to_owned(), format!("missing field `{key}`"));
+    let unknown = |key: &str| wrong(key.to_owned(), format!("unknown field `{key}`"));
+    match to {
+        Head::Hello if answer.version.is_none() => return Err(missing("version")),
+        Head::Hello if answer.n.is_some() => return Err(unknown("n")),
+        Head::Hello => {}
+        Head::Cycle(_) if answer.version.is_some() => return Err(unknown("version")),
+        Head::Cycle(number) => match answer.n {
+            None => return Err(missing("n")),
+            Some(found) if found != number => return Err(PlantError::Cycle { to, found }),
+            Some(_) => {}
+        },
+    }
+    let joints = layout.legs * layout.joints;
+    let has_torques = layout.has_torques || !before.torques.is_empty();
+    for (key, values, wanted, is_needed) in [
+        ("angles", &answer.angles, joints, true),
+        ("torques", &answer.torques, joints, has_torques),
+        (
+            "loads",
+            &answer.loads,
+            layout.soles,
+            !before.loads.is_empty(),
+        ),
+    ] {
+        match values.len() {
+            0 if is_needed => return Err(missing(key)),
+            0 => {}
+            found if found != wanted => {
+                let reason = format!("invalid length {found}, expected {wanted} numbers");
+                return Err(wrong(key.to_owned(), reason));
             }
+            _ => {}
+        }
+    }
+    if layout.has_slider != answer.slider.is_some() {
+        return Err(if layout.has_slider {
+            missing("slider")
+        } else {
+            unknown("slider")
         });
-        numbers.collect()
     }
+    if before.pose.is_some() && answer.pose.is_none() {
+        return Err(missing("pose"));
+    }
+    Ok(answer)
 }
 
-/// Returns the subject of a number of a list, such as a joint.
-fn place(layout: &Layout, key: &str, index: usize) -> String {
-    let at = |names: &[&str]| names.get(index).copied().unwrap_or_default().to_owned();
-    let joints = layout.joints.max(1);
-    let number = |number: usize| u8::try_from(number + 1).unwrap_or(u8::MAX);
-    match key {
-        SLIDER => at(&["x", "y", "z"]),
-        POSE => at(&["x", "y", "z", "roll", "pitch", "yaw"]),
-        LOADS => Target::Foot(number(index)).to_string(),
-        _ => Target::Joint(number(index / joints), number(index % joints)).to_string(),
+/// Returns the protocol version that the answer to the first line names, whatever else it holds.
+fn version(line: &str) -> Option<u32> {
+    #[derive(Deserialize)]
+    struct Versioned {
+        version: u32,
     }
+    if line.split_ascii_whitespace().next() == Some("ready") {
+        // Version 1 had words in place of JSON.
+        return Some(1);
+    }
+    let versioned = serde_json::from_str::<Versioned>(line).ok()?;
+    Some(versioned.version)
 }
 
-/// The version of the protocol.
-pub(super) const VERSION: u32 = 1;
-/// The longest answer: bytes, without the end of the line.
-pub(super) const LONGEST: u64 = 65_536;
-
-pub(super) const HELLO: &str = "hello";
-pub(super) const CYCLE: &str = "cycle";
-pub(super) const READY: &str = "ready";
-pub(super) const STATE: &str = "state";
-/// The last line.
-pub(super) const BYE: &str = "bye\n";
-
-pub(super) const NUMBER: &str = "n";
-pub(super) const PROTOCOL: &str = "version";
-pub(super) const ANGLES: &str = "angles";
-pub(super) const TORQUES: &str = "torques";
-pub(super) const LOADS: &str = "loads";
-pub(super) const SLIDER: &str = "slider";
-pub(super) const POSE: &str = "pose";
-
-/// The facts of a robot that an external plant has to know, and how many numbers belong to it.
+/// The facts of a robot that an external plant needs, and the sizes of its lists.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     robot: String,
-    pub(super) legs: usize,
+    legs: usize,
     /// Number of joints of each leg.
     pub(super) joints: usize,
     /// ms.
@@ -247,19 +207,18 @@ pub(super) struct Layout {
     /// Number of the robot's torque units in 1 N·m.
     pub(super) per_newton_metre: f64,
     /// True if it senses and gives torques.
-    pub(super) has_torques: bool,
-    pub(super) has_slider: bool,
+    has_torques: bool,
+    has_slider: bool,
     /// One on each leg if it stands on them.
-    pub(super) soles: usize,
+    soles: usize,
 }
 
 impl Layout {
-    pub(super) fn of(robot: &str, anatomy: &Anatomy) -> Self {
+    pub(super) fn of(robot: &str, anatomy: &RobotDescription) -> Self {
         let legs = anatomy.legs.len();
         let unit = anatomy.forces.map(|forces| forces.unit.per_newton_metre());
         Layout {
-            // Words end at blanks.
-            robot: robot.replace(char::is_whitespace, "_"),
+            robot: robot.to_owned(),
             legs,
             joints: anatomy.joints,
             period: anatomy.standards.period,
@@ -286,75 +245,45 @@ impl Layout {
     }
 
     /// Returns the first line.
-    pub(super) fn hello(&self) -> String {
-        let Layout {
-            robot,
-            legs,
-            joints,
-            period,
-            ..
-        } = self;
-        let initial = list(self.initial.iter().copied());
-        let needs = match (self.has_torques, self.has_slider) {
-            (false, false) => ANGLES,
-            (true, false) => "angles,torques",
-            (false, true) => "angles,slider",
-            (true, true) => "angles,torques,slider",
-        };
-        format!(
-            "{HELLO} {PROTOCOL}={VERSION} robot={robot} legs={legs} joints={joints} \
-             period={period:?} initial={initial} needs={needs}\n"
-        )
+    pub(super) fn hello(&self) -> Request<'_> {
+        let mut needs = vec!["angles"];
+        needs.extend(self.has_torques.then_some("torques"));
+        needs.extend(self.has_slider.then_some("slider"));
+        Request::Hello {
+            version: VERSION,
+            robot: &self.robot,
+            legs: self.legs,
+            joints: self.joints,
+            period: self.period,
+            initial: &self.initial,
+            needs,
+        }
     }
 
     /// Returns the line of a control cycle.
-    pub(super) fn cycle(&self, number: u64, commands: &Commands<'_>) -> String {
-        let unit = self.per_newton_metre;
-        let (joints, period) = (commands.joints, commands.period);
-        let modes: Vec<&str> = joints.iter().map(|command| mode(*command)).collect();
-        let targets = list(joints.iter().map(|command| match command {
-            JointCommand::Angle { angle, .. } => *angle,
-            JointCommand::Torque(torque) => torque / unit,
-        }));
-        let rates = list(joints.iter().map(|command| match command {
-            JointCommand::Angle { rate, .. } => *rate,
-            JointCommand::Torque(_) => 0.0,
-        }));
-        let mut line = format!(
-            "{CYCLE} {NUMBER}={number} period={period:?} modes={} targets={targets} rates={rates}",
-            modes.join(",")
-        );
-        if self.has_slider {
-            line = format!("{line} {SLIDER}={}", list(commands.slider.into_iter()));
+    pub(super) fn cycle(&self, number: u64, commands: &Commands<'_>) -> Request<'_> {
+        let (mut modes, mut targets, mut rates) = (Vec::new(), Vec::new(), Vec::new());
+        for command in commands.joints {
+            let (mode, target, rate) = match *command {
+                JointCommand::Angle { angle, rate } => ("angle", angle, rate),
+                JointCommand::Torque(torque) => ("torque", torque / self.per_newton_metre, 0.0),
+            };
+            modes.push(mode);
+            targets.push(target);
+            rates.push(rate);
         }
-        line + "\n"
+        Request::Cycle {
+            n: number,
+            period: commands.period,
+            modes,
+            targets,
+            rates,
+            slider: self.has_slider.then_some(commands.slider),
+        }
     }
 }
 
-/// Returns the line of an emergency.
-pub(super) fn stop(number: u64) -> String {
-    format!("stop {NUMBER}={number}\n")
-}
-
-fn mode(command: JointCommand) -> &'static str {
-    match command {
-        JointCommand::Angle { .. } => "angle",
-        JointCommand::Torque(_) => "torque",
-    }
-}
-
-/// Writes numbers with commas between, each the shortest that gives the same bits again.
-fn list(numbers: impl Iterator<Item = f64>) -> String {
-    let mut text = String::new();
-    for (index, number) in numbers.enumerate() {
-        let comma = if index == 0 { "" } else { "," };
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{comma}{number:?}");
-    }
-    text
-}
-
-/// The line that an answer is to.
+/// The request that an answer belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Head {
     /// The first one.
@@ -364,11 +293,11 @@ pub enum Head {
 }
 
 impl fmt::Display for Head {
-    /// Writes it as the line begins.
+    /// Writes `hello`, or `cycle` with its number.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Head::Hello => f.write_str(HELLO),
-            Head::Cycle(number) => write!(f, "{CYCLE} {NUMBER}={number}"),
+            Head::Hello => f.write_str("hello"),
+            Head::Cycle(number) => write!(f, "cycle {number}"),
         }
     }
 }
@@ -397,42 +326,20 @@ pub enum PlantError {
     TooLong { to: Head },
     /// An answer is not UTF-8.
     NotText { to: Head },
-    /// A line that does not begin as an answer.
-    Garbage {
+    /// An answer that is not as the protocol says.
+    Wrong {
         to: Head,
         line: String,
-        begins: &'static str,
+        /// Path to the wrong field, such as `angles[4]`; `.` for the whole answer.
+        path: String,
+        reason: String,
     },
-    /// A word that is not `KEY=VALUES` with a key of this answer.
-    Word { to: Head, word: String },
-    /// A key that occurs twice.
-    Twice { to: Head, key: &'static str },
-    /// A key that is needed.
-    Missing { to: Head, key: &'static str },
+    /// An infinity, or no number.
+    NotFinite { to: Head, path: String },
     /// Another version of the protocol.
-    Version { found: String },
+    Version { found: u32 },
     /// The answer to another cycle.
-    Cycle { to: Head, found: String },
-    /// Too few numbers, or too many.
-    Count {
-        to: Head,
-        key: &'static str,
-        wanted: usize,
-        found: usize,
-    },
-    /// Not a number.
-    NotNumber {
-        to: Head,
-        key: &'static str,
-        place: String,
-        word: String,
-    },
-    /// Infinite, or not a number by name.
-    NotFinite {
-        to: Head,
-        key: &'static str,
-        place: String,
-    },
+    Cycle { to: Head, found: u64 },
     /// The run is a copy of one that has a process.
     Copy,
 }
@@ -447,14 +354,9 @@ impl PlantError {
             PlantError::Version { .. } => "plant: other version",
             PlantError::Cycle { .. } => "plant: answer to another cycle",
             PlantError::NotFinite { .. } => "plant: answer is not finite",
-            PlantError::TooLong { .. }
-            | PlantError::NotText { .. }
-            | PlantError::Garbage { .. }
-            | PlantError::Word { .. }
-            | PlantError::Twice { .. }
-            | PlantError::Missing { .. }
-            | PlantError::Count { .. }
-            | PlantError::NotNumber { .. } => "plant: wrong answer",
+            PlantError::TooLong { .. } | PlantError::NotText { .. } | PlantError::Wrong { .. } => {
+                "plant: wrong answer"
+            }
         }
     }
 
@@ -462,11 +364,21 @@ impl PlantError {
     pub fn message(&self) -> Simulating {
         let head = |to: &Head| Text::from(to.to_string());
         let text = |said: &String| Printable::line(said).to_string();
+        let version = || Text::from(VERSION.to_string());
         match self {
-            PlantError::NoAnswer { to, within } => Simulating::NoAnswer {
-                to: head(to),
-                seconds: within.as_secs_f64().to_string().into(),
-            },
+            PlantError::NoAnswer { to, within } => {
+                let seconds = within.as_secs_f64().to_string().into();
+                match to {
+                    Head::Hello => Simulating::NeverReady {
+                        seconds,
+                        version: version(),
+                    },
+                    Head::Cycle(_) => Simulating::NoAnswer {
+                        to: head(to),
+                        seconds,
+                    },
+                }
+            }
             PlantError::Ended { to, ended } => {
                 let to = head(to);
                 match ended {
@@ -480,54 +392,37 @@ impl PlantError {
             }
             PlantError::TooLong { to } => Simulating::TooLong {
                 to: head(to),
-                bytes: LONGEST.to_string().into(),
+                bytes: MAX_ANSWER_BYTES.to_string().into(),
             },
             PlantError::NotText { to } => Simulating::NotText { to: head(to) },
-            PlantError::Garbage { to, line, begins } => Simulating::NotAnswer {
+            PlantError::Wrong {
+                to,
+                line,
+                path,
+                reason,
+            } if path == "." => Simulating::WrongAnswer {
                 to: head(to),
                 line: text(line),
-                begins,
+                reason: text(reason),
             },
-            PlantError::Word { to, word } => Simulating::UnknownWord {
+            PlantError::Wrong {
+                to, path, reason, ..
+            } => Simulating::WrongField {
                 to: head(to),
-                word: text(word),
+                path: text(path),
+                reason: text(reason),
             },
-            PlantError::Twice { to, key } => Simulating::Twice { to: head(to), key },
-            PlantError::Missing { to, key } => Simulating::Missing { to: head(to), key },
+            PlantError::NotFinite { to, path } => Simulating::NotFinite {
+                to: head(to),
+                path: text(path),
+            },
             PlantError::Version { found } => Simulating::OtherVersion {
-                found: text(found),
-                version: VERSION.to_string().into(),
+                found: *found,
+                version: version(),
             },
             PlantError::Cycle { to, found } => Simulating::OtherCycle {
                 to: head(to),
-                found: text(found),
-            },
-            PlantError::Count {
-                to,
-                key,
-                wanted,
-                found,
-            } => Simulating::OtherCount {
-                to: head(to),
-                key,
-                wanted: wanted.to_string().into(),
                 found: found.to_string().into(),
-            },
-            PlantError::NotNumber {
-                to,
-                key,
-                place,
-                word,
-            } => Simulating::NotNumber {
-                to: head(to),
-                key,
-                place: place.clone().into(),
-                word: text(word),
-            },
-            PlantError::NotFinite { to, key, place } => Simulating::NotFinite {
-                to: head(to),
-                key,
-                place: place.clone().into(),
             },
             PlantError::Copy => Simulating::Copy,
         }

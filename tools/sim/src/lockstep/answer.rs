@@ -1,6 +1,6 @@
 //! Runs on request: inputs come in, one run a line, and one line goes out for each.
 
-use super::{Compared, Divergence, Lockstep, Scout};
+use super::{Compared, Divergence, Lockstep, LockstepObserver};
 use crate::event::Inputs;
 use crate::program_runner::StepTaken;
 use serde::{Deserialize, Serialize};
@@ -169,7 +169,7 @@ impl ReachedPoints {
     }
 }
 
-impl Scout for ReachedPoints {
+impl LockstepObserver for ReachedPoints {
     fn went(&mut self, cycle: u64, StepTaken { from, to }: StepTaken) {
         let edge = to
             .filter(|to| *to != from)

@@ -1,12 +1,11 @@
 //! Export of robots as URDF text.
 
-use super::frame::{self, BASE, BODY, FLOOR, WORLD, length};
-use super::transform::rpy_of_axes;
+use super::frame::{self, BASE, BODY, FLOOR, WORLD, length, rpy_of_axes};
 use super::xml;
-use crate::model::{Anatomy, Limb};
+use crate::model::{Limb, RobotDescription};
 use crate::robot::Robot;
 use std::fmt::Write as _;
-use tip_runtime::model::{Body, Inverse, Joint, Point, Range, Slider, Spread};
+use tip_runtime::model::{Body, InertialProperties, Inverse, Joint, Point, Range, Slider};
 use tipc::description::{Form, Shape, Shapes};
 
 /// Radius of a drawn joint, relative to its link.
@@ -117,7 +116,10 @@ impl Writer {
         let whole = block(ranges);
         let element = LinkElement {
             mass: body.mass,
-            spread: Some(body.spread.unwrap_or(Spread::block(ranges, body.mass))),
+            spread: Some(
+                body.spread
+                    .unwrap_or(InertialProperties::block(ranges, body.mass)),
+            ),
             even: None,
             visual: vec![(whole, "body")],
             collision: match shapes {
@@ -135,7 +137,7 @@ impl Writer {
     }
 
     /// Writes a base that is bolted down, drawn as a plate through the first joints.
-    fn bolted_down(&mut self, anatomy: &Anatomy) {
+    fn bolted_down(&mut self, anatomy: &RobotDescription) {
         self.link(WORLD, &LinkElement::default());
         let around = frame::around(&anatomy.legs, self.thickness);
         self.link(BASE, &plate(around));
@@ -184,7 +186,7 @@ impl Writer {
     /// Returns the link after a joint: its shapes, or a rod to the next joint.
     fn limb(&self, joint: &Joint, shapes: &[Shape]) -> LinkElement {
         let ball = ball(KNUCKLE * self.thickness);
-        let rod = (length(joint.link) >= frame::LEAST).then(|| rod(joint.link, self.thickness));
+        let rod = (length(joint.link) >= frame::MIN_SIZE).then(|| rod(joint.link, self.thickness));
         let visual: Vec<_> = match shapes {
             [] => {
                 let rod = rod.map(|rod| (rod, "limb"));
@@ -203,7 +205,7 @@ impl Writer {
 
     /// Writes a joint for each axis along which the slider moves, and the plate that carries the
     /// floor. All joints are at 0 in the slider's initial position.
-    fn slider(&mut self, slider: &Slider, anatomy: &Anatomy) {
+    fn slider(&mut self, slider: &Slider, anatomy: &RobotDescription) {
         let (mut parent, mut at) = (BASE.to_owned(), slider.initial);
         for axis in frame::ways(slider) {
             let name = frame::carriage(axis);
@@ -261,7 +263,7 @@ pub(super) struct LinkElement {
     /// Mass, kg.
     pub(super) mass: f64,
     /// The inertia, unless the mass is uniform in `even`.
-    pub(super) spread: Option<Spread>,
+    pub(super) spread: Option<InertialProperties>,
     pub(super) even: Option<Shape>,
     /// Visual shapes with their materials.
     pub(super) visual: Vec<(Shape, &'static str)>,
@@ -380,7 +382,7 @@ fn geometry(form: &Form) -> String {
     match form {
         Form::Block(sides) => {
             // Sizes have no sign.
-            let size = frame::metres(*sides).map(|side| side.abs().max(frame::LEAST / 1000.0));
+            let size = frame::metres(*sides).map(|side| side.abs().max(frame::MIN_SIZE / 1000.0));
             format!("<box size=\"{}\"/>", xml::vector(size))
         }
         Form::Sphere { radius } => format!("<sphere radius=\"{}\"/>", radius / 1000.0),

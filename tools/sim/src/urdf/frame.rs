@@ -15,7 +15,7 @@ use tip_runtime::model::{Point, Range, Slider};
 /// The link to which robots are bolted down.
 pub const WORLD: &str = "world";
 /// Minimum size that is written, mm: readers refuse sizes of 0.
-pub(crate) const LEAST: f64 = 1e-6;
+pub(crate) const MIN_SIZE: f64 = 1e-6;
 /// Radius of drawn links, relative to the mean length of all links.
 const THICKNESS: f64 = 0.1;
 
@@ -102,7 +102,24 @@ pub(crate) fn thickness(legs: &[Limb]) -> f64 {
     let joints = legs.iter().flat_map(|leg| &leg.joints);
     let lengths: Vec<f64> = joints
         .map(|joint| length(joint.link))
-        .filter(|length| *length >= LEAST)
+        .filter(|length| *length >= MIN_SIZE)
         .collect();
-    (THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64).max(LEAST)
+    (THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64).max(MIN_SIZE)
+}
+
+/// Returns roll, pitch and yaw (rad) of the axes x, y and z.
+pub(crate) fn rpy_of_axes([x, y, z]: [[f64; 3]; 3]) -> [f64; 3] {
+    /// Least horizontal length of an x axis that is not upright: for an upright one roll and yaw
+    /// are about the same axis.
+    const LEVEL: f64 = 1e-12;
+    let level = (x[0] * x[0] + x[1] * x[1]).sqrt();
+    let pitch = libm::atan2(-x[2], level);
+    if level < LEVEL {
+        return [0.0, pitch, libm::atan2(-y[0], y[1])];
+    }
+    let yaw = libm::atan2(x[1], x[0]);
+    // What a yaw near there is off by, the roll makes good.
+    let (sin, cos) = libm::sincos(yaw);
+    let roll = libm::atan2(sin * z[0] - cos * z[1], cos * y[1] - sin * y[0]);
+    [roll, pitch, yaw]
 }

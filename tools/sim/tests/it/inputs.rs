@@ -161,7 +161,7 @@ fn a_list_keeps_the_order_of_its_cycles_and_in_a_cycle_its_own() {
 
 #[test]
 fn what_is_no_event_is_told() {
-    for (wrong, told) in [
+    for (wrong, reported) in [
         ("halt", "'halt' is not CYCLE:EVENT"),
         ("x:halt", "'x:halt' is not CYCLE:EVENT"),
         ("3:stop", "'stop' is not an event"),
@@ -180,6 +180,6 @@ fn what_is_no_event_is_told() {
         ("3:halt,", "'' is not CYCLE:EVENT"),
     ] {
         let error = wrong.parse::<Events>().expect_err(wrong).to_string();
-        assert!(error.starts_with(told), "{error}");
+        assert!(error.starts_with(reported), "{error}");
     }
 }

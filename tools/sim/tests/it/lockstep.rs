@@ -134,17 +134,23 @@ fn hashes_find_the_same_difference_and_tell_it_in_words() {
         compared.expect("no input that is missing")
     };
     let keys = "--keys 5:A --cycles 90";
-    let told = run(Evidence::Hashes, WRONG, keys)
+    let reported = run(Evidence::Hashes, WRONG, keys)
         .divergence
         .expect("N is 1 or -1");
     let record = run(Evidence::Records, WRONG, keys)
         .divergence
         .expect("the same");
     // KEY_IN waits from cycle 2 to 5, and the next step counts.
-    assert_eq!((told.cycle, told.step), (6, 3));
+    assert_eq!((reported.cycle, reported.step), (6, 3));
     assert_eq!((record.cycle, record.step), (6, 3));
-    assert!(told.interpreted.contains("N is Some(1.0)"), "{told:?}");
-    assert!(told.compiled.contains("N is Some(-1.0)"), "{told:?}");
+    assert!(
+        reported.interpreted.contains("N is Some(1.0)"),
+        "{reported:?}"
+    );
+    assert!(
+        reported.compiled.contains("N is Some(-1.0)"),
+        "{reported:?}"
+    );
     let same = run(Evidence::Hashes, COUNT, keys);
     assert_eq!((same.divergence, same.cycles), (None, 90));
     assert_ne!(same.hash, run(Evidence::Hashes, COUNT, "--cycles 90").hash);

@@ -8,6 +8,7 @@ mod inputs;
 mod interp;
 mod lockstep;
 mod mjcf;
+mod mjcf_import;
 mod motion;
 mod published;
 mod reach;

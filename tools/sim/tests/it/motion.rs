@@ -137,10 +137,10 @@ fn a_scene_chooses_the_plant_unless_the_robot_does() -> Outcome {
 fn events_of_mass_are_refused_where_there_is_none() -> Outcome {
     for event in ["3:push 1 2 3 for 4", "3:noise 0.1 0 seed 1"] {
         let refused = titan8("")?.events(event).expect_err("it has no mass");
-        let told = refused.to_string();
+        let reported = refused.to_string();
         assert!(
-            told.ends_with("is for walking robots with mass: --plant dynamic"),
-            "{told}"
+            reported.ends_with("is for walking robots with mass: --plant dynamic"),
+            "{reported}"
         );
         let robot = Robot::named("titan8")?.with_plant(Plant::Dynamic);
         on(robot, "3.1\nt\nEND\n")?.events(event)?;
@@ -295,5 +295,72 @@ fn fingertips_that_hold_an_object_in_the_air_push_it_up_by_its_weight() -> Outco
             .iter()
             .all(|tip| tip.force() == 0.0 && tip.greatest > 0.5)
     );
+    Ok(())
+}
+
+/// Both front and both rear legs of a side turn towards each other, until their thighs would cross.
+const CROSSING: &str = "PTP_ANGLE J11 -55\nPTP_ANGLE J31 55\nSLEEP 3000\n";
+
+#[test]
+fn legs_that_meet_are_reported_in_both_plants() -> Outcome {
+    for plant in [Plant::Simulated, Plant::Dynamic] {
+        let robot = Robot::named("titan8")?.with_plant(plant);
+        let mut run = on(robot, &format!("3.1\nt\n{CROSSING}END\n"))?;
+        run.to_end(Limit::NONE);
+        let clearance = run.clearance().expect("its links are compared");
+        let first = run.first_collision().expect("thighs meet");
+        let nearest = run.nearest_approach().expect("it ran");
+        assert!(clearance.collisions > 0, "{plant:?}: {clearance:?}");
+        assert!(first.gap.distance < 0.0 && nearest.gap.distance <= first.gap.distance);
+        assert_eq!(nearest.gap.parts, clearance.least.parts, "{plant:?}");
+        assert_eq!(nearest.cycle, clearance.cycle, "{plant:?}");
+        let links = first.gap.parts.map(|part| part.to_string());
+        assert!(
+            links[0].starts_with("link3") && links[1].starts_with("link1"),
+            "{links:?}"
+        );
+        assert_eq!(run.program().line(first.step), 5, "they meet in SLEEP");
+        // What is reported survives a restore.
+        let mark = run.snapshot();
+        run.restore(&mark);
+        assert_eq!(run.first_collision(), Some(first));
+    }
+    // By 20 degrees they stay apart.
+    let mut run = titan8("PTP_ANGLE J11 -20\nPTP_ANGLE J31 20\nSLEEP 3000\n")?;
+    run.to_end(Limit::NONE);
+    assert_eq!(run.first_collision(), None);
+    assert!(
+        run.clearance()
+            .is_some_and(|clearance| clearance.collisions == 0)
+    );
+    Ok(())
+}
+
+#[test]
+fn no_example_collides() -> Outcome {
+    macro_rules! example {
+        ($path:literal) => {
+            include_str!(concat!("../../../../examples/", $path))
+        };
+    }
+    let crawl = example!("published/crawl.prg");
+    let programs = [
+        ("titan8", example!("walk/motions/walk.prg")),
+        ("hand", example!("grasp/motions/grasp.prg")),
+        ("a1", crawl),
+        ("solo12", crawl),
+        ("spotmicro", crawl),
+        ("phantomx", example!("published/tripod.prg")),
+        ("a1", example!("published/trot.prg")),
+        ("trifinger", example!("published/fingertips.prg")),
+    ];
+    for (name, program) in programs {
+        for plant in [Plant::Simulated, Plant::Dynamic] {
+            let mut run = on(Robot::named(name)?.with_plant(plant), program)?;
+            run.to_end(Limit::cycles(3000));
+            let clearance = run.clearance().expect("its parts are compared");
+            assert_eq!(clearance.collisions, 0, "{name} {plant:?}: {clearance:?}");
+        }
+    }
     Ok(())
 }

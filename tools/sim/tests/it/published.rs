@@ -3,14 +3,14 @@
 use tip_runtime::model::{Inverse, Point};
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Anatomy, Limit, Plant, Robot, Run, load};
+use tip_sim::{Limit, Plant, Robot, RobotDescription, Run, load};
 
-fn anatomy(name: &str) -> Anatomy {
+fn anatomy(name: &str) -> RobotDescription {
     Robot::named(name).expect("a published robot").anatomy()
 }
 
 #[track_caller]
-fn stands(robot: &Anatomy, feet: &[Point]) {
+fn stands(robot: &RobotDescription, feet: &[Point]) {
     assert_eq!(robot.feet.len(), feet.len());
     for (at, foot) in robot.feet.iter().zip(feet) {
         let apart = at.iter().zip(foot).map(|(a, b)| (a - b).abs());

@@ -65,7 +65,7 @@ fn what_may_be_in_reach_is_left_alone() {
         // Relative, in part or whole; a variable; a joint that stops at its limit.
         "PTP F1 R -2000 R 0 R 0",
         "PTP F1 A -2000 R 0 R 0",
-        "REL_PTP F1 -2000 0 0",
+        "IF KB_HIT THEN\nSLEEP 1\nENDIF\nREL_PTP F1 -2000 0 0",
         "DEF_VAR X\nX = -2000\nPTP F1 X 201 0",
         "EMG_OFF\nPTP F1 -2000 201 0",
         "PTP F1 -2000 201 0 // tip: allow(W122)",
@@ -175,4 +175,41 @@ fn a_path_is_looked_at_where_its_start_is_known() {
     let same =
         "PTP F1 -408 93 235\nLAMP_ON 1\nWAIT_INPOS ALL\nSLEEP 100\nL1:\nPTP F1 -199 183 -137";
     assert_eq!(said("titan8", same).len(), 1);
+}
+
+// The links of 50, 240 and 200 mm do not lift a foot by 400 mm from the initial posture.
+// clauses: 2.22
+#[test]
+fn a_relative_target_is_checked_where_its_start_is_known() {
+    for known in [
+        "REL_PTP F1 0 0 400",
+        "REL_PTP F2 0 0 10\nREL_PTP F1 0 0 400",
+        "PTP F1 -391 201 -200\nWAIT_INPOS F1\nREL_PTP F1 0 0 1000",
+    ] {
+        let said = said("titan8", known);
+        let [one] = said.as_slice() else {
+            panic!("{known}: {said:?}")
+        };
+        assert!(one.starts_with("W122 0 0 "), "{known}: {one}");
+    }
+    for unknown in [
+        // Within reach, under way, after a motion whose end is not followed, or after a question.
+        "REL_PTP F1 0 0 40",
+        "PTP F1 -391 201 -200\nREL_PTP F1 0 0 400",
+        "REL_PTP F1 0 0 10\nREL_PTP F1 0 0 400",
+        "IF KB_HIT THEN\nSLEEP 1\nENDIF\nREL_PTP F1 0 0 400",
+        "EMG_OFF\nREL_PTP F1 0 0 400",
+    ] {
+        check("titan8", unknown, &[]);
+    }
+    // The warning tells the truth: the run stops at this command.
+    let robot = Robot::named("titan8").expect("a robot");
+    let text = b"3.1\nreach\nREL_PTP F1 0 0 400\nWAIT_INPOS ALL\nEND\n";
+    let loaded = tipc::load("reach.prg", text, &robot.options());
+    let program = loaded.program.expect("it loads");
+    let mut run = Run::new(Interpreter::new(program), robot).expect("it fits");
+    run.to_end(Limit::cycles(5000));
+    let stopped = run.ending();
+    let is_so = |it: &Ending| matches!(it, Ending::Emergency(it) if it.fault == Fault::OutOfReach(Target::Foot(1)));
+    assert!(stopped.as_ref().is_some_and(is_so), "{stopped:?}");
 }

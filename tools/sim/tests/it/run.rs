@@ -223,9 +223,9 @@ fn soles_feel_a_touch() -> Outcome {
 #[test]
 fn what_does_not_fit_is_refused() -> Outcome {
     let refused = |text: &str| run_on("generic", "END").map(|run| run.events(text).err());
-    let told = |text: &str| refused(text).map(|error| error.map(|error| error.to_string()));
+    let reported = |text: &str| refused(text).map(|error| error.map(|error| error.to_string()));
     assert_eq!(
-        told("3:J99=1")?.as_deref(),
+        reported("3:J99=1")?.as_deref(),
         Some("the robot has no input J99")
     );
     assert!(matches!(refused("nonsense")?, Some(Refused::Text(_))));
@@ -332,13 +332,13 @@ fn an_event_is_judged_without_a_copy_and_changes_nothing() -> Outcome {
 #[derive(Default)]
 struct Counter {
     left: u64,
-    told: Vec<u64>,
+    reported: Vec<u64>,
     after: u64,
 }
 
 impl Sink for Counter {
     fn cycle(&mut self, cycle: &Cycle<'_>) {
-        self.told.push(cycle.sample.cycle);
+        self.reported.push(cycle.sample.cycle);
     }
 }
 
@@ -365,7 +365,7 @@ fn an_observer_is_told_each_cycle_once_and_may_interrupt() -> Outcome {
         ..Counter::default()
     };
     assert_eq!(run.observed(Limit::NONE, &mut counter), Ending::Interrupted);
-    assert_eq!((counter.told, counter.after), (vec![0, 1, 2], 3));
+    assert_eq!((counter.reported, counter.after), (vec![0, 1, 2], 3));
     assert!(
         run.trace()
             .ends_with("{\"end\":\"INTERRUPTED\",\"cycles\":3}\n")
@@ -446,5 +446,32 @@ fn a_wait_is_told_whatever_the_number_of_steps_in_a_cycle() -> Outcome {
     let name = "SIDE".to_owned().into();
     let expected = ([4, 4], Some(Awaited::Thread { name }));
     assert_eq!(waits(run, 9), Some(expected));
+    Ok(())
+}
+
+// clauses: 15.1
+#[test]
+fn threads_that_wait_for_each_other_are_told() -> Outcome {
+    let threads = |waits: &str| {
+        format!(
+            "START_THREAD A:\nSTART_THREAD B:\nWAIT_THREAD A:\nEXIT\n\
+             THREAD A:\nWAIT_THREAD B:\nTHREADEND\nTHREAD B:\nSLEEP 200\n{waits}\nTHREADEND\nEND"
+        )
+    };
+    let waiting = |name: &str| Awaited::Thread {
+        name: name.to_owned().into(),
+    };
+    let names = "A, B".to_owned().into();
+    for (of_b, cycles, expected) in [
+        // B sleeps for ten cycles, and then waits for A, which waits for B.
+        ("WAIT_THREAD A:", 9, waiting("A")),
+        ("WAIT_THREAD A:", 30, Awaited::EachOther { names }),
+        // It waits for a key: the others go on after that.
+        ("KEY_IN", 30, waiting("A")),
+    ] {
+        let run = later(&threads(of_b))?;
+        let expected = ([5, 5], Some(expected));
+        assert_eq!(waits(run, cycles), Some(expected), "{of_b} {cycles}");
+    }
     Ok(())
 }

@@ -18,11 +18,11 @@ use frames::place;
 use robots::{ARM, Joint, PLAIN, TIP, fixed, quadruped, revolute, urdf};
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::{Leg, Model};
-use tip_sim::urdf::{Import, import};
+use tip_sim::import::{Import, import};
 use tipc::description::{Description, parse};
 
 /// The report, a line each.
-fn told(import: &Import) -> String {
+fn reported(import: &Import) -> String {
     let lines: Vec<String> = import.report.iter().map(ToString::to_string).collect();
     lines.join("\n")
 }
@@ -91,7 +91,7 @@ fn an_arm_of_turned_frames_moves_as_its_urdf_does() {
     assert!((shoulder.limits.max - 2.0_f64.to_degrees()).abs() < 1e-6);
     assert_eq!((shoulder.torque, model.body), (7.0, None));
     assert!((model.standards.omega_max - 3.0_f64.to_degrees()).abs() < 1e-6);
-    let said = told(&import);
+    let said = reported(&import);
     assert!(said.contains("F1: joint shoulder to link tool"), "{said}");
     assert!(
         said.contains("link upper took in the links fixed to it: flange"),
@@ -135,7 +135,7 @@ fn a_quadruped_stands_on_four_legs() {
             agree(leg, &joints, [&h, &t, &k], [&c, &f, &s], &e, angles);
         }
     }
-    let said = told(&import);
+    let said = reported(&import);
     assert!(said.contains("F4: joint h4 to link e4"), "{said}");
     assert!(
         said.contains("body is a box around the first joints"),
@@ -163,7 +163,7 @@ fn what_urdf_does_not_say_is_assumed_and_told() {
         ),
         (180.0, 10.0)
     );
-    let said = told(&import);
+    let said = reported(&import);
     for line in [
         "dropped: what continuous joints say of `lower` and `upper`, since they turn without end; their limits are -180 and 180 deg: a",
         "assumed: motors of 10 N·m, since the file gives no effort above 0 and up to 100000 N·m: a",

@@ -1,7 +1,7 @@
 //! Quantities of robots and scenes: a case is as if their files had the number.
 
 use crate::{numbers, rows, spec, texts};
-use tip_sim::{Robot, urdf};
+use tip_sim::{Robot, import, urdf};
 use tip_sweep::{Cell, PlantSpec, RobotSpec, Row, Spec, Sweep, Table};
 use tipc::message::Lang;
 
@@ -63,7 +63,7 @@ fn a_number_of_a_description_varies() {
 fn a_robot_may_be_a_urdf_file() {
     let robot = Robot::description(HEXAPOD).expect("a robot");
     let exported = urdf::export(&robot);
-    let toml = urdf::import("robot.urdf", &exported)
+    let toml = import::import("robot.urdf", &exported)
         .expect("it is a robot")
         .toml;
     let with = |robot: RobotSpec| {
@@ -88,7 +88,7 @@ fn a_robot_may_be_a_urdf_file() {
         ..spec(crate::LIFT, &[])
     };
     let refused = Sweep::new(broken).expect_err("it has no legs");
-    let reason = urdf::import("robot.urdf", "<robot/>").expect_err("it has no legs");
+    let reason = import::import("robot.urdf", "<robot/>").expect_err("it has no legs");
     assert_eq!(refused.to_string(), reason.to_string());
 }
 

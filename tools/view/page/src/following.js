@@ -1,5 +1,6 @@
 // Where one looks in a run that goes on: at its newest cycle, or back at what was, while it goes on or rests.
 
+import { element } from './dom.js';
 import { Player } from './player.js';
 
 export class FollowingPlayer extends Player {
@@ -10,8 +11,8 @@ export class FollowingPlayer extends Player {
   }
 
   /** What the session says of the run. */
-  takeStatus({ playing, speed }) {
-    Object.assign(this, { playing, speed });
+  takeStatus({ playing, speed, over }) {
+    Object.assign(this, { playing, speed, over: Boolean(over) });
     this.changed();
   }
 
@@ -61,9 +62,12 @@ export class FollowingPlayer extends Player {
     this.requests.send({ do: 'speed', times: speed });
   }
 
+  /** A run that is over is run again. */
   toggle() {
+    if (this.over) return element('restart').click();
     this.requests.send({ do: this.playing ? 'pause' : 'play' });
     if (!this.playing) this.newest();
+    return undefined;
   }
 
   /** Looks at what was; the run does what it does. */

@@ -3,6 +3,7 @@
 import { controls } from './controls.js';
 import { element } from './dom.js';
 import { Editor } from './editor.js';
+import { showFigures } from './figures.js';
 import { FollowingPlayer } from './following.js';
 import { choices, dialogs, keys, languages, notice, observeSize, openStage, showTab, tabs, themes } from './page.js';
 import { LIVE_WORDS } from './live-words.js';
@@ -95,7 +96,7 @@ function build(requests, recording, stage) {
       element('file-state').textContent = word(overtaken ? 'overtaken' : changed ? 'unsaved' : 'saved');
       element('file-state').classList.toggle('bad', Boolean(overtaken));
     }
-    element('play').disabled = Boolean(over);
+    if (status.summary) showFigures(player, status.summary);
     element('past').hidden = player.following;
     element('past-text').textContent = word('looksBack', player.cycle);
   };

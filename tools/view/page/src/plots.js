@@ -152,6 +152,13 @@ export class Plots {
     this.setRange([begin / 1000, Math.max(duration, begin + 1000) / 1000]);
   }
 
+  /** Shows all that is known of a run that goes on. */
+  showAll() {
+    const { duration, first } = this.recording;
+    this.charts.forEach(({ plot, signals }) => plot.setData(series(this.recording, signals), false));
+    this.setRange([first ? this.recording.endOf(first) / 1000 : 0, duration / 1000]);
+  }
+
   chart(group, signals) {
     const title = group.key === 'variable' ? word('variables') : `${word(group.title)} (${group.unit})`;
     const outputs = signals.map(() => make('output'));
@@ -242,6 +249,9 @@ export class Plots {
   }
 
   movePlayheads() {
+    // What one looks at is in view, unless one has zoomed in elsewhere.
+    const seconds = this.player.time / 1000;
+    if (this.player.following === false && !this.zoomed && (seconds < this.range[0] || seconds > this.range[1])) this.showAll();
     const [from, to] = this.range;
     const width = this.width - GUTTER - EDGE;
     const move = (time, lines) => {

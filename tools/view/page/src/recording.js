@@ -13,7 +13,7 @@ const LISTED = [
   ['commands', 'op', 'target', 'values'],
   ['flags', 'text'],
   ['modes', 'list'],
-  ['falls', 'margin'],
+  ['falls', 'margin', 'kind'],
   ['slips', 'leg', 'distance'],
   ['timers', 'timer', 'runs', 'time'],
   ['locks', 'text'],
@@ -24,10 +24,10 @@ export class Recording {
   /** Of a run that is over: its updates, one a line, deflated, in base64. */
   static async of(base64) {
     const updates = new TextDecoder().decode(await inflated(bytesOf(base64))).split('\n');
-    const [run, more, { outcome }] = updates.map((update) => JSON.parse(update));
+    const [run, more, { outcome, summary }] = updates.map((update) => JSON.parse(update));
     const recording = new Recording(run);
     recording.take(more);
-    return Object.assign(recording, { outcome });
+    return Object.assign(recording, { outcome, summary });
   }
 
   /** Of a run that begins, an update `run`. */
@@ -235,7 +235,13 @@ export class Recording {
       thread.steps.push(ran[n] - 1);
     });
     for (const [list, ...names] of LISTED) {
-      for (const entry of more[list] ?? []) this[list].push(Object.fromEntries(['cycle', ...names].map((name, n) => [name, entry[n]])));
+      for (const entry of more[list] ?? []) {
+        const made = Object.fromEntries(['cycle', ...names].map((name, n) => [name, entry[n]]));
+        // A slip that was told before may have grown.
+        const known = made.cycle < more.from ? this[list].find(({ cycle, leg }) => cycle === made.cycle && leg === made.leg) : undefined;
+        if (known) Object.assign(known, made);
+        else if (made.cycle >= more.from) this[list].push(made);
+      }
     }
     this.provisional = Boolean(more.now);
     if (more.now) this.addFrames(more.now);

@@ -2,6 +2,7 @@
 
 import { element } from './dom.js';
 import { exporting } from './export.js';
+import { showFigures } from './figures.js';
 import { choices, dialogs, keys, languages, observeSize, openStage, showTab, tabs, themes } from './page.js';
 import { Player } from './player.js';
 import { Plots } from './plots.js';
@@ -42,6 +43,7 @@ export async function openReplay(held) {
     element('outcome').classList.toggle('bad', recording.outcome.how === 'emergency' || other?.outcome?.how === 'emergency');
   });
   whenSpoken(() => listMarks(player));
+  whenSpoken(() => showFigures(player, recording.summary, other || undefined));
   if (stage) {
     player.onMove(() => stage.show(player.time));
     exporting(player, stage);

@@ -8,7 +8,7 @@
 // and may have a third, watch(listener), which calls listener(true) when it is reached and listener(false) when it is not.
 // After it is reached anew it begins anew, with an update `run`.
 //
-// A page that replays a run holds three updates, one a line: `run`, one `more`, and a `status` with the outcome alone.
+// A page that replays a run holds three updates, one a line: `run`, one `more`, and a `status` with outcome and summary alone.
 //
 // Requests; each may have a number `id`, which its answer repeats:
 //
@@ -40,7 +40,8 @@
 //   text       {version, by, text}: the text of the editor
 //   findings   {version, findings, good}: what is found in it, and whether it is a program. Each has `level`, `code`, `from`
 //              and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`
-//   status     {playing, speed, late, over, outcome, running, changed, overtaken}: whether the run keeps up, how and when it ended,
+//   status     {playing, speed, late, over, outcome, summary, running, changed, overtaken}: whether the run keeps up, how and when it
+//              ended, its figures (docs/files.md) unless it plays,
 //              which version of the text runs, whether that of the editor is not the file's, and whether someone else
 //              has changed the file
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,

@@ -16,6 +16,7 @@ export function signalGroups(recording) {
     group('turn', 'position6', '°', columns(['roll', 'pitch', 'yaw'].map((name, n) => ({ column: `pose.${n + 3}`, name: () => name })))),
     group('objects', 'objects', 'mm', columns(recording.scene.objects.map((_, n) => ({ column: `thing.${n}.1`, name: () => `${word('object', n + 1)} y` })))),
     group('load', 'loads', 'N', columns(legs.map((leg) => ({ column: `load.${leg}`, leg, name: () => `F${leg + 1}` })))),
+    group('slip', 'slips', 'mm', columns(legs.map((leg) => ({ column: `slip.${leg}`, leg, name: () => `F${leg + 1}` })))),
     group('angle', 'angles', '°', columns(joints.map(({ l, j }) => ({ column: `angle.${l}.${j}`, leg: l, dash: j, name: () => `J${l + 1}${j + 1}` })))),
     group('lag', 'lags', '°', columns(joints.map(({ l, j }) => ({ column: `lag.${l}.${j}`, leg: l, dash: j, name: () => `J${l + 1}${j + 1}` })))),
     group('torque', 'torques', robot.planar ? 'mN·m' : 'N·m', columns(joints.map(({ l, j }) => ({ column: `torque.${l}.${j}`, leg: l, dash: j, name: () => `J${l + 1}${j + 1}` })))),

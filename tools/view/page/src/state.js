@@ -238,7 +238,7 @@ function showMargin({ recording, cycle, time }) {
 function alarmAt({ recording, cycle, time }) {
   if (recording.isStoppedAt(cycle)) return word('fault');
   const fall = recording.falls[countUpTo(recording.falls, cycle, (one) => one.cycle) - 1];
-  return fall && time - recording.endOf(fall.cycle) < ANNOUNCED ? word('fell') : '';
+  return fall && time - recording.endOf(fall.cycle) < ANNOUNCED ? word(fall.kind ?? 'fell') : '';
 }
 
 /** Whether a command is for a leg. */
@@ -264,14 +264,14 @@ export function listMarks(player) {
   const words = {
     message: ({ text }) => text,
     event: ({ text }) => text,
-    fall: ({ margin }) => `${word('fell')} (${fixed(margin, 1)} mm)`,
+    fall: ({ margin, kind }) => `${word(kind ?? 'fell')} (${fixed(margin, 1)} mm)`,
     slip: ({ leg, distance }) => `${word('slipped', legName(recording, leg))} (${fixed(distance, 1)} mm)`,
     fault: () => `${word('fault')}: ${recording.outcome.error}`,
   };
   const rows = recording.marks.map((mark) => {
     const button = make('button', { type: 'button', className: `mark ${mark.kind}` });
     button.append(
-      make('time', { textContent: clockTime(recording.told(recording.endOf(mark.cycle))) }),
+      make('time', { textContent: clockTime(recording.told(recording.endOf(mark.kind === 'fall' ? mark.cycle - 1 : mark.cycle))) }),
       make('span', { className: 'kind', textContent: '' }),
       make('span', { textContent: words[mark.kind](mark) }),
     );

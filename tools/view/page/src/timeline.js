@@ -20,7 +20,7 @@ export function timeline(player) {
   speed.addEventListener('change', () => player.setSpeed(Number(speed.value)));
   const showState = () => {
     play.dataset.playing = player.playing;
-    label(play, player.playing ? 'pause' : 'play');
+    label(play, player.over ? 'runAgain' : player.playing ? 'pause' : 'play');
     speed.value = player.speed;
   };
   player.onState(showState);

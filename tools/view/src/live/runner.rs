@@ -5,7 +5,7 @@ use crate::RecordError;
 use crate::recorder::{self, Recorder};
 use crate::recording::{Frame, Outcome, Recording, Script};
 use std::collections::VecDeque;
-use tip_sim::{Event, Events, Interpreter, Robot, Run, Timeline};
+use tip_sim::{Event, Events, Interpreter, Robot, Run, Summary, Timeline};
 use tipc::Loaded;
 
 /// Length of the past that is kept, and the excess at which it is cut, ms.
@@ -62,7 +62,7 @@ impl Runner {
         self.happen();
         let cycle = self.timeline.cycle();
         let (run, recorder) = (self.timeline.run(), &mut self.recorder);
-        recorder.take(cycle, run);
+        recorder.take(cycle, run, None);
         if let Some(ending) = run.ending() {
             recorder.recording.outcome = Outcome::from(ending);
             return;
@@ -178,6 +178,11 @@ impl Runner {
 
     pub(super) fn recording(&self) -> &Recording {
         &self.recorder.recording
+    }
+
+    /// Returns the figures so far.
+    pub(super) fn summary(&self) -> &Summary {
+        self.recorder.summary.summary()
     }
 
     /// Returns the robot's last state, if it is not among the frames.

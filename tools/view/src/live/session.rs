@@ -10,7 +10,7 @@ use crate::recording::Recording;
 use crate::updates::{self, Ended, Part, json};
 use serde::Serialize;
 use tip_runtime::command::Port;
-use tip_sim::{Event, Events, Robot};
+use tip_sim::{Event, Events, Robot, Summary};
 use tipc::{Loaded, Options};
 
 /// Range of speeds of a run, as multiples of the robot's own.
@@ -239,7 +239,11 @@ impl Session {
             }
             Request::Speed { times } => refuse_since("impossible", times),
             Request::Event { event } => self.give(event),
-            Request::Restart {} => self.restart(),
+            Request::Restart {} => {
+                self.restart()?;
+                self.play();
+                Ok(())
+            }
             Request::Edit { text, base, by } => self.edit(text, *base, by),
             Request::Save {} => self.save(host),
             Request::Reload {} => match host.read() {
@@ -285,7 +289,7 @@ impl Session {
         Ok(())
     }
 
-    /// Runs the text from the beginning; it plays, unless the run before it rests.
+    /// Runs the text from the beginning, as a changed file does: it rests if the run before it rests.
     fn restart(&mut self) -> Result<(), Refusal> {
         let Some(loaded) = self.buffer.program() else {
             return refuse("errors");
@@ -411,6 +415,8 @@ struct Status<'a> {
     late: bool,
     over: bool,
     outcome: Option<Ended<'a>>,
+    /// The figures so far, while the run rests.
+    summary: Option<&'a Summary>,
     /// The text that runs, by version.
     running: u64,
     changed: bool,
@@ -520,6 +526,7 @@ fn status(session: &Session) -> String {
         speed: session.speed,
         late: session.is_late,
         over: runner.is_over(),
+        summary: (!session.is_playing).then(|| runner.summary()),
         outcome: runner.is_over().then(|| Ended::of(runner.recording())),
         running: session.running,
         changed: session.buffer.is_changed(),

@@ -3,14 +3,17 @@
 use base64::Engine as _;
 use serde_json::{Value, json};
 use tip_sim::{Events, Robot, tipc};
-use tip_view::{Extent, Recording, SweepTable, sweep_page};
+use tip_view::{DurationLimit, Recording, SweepTable, sweep_page};
 
 fn record(text: &str) -> Recording {
     let robot = Robot::named("titan8").expect("it has a name");
     let loaded = tipc::load("folder/x<y>.prg", text.as_bytes(), &robot.options());
     assert!(loaded.program.is_some(), "{:?}", loaded.diagnostics);
     let events: Events = "3:key F, 4:halt".parse().expect("events");
-    Recording::of(&loaded, &robot, &events, Extent::cycles(500), || true).expect("it runs")
+    Recording::of(&loaded, &robot, &events, DurationLimit::cycles(500), || {
+        true
+    })
+    .expect("it runs")
 }
 
 /// The updates as they are packed.

@@ -6,3 +6,5 @@ mod format;
 mod fuzz;
 mod programs;
 mod random;
+mod repetitions;
+mod units;

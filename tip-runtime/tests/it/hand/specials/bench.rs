@@ -98,8 +98,12 @@ impl<U: Special> Bench<U> {
     /// Asserts that each of these arguments is a Domain error of `number`.
     pub(crate) fn refuse(&mut self, number: u8, wrong: &[&[f64]]) {
         for arguments in wrong {
-            let told = self.call(number, arguments);
-            assert_eq!(told, Err(Fault::Domain), "SPECIAL {number} {arguments:?}");
+            let commanded = self.call(number, arguments);
+            assert_eq!(
+                commanded,
+                Err(Fault::Domain),
+                "SPECIAL {number} {arguments:?}"
+            );
         }
     }
 

@@ -11,7 +11,7 @@ fn torques(bench: &Bench, n: usize) -> [f64; 3] {
     bench
         .robot
         .hand
-        .told(n)
+        .commanded(n)
         .map(|torque| torque.expect("a torque"))
 }
 
@@ -28,8 +28,8 @@ fn fingertips_are_told_to_go_on_by_the_velocity() {
         let measured = bench.robot.hand.sensors.angles[1];
         bench.done(6, &[10.0, -5.0]);
         // τ = 4 (θ_d − θ), and θ_d puts the fingertip where it should be.
-        let told = torques(&bench, 2);
-        let desired = core::array::from_fn(|m| measured[m] + told[m] / 4.0);
+        let commanded = torques(&bench, 2);
+        let desired = core::array::from_fn(|m| measured[m] + commanded[m] / 4.0);
         let tip = Chain::new(&hand::MODEL.legs[1], &desired).foot();
         let seconds = 0.002 * f64::from(calls);
         close(tip[0], from[0] + 10.0 * seconds, 1e-6);

@@ -127,31 +127,31 @@ fn rolling_goes_slowly_where_it_carries_and_fast_where_it_slips() {
 // clauses: 7.9 7.48
 #[test]
 fn a_grasp_by_torque_vibrates_and_loosening_never_tightens_it() {
-    let told = |mode: f64| {
+    let commanded = |mode: f64| {
         let mut bench = Bench::new();
         bench.robot.hand.done(Op::Torque, F1, &[0.0, 60.0, 0.0]);
         bench.done(11, &[mode, 2.0]);
-        let mut told = Vec::new();
+        let mut commanded = Vec::new();
         for _ in 0..100 {
             // Something holds the joints where they are.
             bench.robot.hand.sensors = Hand::new().sensors;
             bench.idle(1);
-            told.push(bench.robot.hand.told(1)[1].expect("a torque"));
+            commanded.push(bench.robot.hand.commanded(1)[1].expect("a torque"));
         }
         let (low, high) = (
-            told.iter().copied().fold(90.0, f64::min),
-            told.iter().copied().fold(0.0, f64::max),
+            commanded.iter().copied().fold(90.0, f64::min),
+            commanded.iter().copied().fold(0.0, f64::max),
         );
         (low, high)
     };
     // Ten mN·m for each volt.
-    let (low, high) = told(2.0);
+    let (low, high) = commanded(2.0);
     close(low, 40.0, 0.2);
     close(high, 80.0, 0.2);
-    let (low, high) = told(3.0);
+    let (low, high) = commanded(3.0);
     close(low, 40.0, 0.2);
     assert!(high <= 60.0);
-    assert_eq!(told(1.0), (60.0, 60.0));
+    assert_eq!(commanded(1.0), (60.0, 60.0));
 }
 
 // clauses: 7.43 7.48

@@ -27,10 +27,10 @@ fn a_spring_draws_the_second_link_to_the_middle() {
         let at = end(&Bench::new(), n);
         let force = [-0.003 * at[0], 0.0];
         let expected = moments(&Bench::new().robot.hand.chain(n), at, force);
-        let told = bench.robot.hand.told(n);
-        close(told[0].expect("a torque"), expected[0], 1e-9);
-        close(told[1].expect("a torque"), expected[1], 1e-9);
-        assert_eq!(told[2], None);
+        let commanded = bench.robot.hand.commanded(n);
+        close(commanded[0].expect("a torque"), expected[0], 1e-9);
+        close(commanded[1].expect("a torque"), expected[1], 1e-9);
+        assert_eq!(commanded[2], None);
     }
 }
 
@@ -57,14 +57,14 @@ fn the_second_link_gets_to_the_middle_and_keeps_its_height() {
 // clauses: 7.48
 #[test]
 fn the_stiffness_comes_from_either_call_and_the_parameter_is_left_alone() {
-    let told = |begin: &[f64], carry: &[f64]| {
+    let commanded = |begin: &[f64], carry: &[f64]| {
         let mut bench = Bench::new();
         bench.done(1, begin);
         bench.done(2, carry);
-        bench.robot.hand.told(1)
+        bench.robot.hand.commanded(1)
     };
-    assert_eq!(told(&[3.0], &[]), told(&[], &[3.0]));
-    assert_eq!(told(&[5.0], &[3.0]), told(&[], &[3.0]));
+    assert_eq!(commanded(&[3.0], &[]), commanded(&[], &[3.0]));
+    assert_eq!(commanded(&[5.0], &[3.0]), commanded(&[], &[3.0]));
 
     // A spring of the program has the stiffness that the program set.
     let pulled = |lever: bool| {
@@ -82,7 +82,7 @@ fn the_stiffness_comes_from_either_call_and_the_parameter_is_left_alone() {
         }
         let hand = &mut bench.robot.hand;
         hand.relative(Op::CompliancePosition, J13, &[10.0, 0.0, 0.0]);
-        hand.told(1)[0].expect("a torque")
+        hand.commanded(1)[0].expect("a torque")
     };
     close(pulled(true), pulled(false), 1e-9);
 }
@@ -94,8 +94,8 @@ fn any_other_motion_ends_it() {
     bench.done(1, &[2.0]);
     carry_on(&mut bench, 2.0, 1);
     bench.robot.hand.done(Op::RelPtpAngle, J11, &[0.0]);
-    assert_eq!(bench.robot.hand.told(1), [None; 3]);
-    assert!(bench.robot.hand.told(2)[0].is_some());
+    assert_eq!(bench.robot.hand.commanded(1), [None; 3]);
+    assert!(bench.robot.hand.commanded(2)[0].is_some());
 }
 
 // clauses: 7.43 7.48
@@ -106,6 +106,6 @@ fn what_makes_no_sense_is_a_domain_error() {
     bench.refuse(1, &[&[-1.0], &[f64::INFINITY], &[2.0, 0.0]]);
     bench.done(1, &[]);
     bench.refuse(2, &[&[], &[-1.0], &[2.0, 0.0]]);
-    assert_eq!(bench.robot.hand.told(1), [None; 3]);
+    assert_eq!(bench.robot.hand.commanded(1), [None; 3]);
     bench.done(2, &[0.0]);
 }

@@ -8,7 +8,7 @@ use crate::new::gait::reach::{
 use tip_runtime::command::Target;
 use tip_runtime::model::Point;
 use tip_runtime::plant::ServoDynamics;
-use tip_sim::Anatomy;
+use tip_sim::RobotDescription;
 
 /// Share of the servos' speed that a gait uses. A trot keeps more for its balance.
 const SPEED_SHARE: f64 = 0.85;
@@ -74,7 +74,7 @@ impl Plan {
     ///
     /// # Errors
     /// The reason why the robot cannot walk so.
-    pub(super) fn derive(anatomy: &Anatomy, kind: Kind, reserve: f64) -> Result<Self, Making> {
+    pub(super) fn derive(anatomy: &RobotDescription, kind: Kind, reserve: f64) -> Result<Self, Making> {
         let legs = anatomy.legs.len();
         let groups = groups(anatomy, kind)?;
         let cycle = anatomy.standards.period;
@@ -204,7 +204,7 @@ fn tenth(value: f64) -> f64 {
 }
 
 /// Returns the legs that swing together, in order.
-fn groups(anatomy: &Anatomy, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
+fn groups(anatomy: &RobotDescription, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
     let legs = anatomy.legs.len();
     if legs < 4 {
         return Err(Making::TooFewLegs);
@@ -304,7 +304,7 @@ struct Stance {
 }
 
 impl Stance {
-    fn of(anatomy: &Anatomy, legs: usize) -> Result<Self, Making> {
+    fn of(anatomy: &RobotDescription, legs: usize) -> Result<Self, Making> {
         let feet = &anatomy.feet;
         let floor = feet
             .iter()
@@ -343,7 +343,7 @@ impl Stance {
     }
 
     /// Returns the joint angles of all legs.
-    fn posture(&self, anatomy: &Anatomy) -> Option<Vec<Vec<f64>>> {
+    fn posture(&self, anatomy: &RobotDescription) -> Option<Vec<Vec<f64>>> {
         let legs = anatomy.legs.iter().zip(&self.homes);
         legs.map(|(limb, home)| angles(limb, *home, &limb.initial))
             .collect()
@@ -413,7 +413,7 @@ impl Stance {
     }
 
     /// Returns the distance that the robot can sink, mm: to its belly, unless a joint ends before.
-    fn lower(&self, anatomy: &Anatomy) -> f64 {
+    fn lower(&self, anatomy: &RobotDescription) -> f64 {
         let reaches = |way: f64| {
             let mut legs = anatomy.legs.iter().zip(&self.homes);
             legs.all(|(limb, [x, y, z])| angles(limb, [*x, *y, z + way], &limb.initial).is_some())
@@ -426,7 +426,7 @@ impl Stance {
 /// What limits the speed of a gait.
 #[derive(Clone, Copy)]
 struct Way<'a> {
-    anatomy: &'a Anatomy,
+    anatomy: &'a RobotDescription,
     stance: &'a Stance,
     groups: &'a [Vec<usize>],
     /// Largest distance that the body leans to a side, mm.

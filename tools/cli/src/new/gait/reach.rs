@@ -1,7 +1,7 @@
 //! Feet in space: joint angles of a foothold, the speed of joints on a stride, support polygons, and the centre of mass.
 
 use tip_runtime::model::Point;
-use tip_sim::{Anatomy, Limb};
+use tip_sim::{RobotDescription, Limb};
 
 /// Distance that joints keep from their limits, deg.
 const INSET: f64 = 2.0;
@@ -100,7 +100,7 @@ pub(super) struct Stride {
 
 /// Returns the greatest speed of a joint on a stride, deg/s; `None` if a foot does not reach.
 pub(super) fn fastest_joint(
-    anatomy: &Anatomy,
+    anatomy: &RobotDescription,
     homes: &[Point],
     twist: Twist,
     stride: Stride,
@@ -175,7 +175,7 @@ pub(super) fn margin(feet: &[[f64; 2]], point: [f64; 2]) -> f64 {
 }
 
 /// Returns x and y of the centre of mass with legs at these angles, in the robot frame, mm.
-pub(super) fn centre_of_mass(anatomy: &Anatomy, angles: &[Vec<f64>]) -> [f64; 2] {
+pub(super) fn centre_of_mass(anatomy: &RobotDescription, angles: &[Vec<f64>]) -> [f64; 2] {
     let mut all = Vec::new();
     if let Some(body) = &anatomy.body {
         let centre = body.spread.map_or([0.0; 3], |spread| spread.centre);

@@ -33,7 +33,7 @@ pub(super) fn rows() -> Vec<Row> {
                 rows.push(Row {
                     place,
                     fault: fault.name,
-                    outcome: fault.told,
+                    outcome: fault.reported,
                     runs: files.len(),
                 });
             }
@@ -56,21 +56,21 @@ struct Fault {
     name: &'static str,
     arrange: fn(&Path),
     expected: Expected,
-    told: &'static str,
+    reported: &'static str,
 }
 
 const FOLDER: Fault = Fault {
     name: "is a folder",
     arrange: |path| replace(path, |path| fs::create_dir(path)),
     expected: Expected::Refused,
-    told: REFUSED,
+    reported: REFUSED,
 };
 
 const FOREIGN: Fault = Fault {
     name: "is from another program, or not a log",
     arrange: |path| replace(path, |path| fs::write(path, "# TITAN.LOG of b.prg\n")),
     expected: Expected::Refused,
-    told: REFUSED,
+    reported: REFUSED,
 };
 
 /// The bit holds for everybody here: whoever set it wants to keep the file.
@@ -82,14 +82,14 @@ const READ_ONLY: Fault = Fault {
         fs::set_permissions(path, permissions).expect("it is ours");
     },
     expected: Expected::Refused,
-    told: REFUSED,
+    reported: REFUSED,
 };
 
 const DANGLING: Fault = Fault {
     name: "is a link that leads nowhere",
     arrange: |path| replace(path, |path| symlink("no/such/file", path)),
     expected: Expected::Whole,
-    told: WHOLE,
+    reported: WHOLE,
 };
 
 /// Nobody writes into it: to read its first line would take for ever.
@@ -103,7 +103,7 @@ const PIPE: Fault = Fault {
         });
     },
     expected: Expected::Refused,
-    told: REFUSED,
+    reported: REFUSED,
 };
 
 const ROBOT: &str = "name = \"one\"\njoint = [{ axis = \"y\", link = [0, 0, -100], limits = [-90, 90] }]\n\
@@ -192,8 +192,8 @@ pub(super) fn require_refused(bench: &Bench, outcome: Outcome, before: &Texts) {
 }
 
 fn require_told(outcome: &Outcome) {
-    let told = outcome.err.contains("error: cannot write ");
-    assert!(told, "{outcome:#?}");
+    let reported = outcome.err.contains("error: cannot write ");
+    assert!(reported, "{outcome:#?}");
 }
 
 /// A folder whose files nobody can write, not even an administrator.

@@ -87,7 +87,8 @@ fn conditions_have_the_flags_of_the_robot() {
         &flags,
         &["ANTENNA_ON", "INPOS_F5"],
     );
-    check("DEF_VAR A\nIF !K$0\nEND\n", &["THEN", "GOTO"], &[]);
+    check("DEF_VAR A\nIF !K$0\nEND\n", &["KB_HIT"], &["THEN", "A"]);
+    check("IF !KB_HIT $0\nEND\n", &["THEN", "GOTO"], &["KB_HIT"]);
     check("WHILE $0\nEND\n", &["KB_HIT"], &["THEN"]);
     check_none("IF KB_HIT THEN $0\nEND\n");
 }
@@ -124,7 +125,7 @@ fn variables_are_those_of_the_types_that_fit() {
         |statement: &str| format!("DEF_VAR A\nDEF_POS P\nDEF_JOINT Q\n{statement}\nEND\n");
     for only in [
         "FOR $0",
-        "NEXT $0",
+        "FOR A = 1 TO 3\nNEXT $0",
         "MESSAGE %$0",
         "KEY_IN $0",
         "AD_IN VR1 $0",
@@ -150,8 +151,13 @@ fn members_are_those_of_the_type_on_the_robot() {
 fn equations_and_counting_have_their_words() {
     check(
         "DEF_VAR A\nA = $0\nEND\n",
-        &["SQRT", "ROT_Z", "A", "CHAR_SPC"],
-        &["PTP"],
+        &["SQRT", "NORM", "A", "CHAR_SPC"],
+        &["PTP", "ROT_Z"],
+    );
+    check(
+        "DEF_POS P\nP = $0\nEND\n",
+        &["ROT_Z", "UNIT_VECT", "P"],
+        &["SQRT", "CHAR_SPC", "VAR_KEY"],
     );
     check("DEF_VAR A\nA += $0\nEND\n", &["A"], &[]);
     check("DEF_VAR N\nFOR $0\nNEXT\nEND\n", &["N"], &["TO"]);

@@ -22,7 +22,7 @@ pub(crate) fn snippets() -> BTreeMap<String, Snippet> {
     let commands = COMMANDS.iter().filter_map(|row| {
         let mut robots = Robot::ALL.iter().copied();
         let robot = robots.find(|robot| row.robots.contains(*robot))?;
-        let text = snippet(row, robot);
+        let text = snippet(row, robot, row.since);
         let names = row.robots.names();
         let only = match names.len() == Robot::ALL.len() {
             true => String::new(),

@@ -215,9 +215,9 @@ fn a_changed_past_is_the_run_with_that_event() -> Outcome {
         let event: Event = event.parse()?;
         let messages = debugger.messages().to_vec();
         let refused = debugger.happens(event.clone(), Discard::Nothing);
-        let told = refused.map_err(|refused| refused.to_string());
+        let reported = refused.map_err(|refused| refused.to_string());
         let expected = format!("later cycles that would be discarded: {later}");
-        assert_eq!(told, Err(expected));
+        assert_eq!(reported, Err(expected));
         assert_eq!(
             debugger.known(),
             at + later,

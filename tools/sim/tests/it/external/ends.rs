@@ -71,7 +71,7 @@ fn it_ends_in_the_middle() -> Outcome {
         ("kill -9 $$", Ended::Killed),
         ("exec >/dev/null", Ended::Closed),
         // A line that is cut off is no answer.
-        ("printf 'state n=3'; exit 1", Ended::Exit(1)),
+        (r#"printf '{"n":3'; exit 1"#, Ended::Exit(1)),
     ] {
         let (word, cycle, trouble) = stopped(&in_cycle_3(does))?;
         assert_eq!((word, cycle), ("plant: ended", 4), "{does}");
@@ -99,21 +99,26 @@ fn it_takes_too_long() -> Outcome {
     assert_eq!(trouble, PlantError::NoAnswer { to: TO, within });
     assert_eq!(
         trouble.to_string(),
-        "the external plant has not answered 'cycle n=3' within 1 s"
+        "the external plant has not answered 'cycle 3' within 1 s"
     );
     // The first answer has its own time.
     let first = Duration::from_millis(400);
     let impatient = TimeLimits { first, ..PATIENCE };
     let (_, cycle, trouble) = stopped(&peer("sleep 60", ECHO).with_time_limits(impatient))?;
     assert_eq!(
-        (cycle, trouble),
+        (cycle, &trouble),
         (
             0,
-            PlantError::NoAnswer {
+            &PlantError::NoAnswer {
                 to: Head::Hello,
                 within: first
             }
         )
+    );
+    assert_eq!(
+        trouble.to_string(),
+        "the external plant has not answered 'hello' within 0.4 s; it has to read version 2 of the protocol, which has \
+         JSON lines: see docs/external-plant.md"
     );
     assert!(
         begin.elapsed() < Duration::from_secs(30),
@@ -131,7 +136,10 @@ fn it_takes_too_long() -> Outcome {
 #[test]
 fn it_does_not_read() -> Outcome {
     // Answers for ever, without looking: the first is right, the others are not.
-    let answers = format!("{}; while :; do echo state n=0 angles=1; done", ready());
+    let answers = format!(
+        "{}; while :; do echo '{{\"n\":0,\"angles\":[1]}}'; done",
+        ready()
+    );
     let plant = ExternalPlant::new("sh", ["-c", answers.as_str()]).with_time_limits(SHORT);
     let (word, _, _) = stopped(&plant)?;
     assert_eq!(word, "plant: wrong answer");
@@ -231,25 +239,31 @@ fn nothing_is_left_behind() -> Outcome {
 
 #[test]
 fn it_is_told_good_bye() -> Outcome {
-    let last = "while read line; do echo \"$line\" >&2; done; echo closed >&2";
+    let last = "while read -r line; do echo \"$line\" >&2; done; echo closed >&2";
     let (plant, lines) = heard(in_cycle_3(&format!("{ECHO}; {last}")));
     let mut run = run(NOD, &plant)?;
     run.to_end(Limit::cycles(4));
     drop(run);
-    assert_eq!(*lines.lock().expect("no panic"), ["bye", "closed"]);
+    assert_eq!(
+        *lines.lock().expect("no panic"),
+        [r#"{"type":"bye"}"#, "closed"]
+    );
     Ok(())
 }
 
 #[test]
 fn it_is_told_of_an_emergency_once() -> Outcome {
     let each =
-        format!("{ECHO}; if [ $n = 1 ]; then while read line; do echo \"$line\" >&2; done; fi");
+        format!("{ECHO}; if [ $n = 1 ]; then while read -r line; do echo \"$line\" >&2; done; fi");
     let (plant, lines) = heard(peer(&ready(), &each));
     let mut run = run("DEF_VAR A\nA = 1\nA = 2\nA = 1 / 0\nEND", &plant)?;
     assert!(matches!(run.to_end(Limit::NONE), Ending::Emergency(_)));
     assert_eq!(run.advance(None), Status::Emergency);
     drop(run);
-    assert_eq!(*lines.lock().expect("no panic"), ["stop n=2", "bye"]);
+    assert_eq!(
+        *lines.lock().expect("no panic"),
+        [r#"{"type":"stop","n":2}"#, r#"{"type":"bye"}"#]
+    );
     Ok(())
 }
 

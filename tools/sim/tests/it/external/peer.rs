@@ -10,32 +10,45 @@ use tip_sim::{ExternalPlant, Limit, Robot, Run, load};
 pub(crate) type Outcome = Result<(), Box<dyn Error>>;
 
 /// Angles of TITAN VIII's joints.
-pub(crate) const ANGLES: &str = "angles=0.0,0.0,90.0,0.0,0.0,90.0,0.0,0.0,90.0,0.0,0.0,90.0";
+pub(crate) const ANGLES: &str = "[0.0,0.0,90.0,0.0,0.0,90.0,0.0,0.0,90.0,0.0,0.0,90.0]";
 
-/// Answers `ready` with what it is given; then, in each cycle, runs what it is given, with `$n` and `$targets` as the line has
-/// them.
+/// Returns a shell script that does one thing at `hello`, another in each cycle, with `$n` and `$targets` as the line has them.
 pub(crate) fn script(ready: &str, each: &str) -> String {
     format!(
-        "while read kind rest; do
-           for word in $rest; do
-             case $word in n=*) n=${{word#n=}};; targets=*) targets=${{word#targets=}};; esac
-           done
-           case $kind in
-             hello) {ready};;
-             cycle) {each};;
-             bye) exit 0;;
+        r#"while read -r line; do
+           n=${{line#*\"n\":}}; n=${{n%%,*}}
+           targets=${{line#*\"targets\":}}; targets=${{targets%%]*}}]
+           case $line in
+             *\"hello\"*) {ready};;
+             *\"cycle\"*) {each};;
+             *\"bye\"*) exit 0;;
            esac
-         done"
+         done"#
     )
 }
 
-/// Returns its reaction to `hello`.
-pub(crate) fn ready() -> String {
-    format!("echo \"ready version=1 {ANGLES}\"")
+/// Returns a shell command that writes an object with these fields; of the shell's expansions `$n` and `$targets` work in it.
+pub(crate) fn says(fields: &str) -> String {
+    format!("echo \"{{{}}}\"", fields.replace('"', "\\\""))
 }
 
-/// Its reaction to a cycle.
-pub(crate) const ECHO: &str = "echo \"state n=$n angles=$targets\"";
+/// Returns the answer to `hello`, with more fields.
+pub(crate) fn ready_with(more: &str) -> String {
+    says(&format!(r#""version":2,"angles":{ANGLES}{more}"#))
+}
+
+/// Returns the answer to `hello`.
+pub(crate) fn ready() -> String {
+    ready_with("")
+}
+
+/// Returns the answer to a cycle, with more fields.
+pub(crate) fn echo_with(more: &str) -> String {
+    says(&format!(r#""n":$n,"angles":$targets{more}"#))
+}
+
+/// The answer to a cycle.
+pub(crate) const ECHO: &str = r#"echo "{\"n\":$n,\"angles\":$targets}""#;
 
 /// So much time as a test has.
 pub(crate) const PATIENCE: TimeLimits = TimeLimits {

@@ -1,6 +1,6 @@
 //! Files that are not URDF: place, reason and way out. Each is tested with a similar file that is sound.
 
-use tip_sim::urdf::import;
+use tip_sim::import::import;
 
 /// A leg of one joint, which takes a line for each element.
 const SOUND: &str = r#"<robot name="leg" VERSION>
@@ -278,7 +278,7 @@ fn nan_is_no_number_in_any_version() {
 /// Returns the report of a file in a version.
 fn said(version: &str, from: &str, to: &str) -> String {
     let import = import("test.urdf", &file(version, from, to));
-    crate::urdf::told(&import.unwrap_or_else(|error| panic!("{error}")))
+    crate::urdf::reported(&import.unwrap_or_else(|error| panic!("{error}")))
 }
 
 #[test]
@@ -385,7 +385,7 @@ fn what_is_not_xml_is_refused_at_its_place() {
     let error = import("test.urdf", &text).expect_err("it is refused");
     assert_eq!(
         error.to_string(),
-        "this is not URDF: expected 'robot' tag, not 'rabot' at 18:1"
+        "this is neither URDF nor MJCF: expected 'robot' tag, not 'rabot' at 18:1"
     );
 }
 

@@ -1,7 +1,7 @@
 //! Files in other encodings than UTF-8, and with something before their declarations.
 
 use crate::urdf::robots::{PLAIN, TIP, fixed, revolute, urdf};
-use tip_sim::urdf::{decode, import};
+use tip_sim::import::{decode, import};
 
 /// A robot whose joint has a name of Japanese, and whose declaration says more.
 fn text(declared: &str) -> String {

@@ -214,7 +214,7 @@ fn prismatic_joints_to_a_link_floor_are_a_slider() {
     assert_eq!(import.toml, other.toml);
     returns(&robot);
 
-    let error = tip_sim::urdf::import("test.urdf", &gantry.replace("\"floor\"", "\"desk\""));
+    let error = tip_sim::import::import("test.urdf", &gantry.replace("\"floor\"", "\"desk\""));
     let error = error.expect_err("it is a leg that slides").to_string();
     assert!(
         error.contains("joint `across` on link `base_link` is prismatic"),

@@ -1,7 +1,7 @@
 //! Which chains become legs, in which order, and where they end.
 
 use crate::urdf::robots::{Joint, PLAIN, TIP, fixed, quadruped, revolute, urdf};
-use tip_sim::urdf::{Foot, Import, ImportOptions, Up, import_with};
+use tip_sim::import::{Foot, Import, ImportOptions, Up, import_with};
 
 fn words(words: &[&str]) -> Vec<String> {
     words.iter().copied().map(str::to_owned).collect()
@@ -15,6 +15,7 @@ fn options([feet, skip, order]: [&[&str]; 3]) -> ImportOptions {
         order: words(order),
         up: None,
         stand: None,
+        ..ImportOptions::default()
     }
 }
 
@@ -70,7 +71,7 @@ fn chains_that_are_skipped_are_no_legs() {
         ];
         assert_eq!(legs(&import), expected, "{name}");
         let said: Vec<String> = import.report.iter().map(ToString::to_string).collect();
-        let line = "left out, as asked: the chains of head_pan_joint";
+        let line = "left out, as asked: the chains of head_pan_joint, which weigh 1 kg";
         assert!(said.iter().any(|it| it == line), "{said:?}");
     }
     let all = ["head", "front_left", "front_right"];

@@ -1,7 +1,7 @@
 //! Placeholders in files: figures that no robot has.
 
 use crate::urdf::robots::{PLAIN, TIP, fixed, revolute, urdf};
-use crate::urdf::{imported, told};
+use crate::urdf::{imported, reported};
 
 const LIMIT: &str = "lower=\"-1.5\" upper=\"2\" effort=\"7\" velocity=\"3\"";
 
@@ -16,7 +16,7 @@ fn leg(limit: &str) -> String {
 
 /// Returns the doubtful lines of the report.
 fn doubts(text: &str) -> Vec<String> {
-    let said = told(&imported(text).0);
+    let said = reported(&imported(text).0);
     let doubts = said.lines().filter(|line| line.starts_with("doubtful: "));
     doubts.map(str::to_owned).collect()
 }
@@ -72,7 +72,7 @@ fn limited(version: &str, ends: &str) -> (Option<String>, Vec<String>) {
     let (import, _) = imported(&text);
     let limits = import.toml.split_once("limits = ");
     let limits = limits.map(|(_, rest)| rest[..=rest.find(']').expect("an end")].to_owned());
-    let said = told(&import);
+    let said = reported(&import);
     let said = said
         .lines()
         .filter(|line| line.contains(": a"))
@@ -212,7 +212,7 @@ fn joints_that_turn_all_round_do_so_for_a_reason_that_is_told() {
         );
     }
     let turns = leg(LIMIT).replace("type=\"revolute\"", "type=\"continuous\"");
-    let said = told(&imported(&turns).0);
+    let said = reported(&imported(&turns).0);
     let line = "dropped: what continuous joints say of `lower` and `upper`, since they turn without end; their limits are -180 \
                 and 180 deg: a";
     assert!(said.lines().any(|it| it == line), "{said}");
@@ -231,6 +231,6 @@ fn masses_and_inertias_of_nothing_are_doubted() {
     );
     doubted(
         &sound.replacen("iyy=\"0.01\"", "iyy=\"0\"", 1),
-        "an inertia of 0 about some axis; what moves with them is taken to be a uniform rod or box: one",
+        "an inertia of 0 about some axis; they count as point masses, and where they are most of the mass that moves as one, its inertia is that of a uniform rod or box: one",
     );
 }

@@ -1,7 +1,7 @@
 //! Robots that cannot be imported: names, reasons and ways out.
 
 use crate::urdf::robots::{ARM, Joint, PLAIN, TIP, fixed, revolute, urdf};
-use tip_sim::urdf::import;
+use tip_sim::import::import;
 
 /// Asserts that a robot of these joints is refused with these parts of a message.
 #[track_caller]

@@ -1,6 +1,6 @@
 //! Collision shapes, worked out by hand.
 
-use crate::urdf::{imported, told};
+use crate::urdf::{imported, reported};
 use tip_sim::urdf::export;
 use tip_sim::{Robot, mjcf};
 use tipc::description::{Form, Shape, Shapes};
@@ -142,7 +142,7 @@ fn what_no_description_can_hold_is_dropped_and_told() {
     let mixed = format!("{mesh}{sphere}{mesh}");
     let (import, robot_of) = imported(&robot(PLAIN, &mesh, &mixed, &sphere));
     assert_eq!(robot_of.shapes().of(1, 1).len(), 2);
-    let said = told(&import);
+    let said = reported(&import);
     let line = "dropped: collision shapes that are meshes: base, aLink";
     assert!(said.lines().any(|it| it == line), "{said}");
     for nothing in [
@@ -153,12 +153,12 @@ fn what_no_description_can_hold_is_dropped_and_told() {
     ] {
         let nothing = collision(PLAIN, PLAIN, nothing);
         let (import, _) = imported(&robot(PLAIN, "", &format!("{sphere}{nothing}"), ""));
-        let said = told(&import);
+        let said = reported(&import);
         let line = "dropped: collision shapes that have a size of 0 or less, or are farther away than 1 km: aLink";
         assert!(said.lines().any(|it| it == line), "{said}");
         assert!(!said.contains("meshes"), "{said}");
     }
-    let sound = told(&imported(&robot(PLAIN, "", &sphere, "")).0);
+    let sound = reported(&imported(&robot(PLAIN, "", &sphere, "")).0);
     assert!(!sound.contains("collision"), "{sound}");
 }
 
@@ -183,13 +183,13 @@ fn a_body_is_the_box_around_the_shapes_of_its_base() {
         assert!((ours - expected).abs() < 1e-6, "{body:?}");
     }
     assert_eq!(description.shapes().body.len(), 3);
-    let said = told(&import);
+    let said = reported(&import);
     assert!(
         said.contains("the box around the collision shapes of its base"),
         "{said}"
     );
     // Spheres and cylinders are wheels and sensors.
-    let said = told(&imported(&robot(PLAIN, &format!("{rod}{ball}"), "", "")).0);
+    let said = reported(&imported(&robot(PLAIN, &format!("{rod}{ball}"), "", "")).0);
     assert!(said.contains("a box around the first joints"), "{said}");
     // A box that is called body says more.
     let named = robot(PLAIN, &block, "", "").replacen(
@@ -198,7 +198,7 @@ fn a_body_is_the_box_around_the_shapes_of_its_base() {
              <joint name=\"d\" type=\"fixed\"><parent link=\"base\"/><child link=\"body\"/></joint><link name=\"aLink\">",
         1,
     );
-    let said = told(&imported(&named).0);
+    let said = reported(&imported(&named).0);
     assert!(said.contains("its body is the box of link body"), "{said}");
 }
 
@@ -210,7 +210,7 @@ fn a_robot_that_is_bolted_down_has_no_shapes_of_its_base() {
         <joint name=\"w\" type=\"fixed\"><parent link=\"world\"/><child link=\"base\"/></joint>";
     let bolted = |base: &str| {
         let text = robot(PLAIN, base, "", "");
-        told(&imported(&text.replace("<robot name=\"shaped\">", world)).0)
+        reported(&imported(&text.replace("<robot name=\"shaped\">", world)).0)
     };
     let line = "dropped: the collision shapes of the base, which is bolted down";
     let said = bolted(&format!("{block}{mesh}"));
@@ -308,15 +308,17 @@ fn in_mujoco_shapes_are_drawn_and_feet_touch_as_before() {
     let plain = plain.collect::<String>();
     let plain = mjcf::export(&Robot::description(&plain).expect("it is a robot"));
     let others = |text: &str| -> Vec<String> {
-        let lines = text
-            .lines()
-            .filter(|line| !line.contains("class=\"drawn\""));
+        let lines = text.lines().filter(|line| {
+            !["drawn", "tip_shape"]
+                .iter()
+                .any(|class| line.contains(&format!("class=\"{class}\"")))
+        });
         lines.map(|line| line.replace(" group=\"3\"", "")).collect()
     };
     assert_eq!(others(&shaped), others(&plain));
     let drawn: Vec<&str> = shaped
         .lines()
-        .filter(|line| line.contains("class=\"drawn\""))
+        .filter(|line| line.contains("class=\"tip_shape\""))
         .collect();
     assert_eq!(
         drawn.len(),
@@ -324,7 +326,7 @@ fn in_mujoco_shapes_are_drawn_and_feet_touch_as_before() {
         "with the line of the class itself"
     );
     // Half of its sides, in m; along its x and y.
-    let sphere = "<geom class=\"drawn\" type=\"sphere\" size=\"0.012\" pos=\"0 0 -0.09\" xyaxes=\"1 0 0 0 1 0\"/>";
+    let sphere = "<geom class=\"tip_shape\" type=\"sphere\" size=\"0.012\" pos=\"0 0 -0.09\" xyaxes=\"1 0 0 0 1 0\"/>";
     assert!(drawn.iter().any(|line| line.trim() == sphere), "{drawn:?}");
     assert!(
         drawn.iter().any(|line| line.contains(

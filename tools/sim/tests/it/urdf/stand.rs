@@ -1,10 +1,11 @@
 //! Robots that stand as high as they are asked to, by trigonometry of their figures.
 
-use tip_sim::urdf::{ImportOptions, export, import_with};
-use tip_sim::{Anatomy, Robot};
+use tip_sim::import::{ImportOptions, import_with};
+use tip_sim::urdf::export;
+use tip_sim::{Robot, RobotDescription};
 
 /// Exports a robot, and imports it to stand at a height, mm.
-fn standing(robot: &Robot, height: f64) -> Result<Anatomy, String> {
+fn standing(robot: &Robot, height: f64) -> Result<RobotDescription, String> {
     let options = ImportOptions {
         stand: Some(height),
         ..ImportOptions::default()

@@ -1,7 +1,7 @@
 //! Centres of mass and inertias, worked out by hand.
 
-use crate::urdf::{imported, told};
-use tip_runtime::model::{Leg, Model, Spread};
+use crate::urdf::{imported, reported};
+use tip_runtime::model::{InertialProperties, Leg, Model};
 
 /// A link `rod` on the joint `a`, 0.1 m in front of the base, with a foot 0.3 m farther on.
 fn rod(inertial: &str, foot: &str) -> String {
@@ -20,7 +20,7 @@ const INERTIA: &str =
     r#"<inertia ixx="0.001" iyy="0.002" izz="0.0025" ixy="0.0001" ixz="-0.0002" iyz="0.0003"/>"#;
 
 #[track_caller]
-fn near(ours: Spread, centre: [f64; 3], inertia: [f64; 6]) {
+fn near(ours: InertialProperties, centre: [f64; 3], inertia: [f64; 6]) {
     let centres = ours.centre.iter().zip(centre);
     let inertias = ours.inertia.iter().zip(inertia);
     assert!(
@@ -35,7 +35,7 @@ fn leg(text: &str) -> Leg<1> {
     model.legs[0]
 }
 
-fn spread_of(text: &str) -> Spread {
+fn spread_of(text: &str) -> InertialProperties {
     leg(text).joints[0].spread.expect("it is known")
 }
 
@@ -85,16 +85,51 @@ fn inertias_that_only_fill_places_are_doubted_and_left_out() {
     };
     // 400 mm from end to end: 2 kg · (0.4 m)².
     for sound in [[0.31, 0.31, 0.31], [0.1, 0.1, 0.2]] {
-        let said = told(&imported(&robot(sound)).0);
+        let said = reported(&imported(&robot(sound)).0);
         assert!(!said.contains("rigid body"), "{said}");
         assert!(leg(&robot(sound)).joints[0].spread.is_some());
     }
     for doubtful in [[0.33, 0.33, 0.33], [0.1, 0.1, 0.201]] {
-        let said = told(&imported(&robot(doubtful)).0);
-        let line = "that of no rigid body, or of one larger than the robot; what moves with them is taken to be a uniform rod or box: rod";
+        let said = reported(&imported(&robot(doubtful)).0);
+        let line = "that of no rigid body, or of one larger than the robot; they count as point masses, and where they are most of the mass that moves as one, its inertia is that of a uniform rod or box: rod";
         assert!(said.contains(line), "{said}");
         let joint = leg(&robot(doubtful)).joints[0];
-        assert_eq!((joint.mass, joint.spread), (2.0, None));
+        assert_eq!(joint.mass, 2.0);
+        // The centre is kept; the tensor is that of a uniform rod along y.
+        let spread = joint.spread.expect("its centre is known");
+        assert_eq!(spread.centre, [0.0; 3]);
+        assert!(
+            (spread.inertia[0] - 2.0 * 0.09 / 12.0).abs() < 1e-3,
+            "{spread:?}"
+        );
+    }
+}
+
+/// Of a light fixed link without a tensor of its own only the tensor is lost: 2 kg with theirs, and a
+/// point of 0.1 kg, 0.3 m ahead.
+#[test]
+fn a_small_doubtful_link_is_a_point_mass() {
+    let main = format!("<origin xyz=\"0.02 0 -0.1\"/><mass value=\"2\"/>{INERTIA}");
+    for doubtful in ["0", "900", "-1"] {
+        let foot = format!(
+            "<inertial><mass value=\"0.1\"/><inertia ixx=\"{doubtful}\" iyy=\"{doubtful}\" izz=\"{doubtful}\" \
+             ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
+        );
+        let (x, z) = (0.28, 0.1);
+        // Two points apart by x ahead and z up, with their reduced mass.
+        let reduced = 2.0 * 0.1 / 2.1;
+        near(
+            spread_of(&rod(&main, &foot)),
+            [0.0, (2.0 * 20.0 + 0.1 * 300.0) / 2.1, -2.0 * 100.0 / 2.1],
+            [
+                0.002 + reduced * (x * x + z * z),
+                0.001 + reduced * z * z,
+                0.0025 + reduced * x * x,
+                -0.0001,
+                -0.0003,
+                -0.0002 - reduced * x * z,
+            ],
+        );
     }
 }
 

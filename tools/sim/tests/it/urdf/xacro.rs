@@ -1,7 +1,7 @@
 //! Xacro, and what only looks like it.
 
 use crate::urdf::robots::{ARM, urdf};
-use tip_sim::urdf::import;
+use tip_sim::import::import;
 
 const NAMESPACE: &str = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
 
@@ -50,5 +50,10 @@ fn what_xacro_left_in_expanded_files_is_no_xacro() {
     }
     // Another namespace that is not declared is no URDF.
     let other = import("arm.urdf", &arm("", "<ros:node/>")).expect_err("unknown");
-    assert!(other.to_string().starts_with("this is not URDF"), "{other}");
+    assert!(
+        other
+            .to_string()
+            .starts_with("this is neither URDF nor MJCF"),
+        "{other}"
+    );
 }

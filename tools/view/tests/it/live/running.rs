@@ -42,7 +42,7 @@ fn a_page_is_told_of_the_blocks_that_stand_on_the_floor() {
 }
 
 #[test]
-fn a_run_from_the_start_plays_unless_the_one_before_rests() {
+fn a_run_from_the_start_plays_even_if_the_one_before_rests() {
     let mut session = session_of("3.1\nshort\nSLEEP 100\nEND\n");
     let mut page = Page::default();
     let playing = |session: &mut Session, page: &mut Page| {
@@ -50,9 +50,8 @@ fn a_run_from_the_start_plays_unless_the_one_before_rests() {
         page.look(session);
         page.status["playing"].clone()
     };
-    assert_eq!(playing(&mut session, &mut page), false, "it rested");
-    does(&mut session, json!({"do": "play"}));
-    assert_eq!(playing(&mut session, &mut page), true);
+    assert_eq!(playing(&mut session, &mut page), true, "it rested");
+    assert_eq!(playing(&mut session, &mut page), true, "it played");
     session.advance(1000.0, || true);
     page.look(&session);
     assert_eq!(

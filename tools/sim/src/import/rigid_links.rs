@@ -2,22 +2,23 @@
 //! slider that carries a floor.
 
 use super::chains::Chain;
-use super::frame::{self, BODY, FLOOR};
-use super::parse::{Geometry, JointType, Piece, UrdfJoint, UrdfLink};
-use super::transform::{Origin, Transform};
+use super::transform::{Transform, point_tensor};
 use super::tree::LinkTree;
+use super::tree::{Geometry, Joint, JointType, Link, Piece};
 use super::xml::printed;
 use crate::message::Importing;
-use tip_runtime::model::{Point, Range, Slider, Spread};
+use crate::urdf::frame::{self, FLOOR};
+use tip_runtime::model::{InertialProperties, Point, Range, Slider};
 use tipc::description::{Form, Shape};
 use tipc::message::list::List;
 
 /// Greatest relative deviation of an axis along x, y or z.
 const SLIGHT: f64 = 1e-9;
 
-/// Returns the extents of the body along x, y and z (mm): those of the only box of a link `body`.
-pub(super) fn body_extents(rigid: &[(&UrdfLink, Transform)]) -> Option<[Range; 3]> {
-    let (link, pose) = rigid.iter().find(|(link, _)| link.name == BODY)?;
+/// Returns the extents of the body along x, y and z (mm): those of the only box in the
+/// visual geometry of the body.
+pub(super) fn body_extents(rigid: &[(&Link, Transform)]) -> Option<[Range; 3]> {
+    let (link, pose) = rigid.iter().find(|(link, _)| !link.visuals.is_empty())?;
     let mut boxes = link
         .visuals
         .iter()
@@ -43,7 +44,7 @@ pub(super) fn body_extents(rigid: &[(&UrdfLink, Transform)]) -> Option<[Range; 3
 
 /// Returns the slider: a chain of prismatic joints along x, y and z of the robot frame to a link
 /// `floor`. All its joints are at 0 in its initial position.
-pub(super) fn slider(tree: &LinkTree<'_>, rigid: &[(&UrdfLink, Transform)]) -> Option<Slider> {
+pub(super) fn slider(tree: &LinkTree<'_>, rigid: &[(&Link, Transform)]) -> Option<Slider> {
     if let Some(initial) = floor(rigid) {
         return Some(still(initial));
     }
@@ -54,11 +55,11 @@ pub(super) fn slider(tree: &LinkTree<'_>, rigid: &[(&UrdfLink, Transform)]) -> O
 }
 
 /// Returns true if a joint begins the chain of the slider.
-pub(super) fn is_slider(tree: &LinkTree<'_>, joint: &UrdfJoint, pose: Transform) -> bool {
+pub(super) fn is_slider(tree: &LinkTree<'_>, joint: &Joint, pose: Transform) -> bool {
     follow(tree, joint, pose).is_some()
 }
 
-fn follow<'a>(tree: &LinkTree<'a>, first: &'a UrdfJoint, pose: Transform) -> Option<Slider> {
+fn follow<'a>(tree: &LinkTree<'a>, first: &'a Joint, pose: Transform) -> Option<Slider> {
     let mut travel: [Option<Range>; 3] = [None; 3];
     let mut next = (first, pose);
     loop {
@@ -74,7 +75,7 @@ fn follow<'a>(tree: &LinkTree<'a>, first: &'a UrdfJoint, pose: Transform) -> Opt
         ]
         .map(|end| end * sign * 1000.0);
         travel[axis] = Some(Range::new(ends[0].min(ends[1]), ends[0].max(ends[1])));
-        let links = tree.rigid(&joint.child, pose);
+        let links = tree.carried(joint, pose);
         match tree.movable(&links).as_slice() {
             [] => {
                 let mut slider = still(floor(&links)?);
@@ -98,7 +99,7 @@ fn still(initial: Point) -> Slider {
     }
 }
 
-fn floor(links: &[(&UrdfLink, Transform)]) -> Option<Point> {
+fn floor(links: &[(&Link, Transform)]) -> Option<Point> {
     let (_, pose) = links.iter().find(|(link, _)| link.name == FLOOR)?;
     Some(pose.origin())
 }
@@ -115,57 +116,66 @@ fn axis(direction: [f64; 3]) -> Option<(usize, f64)> {
 const DIGITS: usize = 11;
 
 /// Returns the mass of all links, kg.
-pub(super) fn mass(links: &[(&UrdfLink, Transform)]) -> f64 {
+pub(super) fn mass(links: &[(&Link, Transform)]) -> f64 {
     links.iter().map(|(link, _)| link.mass).sum()
 }
 
-/// Returns the inertia of all links, with the centre seen from `at`, in a frame that is parallel to
-/// the robot frame; `None` if a link with mass lacks its own. An inertia of a body larger than
-/// `reach` (mm) is refused.
-pub(super) fn spread(links: &[(&UrdfLink, Transform)], at: Point, reach: f64) -> Option<Spread> {
-    let mass = mass(links);
+/// The centre of mass of links that move as one, and their tensor about it if it is known.
+pub(super) struct Weight {
+    /// Centre, mm.
+    pub(super) centre: Point,
+    /// Tensor in a frame that is parallel to the robot frame, kg·m².
+    pub(super) inertia: Option<[f64; 6]>,
+}
+
+/// Returns centre and tensor of all links, with the centre seen from `at`; `None` without mass. A link
+/// whose tensor is missing, or one of a body larger than `reach` (mm), counts as a point mass; where such
+/// links are most of the mass, the tensor is unknown.
+pub(super) fn weight(links: &[(&Link, Transform)], at: Point, reach: f64) -> Option<Weight> {
+    let total = mass(links);
     let heavy = || links.iter().filter(|(link, _)| link.mass > 0.0);
-    let is_known = heavy().all(|(link, _)| !is_flat(link) && !is_doubtful(link, reach));
-    if !(mass > 0.0 && is_known) {
+    if total <= 0.0 {
         return None;
     }
-    let placed =
-        |(link, pose): &(&UrdfLink, Transform)| (link.mass, pose.then(&link.centre), link.inertia);
-    let centre = heavy().map(placed).fold([0.0; 3], |sum, (own, pose, _)| {
-        let place = pose.origin();
-        [0, 1, 2].map(|axis| sum[axis] + own / mass * place[axis])
+    let place = |(link, pose): &(&Link, Transform)| pose.then(&link.centre).origin();
+    let centre = heavy().fold([0.0; 3], |sum, own| {
+        let (share, place) = (own.0.mass / total, place(own));
+        [0, 1, 2].map(|axis| sum[axis] + share * place[axis])
     });
-    let inertia = heavy().map(placed).fold([0.0; 6], |sum, (own, pose, of)| {
-        let turned = pose.tensor(of);
-        let place = pose.origin();
-        let [x, y, z] = [0, 1, 2].map(|axis| (place[axis] - centre[axis]) / 1000.0);
-        let moved = [
-            y * y + z * z,
-            x * x + z * z,
-            x * x + y * y,
-            -x * y,
-            -x * z,
-            -y * z,
-        ];
-        std::array::from_fn(|element| sum[element] + turned[element] + own * moved[element])
+    let is_known = |link: &Link| !is_flat(link) && !is_doubtful(link, reach);
+    let known: f64 = heavy()
+        .filter(|(link, _)| is_known(link))
+        .map(|(link, _)| link.mass)
+        .sum();
+    let inertia = heavy().fold([0.0; 6], |sum, own| {
+        let (link, pose) = own;
+        let turned = match is_known(link) {
+            true => pose.then(&link.centre).tensor(link.inertia),
+            false => [0.0; 6],
+        };
+        let place = place(own);
+        let away = [0, 1, 2].map(|axis| (place[axis] - centre[axis]) / 1000.0);
+        let moved = point_tensor(link.mass, away);
+        std::array::from_fn(|element| sum[element] + turned[element] + moved[element])
     });
-    let spread = Spread {
+    let inertia = rounded(inertia);
+    let is_sound = InertialProperties { centre, inertia }.is_sound();
+    Some(Weight {
         centre: [0, 1, 2].map(|axis| centre[axis] - at[axis]),
-        inertia: rounded(inertia),
-    };
-    spread.is_sound().then_some(spread)
+        inertia: (2.0 * known >= total && is_sound).then_some(inertia),
+    })
 }
 
 /// Returns true if a link has mass but no inertia about some axis.
-pub(super) fn is_flat(link: &UrdfLink) -> bool {
+pub(super) fn is_flat(link: &Link) -> bool {
     let [xx, yy, zz, ..] = link.inertia;
     link.mass > 0.0 && [xx, yy, zz].iter().any(|moment| *moment <= 0.0)
 }
 
 /// Returns true if a link has mass, and an inertia of no rigid body, or of one that is larger than
 /// the robot.
-pub(super) fn is_doubtful(link: &UrdfLink, reach: f64) -> bool {
-    let own = Spread {
+pub(super) fn is_doubtful(link: &Link, reach: f64) -> bool {
+    let own = InertialProperties {
         centre: [0.0; 3],
         inertia: link.inertia,
     };
@@ -186,12 +196,12 @@ fn rounded(tensor: [f64; 6]) -> [f64; 6] {
 }
 
 /// Limits of sizes and positions in descriptions, mm.
-const LEAST: f64 = frame::LEAST;
-const MOST: f64 = 1e6;
+const MIN_SIZE: f64 = frame::MIN_SIZE;
+const MAX_SIZE: f64 = 1e6;
 
 /// Returns the collision shapes of links that move as one, seen from `at` (mm), in a frame that is
 /// parallel to the robot frame.
-pub(super) fn shapes(links: &[(&UrdfLink, Transform)], at: Point) -> Vec<Shape> {
+pub(super) fn shapes(links: &[(&Link, Transform)], at: Point) -> Vec<Shape> {
     let all = all(links, at).map(|(_, shape)| shape);
     all.filter(is_possible).collect()
 }
@@ -199,12 +209,12 @@ pub(super) fn shapes(links: &[(&UrdfLink, Transform)], at: Point) -> Vec<Shape> 
 /// Reports the dropped shapes of legs and base, a line for each reason.
 pub(super) fn dropped(
     legs: &[Chain<'_>],
-    base: &[(&UrdfLink, Transform)],
+    base: &[(&Link, Transform)],
     has_body: bool,
 ) -> Vec<Importing> {
     const HERE: Point = [0.0; 3];
     let joints = legs.iter().flat_map(|leg| &leg.joints);
-    let mut rigid: Vec<(&[(&UrdfLink, Transform)], Point)> = Vec::new();
+    let mut rigid: Vec<(&[(&Link, Transform)], Point)> = Vec::new();
     if has_body {
         rigid.push((base, HERE));
     }
@@ -226,7 +236,7 @@ pub(super) fn dropped(
 }
 
 /// Returns the names of links, each once, if there are any.
-fn some<'a>(links: impl Iterator<Item = &'a UrdfLink>) -> Option<List> {
+fn some<'a>(links: impl Iterator<Item = &'a Link>) -> Option<List> {
     let mut names: Vec<String> = links.map(|link| printed(&link.name)).collect();
     names.dedup();
     (!names.is_empty()).then_some(List(names))
@@ -261,10 +271,7 @@ fn half(shape: &Shape, axis: usize) -> f64 {
 }
 
 /// Iterates over each link's shapes, including those that no description can have.
-fn all<'a>(
-    links: &[(&'a UrdfLink, Transform)],
-    at: Point,
-) -> impl Iterator<Item = (&'a UrdfLink, Shape)> {
+fn all<'a>(links: &[(&'a Link, Transform)], at: Point) -> impl Iterator<Item = (&'a Link, Shape)> {
     let pieces = links.iter().flat_map(|(link, pose)| {
         let pieces = link.collisions.iter();
         pieces.map(|piece| (*link, pose.then(&piece.origin), piece))
@@ -282,8 +289,8 @@ fn is_possible(shape: &Shape) -> bool {
         Form::Cylinder { radius, length } => vec![radius, length],
         Form::Sphere { radius } => vec![radius],
     };
-    let is_size = |size: &f64| (LEAST..=MOST).contains(size);
-    let is_near = |part: &f64| (-MOST..=MOST).contains(part);
+    let is_size = |size: &f64| (MIN_SIZE..=MAX_SIZE).contains(size);
+    let is_near = |part: &f64| (-MAX_SIZE..=MAX_SIZE).contains(part);
     sizes.iter().all(is_size) && shape.at.iter().all(is_near)
 }
 
@@ -311,11 +318,7 @@ fn parts(geometry: &Geometry) -> Vec<(Form, f64)> {
 
 /// Returns a form in a frame of URDF, moved up its z axis by `up` (m).
 fn placed(form: Form, pose: &Transform, up: f64, from: Point) -> Shape {
-    let place = Origin {
-        xyz: [0.0, 0.0, up],
-        ..Origin::default()
-    };
-    let at = pose.then(&place).origin();
+    let at = pose.then(&Transform::shifted([0.0, 0.0, up])).origin();
     Shape {
         form,
         at: [0, 1, 2].map(|axis| at[axis] - from[axis]),

@@ -2,21 +2,22 @@
 //! like a placeholder.
 
 use super::chains::{self, Chain, ChainJoint};
-use super::parse::{JointType, UrdfJoint, UrdfLink};
-use super::rigid_links;
+use super::rigid_links::{self, Weight};
 use super::stand::Postures;
-use super::transform::{Transform, rpy_of_axes};
+use super::transform::Transform;
+use super::tree::{Joint, JointType, Link};
 use super::xml::printed;
 use crate::message::Importing;
+use crate::urdf::frame::rpy_of_axes;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
-use tip_runtime::model::{Range, Slider, Spread};
+use tip_runtime::model::{Range, Slider};
 use tipc::Robot;
 use tipc::description::{Form, Shape};
 use tipc::message::list::List;
 
 /// Maximum length of a robot's name, characters.
-const LONGEST: usize = 40;
+const MAX_NAME_CHARS: usize = 40;
 /// Extent of the assumed body above and below the first joints, mm.
 const HALF_HEIGHT: f64 = 50.0;
 
@@ -26,12 +27,14 @@ pub(super) struct RobotParts<'a> {
     /// True for a robot that can stand on its legs.
     pub(super) walks: bool,
     /// The links that are fixed to the base.
-    pub(super) base: &'a [(&'a UrdfLink, Transform)],
+    pub(super) base: &'a [(&'a Link, Transform)],
     /// Extents of the body, if the file gives them, mm.
     pub(super) extents: Option<[Range; 3]>,
     pub(super) slider: Option<Slider>,
     pub(super) legs: &'a [Chain<'a>],
     pub(super) stands: InitialPosture,
+    /// The standard OMEGA_MAX, if the file has it, deg/s.
+    pub(super) omega_max: Option<f64>,
 }
 
 /// The initial posture.
@@ -40,6 +43,8 @@ pub(super) enum InitialPosture {
     Middle,
     /// A posture with its feet `height` mm below the robot frame, as requested.
     AsAsked { height: f64, postures: Postures },
+    /// A posture that the file names.
+    OfFile { name: String, postures: Postures },
     /// A posture with its feet `height` mm below the robot frame, assumed because the robot would
     /// fall in the middle of its limits.
     Assumed { height: f64, postures: Postures },
@@ -62,13 +67,16 @@ pub(super) fn description(source_name: &str, found: &RobotParts<'_>) -> (String,
         match &found.stands {
             InitialPosture::AsAsked { height, .. } => Importing::Stands { height: *height },
             InitialPosture::Assumed { height, .. } => Importing::StandsByItself { height: *height },
+            InitialPosture::OfFile { name, .. } => Importing::PostureOfFile {
+                name: printed(name),
+            },
             InitialPosture::Middle => Importing::InitialPosture,
         },
     ];
     let mut postures = match &found.stands {
-        InitialPosture::AsAsked { postures, .. } | InitialPosture::Assumed { postures, .. } => {
-            postures.as_slice()
-        }
+        InitialPosture::AsAsked { postures, .. }
+        | InitialPosture::OfFile { postures, .. }
+        | InitialPosture::Assumed { postures, .. } => postures.as_slice(),
         InitialPosture::Middle => [].as_slice(),
     }
     .iter()
@@ -85,6 +93,7 @@ pub(super) fn description(source_name: &str, found: &RobotParts<'_>) -> (String,
             link: printed(&leg.end.to_string()),
         };
         report.push(what.clone());
+        report.extend(leg.remark.clone());
         let initial = postures.next();
         let table = leg_table(leg, initial, found.reach(), &mut report);
         let _ = write!(text, "\n[[leg]] # {what}\n{table}");
@@ -94,17 +103,25 @@ pub(super) fn description(source_name: &str, found: &RobotParts<'_>) -> (String,
     report.extend(rigid_links::dropped(legs, found.base, found.walks));
     report.extend(placeholders(legs, found.base, found.reach()));
     let joints = legs.iter().flat_map(|leg| &leg.joints);
-    let velocities = joints.map(|turning| turning.joint.limit.velocity);
-    let slowest = velocities
+    let velocities: Vec<f64> = joints
+        .filter_map(|turning| turning.joint.limit.velocity)
+        .collect();
+    let sound = velocities.iter().copied();
+    let slowest = sound
         .filter(|velocity| !is_placeholder_velocity(*velocity))
         .fold(f64::INFINITY, f64::min);
-    if slowest.is_finite() {
-        report.push(Importing::OmegaMax);
-        let _ = write!(
-            text,
-            "\n[standards]\nomega_max = {}\n",
-            measure(slowest.to_degrees())
-        );
+    let omega_max = match found.omega_max {
+        Some(stated) => Some(stated),
+        None if slowest.is_finite() => {
+            report.push(Importing::OmegaMax);
+            Some(slowest.to_degrees())
+        }
+        None => None,
+    };
+    if let Some(omega_max) = omega_max {
+        let _ = write!(text, "\n[standards]\nomega_max = {}\n", measure(omega_max));
+    } else if velocities.is_empty() {
+        report.push(Importing::NoVelocity);
     }
     (text, report)
 }
@@ -150,9 +167,10 @@ fn settings(turning: &ChainJoint<'_>, reach: f64, report: &mut Vec<Importing>) -
         ", mass = {}",
         to(1e12, rigid_links::mass(&turning.links))
     );
-    if let Some(spread) = rigid_links::spread(&turning.links, turning.at, reach) {
-        let [centre, inertia] = spread_of(&spread);
-        let _ = write!(text, ", centre = {centre}, inertia = {inertia}");
+    if let Some(weight) = rigid_links::weight(&turning.links, turning.at, reach) {
+        for (key, value) in weight_of(&weight) {
+            let _ = write!(text, ", {key} = {value}");
+        }
     }
     if let Some(effort) = stated_effort(joint) {
         let _ = write!(text, ", torque = {}", measure(effort));
@@ -200,9 +218,10 @@ fn body(text: &mut String, found: &RobotParts<'_>, report: &mut Vec<Importing>) 
     } else {
         report.push(Importing::BodyMass);
     }
-    if let Some(spread) = rigid_links::spread(found.base, [0.0; 3], found.reach()) {
-        let [centre, inertia] = spread_of(&spread);
-        let _ = writeln!(text, "centre = {centre}\ninertia = {inertia}");
+    if let Some(weight) = rigid_links::weight(found.base, [0.0; 3], found.reach()) {
+        for (key, value) in weight_of(&weight) {
+            let _ = writeln!(text, "{key} = {value}");
+        }
     }
     if !shapes.is_empty() {
         let _ = writeln!(text, "shape = {}", shapes_of(&shapes));
@@ -234,13 +253,15 @@ fn shape_of(shape: &Shape) -> String {
     format!("{{ {text} }}")
 }
 
-/// Formats a centre of mass and a tensor.
-fn spread_of(spread: &Spread) -> [String; 2] {
-    let inertia = spread.inertia.map(|element| element.to_string());
-    [
-        vector(spread.centre.map(place)),
-        format!("[{}]", inertia.join(", ")),
-    ]
+/// Returns the keys of a centre of mass and of a tensor, if it is known, with their values.
+fn weight_of(weight: &Weight) -> impl Iterator<Item = (&'static str, String)> {
+    let inertia = weight.inertia.map(|elements| {
+        let elements = elements.map(|element| element.to_string());
+        ("inertia", format!("[{}]", elements.join(", ")))
+    });
+    [("centre", vector(weight.centre.map(place)))]
+        .into_iter()
+        .chain(inertia)
 }
 
 /// Returns a box around the first joints, and those of the axes x and y along which these have no
@@ -306,7 +327,7 @@ fn robot_name(name: &str) -> String {
         .chars()
         .map(|c| if allowed(c) { c } else { ' ' })
         .collect();
-    let name: String = name.trim().chars().take(LONGEST).collect();
+    let name: String = name.trim().chars().take(MAX_NAME_CHARS).collect();
     match name.trim() {
         "" => "robot".to_owned(),
         known if Robot::from_name(known).is_some() => format!("{known} robot"),
@@ -338,7 +359,7 @@ enum Stated {
 }
 
 /// Returns the limits of a joint (rad), unless it turns all round, and their form in the file.
-fn limits(joint: &UrdfJoint) -> (Option<[f64; 2]>, Stated) {
+fn limits(joint: &Joint) -> (Option<[f64; 2]>, Stated) {
     let limit = &joint.limit;
     // An end that is not stated is at 0 before 1.2, if that leaves the joint some room.
     let other = |leaves_room: bool| match leaves_room {
@@ -375,12 +396,12 @@ fn limits(joint: &UrdfJoint) -> (Option<[f64; 2]>, Stated) {
 }
 
 /// Returns the limits of a joint that has some, rad.
-fn stated_limits(joint: &UrdfJoint) -> Option<[f64; 2]> {
+fn stated_limits(joint: &Joint) -> Option<[f64; 2]> {
     limits(joint).0
 }
 
 /// Formats a joint and its resulting limits, deg.
-fn limited(joint: &UrdfJoint) -> String {
+fn limited(joint: &Joint) -> String {
     let name = printed(&joint.name);
     match stated_limits(joint) {
         Some(ends) => {
@@ -392,7 +413,7 @@ fn limited(joint: &UrdfJoint) -> String {
 }
 
 /// Returns the torque of a joint that has one, N·m.
-fn stated_effort(joint: &UrdfJoint) -> Option<f64> {
+fn stated_effort(joint: &Joint) -> Option<f64> {
     let effort = joint.limit.effort;
     (effort > 0.0 && effort <= STRONGEST).then_some(effort)
 }
@@ -403,12 +424,12 @@ fn is_placeholder_velocity(velocity: f64) -> bool {
 }
 
 /// Reports placeholders and assumptions, a line for each kind. No link is larger than `reach` (mm).
-fn placeholders(legs: &[Chain<'_>], base: &[(&UrdfLink, Transform)], reach: f64) -> Vec<Importing> {
+fn placeholders(legs: &[Chain<'_>], base: &[(&Link, Transform)], reach: f64) -> Vec<Importing> {
     let joints = |is: fn(&ChainJoint<'_>) -> bool| {
         let all = legs.iter().flat_map(|leg| &leg.joints);
         some(all.filter(|turning| is(turning)).map(|it| &it.joint.name))
     };
-    let links = |is: &dyn Fn(&UrdfLink) -> bool| {
+    let links = |is: &dyn Fn(&Link) -> bool| {
         let all = legs.iter().flat_map(|leg| &leg.joints);
         let all = base.iter().chain(all.flat_map(|turning| &turning.links));
         some(all.filter(|(link, _)| is(link)).map(|(link, _)| &link.name))
@@ -431,7 +452,7 @@ fn placeholders(legs: &[Chain<'_>], base: &[(&UrdfLink, Transform)], reach: f64)
             .map(|joints| Importing::DoubtfulLimits { joints }),
         joints(|it| stated_effort(it.joint).is_some_and(|effort| effort >= STRONG))
             .map(|joints| Importing::DoubtfulEffort { joints }),
-        joints(|it| is_placeholder_velocity(it.joint.limit.velocity))
+        joints(|it| it.joint.limit.velocity.is_some_and(is_placeholder_velocity))
             .map(|joints| Importing::DoubtfulVelocity { joints }),
         joints(|it| rigid_links::mass(&it.links) <= 0.0).map(|joints| Importing::NoMass { joints }),
         links(&rigid_links::is_flat).map(|links| Importing::NoInertia { links }),

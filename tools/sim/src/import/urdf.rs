@@ -2,130 +2,15 @@
 //! All other elements and attributes are ignored: simulators and ROS add their own.
 
 use super::ImportError;
-use super::frame::BODY;
-use super::transform::{Origin, rpy_of_quaternion};
-use super::xml::{self, PREFIX, place, printed, start};
+use super::transform::Transform;
+use super::tree::{Geometry, Joint, JointLimit, JointType, Link, Piece, RobotFile};
+use super::xml::{place, printed, start};
 use crate::message::Importing;
 use crate::message::Place;
-use roxmltree::{Document, Error, Node};
+use crate::urdf::frame::BODY;
+use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
 use tipc::message::list::List;
-
-/// A robot, its links and joints in the order of the file.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct UrdfRobot {
-    /// Name of the robot; empty if the file has none.
-    pub(super) name: String,
-    pub(super) links: Vec<UrdfLink>,
-    pub(super) joints: Vec<UrdfJoint>,
-    /// Remarks on the file for the report.
-    pub(super) notes: Vec<Importing>,
-}
-
-/// A rigid body.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct UrdfLink {
-    pub(super) name: String,
-    /// Mass, kg; 0 without `<inertial>`.
-    pub(super) mass: f64,
-    /// Transform of the centre of mass, whose axes are those of the inertia.
-    pub(super) centre: Origin,
-    /// Tensor of inertia: xx, yy, zz, xy, xz and yz, kg·m²; 0 without `<inertial>`.
-    pub(super) inertia: [f64; 6],
-    /// Visual geometry of the link `body`, which may give its extents; empty for other links.
-    pub(super) visuals: Vec<Piece>,
-    /// Collision geometry.
-    pub(super) collisions: Vec<Piece>,
-}
-
-/// A geometry of a link at its pose.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Piece {
-    pub(super) origin: Origin,
-    pub(super) geometry: Geometry,
-}
-
-/// A geometry around its origin and, if it is round, about its z axis, m.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Geometry {
-    Box([f64; 3]),
-    Cylinder {
-        radius: f64,
-        length: f64,
-    },
-    /// A cylinder with half a sphere on each end; the length is that of the cylinder.
-    Capsule {
-        radius: f64,
-        length: f64,
-    },
-    Sphere {
-        radius: f64,
-    },
-    Mesh,
-}
-
-impl Geometry {
-    /// The elements of all geometries.
-    const ELEMENTS: [&'static str; 5] = ["box", "cylinder", "capsule", "sphere", "mesh"];
-}
-
-/// A joint between two links.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct UrdfJoint {
-    pub(super) name: String,
-    pub(super) kind: JointType,
-    /// Name of the parent link.
-    pub(super) parent: String,
-    /// Name of the child link.
-    pub(super) child: String,
-    pub(super) origin: Origin,
-    /// Axis in the frame of the joint, of any length; `1 0 0` without `<axis>`.
-    pub(super) axis: [f64; 3],
-    pub(super) limit: JointLimit,
-    /// The joint that this one mimics.
-    pub(super) mimic: Option<String>,
-}
-
-/// The type of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum JointType {
-    Revolute,
-    Continuous,
-    Prismatic,
-    Fixed,
-    Floating,
-    Planar,
-    Spherical,
-}
-
-impl JointType {
-    /// All types with their words.
-    const WORDS: [(&'static str, JointType); 7] = [
-        ("revolute", JointType::Revolute),
-        ("continuous", JointType::Continuous),
-        ("prismatic", JointType::Prismatic),
-        ("fixed", JointType::Fixed),
-        ("floating", JointType::Floating),
-        ("planar", JointType::Planar),
-        ("spherical", JointType::Spherical),
-    ];
-
-    fn from_word(word: &str) -> Option<Self> {
-        let row = JointType::WORDS.iter().find(|(known, _)| *known == word)?;
-        Some(row.1)
-    }
-}
-
-/// Limits of a joint: rad, N·m, rad/s. Without `<limit>` no end is stated, and the rest is 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct JointLimit {
-    pub(super) lower: Option<f64>,
-    pub(super) upper: Option<f64>,
-    /// Distance from 0 of an end that is not stated: 0, or infinite since 1.2.
-    pub(super) unstated: f64,
-    pub(super) effort: f64,
-    pub(super) velocity: f64,
-}
 
 /// A version of URDF.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -159,32 +44,9 @@ impl Version {
     }
 }
 
-/// Reads a robot from the text of a URDF file.
-pub(super) fn robot(text: &str) -> Result<UrdfRobot, ImportError> {
-    let text = xml::without_late_declaration(text);
-    xml::check_size(&text)?;
-    let document = Document::parse(&text).map_err(|error| {
-        ImportError::new(match error {
-            Error::DtdDetected => Importing::Doctype,
-            Error::UnknownNamespace(prefix, at) if prefix == PREFIX => Importing::Xacro {
-                // The position is that of the prefix, after the bracket.
-                at: Place::At {
-                    line: at.row,
-                    column: at.col.saturating_sub(1),
-                },
-            },
-            error => Importing::NoUrdf {
-                error: error.to_string().into(),
-            },
-        })
-    })?;
-    xml::refuse_xacro(&document)?;
+/// Reads a robot from a URDF file.
+pub(super) fn robot(document: &Document<'_>) -> Result<RobotFile, ImportError> {
     let node = document.root_element();
-    if !node.has_tag_name("robot") {
-        return Err(ImportError::new(Importing::NotARobot {
-            element: node.tag_name().name().to_owned(),
-        }));
-    }
     // A missing or malformed version is 1.0, as in urdfdom.
     let version = node.attribute("version").and_then(Version::parse);
     let version = version.unwrap_or(Version::V1_0);
@@ -193,11 +55,15 @@ pub(super) fn robot(text: &str) -> Result<UrdfRobot, ImportError> {
     let joints = elements(node, "joint").map(|node| joint(node, version));
     let joints = joints.collect::<Result<_, _>>()?;
     check_unique_names(node)?;
-    Ok(UrdfRobot {
+    Ok(RobotFile {
         notes: notes(node, version),
         name: node.attribute("name").unwrap_or_default().to_owned(),
         links,
         joints,
+        is_free: false,
+        posture: None,
+        forward: None,
+        omega_max: None,
     })
 }
 
@@ -262,17 +128,18 @@ fn notes(robot: Node<'_, '_>, version: Version) -> Vec<Importing> {
     notes
 }
 
-fn link(node: Node<'_, '_>, version: Version) -> Result<UrdfLink, ImportError> {
+fn link(node: Node<'_, '_>, version: Version) -> Result<Link, ImportError> {
     let name = Attribute::of(node, "name", "foot").required()?.to_owned();
-    let mut link = UrdfLink {
+    let mut link = Link {
         visuals: match name == BODY {
             true => pieces(node, "visual", version)?,
             false => Vec::new(),
         },
         collisions: pieces(node, "collision", version)?,
         name,
+        tips: Vec::new(),
         mass: 0.0,
-        centre: Origin::default(),
+        centre: Transform::default(),
         inertia: [0.0; 6],
     };
     if let Some(inertial) = optional(node, "inertial")? {
@@ -364,7 +231,7 @@ fn only_shape<'a, 'i>(geometry: Node<'a, 'i>) -> Result<Node<'a, 'i>, ImportErro
     }
 }
 
-fn joint(node: Node<'_, '_>, version: Version) -> Result<UrdfJoint, ImportError> {
+fn joint(node: Node<'_, '_>, version: Version) -> Result<Joint, ImportError> {
     let name = Attribute::of(node, "name", "knee").required()?.to_owned();
     let kind = Attribute::of(node, "type", "revolute");
     let word = kind.required()?;
@@ -390,39 +257,46 @@ fn joint(node: Node<'_, '_>, version: Version) -> Result<UrdfJoint, ImportError>
         let name = Attribute::of(mimic, "joint", "knee").required()?;
         Ok(name.to_owned())
     });
-    Ok(UrdfJoint {
+    Ok(Joint {
         name,
         kind,
         origin: origin(node, version)?,
+        anchor: [0.0; 3],
         parent: link("parent", "<parent link=\"thigh\"/>", "thigh")?,
         child: link("child", "<child link=\"shank\"/>", "shank")?,
         axis: axis.transpose()?.flatten().unwrap_or([1.0, 0.0, 0.0]),
-        limit: optional(node, "limit")?
-            .map_or(Ok(JointLimit::default()), |node| limit(node, version))?,
+        limit: optional(node, "limit")?.map_or(Ok(NO_LIMIT), |node| limit(node, version))?,
         mimic: mimic.transpose()?,
     })
 }
 
 /// Reads the `<origin>` of an element, if it has one.
-fn origin(node: Node<'_, '_>, version: Version) -> Result<Origin, ImportError> {
+fn origin(node: Node<'_, '_>, version: Version) -> Result<Transform, ImportError> {
     let Some(node) = optional(node, "origin")? else {
-        return Ok(Origin::default());
+        return Ok(Transform::default());
     };
     let xyz = Attribute::of(node, "xyz", "0 0 0").vector()?;
-    let mut rpy = Attribute::of(node, "rpy", "0 0 0").vector()?;
+    let rpy = Attribute::of(node, "rpy", "0 0 0").vector()?;
+    let mut origin = Transform::of_rpy(rpy.unwrap_or_default());
     let turn = Attribute::of(node, "quat_xyzw", "0 0 0 1");
     if let Some(text) = turn.text().filter(|_| version >= Version::V1_1) {
-        let quaternion = quaternion(text).ok_or_else(|| turn.not_numbers(4))?;
+        let [x, y, z, w] = quaternion(text).ok_or_else(|| turn.not_numbers(4))?;
         if rpy.is_some() {
             return Err(ImportError::new(Importing::TwoTurns { at: start(node) }));
         }
-        rpy = Some(rpy_of_quaternion(quaternion));
+        origin = Transform::of_quaternion([w, x, y, z]);
     }
-    Ok(Origin {
-        xyz: xyz.unwrap_or_default(),
-        rpy: rpy.unwrap_or_default(),
-    })
+    Ok(origin.moved(xyz.unwrap_or_default()))
 }
+
+/// The values of a joint without `<limit>`.
+const NO_LIMIT: JointLimit = JointLimit {
+    lower: None,
+    upper: None,
+    unstated: 0.0,
+    effort: 0.0,
+    velocity: Some(0.0),
+};
 
 /// Reads a `<limit>`. Missing values are 0 before 1.2 and infinite since.
 fn limit(node: Node<'_, '_>, version: Version) -> Result<JointLimit, ImportError> {
@@ -445,7 +319,7 @@ fn limit(node: Node<'_, '_>, version: Version) -> Result<JointLimit, ImportError
         upper: Attribute::of(node, "upper", "1").number()?,
         unstated: missing,
         effort: most("effort", "5")?,
-        velocity: most("velocity", "2")?,
+        velocity: Some(most("velocity", "2")?),
     };
     match (limit.lower, limit.upper) {
         (Some(lower), Some(upper)) if is_1_2 && upper < lower => {

@@ -1,14 +1,16 @@
 //! The legs of a robot: chains of joints from the body to the feet, and the options that select them.
 
 use super::ImportError;
-use super::frame::{self, length};
-use super::parse::{JointType, UrdfJoint, UrdfLink};
-use super::transform::{Origin, Transform, Up};
+use super::names;
+use super::transform::{Forward, Transform, Up};
 use super::tree::LinkTree;
+use super::tree::{Joint, JointType, Link, Posture};
 use super::xml::printed;
 use crate::message::Importing;
 use crate::message::JointKind;
+use crate::urdf::frame::{self, length};
 use std::fmt;
+use std::path::PathBuf;
 use tip_runtime::model::Range;
 use tipc::message::list::List;
 
@@ -17,7 +19,7 @@ use tipc::message::list::List;
 /// `FL_hip_joint`.
 ///
 /// ```
-/// use tip_sim::urdf::{ImportOptions, import_with};
+/// use tip_sim::import::{ImportOptions, import_with};
 ///
 /// let text = tip_sim::urdf::export(&tip_sim::Robot::named("titan8")?);
 /// let order = ["F2", "F1", "F4", "F3"].map(String::from).to_vec();
@@ -36,12 +38,16 @@ pub struct ImportOptions {
     /// The axis of the file that is up. By default it is z, and a robot that lies on its side is
     /// refused.
     pub up: Option<Up>,
+    /// The axis of the file that is forward. By default it is x, or −z where x is up.
+    pub forward: Option<Forward>,
+    /// The folder of the file, below which it may include others. Without one they are refused.
+    pub folder: Option<PathBuf>,
     /// Height of the robot frame above the feet in the initial posture of a robot that walks, mm.
     pub stand: Option<f64>,
 }
 
 /// The first joint of a chain, and the pose of its frame.
-type First<'a> = (&'a UrdfJoint, Transform);
+type First<'a> = (&'a Joint, Transform);
 
 impl ImportOptions {
     /// Returns the first joints of the legs in their order, and a remark on the others.
@@ -66,8 +72,13 @@ impl ImportOptions {
             true => kept,
             false => self.ordered(tree, &firsts, &kept, names)?,
         };
-        let left_out = (!skipped.is_empty()).then(|| Importing::LeftOut {
-            chains: names(&skipped),
+        let left_out = (!skipped.is_empty()).then(|| {
+            let joints = skipped.iter().filter_map(|index| firsts.get(*index));
+            let mass: f64 = joints.map(|(joint, _)| tree.mass_after(joint)).sum();
+            Importing::LeftOut {
+                chains: names(&skipped),
+                mass: rounded(mass),
+            }
         });
         let legs = ordered.iter().filter_map(|index| firsts.get(*index));
         Ok((legs.copied().collect(), left_out))
@@ -119,7 +130,7 @@ fn find_chains(
 
 /// Returns the chain that a word names.
 fn find_chain(tree: &LinkTree<'_>, firsts: &[First<'_>], word: &str) -> Result<usize, ImportError> {
-    let those = |is: &dyn Fn(&UrdfJoint) -> bool| -> Vec<usize> {
+    let those = |is: &dyn Fn(&Joint) -> bool| -> Vec<usize> {
         let indices = 0..firsts.len();
         indices.filter(|index| is(firsts[*index].0)).collect()
     };
@@ -163,7 +174,7 @@ fn has_words(name: &str, words: &str) -> bool {
 /// A point on a link that is a foot.
 ///
 /// ```
-/// use tip_sim::urdf::Foot;
+/// use tip_sim::import::Foot;
 ///
 /// assert_eq!(Foot::from("toe").to_string(), "toe");
 /// let tip = Foot { link: "shank".to_owned(), at: [0.0, 0.0, -0.13] };
@@ -206,17 +217,19 @@ pub(super) struct Chain<'a> {
     pub(super) end: Foot,
     /// Position of the foot, mm.
     pub(super) foot: [f64; 3],
+    /// The remark on the end in the report of the import.
+    pub(super) remark: Option<Importing>,
 }
 
 /// A revolute joint, and the links that it carries up to the next one.
 #[derive(Clone, Debug)]
 pub(super) struct ChainJoint<'a> {
-    pub(super) joint: &'a UrdfJoint,
+    pub(super) joint: &'a Joint,
     pub(super) axis: [f64; 3],
     /// Position, mm.
     pub(super) at: [f64; 3],
     /// The links that it carries up to the next joint.
-    pub(super) links: Vec<(&'a UrdfLink, Transform)>,
+    pub(super) links: Vec<(&'a Link, Transform)>,
     /// Links that fixed joints hold to the one after this joint, without those of the foot.
     pub(super) merged: Vec<&'a str>,
 }
@@ -225,7 +238,7 @@ impl<'a> Chain<'a> {
     /// Follows the chain from a joint on the body to the foot: one of `feet`, or the last link.
     pub(super) fn follow(
         tree: &LinkTree<'a>,
-        first: &'a UrdfJoint,
+        first: &'a Joint,
         pose: Transform,
         feet: &[Foot],
     ) -> Result<Self, ImportError> {
@@ -234,7 +247,7 @@ impl<'a> Chain<'a> {
         loop {
             let (joint, pose) = next;
             check_kind(joint)?;
-            let links = tree.rigid(&joint.child, pose);
+            let links = tree.carried(joint, pose);
             let movable = tree.movable(&links);
             let chosen = feet.iter().find_map(|foot| foot_on(foot, &links));
             let is_last = movable.is_empty() || chosen.is_some();
@@ -246,12 +259,44 @@ impl<'a> Chain<'a> {
                 links: links.clone(),
             });
             if let Some((end, foot)) = chosen {
-                return Ok(Chain { joints, end, foot });
+                let remark = match movable.is_empty() {
+                    true => is_wheel(joint).then(|| Importing::WheelIsFoot {
+                        joint: printed(&joint.name),
+                    }),
+                    false => Some(Importing::CutOff {
+                        foot: printed(&end.to_string()),
+                        joints: List(
+                            movable
+                                .iter()
+                                .map(|(next, _)| printed(&next.name))
+                                .collect(),
+                        ),
+                        mass: rounded(movable.iter().map(|(next, _)| tree.mass_after(next)).sum()),
+                    }),
+                };
+                return Ok(Chain {
+                    joints,
+                    end,
+                    foot,
+                    remark,
+                });
             }
             match movable.as_slice() {
+                [] if is_wheel(joint) => {
+                    return Err(ImportError::new(Importing::Wheel {
+                        joint: joint.name.clone(),
+                        link: joint.child.clone(),
+                        before: joint.parent.clone(),
+                    }));
+                }
                 [] => {
                     let (end, foot) = foot(tree, joint, &links)?;
-                    return Ok(Chain { joints, end, foot });
+                    return Ok(Chain {
+                        joints,
+                        end,
+                        foot,
+                        remark: None,
+                    });
                 }
                 [one] => next = *one,
                 [(one, _), (other, _), ..] => {
@@ -264,6 +309,15 @@ impl<'a> Chain<'a> {
                 }
             }
         }
+    }
+
+    /// Returns the values of the joints in a posture, deg.
+    pub(super) fn posture(&self, posture: &Posture) -> Vec<f64> {
+        let value = |turning: &ChainJoint<'_>| posture.joints.get(&turning.joint.name).copied();
+        let joints = self.joints.iter();
+        joints
+            .map(|turning| value(turning).unwrap_or_default().to_degrees())
+            .collect()
     }
 
     /// Returns the length from the robot frame to the foot, along the links, mm.
@@ -397,20 +451,32 @@ fn size(range: &Range) -> f64 {
 }
 
 /// Returns the foot if it is on one of these links, and its position, mm.
-fn foot_on(foot: &Foot, links: &[(&UrdfLink, Transform)]) -> Option<(Foot, [f64; 3])> {
+fn foot_on(foot: &Foot, links: &[(&Link, Transform)]) -> Option<(Foot, [f64; 3])> {
     let (_, pose) = links.iter().find(|(link, _)| link.name == foot.link)?;
-    let place = Origin {
-        xyz: foot.at,
-        ..Origin::default()
-    };
-    Some((foot.clone(), pose.then(&place).origin()))
+    Some((foot.clone(), point(pose, foot.at)))
 }
 
-fn merged<'a>(links: &[(&'a UrdfLink, Transform)]) -> impl Iterator<Item = &'a str> {
+/// Returns true if a joint is called a wheel.
+fn is_wheel(joint: &Joint) -> bool {
+    let words = [&joint.name, &joint.child].map(|name| names::words(name));
+    words.iter().flatten().any(|word| word == "wheel")
+}
+
+/// Rounds a mass to a mg, for reports.
+fn rounded(mass: f64) -> f64 {
+    (mass * 1e6).round() / 1e6
+}
+
+/// Returns a point of a frame (m) in the robot frame, mm.
+fn point(pose: &Transform, at: [f64; 3]) -> [f64; 3] {
+    pose.then(&Transform::shifted(at)).origin()
+}
+
+fn merged<'a>(links: &[(&'a Link, Transform)]) -> impl Iterator<Item = &'a str> {
     links.iter().skip(1).map(|(link, _)| link.name.as_str())
 }
 
-fn check_kind(joint: &UrdfJoint) -> Result<(), ImportError> {
+fn check_kind(joint: &Joint) -> Result<(), ImportError> {
     let kind = match joint.kind {
         JointType::Revolute | JointType::Continuous => None,
         JointType::Fixed => Some(JointKind::Fixed),
@@ -443,12 +509,22 @@ fn check_kind(joint: &UrdfJoint) -> Result<(), ImportError> {
 /// Returns the foot: the frame that fixed joints put at the end of the last link.
 fn foot<'a>(
     tree: &LinkTree<'a>,
-    last: &UrdfJoint,
-    links: &[(&'a UrdfLink, Transform)],
+    last: &Joint,
+    links: &[(&'a Link, Transform)],
 ) -> Result<(Foot, [f64; 3]), ImportError> {
+    let tips = links
+        .iter()
+        .flat_map(|(link, pose)| link.tips.iter().map(move |tip| (*link, pose, tip)));
+    // Of several of a kind the last one counts.
+    if let Some((link, pose, tip)) = tips.max_by_key(|(_, _, tip)| tip.kind) {
+        let foot = Foot {
+            link: link.name.clone(),
+            at: tip.at,
+        };
+        return Ok((foot, point(pose, tip.at)));
+    }
     let behind = links.iter().skip(1);
-    let ends: Vec<&(&UrdfLink, Transform)> =
-        behind.filter(|(link, _)| tree.is_leaf(link)).collect();
+    let ends: Vec<&(&Link, Transform)> = behind.filter(|(link, _)| tree.is_leaf(link)).collect();
     let (link, joint) = (last.child.clone(), last.name.clone());
     match ends.as_slice() {
         [(end, pose)] => Ok((Foot::from(end.name.as_str()), pose.origin())),

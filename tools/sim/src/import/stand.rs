@@ -1,8 +1,8 @@
 //! Initial postures of a robot that stands at a given height.
 
 use super::ImportError;
-use super::frame::length;
 use crate::message::Importing;
+use crate::urdf::frame::length;
 use crate::{Limb, Limit, Plant, Robot, Run, load};
 use tip_runtime::kinematics::{Chain, inverse_from};
 use tip_runtime::model::{Inverse, Leg, Model, Point, Range};
