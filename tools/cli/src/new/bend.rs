@@ -2,7 +2,7 @@
 
 use crate::new::fill;
 use tip_runtime::command::Target;
-use tip_sim::{RobotDescription, Limb, Limit, Robot, Run, load};
+use tip_sim::{Limb, Limit, Robot, RobotDescription, Run, load};
 
 /// Angle that joints turn, if they can, deg.
 pub(super) const BEND_ANGLE: f64 = 15.0;

@@ -74,7 +74,11 @@ impl Plan {
     ///
     /// # Errors
     /// The reason why the robot cannot walk so.
-    pub(super) fn derive(anatomy: &RobotDescription, kind: Kind, reserve: f64) -> Result<Self, Making> {
+    pub(super) fn derive(
+        anatomy: &RobotDescription,
+        kind: Kind,
+        reserve: f64,
+    ) -> Result<Self, Making> {
         let legs = anatomy.legs.len();
         let groups = groups(anatomy, kind)?;
         let cycle = anatomy.standards.period;

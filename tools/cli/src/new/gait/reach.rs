@@ -1,7 +1,7 @@
 //! Feet in space: joint angles of a foothold, the speed of joints on a stride, support polygons, and the centre of mass.
 
 use tip_runtime::model::Point;
-use tip_sim::{RobotDescription, Limb};
+use tip_sim::{Limb, RobotDescription};
 
 /// Distance that joints keep from their limits, deg.
 const INSET: f64 = 2.0;
