@@ -64,11 +64,7 @@ impl Gait {
 }
 
 /// Factor between the speeds of two trials.
-const SLOWER: f64 = 0.85;
-/// Maximum number of trials of a gait.
-const TRIALS: u32 = 4;
-/// Reserves of a crawl's balance that are tried, relative to what a slope takes. A body that leans far is slow.
-const RESERVES: [f64; 3] = [1.5, 0.8, 0.3];
+const SLOWER: f64 = 0.75;
 
 /// Finds the fastest gait that is safe, or a gait of a kind.
 ///
@@ -93,59 +89,45 @@ pub(in crate::new) fn find(robot: &Robot, kind: Option<Kind>) -> Result<Gait, Ma
     level_only.ok_or_else(|| first.unwrap_or(Making::TooFewLegs))
 }
 
-/// Returns a gait of a kind: one that is safe on a slope, else the first that is safe on a level floor.
+/// Returns a gait of a kind: one that is safe on a slope, else the first that is safe on a level floor. Two speeds are tried, each for
+/// about ten seconds on every floor.
 ///
 /// # Errors
 /// The robot cannot walk so, or falls in each trial.
 fn find_kind(robot: &Robot, kind: Kind) -> Result<Gait, Making> {
     let anatomy = robot.anatomy();
-    let (reserves, trials): (&[f64], u32) = match kind {
-        Kind::Crawl => (&RESERVES, TRIALS / 2),
-        _ => (&[0.0], TRIALS),
-    };
+    let plan = Plan::derive(&anatomy, kind)?;
     let (mut level_only, mut reason) = (None, None);
-    for reserve in reserves {
-        let mut plan = match Plan::derive(&anatomy, kind, *reserve) {
-            Ok(plan) => plan,
-            Err(why) => {
-                reason = Some(why);
-                continue;
-            }
-        };
-        for _ in 0..trials {
-            match try_on_floors(robot, &plan) {
-                Ok(gait) if gait.is_safe_on_slope => return Ok(gait),
-                Ok(gait) => _ = level_only.get_or_insert(gait),
-                Err(why) => reason = Some(why),
-            }
-            plan.slow_down(SLOWER);
+    for plan in [&plan, &plan.slower(SLOWER)] {
+        match try_on_floors(robot, plan) {
+            Ok(gait) if gait.is_safe_on_slope => return Ok(gait),
+            Ok(gait) => _ = level_only.get_or_insert(gait),
+            Err(why) => reason = Some(why),
         }
     }
     level_only.ok_or_else(|| reason.unwrap_or(Making::Falls))
 }
 
-/// Tries a gait on all floors.
+/// Tries a gait on all floors; a trot, which no robot without mass can do, with mass only.
 ///
 /// # Errors
-/// The robot falls on a level floor, with mass or, unless the gait needs it, without.
+/// The robot falls on a level floor.
 fn try_on_floors(robot: &Robot, plan: &Plan) -> Result<Gait, Making> {
     let program = program::text(robot, plan, "");
     let mut rows = Vec::new();
     let (mut speed, mut is_safe_on_slope) = ([0.0; 3], true);
-    for floor in Floor::ALL {
-        let may_fall = plan.kind == Kind::Trot && !floor.has_mass();
-        let figures = Figures::measure(robot, plan, &program, floor, may_fall);
-        let is_safe = figures
-            .as_ref()
-            .is_ok_and(|figures| figures.falls == 0 || may_fall);
-        if floor.is_level() && !is_safe {
-            return Err(figures.err().unwrap_or(Making::Falls));
-        }
-        is_safe_on_slope &= is_safe;
-        if let (Floor::Level, Ok(figures)) = (floor, &figures) {
+    let floors = Floor::ALL.into_iter();
+    for floor in floors.filter(|floor| floor.has_mass() || plan.kind != Kind::Trot) {
+        let figures = Figures::measure(robot, plan, &program, floor);
+        let figures = match figures {
+            Err(reason) if floor.is_level() => return Err(reason),
+            figures => figures.ok(),
+        };
+        is_safe_on_slope &= figures.is_some();
+        if let (Floor::Level, Some(figures)) = (floor, &figures) {
             speed = figures.speed;
         }
-        rows.push((floor, figures.ok()));
+        rows.push((floor, figures));
     }
     Ok(Gait {
         kind: plan.kind,

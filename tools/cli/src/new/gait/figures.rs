@@ -3,10 +3,11 @@
 use crate::message::Making;
 use crate::new::gait::plan::{Plan, SLOPE};
 use std::fmt::Write as _;
+use tip_runtime::command::Port;
 use tip_runtime::plant::{self, Scene, ServoDynamics};
-use tip_sim::{Limit, Plant, Robot, Run, load};
+use tip_sim::{Event, Limit, Plant, Robot, Run, load};
 
-/// A floor, and a robot with or without mass.
+/// A level floor or a slope, and a robot with or without mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Floor {
     Level,
@@ -66,26 +67,20 @@ pub(super) struct Figures {
     margin: f64,
     /// Largest slip of a foot in a stance, mm.
     slip: f64,
-    pub(super) falls: u32,
 }
 
-/// Times of a trial, s: before the sticks move, for each stick besides whole strides, and between two.
-const BEGIN: f64 = 4.0;
-const PUSH: f64 = 2.0;
-const REST: f64 = 2.0;
-/// Positions of VR1, VR2 and VR3, V: ahead, to the right, turn, back, and all together.
-const STICKS: [[f64; 3]; 5] = [
-    [10.0, 5.0, 5.0],
-    [5.0, 5.0, 10.0],
-    [5.0, 10.0, 5.0],
-    [0.0, 5.0, 5.0],
-    [0.0, 0.0, 10.0],
-];
-/// Number of random positions of all sticks after them, and their longest time, s.
-const RANDOM: u32 = 16;
-const LONGEST: f64 = 2.0;
-/// Maximum time for sitting down, s.
-const SIT: f64 = 60.0;
+/// Maximum times for standing up and for sitting down, s.
+const STAND_UP: f64 = 20.0;
+const SIT_DOWN: f64 = 60.0;
+/// The message of a program that follows its sticks from now on.
+const READY: &str = "ready";
+/// Least time over which a speed is measured, s.
+const WINDOW: f64 = 0.5;
+/// Positions of VR1, VR2 and VR3, V: ahead, to the right, and turning; their speeds are measured.
+const FULL: [[f64; 3]; 3] = [[10.0, 5.0, 5.0], [5.0, 5.0, 10.0], [5.0, 10.0, 5.0]];
+/// Number of random positions of all sticks after them, and the longest and the shortest time of one, s.
+const RANDOM: u32 = 5;
+const RANDOM_TIME: [f64; 2] = [0.3, 0.8];
 
 impl Figures {
     /// Runs the program with full sticks, and with random ones.
@@ -97,104 +92,136 @@ impl Figures {
         plan: &Plan,
         program: &str,
         floor: Floor,
-        may_fall: bool,
     ) -> Result<Self, Making> {
         let fails = || Making::OutOfReach;
         let robot = floor.put(robot).ok_or_else(fails)?;
         let loaded = load("walk.prg", program, &robot).map_err(|_| fails())?;
-        let cycle = plan.cycle / 1000.0;
-        let at = |seconds: f64| (seconds / cycle).round() as u64;
-        let mut events = "0:VR1=5, 0:VR2=5, 0:VR3=5".to_owned();
-        let mut time = BEGIN;
+        let run = Run::new(loaded, robot).map_err(|_| fails())?;
+        let mut trial = Trial {
+            joints: (run.angles().len() / plan.feet.len()).max(1),
+            run,
+            cycle: plan.cycle / 1000.0,
+            angles: vec![],
+            figures: Figures {
+                speed: [0.0; 3],
+                joint: (1, 1),
+                rate: 0.0,
+                margin: f64::INFINITY,
+                slip: 0.0,
+            },
+        };
+        trial.stand_up()?;
         // Speeds are measured over whole strides: the body leans to both sides in each.
-        let whole = (PUSH / plan.stride).ceil() * plan.stride;
-        let push = PUSH.max(plan.stride) + whole;
-        for sticks in STICKS {
-            for (time, [one, two, three]) in [(time, sticks), (time + push, [5.0; 3])] {
-                let now = at(time);
-                // Writing to a String cannot fail.
-                let _ = write!(
-                    events,
-                    ", {now}:VR1={one}, {now}:VR2={two}, {now}:VR3={three}"
-                );
-            }
-            time += push + REST;
+        let whole = (WINDOW / plan.stride).ceil() * plan.stride;
+        let start = plan.delay / 1000.0 + plan.stride;
+        for (axis, sticks) in FULL.into_iter().enumerate() {
+            trial.push(sticks)?;
+            trial.walk(start)?;
+            let from = trial.run.travel().ok_or_else(fails)?;
+            trial.walk(whole)?;
+            let to = trial.run.travel().ok_or_else(fails)?;
+            trial.figures.speed[axis] = speed(axis, from, to) / whole;
+            trial.push([5.0; 3])?;
+            trial.walk(plan.delay / 1000.0)?;
         }
-        let measured = time;
         let mut random = Random(1);
         for _ in 0..RANDOM {
-            let now = at(time);
-            for stick in 1..=3 {
-                // A third each: at rest, at an end, anywhere.
-                let volts = match random.below(6) {
-                    0 | 1 => 5.0,
-                    2 => 0.0,
-                    3 => 10.0,
-                    _ => f64::from(random.below(101)) / 10.0,
-                };
-                let _ = write!(events, ", {now}:VR{stick}={volts}");
-            }
-            time += LONGEST * f64::from(10 + random.below(90)) / 100.0;
+            // A third each: at rest, at an end, anywhere.
+            trial.push([1, 2, 3].map(|_| match random.below(6) {
+                0 | 1 => 5.0,
+                2 => 0.0,
+                3 => 10.0,
+                _ => f64::from(random.below(101)) / 10.0,
+            }))?;
+            let [least, most] = RANDOM_TIME;
+            trial.walk(least + (most - least) * f64::from(random.below(101)) / 100.0)?;
         }
-        let _ = write!(events, ", {}:halt", at(time));
-        let run = Run::new(loaded, robot).map_err(|_| fails())?;
-        let mut run = run.events(&events).map_err(|_| fails())?;
-        let mut figures = Figures {
-            speed: [0.0; 3],
-            joint: (1, 1),
-            rate: 0.0,
-            margin: f64::INFINITY,
-            slip: 0.0,
-            falls: 0,
-        };
-        let joints = plan_joints(&run, plan);
-        while run.cycles() < at(BEGIN) && run.ending().is_none() {
-            run.cycle();
-        }
-        let mut angles = run.angles().to_vec();
-        let mut mark = None;
-        while run.cycles() < at(time) && run.ending().is_none() {
-            run.cycle();
-            let is_measured = run.cycles() <= at(measured);
-            for (place, (now, before)) in run.angles().iter().zip(&angles).enumerate() {
-                let rate = (now - before).abs() / cycle;
-                if is_measured && rate > figures.rate {
-                    figures.rate = rate;
-                    figures.joint = (place / joints + 1, place % joints + 1);
-                }
-            }
-            angles.copy_from_slice(run.angles());
-            let motion = run.motion();
-            if motion.as_ref().is_some_and(|motion| motion.falls > 0) && !may_fall {
-                return Err(Making::Falls);
-            }
-            if let Some(motion) = motion.filter(|_| is_measured) {
-                figures.margin = figures.margin.min(motion.margin);
-            }
-            for (n, axis) in [0, 1, 2].into_iter().enumerate() {
-                let end = BEGIN + n as f64 * (push + REST) + push;
-                if run.cycles() == at(end - whole) {
-                    mark = run.travel();
-                }
-                if let (true, Some(from), Some(to)) = (run.cycles() == at(end), mark, run.travel())
-                {
-                    figures.speed[axis] = speed(axis, from, to) / whole;
-                }
-            }
-        }
-        run.to_end(Limit::cycles(at(time + SIT)));
-        let motion = run.motion().ok_or_else(fails)?;
-        if run.emergency().is_some() || run.cycles() >= at(time + SIT) {
-            return Err(fails());
-        }
-        figures.falls = motion.falls;
-        figures.slip = motion.slip;
+        let figures = trial.sit_down()?;
         // It walks as it should, and not on its belly.
-        let wanted = plan.top[1];
-        if floor.has_mass() && figures.speed[0] < 0.7 * wanted {
+        if floor.has_mass() && figures.speed[0] < 0.7 * plan.top[1] {
             return Err(Making::Slips);
         }
         Ok(figures)
+    }
+}
+
+/// A run of a gait whose figures are measured.
+struct Trial {
+    run: Run,
+    /// Control cycle, s.
+    cycle: f64,
+    /// Joints of a leg.
+    joints: usize,
+    /// Joint angles of the cycle before, deg.
+    angles: Vec<f64>,
+    figures: Figures,
+}
+
+impl Trial {
+    /// Runs until the robot stands and its sticks rest.
+    fn stand_up(&mut self) -> Result<(), Making> {
+        self.push([5.0; 3])?;
+        let cycles = (STAND_UP / self.cycle) as u64;
+        while self.run.cycles() < cycles && self.run.ending().is_none() {
+            if self.run.cycle().messages.iter().any(|text| text == READY) {
+                self.angles = self.run.angles().to_vec();
+                return Ok(());
+            }
+        }
+        Err(Making::OutOfReach)
+    }
+
+    /// Moves VR1, VR2 and VR3, V.
+    fn push(&mut self, sticks: [f64; 3]) -> Result<(), Making> {
+        for (number, volts) in (1..).zip(sticks) {
+            let event = Event::Sensor(Port::Knob(number), volts);
+            let added = self.run.add(event.at(self.run.cycles()));
+            added.map_err(|_| Making::OutOfReach)?;
+        }
+        Ok(())
+    }
+
+    /// Runs for a time, s.
+    fn walk(&mut self, seconds: f64) -> Result<(), Making> {
+        let cycles = (seconds / self.cycle).round() as u64;
+        for _ in 0..cycles {
+            self.run.advance(None);
+            if self.run.ending().is_some() {
+                return Err(Making::OutOfReach);
+            }
+            let figures = &mut self.figures;
+            for (place, (now, before)) in self.run.angles().iter().zip(&self.angles).enumerate() {
+                let rate = (now - before).abs() / self.cycle;
+                if rate > figures.rate {
+                    figures.rate = rate;
+                    figures.joint = (place / self.joints + 1, place % self.joints + 1);
+                }
+            }
+            self.angles.copy_from_slice(self.run.angles());
+            let motion = self.run.motion().ok_or(Making::OutOfReach)?;
+            if motion.falls > 0 {
+                return Err(Making::Falls);
+            }
+            figures.margin = figures.margin.min(motion.margin);
+        }
+        Ok(())
+    }
+
+    /// Requests a halt; returns the figures when the robot sits.
+    fn sit_down(mut self) -> Result<Figures, Making> {
+        let halt = self.run.add(Event::Halt.at(self.run.cycles()));
+        halt.map_err(|_| Making::OutOfReach)?;
+        let end = self.run.cycles() + (SIT_DOWN / self.cycle) as u64;
+        self.run.to_end(Limit::cycles(end));
+        let motion = self.run.motion().ok_or(Making::OutOfReach)?;
+        if self.run.emergency().is_some() || self.run.cycles() >= end {
+            return Err(Making::OutOfReach);
+        }
+        if motion.falls > 0 {
+            return Err(Making::Falls);
+        }
+        self.figures.slip = motion.slip;
+        Ok(self.figures)
     }
 }
 
@@ -207,10 +234,6 @@ impl Random {
         self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         (self.0 >> 16) % count
     }
-}
-
-fn plan_joints(run: &Run, plan: &Plan) -> usize {
-    (run.angles().len() / plan.feet.len()).max(1)
 }
 
 /// Returns the way between two places along the robot's first direction: mm ahead, mm to the right, deg to the left.
@@ -228,8 +251,8 @@ fn speed(axis: usize, from: plant::Travel, to: plant::Travel) -> f64 {
 pub(super) fn comment(all: &[(Floor, Option<Figures>)]) -> String {
     let limit = ServoDynamics::default().speed;
     let mut text = format!(
-        "// Tried in simulation with full sticks, friction 0.5; joints turn {limit:.0} deg/s at most:\n\
-         //                  ahead, side, turn          fastest joint    margin  slip   falls\n"
+        "// Tried in simulation with full sticks and with random ones, friction 0.5; joints turn {limit:.0} deg/s at most:\n\
+         //                  ahead, side, turn          fastest joint    margin  slip\n"
     );
     for (floor, figures) in all {
         let Some(figures) = figures else {
@@ -247,7 +270,6 @@ pub(super) fn comment(all: &[(Floor, Option<Figures>)]) -> String {
             rate,
             margin,
             slip,
-            falls,
         } = figures;
         // With mass, feet that take their load touch one after the other: the margin says nothing.
         let margin = match floor.has_mass() {
@@ -257,11 +279,10 @@ pub(super) fn comment(all: &[(Floor, Option<Figures>)]) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "// {:15}  {:<26} {:<16} {margin:<7} {:<6} {falls}",
+            "// {:15}  {:<26} {:<16} {margin:<7} {slip:.1} mm",
             floor.name(),
             format!("{ahead:.0} mm/s, {side:.0} mm/s, {turn:.0} deg/s"),
             format!("{rate:.0} deg/s (J{leg}{joint})"),
-            format!("{slip:.1} mm"),
         );
     }
     text

@@ -12,7 +12,7 @@ use tip_sim::RobotDescription;
 
 /// Share of the servos' speed that a gait uses. A trot keeps more for its balance.
 const SPEED_SHARE: f64 = 0.85;
-const TROT_SPEED_SHARE: f64 = 0.8;
+const TROT_SPEED_SHARE: f64 = 0.75;
 /// A crawl leaves some of it to the body's leaning.
 const CRAWL_SPEED_SHARE: f64 = 0.7;
 /// Share of the reach that a stride uses.
@@ -29,6 +29,8 @@ const FRICTION: f64 = 0.5;
 const TROT_SHARE: f64 = 0.8;
 /// Largest velocities that are tried: mm/s, mm/s, deg/s.
 const FASTEST: Twist = [1000.0, 1000.0, 180.0];
+/// Reserves of a crawl's balance, relative to what a slope takes, the best first: a small robot cannot lean so far.
+const RESERVES: [f64; 2] = [1.5, 0.3];
 /// Time for which a program looks ahead at its feet, s.
 const LOOK_AHEAD: f64 = 0.3;
 /// Largest distance of a foot from its place that is tried, mm.
@@ -70,15 +72,11 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Derives the gait of a robot. `reserve` is that of a crawl's balance, relative to what a slope takes.
+    /// Derives the gait of a robot.
     ///
     /// # Errors
     /// The reason why the robot cannot walk so.
-    pub(super) fn derive(
-        anatomy: &RobotDescription,
-        kind: Kind,
-        reserve: f64,
-    ) -> Result<Self, Making> {
+    pub(super) fn derive(anatomy: &RobotDescription, kind: Kind) -> Result<Self, Making> {
         let legs = anatomy.legs.len();
         let groups = groups(anatomy, kind)?;
         let cycle = anatomy.standards.period;
@@ -91,7 +89,7 @@ impl Plan {
         };
         let limit = speed_share * ServoDynamics::default().speed;
         let sway = match kind {
-            Kind::Crawl => stance.sway(legs, reserve)?,
+            Kind::Crawl => stance.sway(legs)?,
             _ => 0.0,
         };
         if kind != Kind::Trot {
@@ -126,7 +124,10 @@ impl Plan {
         let best = best.filter(|best| best.3 >= 5.0);
         let (lift, swing, pause, ahead) = best.ok_or(Making::OutOfReach)?;
         let free = Way { lift, ..way };
-        let top = [free.top(0, swing, pause), ahead, free.top(2, swing, pause)];
+        let mut top = [free.top(0, swing, pause), ahead, free.top(2, swing, pause)];
+        if kind == Kind::Trot {
+            top[0] = top[0].min(ahead * stance.width_to_length());
+        }
         let mut reach = free.reach();
         if kind == Kind::Crawl {
             // Feet that come near each other leave the body too little to stand on.
@@ -187,13 +188,15 @@ impl Plan {
         })
     }
 
-    /// Makes all speeds slower by a factor, and lets the body wait sooner for its feet.
-    pub(super) fn slow_down(&mut self, factor: f64) {
-        self.reach = (self.reach * (1.0 + factor) / 2.0).floor();
+    /// Returns the gait with all speeds slower by a factor, and a body that waits sooner for its feet.
+    pub(super) fn slower(&self, factor: f64) -> Self {
+        let mut slower = self.clone();
+        slower.reach = (self.reach * (1.0 + factor) / 2.0).floor();
         if self.kind == Kind::Crawl {
-            self.pause = (self.pause / factor / self.cycle).round() * self.cycle;
+            slower.pause = (self.pause / factor / self.cycle).round() * self.cycle;
         }
-        self.top = self.top.map(|top| (top * factor).floor().max(1.0));
+        slower.top = self.top.map(|top| (top * factor).floor().max(1.0));
+        slower
     }
 }
 
@@ -361,14 +364,16 @@ impl Stance {
     }
 
     /// Returns how far the body must lean to the middle of the other feet before one lifts.
-    fn sway(&self, legs: usize, reserve: f64) -> Result<f64, Making> {
+    fn sway(&self, legs: usize) -> Result<f64, Making> {
         /// Shares that are tried.
         const SHARES: [f64; 6] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
         // A slope takes the centre of mass aside, and so do feet that are away from their places.
-        let aside = -reserve * self.homes[0][2] * SLOPE.to_radians().tan();
-        let enough =
-            |share: &f64| (0..legs).all(|leg| self.margin(&[leg], *share) >= LEAST_MARGIN + aside);
-        let share = SHARES.into_iter().find(enough);
+        let slope = -self.homes[0][2] * SLOPE.to_radians().tan();
+        let share = RESERVES.into_iter().find_map(|reserve| {
+            let least = LEAST_MARGIN + reserve * slope;
+            let enough = |share: &f64| (0..legs).all(|leg| self.margin(&[leg], *share) >= least);
+            SHARES.into_iter().find(enough)
+        });
         share.ok_or(Making::Falls)
     }
 
@@ -399,6 +404,20 @@ impl Stance {
             }
         }
         Ok(())
+    }
+
+    /// Returns the width over the length of the feet. Feet that move to the side take the line between two diagonal ones farther from
+    /// the centre of mass than feet that move ahead by the same way: by the inverse of it.
+    fn width_to_length(&self) -> f64 {
+        let middle = middle(&self.homes);
+        let [width, length] = [0, 1].map(|axis| {
+            let ways = self
+                .homes
+                .iter()
+                .map(|home| (home[axis] - middle[axis]).abs());
+            ways.sum::<f64>()
+        });
+        width / length.max(1.0)
     }
 
     /// Returns the distance between the first and the last feet, mm, for each row of them but one.
