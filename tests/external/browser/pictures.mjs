@@ -1,13 +1,13 @@
-// The pictures that README.md opens with: a walk and a grasp in motion, and the page that replays a walk.
+// The pictures that README.md opens with: a walk and a gait that a stick steers, and the page that replays a walk.
 // node pictures.mjs OUT
 import { writeFileSync } from 'node:fs';
 import { launch, open } from './browsers.mjs';
 import { animated } from './webp.mjs';
 
-/** How many stills of each run, from which cycle to which: a stride of the walk, and all of the grasp. */
+/** How many stills of each run, from which cycle to which: a stride of the walk, and one move of each stick. */
 const MOTIONS = {
   walk: { stills: 36, from: 1067, to: 1526 },
-  grasp: { stills: 48, from: 0, to: 5562 },
+  steered: { stills: 40, from: 200, to: 520 },
 };
 const SIZE = { width: 480, height: 320 };
 /** For how long each still is shown: ms. */

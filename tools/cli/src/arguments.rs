@@ -3,10 +3,11 @@
 use super::choices::{EncodingName, LAST, OutputOptions, count};
 use super::error::Error;
 use super::setup::{ChosenRobot, PlantChoice, RobotChoice, SceneChoice};
-
+use super::sticks;
 use crate::message::Using;
 use clap::Args;
 use std::path::{Path, PathBuf};
+use tip_sim::Robot as Simulated;
 use tip_sim::event::{Event, Events, Inputs, Keys, SensorAt};
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
@@ -92,10 +93,11 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "CYCLE", value_parser = count, allow_negative_numbers = true)]
     pub(super) halt: Option<u64>,
 
-    /// Set an input to a voltage from a cycle on
+    /// Set an input to a voltage from a time on
     ///
-    /// VR1-3, PAW1-4, ANTENNA, J11 and so on
-    #[arg(long = "sensor", value_name = "NAME=V@CYCLE")]
+    /// VR1-3, PAW1-4, ANTENNA, J11 and so on: 'VR1=8@300' from cycle 300 on, 'VR1=8@2s..5s' for three seconds. A stick
+    /// (VR1-3) springs back to 5 V, where all three rest before; another input to 0 V
+    #[arg(long = "sensor", value_name = "NAME=V@TIME")]
     pub(super) sensors: Vec<SensorAt>,
 
     /// Keys, values, pushes and halts by cycle
@@ -119,10 +121,19 @@ pub(super) struct InputArguments {
 }
 
 impl InputArguments {
-    /// Returns the events and the number of cycles.
-    pub(super) fn inputs(&self) -> Inputs {
+    /// Returns the events and the number of cycles, for a robot.
+    pub(super) fn inputs(&self, robot: &Simulated) -> Inputs {
+        let period = robot.anatomy().standards.period;
         let keys = self.keys.clone().unwrap_or_default().0;
-        let sensors = self.sensors.iter().map(|sensor| sensor.0.clone());
+        // Sticks that spring back come from the middle.
+        let has_sticks = self.sensors.iter().any(|sensor| sensor.stick().is_some());
+        let rest = if has_sticks {
+            sticks::at_rest()
+        } else {
+            vec![]
+        };
+        let sensors = self.sensors.iter().flat_map(|sensor| sensor.events(period));
+        let sensors = rest.into_iter().chain(sensors);
         let halt = self.halt.map(|cycle| Event::Halt.at(cycle));
         let events = self.events.clone().unwrap_or_default();
         let all = keys.into_iter().chain(sensors).chain(halt).chain(events);

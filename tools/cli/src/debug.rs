@@ -7,7 +7,7 @@ mod tests;
 
 use super::arguments::RunArguments;
 use super::error::Error;
-use super::{Status, interrupt, loader};
+use super::{Status, interrupt, loader, sticks};
 use crate::Action;
 use crate::message::{DebugText, Using};
 use clap::Args;
@@ -87,9 +87,11 @@ fn load(run: &RunArguments) -> Result<App, Error> {
     let subject = loader::load(&run.file, run, Some(refusal))?;
     let (subject, program) = loader::sound(subject, output_options, false)?;
     let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
+    let events = run.inputs.inputs(&subject.robot).events;
+    let events = sticks::let_rest(&program, events);
     let mut debugger = Debugger::new(program, &subject.robot)
         .map_err(|mismatch| usage(&mismatch))?
-        .with_events(&run.inputs.inputs().events)
+        .with_events(&events)
         .map_err(|refused| usage(&refused))?;
     debugger.stop_at_fall(true);
     let lang = output_options.lang();

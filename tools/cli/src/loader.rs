@@ -54,7 +54,7 @@ pub(super) fn load(
     let scene = load_scene(inputs.scene.as_ref(), ours).map_err(refused)?;
     let plain = chosen.simulated()?;
     let robot = in_scene(plain.clone(), &scene)?;
-    let events = inputs.inputs().events;
+    let events = inputs.inputs(&robot).events;
     if let Some(port) = events.ports().find(|port| !robot.has_input(*port)) {
         return Err(usage(Refused::NoInput(port).text(lang)));
     }

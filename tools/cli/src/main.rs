@@ -27,6 +27,7 @@ mod sarif;
 mod serve;
 mod servers;
 mod setup;
+mod sticks;
 mod sweep;
 mod translate;
 mod usage;

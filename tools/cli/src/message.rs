@@ -7,7 +7,7 @@ use tip_runtime::model::Part;
 use tip_sim::message::Awaited;
 use tipc::language::Keyword;
 use tipc::message::list::{Each, List};
-use tipc::message::{Message, Text};
+use tipc::message::{Message, Other, Text};
 
 /// Numbers of something, as arguments of messages.
 pub(crate) mod count {
@@ -367,6 +367,9 @@ tipc::message_table! {
     Keys
         "keys: RETURN emergency stop, ESC halt, Ctrl-C end; others reach the program",
         "キー: RETURNは非常停止、ESCは停止要求、Ctrl-Cは終了。ほかのキーはプログラムに渡ります";
+    Sticks
+        "sticks: W S or the arrows up and down are VR1, A D or left and right are VR2, Q E are VR3; they spring back",
+        "スティック: W S(上下の矢印)がVR1、A D(左右の矢印)がVR2、Q EがVR3です。離すと中央に戻ります";
     NoKeys
         "keys: none, standard input is not a terminal; --keys and --events press them",
         "キー: 標準入力が端末ではないため使えません。--keysと--eventsで押せます";
@@ -679,24 +682,48 @@ tipc::message_table! {
     Next
         "next:",
         "次のコマンド:";
-    Walks { travel: f64 }
-        "the motion was tried: the simulated robot walks {travel} mm forward and does not fall, with or without mass",
-        "動作を試しました: シミュレーションのロボットは、質量の有無にかかわらず倒れずに{travel} mm前進します";
-    WalksWithoutMass { travel: f64 }
-        "the motion was tried: the simulated robot walks {travel} mm forward and does not fall; with mass (`--plant dynamic`) it falls, or gets less far",
-        "動作を試しました: シミュレーションのロボットは倒れずに{travel} mm前進しますが、質量を持つプラント(`--plant dynamic`)では倒れるか、そこまで進みません";
+    Walks { gait: String, ahead: f64, side: f64, turn: f64 }
+        "the motion was tried: a {gait}; with mass the simulated robot walks {ahead} mm/s ahead, {side} mm/s sideways, turns {turn} deg/s, and does not fall",
+        "動作を試しました: 歩容は {gait} です。質量のあるシミュレーションで、前進{ahead} mm/s、横歩き{side} mm/s、旋回{turn} deg/sで、倒れません";
+    FallsOnSlope
+        "on a slope of 5 deg it falls or slips: the program's head has the figures",
+        "5度の坂では倒れるか滑ります。数値はプログラムの先頭にあります";
+    GaitNeedsEdition
+        "a gait needs edition 3.2: leave `--edition` out",
+        "歩容には版3.2が必要です。`--edition` を付けないでください";
+    Steer
+        "sticks VR1 (ahead), VR2 (turn) and VR3 (sideways) steer it; without sticks the keys W S A D Q E do",
+        "スティックVR1(前後)、VR2(旋回)、VR3(左右)で操縦します。スティックがなければW S A D Q Eキーを使います";
     NoGait { falls: u32 }
         "no gait was found; the motion bends one leg after the other instead, and the simulated robot falls {falls} times:",
         "歩容が見つからないので、脚を1本ずつ曲げる動作にしました。シミュレーションで倒れる回数は{falls}です。理由:";
+    NoSuchGait { robot: String, gait: String, reason: Other }
+        "{robot} cannot walk by `--gait {gait}`: {reason}",
+        "{robot}は `--gait {gait}` では歩けません: {reason}";
+    BoltedDown
+        "it has no body: a description needs [body] to walk",
+        "胴体がありません。歩くには記述に[body]が必要です";
     TooFewLegs
         "to lift one leg and stand on the others, a robot needs four legs",
         "1本を上げて立つには脚が4本必要です";
+    TrotNeedsFour
+        "a trot swings two diagonal pairs, and needs four legs exactly",
+        "トロットは対角の2脚を交互に振るので、脚がちょうど4本必要です";
+    TripodNeedsSix
+        "half of the feet must hold the robot, which needs six legs",
+        "半数の足で立つので、脚が6本必要です";
+    NoBalance { feet: String, margin: f64 }
+        "with {feet} in the air the centre of mass is {margin} mm inside the other feet, and 15 mm are needed; a crawl leans over them",
+        "{feet}を上げたとき、重心は他の足の内側{margin} mmにあります。15 mm必要です。crawlなら胴体を他の足の上へ寄せます";
+    Slips
+        "with mass its feet slip, or the body touches the floor: it gets much less far than its feet go",
+        "質量があると足が滑るか胴体が床に触れ、足の動きほど進みません";
     OutOfReach
-        "feet do not reach their positions in the gait, or slip: set another `initial`, for example with `tip robot import --stand`, or wider limits",
-        "足先が歩容の位置に届かないか、滑ります。`tip robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
+        "feet do not reach their positions in the gait: set another `initial`, for example with `tip robot import --stand`, or wider limits",
+        "足先が歩容の位置に届きません。`tip robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
     Falls
-        "the simulated robot falls on every gait that was tried: set another `initial`, for example with `tip robot import --stand`",
-        "試したどの歩容でも、シミュレーションのロボットが倒れます。`tip robot import --stand` などで `initial` を変えてください";
+        "the simulated robot falls at every speed that was tried: set another `initial`, for example with `tip robot import --stand`",
+        "試したどの速さでも、シミュレーションのロボットが倒れます。`tip robot import --stand` などで `initial` を変えてください";
     FolderTaken { folder: Text }
         "`{folder}` already exists: choose another name, or move it away",
         "`{folder}` はすでにあります。別の名前を指定するか、移動してください";

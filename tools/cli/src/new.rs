@@ -1,7 +1,8 @@
 //! `tip new`: makes a crate with a robot that moves, a test and settings for editors.
 
+mod bend;
 mod files;
-mod motion;
+mod gait;
 
 use super::choices::OutputOptions;
 use super::error::Error;
@@ -17,11 +18,12 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::str::FromStr;
 use tip_drives::described::{self as buses, Described};
+use tip_drives::model::MODELS;
 use tip_runtime::model::{Model as RobotModel, Range, hand, titan8};
 use tip_runtime::printable::Printable;
 use tip_sim::Robot;
 use tipc::language::Edition;
-use tipc::message::Lang;
+use tipc::message::{Lang, Other};
 use tipc::{Loaded, description};
 
 #[derive(Debug, Args)]
@@ -29,6 +31,8 @@ use tipc::{Loaded, description};
   tip new demo && cd demo && cargo run
   tip new grasper --robot hand
   tip new six --robot hexapod                 a description of six legs, to be changed
+  tip new hexa --robot phantomx               a gait that sticks or keys steer, the fastest that is safe
+  tip new demo --gait crawl                   one that lifts one foot at a time
   tip new ours --robot robots/ours.toml       a robot of your own (docs/robots.md)
   tip new demo --edition 3.2                  a program that may have threads (docs/language.md)
   tip new drives --hardware                   with src/hardware.rs, for drives of your own
@@ -47,9 +51,18 @@ pub(super) struct New {
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
     robot: Choice,
 
+    /// The gait: crawl, wave, tripod or trot
+    ///
+    /// A program that walks as sticks or keys say, with numbers for this robot (docs/gaits.md). A described robot that
+    /// can walk has the fastest gait that is safe
+    #[arg(long, value_enum)]
+    gait: Option<gait::Kind>,
+
     /// The edition, 3.1 or 3.2
-    #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = edition)]
-    edition: Edition,
+    ///
+    /// By default 3.2 for a gait, else 3.1
+    #[arg(long, value_name = "NUMBER", value_parser = edition)]
+    edition: Option<Edition>,
 
     /// Add a program for the real robot
     ///
@@ -92,9 +105,17 @@ fn new(arguments: &New) -> Result<Status, Error> {
     let (place, lang) = (&arguments.place, arguments.output_options.lang());
     let failed = |reason: Making| Error::failed(reason, lang);
     let origin = Origin::find(arguments.workspace.as_deref(), place).map_err(failed)?;
+    if arguments.gait.is_some()
+        && arguments
+            .edition
+            .is_some_and(|edition| edition < Edition::V3_2)
+    {
+        return Err(failed(Making::GaitNeedsEdition));
+    }
     let refused = Error::refused(arguments.output_options);
-    let template = arguments.robot.template().map_err(refused)?;
-    let mut template = template.in_edition(arguments.edition);
+    let found = arguments.robot.template(arguments.gait).map_err(refused)?;
+    let template = found.map_err(failed)?;
+    let mut template = template.in_edition(arguments.edition).map_err(failed)?;
     let mut hardware = arguments.hardware.then_some(Drives::Own);
     if let Some(text) = template.description.as_mut().filter(|_| hardware.is_some())
         && let Some(with_bus) = with_bus(text)
@@ -190,6 +211,18 @@ struct Motion {
     travel: f64,
     /// The results of trying it on the simulated robot, one per line.
     tried: Vec<Making>,
+    /// The only edition that it can be written in.
+    only_edition: Option<Edition>,
+    /// The file of the scene.
+    scene: Option<SceneFile>,
+}
+
+/// The file of a scene.
+#[derive(Clone, Copy, Debug)]
+struct SceneFile {
+    text: &'static str,
+    /// True if the crate has the scene as a constant, too.
+    is_in_code: bool,
 }
 
 impl Motion {
@@ -201,40 +234,65 @@ impl Motion {
             test: include_str!("../templates/test_walk.rs"),
             travel: 500.0,
             tried: vec![],
+            only_edition: None,
+            scene: None,
         }
     }
 
     /// Returns a gait for a robot that can walk; else a motion that bends one leg after the other.
-    fn of(robot: &Robot) -> Self {
-        if robot.anatomy().body.is_none() {
-            return Motion::bend(robot, motion::BEND_ANGLE);
-        }
-        match motion::find_gait(robot) {
-            Ok(gait) => Motion {
-                travel: (0.9 * gait.travel).floor(),
-                tried: vec![match gait.has_mass {
-                    true => Making::Walks {
-                        travel: gait.travel.round(),
-                    },
-                    false => Making::WalksWithoutMass {
-                        travel: gait.travel.round(),
-                    },
-                }],
-                ..Motion::walk(&gait.program)
-            },
-            Err(reason) => {
-                let small = motion::BEND_ANGLES
+    ///
+    /// # Errors
+    /// The robot cannot walk by the gait that was asked for.
+    fn of(robot: &Robot, kind: Option<gait::Kind>) -> Result<Self, Making> {
+        match (gait::find(robot, kind), kind) {
+            (Ok(gait), _) => Ok(Motion::steered(&gait)),
+            (Err(reason), Some(kind)) => Err(Making::NoSuchGait {
+                robot: robot.name().to_owned(),
+                gait: kind.to_string(),
+                reason: Other::new(reason),
+            }),
+            (Err(_), None) if robot.anatomy().body.is_none() => {
+                Ok(Motion::bend(robot, bend::BEND_ANGLE))
+            }
+            (Err(reason), None) => {
+                let small = bend::BEND_ANGLES
                     .into_iter()
                     .map(|turn| Motion::bend(robot, turn));
-                let falls = |motion: &Motion| motion::count_falls(&motion.program, robot);
+                let falls = |motion: &Motion| bend::count_falls(&motion.program, robot);
                 let bending = small.into_iter().find(|motion| falls(motion) == 0);
-                let bending = bending.unwrap_or_else(|| Motion::bend(robot, motion::BEND_ANGLE));
+                let bending = bending.unwrap_or_else(|| Motion::bend(robot, bend::BEND_ANGLE));
                 let falls = falls(&bending);
-                Motion {
+                Ok(Motion {
                     tried: vec![Making::NoGait { falls }, reason],
                     ..bending
-                }
+                })
             }
+        }
+    }
+
+    fn steered(gait: &gait::Gait) -> Self {
+        let [ahead, side, turn] = gait.speed.map(f64::round);
+        let kind = gait.kind.to_string();
+        let on_slope = (!gait.is_safe_on_slope).then_some(Making::FallsOnSlope);
+        let walks = Making::Walks {
+            gait: kind,
+            ahead,
+            side,
+            turn,
+        };
+        let tried = [Some(walks), on_slope, Some(Making::Steer)];
+        Motion {
+            main: include_str!("../templates/main_gait.rs"),
+            test: include_str!("../templates/test_gait.rs"),
+            // 1000 cycles, with a reserve for starting.
+            travel: (0.8 * gait.speed[0] * gait.cycle).floor(),
+            tried: tried.into_iter().flatten().collect(),
+            only_edition: Some(Edition::V3_2),
+            scene: gait.needs_mass().then_some(SceneFile {
+                text: include_str!("../templates/scene_gait.toml"),
+                is_in_code: false,
+            }),
+            ..Motion::walk(&gait.program)
         }
     }
 
@@ -246,17 +304,21 @@ impl Motion {
             test: include_str!("../templates/test_grasp.rs"),
             travel: 0.0,
             tried: vec![],
+            only_edition: None,
+            scene: Some(SceneFile {
+                text: include_str!("../templates/scene.toml"),
+                is_in_code: true,
+            }),
         }
     }
 
     fn bend(robot: &Robot, turn: f64) -> Self {
         Motion {
             stem: "bend",
-            program: motion::bend_program(&robot.anatomy(), turn),
-            main: include_str!("../templates/main_walk.rs"),
+            program: bend::program(&robot.anatomy(), turn),
             test: include_str!("../templates/test_bend.rs"),
             travel: 0.0,
-            tried: vec![],
+            ..Motion::walk("")
         }
     }
 }
@@ -271,46 +333,61 @@ struct Template {
     legs: usize,
     /// Joints of each leg.
     joints: usize,
-    /// The file of the scene.
-    scene: Option<&'static str>,
 }
 
 impl Template {
-    /// Returns the parts with the motion in an edition of the language; its words are of every edition.
-    fn in_edition(mut self, edition: Edition) -> Self {
+    /// Returns the parts with the motion in an edition of the language: that which was asked for, or the first that has its words.
+    ///
+    /// # Errors
+    /// The motion needs another edition.
+    fn in_edition(mut self, asked: Option<Edition>) -> Result<Self, Making> {
+        let edition = match (self.motion.only_edition, asked) {
+            (Some(only), Some(asked)) if asked != only => return Err(Making::GaitNeedsEdition),
+            (Some(only), _) => only,
+            (None, asked) => asked.unwrap_or(Edition::V3_1),
+        };
         if let Some((_, rest)) = self.motion.program.split_once('\n') {
             self.motion.program = format!("{edition}\n{rest}");
         }
-        self
+        Ok(self)
     }
 }
+
+/// The parts of a crate, or the reason why the robot cannot walk by the gait that was asked for.
+type Found = Result<Template, Making>;
 
 impl Choice {
     /// Returns the parts for this robot.
     ///
     /// # Errors
     /// The description has errors.
-    fn template(&self) -> Result<Template, Box<Loaded>> {
-        let walk = || Motion::walk(include_str!("../templates/motions/walk.prg"));
-        let tripod = || Motion::walk(include_str!("../templates/motions/tripod.prg"));
+    fn template(&self, gait: Option<gait::Kind>) -> Result<Found, Box<Loaded>> {
+        let steered = |robot: &Robot| Motion::of(robot, gait);
         match self {
             Choice::Hexapod => {
-                let template = |_: &Robot| tripod();
-                described(HEXAPOD_NAME, HEXAPOD.as_bytes().to_vec(), template)
+                let tripod = || Motion::walk(include_str!("../templates/motions/tripod.prg"));
+                let motion = |robot: &Robot| match gait {
+                    Some(_) => steered(robot),
+                    None => Ok(tripod()),
+                };
+                described(HEXAPOD_NAME, HEXAPOD.as_bytes().to_vec(), motion)
             }
             Choice::Robot(RobotChoice::File(path)) => {
                 let (name, bytes) = input::description_text(path)?;
-                described(&name, bytes, Motion::of)
+                described(&name, bytes, steered)
             }
             Choice::Robot(RobotChoice::Published(robot)) => {
-                described(&robot.file(), robot.text.as_bytes().to_vec(), Motion::of)
+                described(&robot.file(), robot.text.as_bytes().to_vec(), steered)
             }
-            Choice::Robot(RobotChoice::Named(name)) => Ok(match name {
-                tipc::Robot::Hand => Template {
-                    scene: Some(include_str!("../templates/scene.toml")),
-                    ..named(*name, &hand::MODEL, Motion::grasp())
-                },
-                _ => named(*name, &titan8::MODEL, walk()),
+            Choice::Robot(RobotChoice::Named(name)) => Ok(match (name, gait) {
+                (tipc::Robot::Hand, gait) => named(*name, &hand::MODEL, |robot| match gait {
+                    Some(_) => steered(robot),
+                    None => Ok(Motion::grasp()),
+                }),
+                (_, gait) => named(*name, &titan8::MODEL, |robot| match gait {
+                    Some(_) => steered(robot),
+                    None => Ok(Motion::walk(include_str!("../templates/motions/walk.prg"))),
+                }),
             }),
         }
     }
@@ -319,37 +396,37 @@ impl Choice {
 /// Returns the parts for a robot of the runtime.
 fn named<const L: usize, const J: usize>(
     name: tipc::Robot,
-    _: &RobotModel<L, J>,
-    motion: Motion,
-) -> Template {
-    Template {
-        motion,
+    model: &RobotModel<L, J>,
+    motion: impl Fn(&Robot) -> Result<Motion, Making>,
+) -> Found {
+    Ok(Template {
+        motion: motion(&Robot::of(model))?,
         robot: name.name().to_owned(),
         description: None,
         legs: L,
         joints: J,
-        scene: None,
-    }
+    })
 }
 
 /// Returns the parts for a described robot.
 fn described(
     name: &str,
     description: Vec<u8>,
-    motion: impl Fn(&Robot) -> Motion,
-) -> Result<Template, Box<Loaded>> {
+    motion: impl Fn(&Robot) -> Result<Motion, Making>,
+) -> Result<Found, Box<Loaded>> {
     let robot = Robot::described(&description::parse(name, &description)?);
     let anatomy = robot.anatomy();
-    Ok(Template {
-        motion: motion(&robot),
+    Ok(motion(&robot).map(|motion| Template {
+        motion,
         robot: robot.name().to_owned(),
         description: Some(description),
         legs: anatomy.legs.len(),
         joints: anatomy.joints,
-        scene: None,
-    })
+    }))
 }
 
+/// Speed of a drive whose servo is unknown, deg/s.
+const DEFAULT_SPEED: f64 = 180.0;
 /// The servo of robots that have no known one.
 const SERVO: &str = "STS3215";
 /// Published robots with other servos.
@@ -372,12 +449,16 @@ fn with_bus(text: &[u8]) -> Option<Vec<u8>> {
         .iter()
         .find(|servo| servo.name == name)
         .map(|servo| servo.travel);
+    let model = MODELS.iter().find(|model| model.name == name);
+    let fastest = model.map_or(DEFAULT_SPEED, |model| model.speed.floor());
     let travel = travel.unwrap_or(Range::new(-180.0, 180.0));
-    let text = [text, bus(&robot, name, travel).as_bytes()].concat();
+    let text = [text, bus(&robot, name, travel, fastest).as_bytes()].concat();
     is_on_bus(&text).then_some(text)
 }
 
-fn bus(robot: &Robot, servo: &str, travel: Range) -> String {
+/// Returns the tables of a bus; `fastest` is the speed of its servos, deg/s: a drive is slowed down to 180 deg/s by default, and a gait
+/// may need more.
+fn bus(robot: &Robot, servo: &str, travel: Range, fastest: f64) -> String {
     let mut text = format!(
         "\n# The real robot: docs/drives.md. Replace what is here by what you built; `tip drives id` sets identities,
 # `tip drives zero` finds signs and offsets.
@@ -403,7 +484,7 @@ voltage = [9, 13]
             // Writing to a String cannot fail.
             let _ = write!(
                 text,
-                "\n[[drive]]\njoint = \"J{leg}{number}\"\nid = {id}\nsign = 1\noffset = {offset}\n"
+                "\n[[drive]]\njoint = \"J{leg}{number}\"\nid = {id}\nsign = 1\noffset = {offset}\nspeed = {fastest}\n"
             );
             if !fits(offset) {
                 let half = (travel.max - travel.min) / 2.0 - 1.0;

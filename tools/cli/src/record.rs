@@ -74,7 +74,7 @@ impl RunArguments {
         robot: &Robot,
         pace: FrameRate,
     ) -> Result<Recording, Error> {
-        let inputs = self.inputs.inputs();
+        let inputs = self.inputs.inputs(robot);
         let extent = inputs
             .cycles
             .map_or(DurationLimit::minutes(MAX_MINUTES), DurationLimit::cycles);
@@ -88,8 +88,7 @@ impl RunArguments {
         let lang = self.source.output_options.lang();
         let wait = recording.wait.as_ref().map(wait_message);
         let lasted = recording.time(recording.cycles);
-        let is_cut_off =
-            self.inputs.inputs().cycles.is_none() && recording.outcome == Outcome::Limit;
+        let is_cut_off = self.inputs.cycles.is_none() && recording.outcome == Outcome::Limit;
         let text = match wait {
             Some(wait) if is_cut_off && lasted < MAX_MINUTES * 60_000.0 => Running::StopsWaiting {
                 wait,

@@ -13,7 +13,7 @@ use super::error::Error;
 use super::loader::{self, Subject};
 use super::report::Deny;
 use super::setup::{ChosenRobot, PlantChoice};
-use super::{Status, input, interrupt, output, report};
+use super::{Status, input, interrupt, output, report, sticks};
 use crate::Action;
 use crate::choices::Format;
 use crate::message::{Driving, Running, Using, Weight};
@@ -48,6 +48,7 @@ pub(super) const LONG_WAIT: f64 = 60_000.0;
   tip run ask.prg --keys '10:y,25:0x2C'    Y before cycle 10, a comma before 25
   tip run march.prg --robot hexapod.toml
   tip run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
+  tip run sense.prg --sensor VR1=8@2s..5s  for three seconds; a stick springs back to 5 V
   tip run --robot hand grasp.prg --scene scene.toml
   tip run walk.prg --out-dir logs          TITAN.LOG, EMG.log and the others go to logs/
   tip run walk.prg --realtime              as fast as the robot, with a status line and your keys
@@ -194,7 +195,13 @@ fn run(arguments: &Run) -> Result<Status, Error> {
         chosen,
         robot,
     } = loader::load(&arguments.run.file, &arguments.run, None)?;
-    let inputs = arguments.run.inputs.inputs();
+    let mut inputs = arguments.run.inputs.inputs(&robot);
+    let is_live = arguments.realtime || arguments.hardware.is_some();
+    let is_steered = is_live && io::stdin().is_terminal();
+    // Sticks that keys move are inputs of a robot on servos.
+    if let (true, Some(program)) = (is_steered, &loaded.program) {
+        inputs.events = sticks::let_rest(program, inputs.events);
+    }
     if arguments.hardware.is_some() {
         let unconnected = robot.unconnected(&loaded, &inputs.events);
         if !unconnected.is_empty() {
@@ -344,7 +351,12 @@ impl Job<'_> {
             Some(connection) => connection.keyboard(),
             None => terminal(),
         };
-        let screen = Screen::new(keyboard, self.progress(), messages, logs);
+        let mut screen = Screen::new(keyboard, self.progress(), messages, logs);
+        let program = begun.engine::<Interpreter>().map(Interpreter::program);
+        let has_sticks = self.is_live() && program.is_some_and(|program| sticks::are_read(program));
+        if has_sticks {
+            screen.steer();
+        }
         let anatomy = robot.anatomy();
         let source = &self.arguments.run.source;
         let (options, lang) = (source.options(robot.options().robot), self.arguments.lang());
@@ -363,7 +375,7 @@ impl Job<'_> {
             figures: SummaryBuilder::new(robot),
         };
         if is_live {
-            watch.live = Some(Live::begin(self.arguments.quiet, lang));
+            watch.live = Some(Live::begin(self.arguments.quiet, has_sticks, lang));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
         let deny = &self.arguments.deny;

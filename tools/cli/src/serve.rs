@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::loader::Subject;
 use crate::message::Using;
 use crate::watch::Watch;
-use crate::{Status, input, output, report};
+use crate::{Status, input, output, report, sticks};
 use clap::Args;
 use connections::Guard;
 use hub::{Hub, HubEvent, HubSender};
@@ -101,12 +101,16 @@ impl Serve {
         let place = input::real(path);
         let refusal = Using::ProcessRunsOnce { command: "serve" };
         let Subject { loaded, robot, .. } = self.run.load(path, self.quiet, refusal)?;
-        let inputs = self.run.inputs.inputs();
+        let inputs = self.run.inputs.inputs(&robot);
+        let events = match &loaded.program {
+            Some(program) => sticks::let_rest(program, inputs.events),
+            None => inputs.events,
+        };
         let bytes = loaded.source.bytes();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let setup = Setup {
             options: source.options(robot.options().robot),
-            events: inputs.events,
+            events,
             rest: inputs.cycles,
             ..Setup::new(&name, &bytes, robot.clone())
         };

@@ -286,7 +286,7 @@ impl Launcher for Programs {
         };
         let debugger = Debugger::new(program, &robot).map_err(|mismatch| mismatch.to_string())?;
         let debugger = debugger
-            .with_events(&run.inputs.inputs().events)
+            .with_events(&run.inputs.inputs(&robot).events)
             .map_err(|refused| refused.text(lang))?;
         Ok(Debuggee {
             debugger,

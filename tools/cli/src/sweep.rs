@@ -260,7 +260,7 @@ impl Sweep {
             Some(named) => Some(named.to_string()),
         };
         let plant = inputs.plant.as_ref().and_then(PlantChoice::simulation);
-        let inputs = inputs.inputs();
+        let inputs = inputs.inputs(&subject.robot);
         let source = &subject.loaded.source;
         Ok(Spec {
             program: Text {

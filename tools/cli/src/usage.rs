@@ -77,6 +77,11 @@ fn specific(error: &clap::Error) -> Option<Using> {
             Some(Using::NearOption { option, near })
         }
         ErrorKind::ValueValidation => error.source()?.downcast_ref::<Using>().cloned(),
+        // The usage that clap prints has one of both only.
+        ErrorKind::ArgumentConflict => Some(Using::NotTogether {
+            option: text(error, ContextKind::InvalidArg)?,
+            other: text(error, ContextKind::PriorArg)?,
+        }),
         _ => None,
     }
 }
@@ -103,10 +108,6 @@ fn translated(error: &clap::Error) -> Option<Using> {
                 },
             }
         }
-        ErrorKind::ArgumentConflict => Using::NotTogether {
-            option: option?,
-            other: text(error, ContextKind::PriorArg)?,
-        },
         ErrorKind::MissingRequiredArgument => Using::MissingArgument {
             what: strings(error, ContextKind::InvalidArg).join(" "),
         },

@@ -77,8 +77,8 @@ impl Action for Verify {
 fn verify(arguments: &Verify) -> Result<Status, Error> {
     interrupt::catch();
     let run = &arguments.run;
-    let (output_options, inputs) = (run.source.output_options, run.inputs.inputs());
-    if let Some(0) = inputs.cycles {
+    let output_options = run.source.output_options;
+    if let Some(0) = run.inputs.cycles {
         let text = "--cycles 0".to_owned();
         return Err(Error::usage(
             Using::NotPositive { text },
@@ -88,6 +88,7 @@ fn verify(arguments: &Verify) -> Result<Status, Error> {
     let refusal = Using::ProcessRunsOnce { command: "verify" };
     let loaded = loader::load(&run.file, run, Some(refusal))?;
     let (checked, program) = loader::sound(loaded, output_options, false)?;
+    let inputs = run.inputs.inputs(&checked.robot);
     let project = Project::find(arguments.manifest_path.as_deref())?;
     let name = run.file.display().to_string();
     let source = checked.loaded.source.bytes();

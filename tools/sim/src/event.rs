@@ -70,7 +70,7 @@ pub struct Timed {
 }
 
 /// Events in order of their cycles; those of one cycle keep the order they were given in. As text:
-/// `10:key F, 300:VR1=8, 900:halt`.
+/// `10:key F, 300:VR1=8, 900:halt`. `300..500:VR1=8` reads as two events: a stick springs back to 5 V, any other input to 0 V.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events(Vec<Timed>);
 
@@ -270,7 +270,7 @@ impl FromStr for Timed {
         let (Some(cycle), Some((_, event))) = (cycle, parts) else {
             let text = text.trim();
             return Err(EventError(format!(
-                "'{text}' is not CYCLE:EVENT, such as 10:key F or 300:VR1=8"
+                "'{text}' is not CYCLE:EVENT, such as 10:key F, 300:VR1=8 or 300..500:VR1=8"
             )));
         };
         Ok(Timed {
@@ -294,10 +294,38 @@ impl FromStr for Events {
     type Err = EventError;
 
     fn from_str(text: &str) -> Result<Self, EventError> {
-        match text.trim().is_empty() {
-            true => Ok(Events::NONE),
-            false => text.split(',').map(str::parse).collect(),
+        if text.trim().is_empty() {
+            return Ok(Events::NONE);
         }
+        let mut events = Vec::new();
+        for item in text.split(',') {
+            match while_of(item) {
+                Some((from, until, port, volts)) => {
+                    let until = Some(Moment::Cycle(until));
+                    let from = Moment::Cycle(from);
+                    let sensor = SensorAt {
+                        port,
+                        volts,
+                        from,
+                        until,
+                    };
+                    events.extend(sensor.events(1.0));
+                }
+                None => events.push(item.parse()?),
+            }
+        }
+        Ok(Events::new(events))
+    }
+}
+
+/// Reads `FROM..UNTIL:NAME=VALUE`: an input for a while, in cycles.
+fn while_of(text: &str) -> Option<(u64, u64, Port, f64)> {
+    let (times, event) = text.split_once(':')?;
+    let (from, until) = times.split_once("..")?;
+    let (from, until) = (from.trim().parse().ok()?, until.trim().parse().ok()?);
+    match event.parse() {
+        Ok(Event::Sensor(port, volts)) if from < until => Some((from, until, port, volts)),
+        _ => None,
     }
 }
 
@@ -383,7 +411,14 @@ impl FromStr for Inputs {
             }
             match option {
                 "--keys" => events.extend(value.parse::<Keys>()?.0),
-                "--sensor" => events.push(sensor(value, |_| true)?),
+                "--sensor" => {
+                    let sensor = sensor(value, |_| true)?;
+                    if let (Moment::Seconds(_), _) = (sensor.from, sensor.until) {
+                        let text = "the seconds of a --sensor need a robot: write cycles here";
+                        return Err(EventError(text.to_owned()));
+                    }
+                    events.extend(sensor.events(1.0));
+                }
                 "--halt" => events.push(Event::Halt.at(cycles(value)?)),
                 "--events" => events.extend(value.parse::<Events>()?),
                 "--cycles" => inputs.cycles = Some(cycles(value)?),
@@ -433,36 +468,126 @@ fn key(text: &str) -> Result<Timed, EventError> {
     Ok(Event::Key(byte).at(cycle))
 }
 
-/// `--sensor`: `NAME=VALUE@CYCLE`, where the value is a finite number.
+/// A time in a run, as an option writes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Moment {
+    /// `300`: before the step of a cycle.
+    Cycle(u64),
+    /// `2s`: seconds, by the standard sampling time of the robot.
+    Seconds(f64),
+}
+
+impl Moment {
+    /// Returns the cycle, for a sampling time, ms.
+    fn cycle(self, period: f64) -> u64 {
+        match self {
+            Moment::Cycle(cycle) => cycle,
+            Moment::Seconds(seconds) => (1000.0 * seconds / period).round() as u64,
+        }
+    }
+}
+
+impl FromStr for Moment {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        match text.strip_suffix('s') {
+            Some(seconds) => match seconds.parse::<f64>() {
+                Ok(seconds) if seconds.is_finite() && seconds >= 0.0 => {
+                    Ok(Moment::Seconds(seconds))
+                }
+                _ => Err(()),
+            },
+            None => text.parse().map(Moment::Cycle).map_err(|_| ()),
+        }
+    }
+}
+
+/// Reading of a stick at rest, the middle of its range: V.
+pub const STICK_AT_REST: f64 = 5.0;
+
+/// `--sensor`: `NAME=VALUE@TIME`, or `NAME=VALUE@TIME..TIME` for a while; the value is a finite number, and a time is a cycle or
+/// seconds, as in `2s`.
+///
+/// After the second time a stick (VR1 to VR3) springs back to 5 V, and any other input to 0 V.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SensorAt(pub Timed);
+pub struct SensorAt {
+    port: Port,
+    volts: f64,
+    from: Moment,
+    until: Option<Moment>,
+}
+
+impl SensorAt {
+    /// Returns the events, for the robot's standard sampling time, ms.
+    pub fn events(&self, period: f64) -> impl Iterator<Item = Timed> {
+        let begin = Event::Sensor(self.port, self.volts).at(self.from.cycle(period));
+        let back = match self.port {
+            Port::Knob(_) => STICK_AT_REST,
+            _ => 0.0,
+        };
+        let end = self
+            .until
+            .map(|until| Event::Sensor(self.port, back).at(until.cycle(period)));
+        std::iter::once(begin).chain(end)
+    }
+
+    /// Returns the stick that springs back, if it is one.
+    pub fn stick(&self) -> Option<Port> {
+        let is_stick = self.until.is_some() && matches!(self.port, Port::Knob(_));
+        is_stick.then_some(self.port)
+    }
+}
 
 impl FromStr for SensorAt {
     type Err = EventError;
 
     fn from_str(text: &str) -> Result<Self, EventError> {
-        sensor(text, f64::is_finite).map(SensorAt)
+        sensor(text, f64::is_finite)
     }
 }
 
-/// Returns an input that reads something from a cycle on, if it can read that.
-fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<Timed, EventError> {
+/// Returns an input that reads something from a time on, if it can read that.
+fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<SensorAt, EventError> {
     let wrong = |what: &str| {
         EventError(format!(
-            "{what}; expected NAME=VALUE@CYCLE, such as VR1=8@300"
+            "{what}; expected NAME=VALUE@CYCLE, such as VR1=8@300, or a while, such as VR1=8@2s..5s"
         ))
     };
     let (name, rest) = text.split_once('=').ok_or_else(|| wrong("no '='"))?;
-    let (volts, cycle) = rest.split_once('@').ok_or_else(|| wrong("no '@'"))?;
+    let (volts, times) = rest.split_once('@').ok_or_else(|| wrong("no '@'"))?;
     let name = name.trim().to_ascii_uppercase();
     let port = port(&name).ok_or_else(|| wrong(&format!("'{name}' is not an input")))?;
     let number = volts.trim().parse().ok().filter(|volts| can_read(*volts));
     let volts = number.ok_or_else(|| wrong(&format!("'{volts}' is not a number of volts")))?;
-    let cycle = cycle
-        .trim()
-        .parse()
-        .map_err(|_| wrong(&format!("'{cycle}' is not a cycle")))?;
-    Ok(Event::Sensor(port, volts).at(cycle))
+    let moment = |text: &str| {
+        let text = text.trim();
+        let read = text.parse::<Moment>();
+        read.map_err(|()| wrong(&format!("'{text}' is not a cycle, and not seconds")))
+    };
+    let (from, until) = match times.split_once("..") {
+        Some((from, until)) => (moment(from)?, Some(moment(until)?)),
+        None => (moment(times)?, None),
+    };
+    match (from, until) {
+        (Moment::Cycle(from), Some(Moment::Cycle(until))) if until <= from => {
+            return Err(wrong(&format!("'{times}' ends before it begins")));
+        }
+        (Moment::Seconds(from), Some(Moment::Seconds(until))) if until <= from => {
+            return Err(wrong(&format!("'{times}' ends before it begins")));
+        }
+        (Moment::Cycle(_), Some(Moment::Seconds(_)))
+        | (Moment::Seconds(_), Some(Moment::Cycle(_))) => {
+            return Err(wrong(&format!("'{times}' mixes cycles and seconds")));
+        }
+        _ => {}
+    }
+    Ok(SensorAt {
+        port,
+        volts,
+        from,
+        until,
+    })
 }
 
 /// The reason why an event cannot happen to a run.

@@ -78,7 +78,8 @@ pub(super) fn crate_files(
             .iter()
             .map(|(name, text)| ((*name).to_owned(), *text)),
     );
-    files.extend(template.scene.map(|text| ("scene.toml".to_owned(), text)));
+    let scene = template.motion.scene;
+    files.extend(scene.map(|scene| ("scene.toml".to_owned(), scene.text)));
     let filled = |(name, text): (String, &str)| File {
         name,
         content: fill(text, &placeholders).into_bytes(),
@@ -117,10 +118,14 @@ fn placeholders(
 ) -> Vec<Placeholder> {
     let is_inside = is_inside_a_workspace(place.folder());
     let default_run = format!("default-run = \"{}\"\n", place.name());
-    let has_scene = template.scene.is_some();
+    let scene = template.motion.scene;
+    let is_in_code = scene.is_some_and(|scene| scene.is_in_code);
     let mut placeholders = vec![
         // These have placeholders themselves.
-        ("lib_scene", when(has_scene, template_text!("lib_scene.rs"))),
+        (
+            "lib_scene",
+            when(is_in_code, template_text!("lib_scene.rs")),
+        ),
         (
             "lib_hardware",
             when(hardware == Some(Drives::Own), "\npub mod hardware;\n"),
@@ -154,7 +159,7 @@ fn placeholders(
         ("crate", place.crate_name()),
         ("motion", template.motion.stem.to_owned()),
         ("Program", type_name(template.motion.stem)),
-        ("scene", when(has_scene, "scene = \"scene.toml\"\n")),
+        ("scene", when(scene.is_some(), "scene = \"scene.toml\"\n")),
         ("travel", format!("{:?}", template.motion.travel)),
         ("legs", template.legs.to_string()),
         ("joints", template.joints.to_string()),

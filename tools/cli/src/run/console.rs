@@ -6,6 +6,7 @@ use crate::message::{Figure, Running};
 use crate::report::{RATE, progress_style};
 use crate::run::files::finish;
 use crate::run::summary::{line, status, tenths};
+use crate::sticks::Sticks;
 use crate::{interrupt, report};
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::fmt::Display;
@@ -17,7 +18,7 @@ use tip_runtime::machine::Report;
 use tip_runtime::printable::Printable;
 use tip_runtime::realtime::Pacer;
 use tip_runtime::record::{Dump, Sample};
-use tip_sim::{Run, WaitDetector};
+use tip_sim::{Event, Run, WaitDetector};
 use tipc::message::Lang;
 use tipc::source::Source;
 
@@ -29,6 +30,8 @@ pub(super) struct Screen {
     shows_messages: bool,
     silent: bool,
     logs: Option<LogFiles<()>>,
+    /// Sticks that keys move, if the program reads any.
+    sticks: Option<Sticks>,
     /// The error of the first message that could not be written.
     failure: Option<Error>,
 }
@@ -47,6 +50,7 @@ impl Screen {
             shows_messages,
             silent: false,
             logs,
+            sticks: None,
             failure: None,
         }
     }
@@ -55,6 +59,17 @@ impl Screen {
     pub(super) fn release(&mut self) -> Option<Terminal<Sink>> {
         self.progress.close();
         self.keyboard.take()
+    }
+
+    /// Lets keys move sticks from now on.
+    pub(super) fn steer(&mut self) {
+        self.sticks = self.keyboard.is_some().then(Sticks::new);
+    }
+
+    /// Returns the sticks that have moved, with their readings.
+    fn moved(&mut self) -> Vec<Event> {
+        let sticks = self.sticks.as_mut();
+        sticks.map_or(vec![], |sticks| sticks.moved(Instant::now()))
     }
 
     /// Returns the number of texts that FOUT.LOG had no room for.
@@ -74,7 +89,13 @@ impl Console for Screen {
     fn key(&mut self, cycle: u64) -> Option<u8> {
         let is_ours = interrupt::may_read_keys();
         let keyboard = self.keyboard.as_mut().filter(|_| is_ours)?;
-        let key = keyboard.key(cycle);
+        let key = match &mut self.sticks {
+            Some(sticks) => {
+                sticks.press(Instant::now(), || keyboard.key(cycle));
+                sticks.key()
+            }
+            None => keyboard.key(cycle),
+        };
         if keyboard.interrupted() {
             interrupt::request();
         }
@@ -255,13 +276,16 @@ pub(super) struct Live {
 
 impl Live {
     /// Starts the clock, and prints a legend of keys unless `quiet`.
-    pub(super) fn begin(quiet: bool, lang: Lang) -> Self {
+    pub(super) fn begin(quiet: bool, has_sticks: bool, lang: Lang) -> Self {
         if !quiet {
             let keys = match io::stdin().is_terminal() {
                 true => Running::Keys,
                 false => Running::NoKeys,
             };
             report::say(keys, lang);
+            if has_sticks && io::stdin().is_terminal() {
+                report::say(Running::Sticks, lang);
+            }
         }
         let every = if io::stderr().is_terminal() {
             ON_TERMINAL
@@ -279,6 +303,11 @@ impl Live {
 
     /// Shows the status, and waits until the cycle is over.
     pub(super) fn after(&mut self, run: &mut Run, waits: &WaitDetector, source: &Source) {
+        let moved = run.console_mut::<Screen>().map_or(vec![], Screen::moved);
+        for event in moved {
+            // A robot that lacks the input reads what it reads.
+            let _ = run.add(event.at(run.cycles()));
+        }
         if self.due.is_some_and(|due| Instant::now() >= due) {
             self.due = Some(Instant::now() + self.every);
             let text = status(run, waits.now(run).as_ref(), source, self.lang);

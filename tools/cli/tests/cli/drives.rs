@@ -6,18 +6,86 @@ use crate::view::data;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Stdio};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-/// A new crate with a bus for a robot.
+/// The description with a bus, and the gait, of a new crate for a robot. Each is made once: its gait is tried in simulation.
+fn made(robot: &str) -> &'static [String; 2] {
+    static PHANTOMX: OnceLock<[String; 2]> = OnceLock::new();
+    static SPOTMICRO: OnceLock<[String; 2]> = OnceLock::new();
+    let cell = match robot {
+        "phantomx" => &PHANTOMX,
+        _ => &SPOTMICRO,
+    };
+    cell.get_or_init(|| {
+        let folder = Folder::new(&format!("drives-made-{robot}"));
+        folder
+            .tip(&["new", "it", "--robot", robot, "--hardware"])
+            .expect(0);
+        ["it/robot.toml", "it/motions/walk.prg"].map(|name| folder.read(name))
+    })
+}
+
+/// A robot with a bus; its program moves all feet back and ahead, and ends.
 fn crate_for(robot: &str) -> Folder {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let n = COUNT.fetch_add(1, Ordering::Relaxed);
     let folder = Folder::new(&format!("drives-{robot}-{n}"));
+    let legs = if robot == "phantomx" { 6 } else { 4 };
+    let move_all = |way: i32| -> String {
+        let feet = (1..=legs).map(|leg| format!("  REL_PTP F{leg} 0 {way} 0\n"));
+        format!(
+            "  ALL_STOP\n{}  ALL_STOP_RELEASE\n  WAIT_INPOS ALL\n",
+            feet.collect::<String>()
+        )
+    };
+    let program = format!(
+        "3.1\nAll feet go back and ahead\nDEF_VAR N\nINITIAL_POSTURE\nWAIT_INPOS ALL\nFOR N = 1 TO 8\n  MESSAGE move %N%\n{}{}NEXT N\nEND\n",
+        move_all(-30),
+        move_all(30)
+    );
     folder
-        .tip(&["new", "it", "--robot", robot, "--hardware"])
-        .expect(0);
-    folder
+        .file("it/robot.toml", &made(robot)[0])
+        .file("it/motions/walk.prg", program)
+}
+
+/// The gait of a new crate is steered on servos as in the simulation: the host has the sticks, every command is within the limits of
+/// the drives, and no answer is missing.
+#[test]
+fn a_gait_is_steered_on_servos() {
+    for robot in ["phantomx", "spotmicro"] {
+        let folder = crate_for(robot).file("gait.prg", &made(robot)[1]);
+        let walk = "VR1=10@3s..6s";
+        let run = [
+            "run",
+            "gait.prg",
+            "--hardware",
+            "it/robot.toml",
+            "--sensor",
+            walk,
+            "--halt",
+            "450",
+            "--cycles",
+            "900",
+        ];
+        let outcome = folder.tip(&run).expect(0);
+        assert!(
+            outcome.out.contains("sitting down"),
+            "{robot}: {}",
+            outcome.out
+        );
+        assert!(
+            outcome.err.contains("EXIT at line"),
+            "{robot}: {}",
+            outcome.err
+        );
+        assert!(
+            outcome.err.contains("  answers 0 of "),
+            "{robot}: {}",
+            outcome.err
+        );
+    }
 }
 
 /// The steps of a trace in their order, the messages, and the angles of the last cycle.

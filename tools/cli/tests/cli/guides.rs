@@ -158,7 +158,7 @@ fn what_the_guides_show_is_what_happens() {
     for (robot, ends) in [
         ("hand", "the cylinder is 39 mm above the floor"),
         ("hexapod", "1320 mm forward, 0 falls"),
-        // A described robot crawls as far as its gait was tried.
+        // A described robot has a gait, which keys steer ahead, then to the right.
         ("tip/tipc/tests/robots/hexapod.toml", ""),
     ] {
         made_for(&mut terminal, robot, ends);
@@ -179,9 +179,14 @@ fn made_for(terminal: &mut Terminal, robot: &str, ends: &str) {
     let run = terminal.run("cargo run --quiet");
     let last = run.lines().last().unwrap_or_default();
     if ends.is_empty() {
-        let forward = last.strip_suffix(" mm forward, 0 falls");
-        let forward = forward.and_then(|text| text.parse::<f64>().ok());
+        let mut lines = run.lines();
+        let forward =
+            lines.find_map(|line| line.split_once(" mm forward, ")?.0.parse::<f64>().ok());
         assert!(forward.is_some_and(|mm| mm > 100.0), "{robot}: {run}");
+        assert!(
+            last.ends_with(" deg to the right, 0 falls"),
+            "{robot}: {run}"
+        );
     }
     assert!(
         last.starts_with(ends) && !run.contains("warning"),

@@ -151,6 +151,71 @@ fn sound(folder: &Folder, name: &str, robot: &str, motion: &str, edition: &str, 
     assert!(folder.read(&program).starts_with(edition));
 }
 
+/// The gait of a robot of six legs is a tripod. tests/external/gaits tries those of all robots.
+#[test]
+fn a_robot_that_walks_gets_a_gait_that_sticks_steer() {
+    let folder = Folder::new("new-gait");
+    let made = folder
+        .tip(&["new", "hexa", "--robot", "phantomx"])
+        .expect(0);
+    for said in ["the motion was tried: a tripod; ", "VR1 (ahead)"] {
+        assert!(made.out.contains(said), "{}", made.out);
+    }
+    let program = "hexa/motions/walk.prg";
+    let text = folder.read(program);
+    assert!(text.starts_with("3.2\n"), "{text}");
+    for line in text.lines() {
+        assert!(line.chars().count() <= 120, "{line}");
+    }
+    folder
+        .tip(&["check", "--deny", "warnings", program])
+        .expect(0);
+    folder.tip(&["fmt", "--check", program]).expect(0);
+    let steer = ["--sensor", "VR1=10@4s..8s", "--halt", "450"];
+    let run = ["run", program, "--plant", "dynamic"];
+    let outcome = folder.tip(&[&run[..], &steer].concat()).expect(0);
+    assert!(outcome.err.contains("mm forward"), "{}", outcome.err);
+    assert!(outcome.err.contains("falls   none"), "{}", outcome.err);
+}
+
+#[test]
+fn a_gait_that_cannot_be_is_refused_with_the_reason() {
+    let folder = Folder::new("new-no-gait");
+    for (robot, gait, said) in [
+        ("phantomx", "trot", "needs four legs exactly"),
+        ("solo12", "tripod", "which needs six legs"),
+        (
+            "solo12",
+            "wave",
+            "the centre of mass is 0 mm inside the other feet",
+        ),
+        ("hand", "crawl", "it has no body"),
+    ] {
+        let new = ["new", "demo", "--robot", robot, "--gait", gait];
+        let outcome = folder.tip(&new).expect(1);
+        let begins = format!("error: {robot} cannot walk by `--gait {gait}`: ");
+        assert!(outcome.err.starts_with(&begins), "{}", outcome.err);
+        assert!(outcome.err.contains(said), "{robot}: {}", outcome.err);
+    }
+    let old = [
+        "new",
+        "demo",
+        "--robot",
+        "solo12",
+        "--gait",
+        "trot",
+        "--edition",
+        "3.1",
+    ];
+    let outcome = folder.tip(&old).expect(1);
+    assert!(
+        outcome.err.contains("a gait needs edition 3.2"),
+        "{}",
+        outcome.err
+    );
+    assert!(folder.names().is_empty());
+}
+
 #[test]
 fn another_edition_is_refused() {
     let folder = Folder::new("new-edition");

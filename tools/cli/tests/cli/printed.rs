@@ -56,10 +56,11 @@ fn provide(folder: &Folder, line: &str) {
         true => "examples/six-legs/motions/tripod.prg",
         false => "examples/walk/motions/walk.prg",
     });
-    let march = read(match line.contains("phantomx") {
-        true => "examples/published/tripod.prg",
-        false => "examples/six-legs/motions/tripod.prg",
-    });
+    let march = match line.contains("phantomx") {
+        // Its gait in `examples` is steered, and does not end.
+        true => "3.1\nlift\nREL_PTP F1 0 0 30\nWAIT_INPOS F1\nEND\n".to_owned(),
+        false => read("examples/six-legs/motions/tripod.prg"),
+    };
     let files = [
         ("walk.prg", walk.as_str()),
         ("motions/walk.prg", &walk),

@@ -28,8 +28,11 @@ fn keys_are_characters_or_hexadecimal_bytes() {
 
 #[test]
 fn a_sensor_names_an_input_a_voltage_and_a_cycle() {
-    let sensor = |text: &str| text.parse::<SensorAt>().map(|sensor| sensor.0);
-    let expected = |port, volts, cycle| Ok(Event::Sensor(port, volts).at(cycle));
+    let sensor = |text: &str| {
+        let sensor = text.parse::<SensorAt>();
+        sensor.map(|sensor| sensor.events(20.0).collect::<Vec<_>>())
+    };
+    let expected = |port, volts, cycle| Ok(vec![Event::Sensor(port, volts).at(cycle)]);
     for (text, expected) in [
         ("VR1=8@300", expected(Port::Knob(1), 8.0, 300)),
         ("paw4=-0.5@0", expected(Port::Paw(4), -0.5, 0)),
@@ -50,8 +53,35 @@ fn a_sensor_names_an_input_a_voltage_and_a_cycle() {
         "VR1=inf@1",
         "VR1=8@-1",
         "VR1=@1",
+        "VR1=8@2s..",
+        "VR1=8@5s..2s",
+        "VR1=8@300..300",
+        "VR1=8@100..3s",
+        "VR1=8@-1s",
     ] {
         assert!(sensor(wrong).is_err(), "{wrong}");
+    }
+}
+
+/// 2 s are 100 cycles of 20 ms, or 200 of 10 ms. A stick springs back to the middle, another input to nothing.
+#[test]
+fn a_sensor_reads_something_for_a_while() {
+    let events = |text: &str, period| {
+        let sensor: SensorAt = text.parse().expect(text);
+        sensor.events(period).collect::<Vec<_>>()
+    };
+    let read = |port, volts, cycle| Event::Sensor(port, volts).at(cycle);
+    let stick = Port::Knob(1);
+    let expected = [read(stick, 8.0, 100), read(stick, 5.0, 250)];
+    assert_eq!(events("VR1=8@2s..5s", 20.0), expected);
+    let expected = [read(stick, 8.0, 200), read(stick, 5.0, 500)];
+    assert_eq!(events("VR1=8@2s..5s", 10.0), expected);
+    let expected = [read(Port::Paw(1), 2.0, 10), read(Port::Paw(1), 0.0, 30)];
+    assert_eq!(events("PAW1=2@10..30", 20.0), expected);
+    let expected = "100:VR1=8, 250:VR1=5".parse::<Events>();
+    assert_eq!("100..250:VR1=8".parse::<Events>(), expected);
+    for wrong in ["250..100:VR1=8", "100..250:key F", "100..:VR1=8"] {
+        assert!(wrong.parse::<Events>().is_err(), "{wrong}");
     }
 }
 

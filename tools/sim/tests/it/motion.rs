@@ -343,20 +343,23 @@ fn no_example_collides() -> Outcome {
             include_str!(concat!("../../../../examples/", $path))
         };
     }
-    let crawl = example!("published/crawl.prg");
+    // The stick of a gait is ahead, turned, and to the side.
+    let steer =
+        "0:VR1=5, 0:VR2=5, 0:VR3=5, 200..500:VR1=10, 500..800:VR2=10, 800..1100:VR3=10, 1200:halt";
     let programs = [
-        ("titan8", example!("walk/motions/walk.prg")),
-        ("hand", example!("grasp/motions/grasp.prg")),
-        ("a1", crawl),
-        ("solo12", crawl),
-        ("spotmicro", crawl),
-        ("phantomx", example!("published/tripod.prg")),
-        ("a1", example!("published/trot.prg")),
-        ("trifinger", example!("published/fingertips.prg")),
+        ("titan8", example!("walk/motions/walk.prg"), ""),
+        ("hand", example!("grasp/motions/grasp.prg"), ""),
+        ("titan8", example!("published/crawl-titan8.prg"), steer),
+        ("solo12", example!("published/trot-solo12.prg"), steer),
+        ("spotmicro", example!("published/trot-spotmicro.prg"), steer),
+        ("a1", example!("published/trot-a1.prg"), steer),
+        ("phantomx", example!("published/tripod.prg"), steer),
+        ("trifinger", example!("published/fingertips.prg"), ""),
     ];
-    for (name, program) in programs {
+    for (name, program, events) in programs {
         for plant in [Plant::Simulated, Plant::Dynamic] {
-            let mut run = on(Robot::named(name)?.with_plant(plant), program)?;
+            let run = on(Robot::named(name)?.with_plant(plant), program)?;
+            let mut run = run.events(events)?;
             run.to_end(Limit::cycles(3000));
             let clearance = run.clearance().expect("its parts are compared");
             assert_eq!(clearance.collisions, 0, "{name} {plant:?}: {clearance:?}");

@@ -86,51 +86,178 @@ fn a_name_that_no_robot_has_is_answered_by_those_that_are_there() {
     }
 }
 
-/// Returns the distance that a program's robot goes without falling, mm.
-#[track_caller]
-fn goes(name: &str, plant: Plant, source: &str) -> f64 {
-    let robot = Robot::named(name).expect("a published robot");
-    let robot = robot.with_plant(plant);
-    let program = load("walk.prg", source, &robot).expect("it loads");
-    let mut run = Run::new(program, robot).expect("it was checked for it");
-    assert_eq!(
-        run.to_end(Limit::NONE),
-        Ending::Program(End::Exit),
-        "{name}"
-    );
-    let motion = run.motion().expect("it walks");
-    assert_eq!(motion.falls, 0, "{name}");
-    motion.travel.y
+/// A gait of examples/published: its robot and program, the least speeds ahead (mm/s) and to the left (deg/s), the way that its feet
+/// make in one stride (mm), and the largest slip of a foot (mm).
+struct Gait {
+    robot: &'static str,
+    program: &'static str,
+    least: [f64; 2],
+    stride: f64,
+    slip: f64,
 }
 
+const GAITS: [Gait; 5] = [
+    Gait {
+        robot: "phantomx",
+        program: include_str!("../../../../examples/published/tripod.prg"),
+        least: [200.0, 50.0],
+        stride: 205.0 * 0.6,
+        slip: 2.0,
+    },
+    Gait {
+        robot: "spotmicro",
+        program: include_str!("../../../../examples/published/trot-spotmicro.prg"),
+        least: [130.0, 35.0],
+        // Three times the way of a foot: the body is not to stop within a fifth of a second.
+        stride: 3.0 * 150.0 * 0.2,
+        slip: 8.0,
+    },
+    Gait {
+        robot: "a1",
+        program: include_str!("../../../../examples/published/trot-a1.prg"),
+        least: [370.0, 55.0],
+        stride: 400.0 * 0.28,
+        slip: 8.0,
+    },
+    Gait {
+        robot: "solo12",
+        program: include_str!("../../../../examples/published/trot-solo12.prg"),
+        least: [260.0, 55.0],
+        stride: 300.0 * 0.28,
+        slip: 8.0,
+    },
+    Gait {
+        robot: "titan8",
+        program: include_str!("../../../../examples/published/crawl-titan8.prg"),
+        least: [85.0, 5.0],
+        stride: 90.0 * 2.76,
+        slip: 5.0,
+    },
+];
+
+impl Gait {
+    /// Returns a run with mass and events.
+    fn run(&self, events: &str) -> Run {
+        let robot = Robot::named(self.robot).expect("it has a name");
+        let robot = robot.with_plant(Plant::Dynamic);
+        let program = load("walk.prg", self.program, &robot).expect("it loads");
+        let run = Run::new(program, robot).expect("it was checked for it");
+        run.events(events).expect("the robot has sticks")
+    }
+
+    /// Returns the cycle of a time, s.
+    fn at(&self, seconds: f64) -> u64 {
+        let period = match self.robot {
+            "a1" | "solo12" => 0.01,
+            _ => 0.02,
+        };
+        (seconds / period).round() as u64
+    }
+}
+
+/// Runs until a cycle.
+fn until(run: &mut Run, cycle: u64) {
+    while run.cycles() < cycle && run.ending().is_none() {
+        run.cycle();
+    }
+}
+
+const REST: &str = "0:VR1=5, 0:VR2=5, 0:VR3=5";
+
+/// The speeds that examples/published/README.md states, over whole strides of a crawl; and after the stick is let go, the robot
+/// stands within one stride.
 #[test]
-fn quadrupeds_crawl_with_mass_and_without() {
-    let crawl = include_str!("../../../../examples/published/crawl.prg");
-    for name in ["a1", "solo12", "spotmicro"] {
-        for plant in [Plant::Simulated, Plant::Dynamic] {
-            // Four strides of 50 mm.
-            let gone = goes(name, plant, crawl);
-            assert!((195.0..205.0).contains(&gone), "{name} {plant:?}: {gone}");
+fn gaits_walk_and_turn_as_fast_as_stated_and_stop_within_a_stride() {
+    for gait in &GAITS {
+        let at = |seconds| gait.at(seconds);
+        let window = 2.76;
+        for (stick, least) in (1..).zip(gait.least) {
+            let (begin, end) = (at(4.0), at(10.0));
+            let events = format!(
+                "{REST}, {begin}:VR{stick}=10, {end}:VR{stick}=5, {}:halt",
+                at(16.0)
+            );
+            let mut run = gait.run(&events);
+            until(&mut run, at(10.0 - window));
+            let from = run.travel().expect("it walks");
+            until(&mut run, end);
+            let to = run.travel().expect("it walks");
+            let way = match stick {
+                1 => to.y - from.y,
+                _ => to.turn - from.turn,
+            };
+            let speed = way / window;
+            assert!(speed >= least, "{}: VR{stick} {speed}", gait.robot);
+            let ending = run.to_end(Limit::cycles(at(60.0)));
+            assert_eq!(ending, Ending::Program(End::Exit), "{}", gait.robot);
+            let motion = run.motion().expect("it walks");
+            assert_eq!(motion.falls, 0, "{}", gait.robot);
+            let slid = motion.travel.y - to.y;
+            assert!(stick != 1 || slid <= gait.stride, "{}: {slid}", gait.robot);
         }
     }
 }
 
+/// Sticks that a seed moves, for 20 s. tests/external/gaits has ten minutes.
 #[test]
-fn a_phantomx_walks_on_two_tripods_with_mass_and_without() {
-    let tripod = include_str!("../../../../examples/published/tripod.prg");
-    for plant in [Plant::Simulated, Plant::Dynamic] {
-        // Half a step, ten whole ones and half a step, each of 50 mm.
-        let gone = goes("phantomx", plant, tripod);
-        assert!((545.0..555.0).contains(&gone), "{plant:?}: {gone}");
+fn gaits_do_not_fall_whatever_the_sticks_say() {
+    for gait in &GAITS {
+        let mut seed = 49_u32;
+        let mut below = |count: u32| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (seed >> 16) % count
+        };
+        let (mut events, mut time) = (REST.to_owned(), 4.0);
+        while time < 24.0 {
+            for stick in 1..=3 {
+                let volts = [5, 5, 0, 10, below(11), below(11)][below(6) as usize];
+                events += &format!(", {}:VR{stick}={volts}", gait.at(time));
+            }
+            time += f64::from(20 + below(200)) / 100.0;
+        }
+        events += &format!(", {}:halt", gait.at(time));
+        let mut run = gait.run(&events);
+        let ending = run.to_end(Limit::cycles(gait.at(time + 30.0)));
+        assert_eq!(ending, Ending::Program(End::Exit), "{}", gait.robot);
+        let motion = run.motion().expect("it walks");
+        assert_eq!(motion.falls, 0, "{}", gait.robot);
+        assert!(motion.slip <= gait.slip, "{}: {}", gait.robot, motion.slip);
     }
 }
 
+/// The impulses that examples/published/README.md states, for 0.2 s from the side while the robot walks.
 #[test]
-fn an_a1_trots_with_its_mass() {
-    let trot = include_str!("../../../../examples/published/trot.prg");
-    // Half a swing, sixteen whole ones and half a swing of 30 mm, of which the feet slip away a fifth at most.
-    let gone = goes("a1", Plant::Dynamic, trot);
-    assert!((408.0..510.0).contains(&gone), "{gone}");
+fn gaits_stand_a_push() {
+    for (gait, force) in GAITS.iter().zip([100, 15, 30, 15, 100]) {
+        let cycles = gait.at(0.2);
+        let events = format!(
+            "{REST}, {}:VR1=10, {}:push {force} 0 0 for {cycles}, {}:halt",
+            gait.at(4.0),
+            gait.at(7.0),
+            gait.at(10.0)
+        );
+        let mut run = gait.run(&events);
+        let ending = run.to_end(Limit::cycles(gait.at(40.0)));
+        assert_eq!(ending, Ending::Program(End::Exit), "{}", gait.robot);
+        assert_eq!(
+            run.motion().map(|motion| motion.falls),
+            Some(0),
+            "{}",
+            gait.robot
+        );
+    }
+}
+
+/// Inputs without sticks read 0 V. W walks ahead, another key stops.
+#[test]
+fn keys_steer_a_robot_without_sticks() {
+    let gait = &GAITS[0];
+    let mut run = gait.run("100:key W, 300:key 0x20, 400:halt");
+    let ending = run.to_end(Limit::cycles(1000));
+    assert_eq!(ending, Ending::Program(End::Exit));
+    let travel = run.travel().expect("it walks");
+    // 200 cycles of 20 ms at 205 mm/s.
+    assert!((700.0..900.0).contains(&travel.y), "{travel:?}");
 }
 
 /// The greatest distance of a TriFinger's fingertips from their circles, and from the planes of these: mm.

@@ -1,6 +1,7 @@
 // What one does to a robot that runs: keys, knobs, halt, emergency stop.
 
 import { element, make } from './dom.js';
+import { sticks } from './sticks.js';
 import { label, whenSpoken, word } from './words.js';
 
 /** The highest reading of an input: V. */
@@ -48,10 +49,12 @@ export function controls(requests, recording) {
     keys.value = '';
   });
   whenSpoken(() => (keys.placeholder = word('typeHere')));
+  const stick = sticks(happen, recording);
   let knobs = [];
   /** Those of a robot, once it runs. */
   const begin = () => {
     asked = false;
+    stick.begin();
     knobs = recording.inputs.map((name) => knob(name, happen));
     const isKnob = ({ name }) => name.startsWith('VR');
     element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));

@@ -17,6 +17,7 @@ export const LIVE_WORDS = {
   keyboard: ['Keyboard of the robot', 'ロボットのキーボード'],
   typeHere: ['Type here: keys', 'ここに入力: キー'],
   input: ['Input {0} in volts', '入力 {0} (V)'],
+  stick: ['Stick: up and down VR1, left and right VR2; also arrows and W A S D, and Q E for VR3', 'スティック: 上下がVR1、左右がVR2。矢印キーとW A S D、VR3はQ Eでも動かせます'],
   otherInputs: ['Other inputs', 'その他の入力'],
   controls: ['Controls', '操作'],
   runAgain: ['Run again', 'もう一度実行'],

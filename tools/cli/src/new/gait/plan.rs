@@ -1,0 +1,549 @@
+//! The numbers of a gait, derived from the geometry, the joint limits and the speed of the servos.
+
+use crate::message::Making;
+use crate::new::gait::Kind;
+use crate::new::gait::reach::{
+    Stride, Twist, angles, centre_of_mass, fastest_joint, largest, left_behind, margin, size,
+};
+use tip_runtime::command::Target;
+use tip_runtime::model::Point;
+use tip_runtime::plant::ServoDynamics;
+use tip_sim::RobotDescription;
+
+/// Share of the servos' speed that a gait uses. A trot keeps more for its balance.
+const SPEED_SHARE: f64 = 0.85;
+const TROT_SPEED_SHARE: f64 = 0.75;
+/// A crawl leaves some of it to the body's leaning.
+const CRAWL_SPEED_SHARE: f64 = 0.7;
+/// Share of the reach that a stride uses.
+const REACH_SHARE: f64 = 0.8;
+/// Least distance of the centre of mass from the edge of the support polygon, mm.
+const LEAST_MARGIN: f64 = 15.0;
+/// Slope that a gait is made for, deg.
+pub(super) const SLOPE: f64 = 5.0;
+/// Acceleration of gravity, m/s².
+const GRAVITY: f64 = 9.806_65;
+/// Coefficient of friction that gaits are made for.
+const FRICTION: f64 = 0.5;
+/// Half a stride of a trot, as a share of √(h / g): the body tips slowly for so long.
+const TROT_SHARE: f64 = 0.8;
+/// Largest velocities that are tried: mm/s, mm/s, deg/s.
+const FASTEST: Twist = [1000.0, 1000.0, 180.0];
+/// Reserves of a crawl's balance, relative to what a slope takes, the best first: a small robot cannot lean so far.
+const RESERVES: [f64; 2] = [1.5, 0.3];
+/// Time for which a program looks ahead at its feet, s.
+const LOOK_AHEAD: f64 = 0.3;
+/// Largest distance of a foot from its place that is tried, mm.
+const FARTHEST: f64 = 300.0;
+
+/// The constants of a gait, in the units of the program.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    pub(super) kind: Kind,
+    /// The legs that swing together, from 0, in order of their swings.
+    pub(super) groups: Vec<Vec<usize>>,
+    /// Places of the feet in the initial posture, mm.
+    pub(super) feet: Vec<Point>,
+    /// ms
+    pub(super) swing: f64,
+    /// Time with all feet on the floor, or for the body to lean to the other side, ms.
+    pub(super) pause: f64,
+    /// mm
+    pub(super) lift: f64,
+    /// ms
+    pub(super) delay: f64,
+    /// Share of the way to the middle of the feet that stand.
+    pub(super) sway: f64,
+    /// mm
+    pub(super) reach: f64,
+    /// Distances ahead that are as far as 1 mm to the side, and as 1 deg: mm.
+    pub(super) weight: [f64; 2],
+    /// mm
+    pub(super) lean: f64,
+    /// mm
+    pub(super) raise: f64,
+    /// mm
+    pub(super) lower: f64,
+    pub(super) top: Twist,
+    /// Control cycle, ms.
+    pub(super) cycle: f64,
+    /// Time in which every foot swings once, s.
+    pub(super) stride: f64,
+}
+
+impl Plan {
+    /// Derives the gait of a robot.
+    ///
+    /// # Errors
+    /// The reason why the robot cannot walk so.
+    pub(super) fn derive(anatomy: &RobotDescription, kind: Kind) -> Result<Self, Making> {
+        let legs = anatomy.legs.len();
+        let groups = groups(anatomy, kind)?;
+        let cycle = anatomy.standards.period;
+        let stance = Stance::of(anatomy, legs)?;
+        let height = -stance.homes[0][2];
+        let speed_share = match kind {
+            Kind::Trot => TROT_SPEED_SHARE,
+            Kind::Crawl => CRAWL_SPEED_SHARE,
+            _ => SPEED_SHARE,
+        };
+        let limit = speed_share * ServoDynamics::default().speed;
+        let sway = match kind {
+            Kind::Crawl => stance.sway(legs)?,
+            _ => 0.0,
+        };
+        if kind != Kind::Trot {
+            stance.check_balance(&groups, sway)?;
+        }
+        let lean_to_side = sway * stance.widest() / (legs as f64 - 1.0);
+        let candidates = candidates(kind, cycle, height, lean_to_side);
+        let way = Way {
+            anatomy,
+            stance: &stance,
+            groups: &groups,
+            sway: lean_to_side,
+            lift: 0.0,
+            limit,
+            cycle,
+            kind,
+        };
+        let mut best: Option<(f64, f64, f64, f64)> = None;
+        for lift in lifts(kind, height) {
+            for &(swing, pause) in &candidates {
+                let ahead = Way { lift, ..way }.top(1, swing, pause);
+                // A shorter stride is steadier, and a higher step safer: others must be worth it.
+                let least = match best {
+                    Some((of, ..)) if of > lift => 1.3,
+                    _ => 1.06,
+                };
+                if best.is_none_or(|(.., fastest)| ahead > least * fastest) {
+                    best = Some((lift, swing, pause, ahead));
+                }
+            }
+        }
+        let best = best.filter(|best| best.3 >= 5.0);
+        let (lift, swing, pause, ahead) = best.ok_or(Making::OutOfReach)?;
+        let free = Way { lift, ..way };
+        let mut top = [free.top(0, swing, pause), ahead, free.top(2, swing, pause)];
+        if kind == Kind::Trot {
+            top[0] = top[0].min(ahead * stance.width_to_length());
+        }
+        let mut reach = free.reach();
+        if kind == Kind::Crawl {
+            // Feet that come near each other leave the body too little to stand on.
+            reach = reach.map(|way| way * (0.5 * stance.spacing() / reach[1]).min(1.0));
+        }
+        let standing = free.stance_time(swing, pause);
+        // At these speeds the body never waits for its feet.
+        let steady = |way: f64| match kind {
+            Kind::Tripod | Kind::Trot => f64::INFINITY,
+            Kind::Wave | Kind::Crawl => 0.85 * way / (standing / 2.0 + LOOK_AHEAD),
+        };
+        let top = [0, 1, 2].map(|axis: usize| top[axis].min(steady(reach[axis])));
+        let ramp = match kind {
+            Kind::Tripod | Kind::Trot => swing + pause,
+            Kind::Wave | Kind::Crawl => 500.0 * standing,
+        };
+        let grip = ahead / (0.15 * FRICTION * GRAVITY);
+        let round_to = |value: f64, step: f64| (value / step).floor() * step;
+        Ok(Plan {
+            kind,
+            feet: anatomy.feet.clone(),
+            swing,
+            pause,
+            lift,
+            delay: round_to(ramp.max(grip), 50.0) + 50.0,
+            sway: (sway * 100.0).round() / 100.0,
+            reach: round_to(0.9 * reach[1], 5.0),
+            weight: [
+                tenth(reach[1] / reach[0].max(1.0)),
+                tenth(reach[1] / reach[2].max(0.1)),
+            ],
+            lean: stance.lean,
+            raise: stance.raise,
+            lower: stance.lower(anatomy),
+            top: [
+                round_to(top[0], 5.0).max(1.0),
+                round_to(top[1], 5.0).max(5.0),
+                round_to(top[2], 1.0).max(1.0),
+            ],
+            groups,
+            cycle,
+            stride: standing + swing / 1000.0,
+        })
+    }
+
+    /// Returns the groups of the two feet beside that of a group of one, around the robot.
+    pub(super) fn beside(&self, group: usize) -> [usize; 2] {
+        let order = around(&self.feet);
+        let count = order.len();
+        let leg = self.groups[group][0];
+        let place = order.iter().position(|other| *other == leg).unwrap_or(0);
+        [count - 1, 1].map(|step| {
+            let beside = order[(place + step) % count];
+            let mut groups = self.groups.iter();
+            groups
+                .position(|group| group.contains(&beside))
+                .unwrap_or(0)
+        })
+    }
+
+    /// Returns the gait with all speeds slower by a factor, and a body that waits sooner for its feet.
+    pub(super) fn slower(&self, factor: f64) -> Self {
+        let mut slower = self.clone();
+        slower.reach = (self.reach * (1.0 + factor) / 2.0).floor();
+        if self.kind == Kind::Crawl {
+            slower.pause = (self.pause / factor / self.cycle).round() * self.cycle;
+        }
+        slower.top = self.top.map(|top| (top * factor).floor().max(1.0));
+        slower
+    }
+}
+
+/// Returns the name of the foot of a leg, from 0.
+pub(super) fn foot_name(leg: usize) -> String {
+    Target::Foot(u8::try_from(leg + 1).unwrap_or(u8::MAX)).to_string()
+}
+
+/// Rounds to a tenth.
+fn tenth(value: f64) -> f64 {
+    (value * 10.0).round() / 10.0
+}
+
+/// Returns the legs that swing together, in order.
+fn groups(anatomy: &RobotDescription, kind: Kind) -> Result<Vec<Vec<usize>>, Making> {
+    let legs = anatomy.legs.len();
+    if legs < 4 {
+        return Err(Making::TooFewLegs);
+    }
+    let feet = &anatomy.feet;
+    match kind {
+        Kind::Trot if legs != 4 => Err(Making::TrotNeedsFour),
+        Kind::Tripod if legs < 6 => Err(Making::TripodNeedsSix),
+        Kind::Trot | Kind::Tripod => {
+            let order = around(feet);
+            let every_other = |first: usize| {
+                let mut group: Vec<usize> = order.iter().skip(first).step_by(2).copied().collect();
+                group.sort_unstable();
+                group
+            };
+            let mut groups = vec![every_other(0), every_other(1)];
+            groups.sort();
+            Ok(groups)
+        }
+        Kind::Crawl | Kind::Wave => {
+            let middle = middle(feet);
+            let is_left = |leg: usize| feet[leg][0] < middle[0];
+            let mut order: Vec<usize> = (0..legs).collect();
+            order.sort_by(|a, b| {
+                let sides = is_left(*b).cmp(&is_left(*a));
+                sides.then(feet[*a][1].total_cmp(&feet[*b][1]))
+            });
+            Ok(order.into_iter().map(|leg| vec![leg]).collect())
+        }
+    }
+}
+
+/// Returns the middle of feet, mm.
+fn middle(feet: &[Point]) -> [f64; 2] {
+    let count = feet.len() as f64;
+    [0, 1].map(|axis| feet.iter().map(|foot| foot[axis]).sum::<f64>() / count)
+}
+
+/// Returns the legs in their order around the robot.
+fn around(feet: &[Point]) -> Vec<usize> {
+    let [x, y] = middle(feet);
+    let angle = |leg: usize| (feet[leg][1] - y).atan2(feet[leg][0] - x);
+    let mut order: Vec<usize> = (0..feet.len()).collect();
+    order.sort_by(|a, b| angle(*a).total_cmp(&angle(*b)));
+    order
+}
+
+/// Returns the times of swing and pause that are tried, ms, the shortest first.
+fn candidates(kind: Kind, cycle: f64, height: f64, lean: f64) -> Vec<(f64, f64)> {
+    let whole = |time: f64| (time / cycle).round().max(1.0) * cycle;
+    let both = whole(20.0);
+    match kind {
+        Kind::Trot => {
+            let half = 1000.0 * TROT_SHARE * (height / 1000.0 / GRAVITY).sqrt();
+            vec![(whole(half - both).max(2.0 * cycle), both)]
+        }
+        Kind::Tripod | Kind::Wave => {
+            let swings = (0..9).map(|n| whole(200.0 + 40.0 * f64::from(n)));
+            swings.map(|swing| (swing, both)).collect()
+        }
+        Kind::Crawl => {
+            // The body leans over and stops with 0.4 of what friction gives it.
+            let way = 2.0 * lean / 1000.0;
+            let time =
+                (std::f64::consts::PI.powi(2) * way / (2.0 * 0.4 * FRICTION * GRAVITY)).sqrt();
+            let shift = whole((1200.0 * time).max(500.0));
+            let swings = (0..6).map(|n| whole(240.0 + 80.0 * f64::from(n)));
+            swings.map(|swing| (swing, shift)).collect()
+        }
+    }
+}
+
+/// Returns the heights of steps that are tried, mm, the highest first.
+fn lifts(kind: Kind, height: f64) -> Vec<f64> {
+    let step = |share: f64| (share * height / 5.0).round() * 5.0;
+    match kind {
+        Kind::Trot => {
+            let highest = step(0.1).clamp(10.0, 40.0);
+            let lower = [5.0, 10.0].map(|less| highest - less);
+            let lower = lower.into_iter().filter(|lift| *lift >= 10.0);
+            std::iter::once(highest).chain(lower).collect()
+        }
+        // Without mass, feet up to 20 mm above the lowest one count as standing.
+        _ => vec![step(0.14).clamp(25.0, 40.0)],
+    }
+}
+
+/// How the robot stands before it walks.
+struct Stance {
+    /// Places of the feet, mm.
+    homes: Vec<Point>,
+    centre_of_mass: [f64; 2],
+    lean: f64,
+    raise: f64,
+    /// Distance of the belly from the floor, mm.
+    belly: f64,
+}
+
+impl Stance {
+    fn of(anatomy: &RobotDescription, legs: usize) -> Result<Self, Making> {
+        let feet = &anatomy.feet;
+        let floor = feet
+            .iter()
+            .map(|foot| foot[2])
+            .fold(f64::INFINITY, f64::min);
+        let leg = anatomy.legs.iter().map(|limb| {
+            limb.joints
+                .iter()
+                .map(|joint| size(joint.link))
+                .sum::<f64>()
+        });
+        let leg = leg.fold(0.0, f64::max);
+        let belly = anatomy.body.map_or(0.0, |body| body.z.min - floor);
+        // A robot that lies on its belly stands up first.
+        let wanted = (0.1 * leg - belly).max(0.0);
+        let raise = (wanted / 10.0).ceil() * 10.0;
+        let mean = feet.iter().map(|foot| foot[1]).sum::<f64>() / legs as f64;
+        let mut stance = Stance {
+            homes: feet.clone(),
+            centre_of_mass: [0.0; 2],
+            lean: 0.0,
+            raise,
+            belly: belly + raise,
+        };
+        // The legs move with their feet, and take the centre of mass along.
+        for _ in 0..3 {
+            let homes = feet
+                .iter()
+                .map(|[x, y, z]| [*x, y - stance.lean, z - raise]);
+            stance.homes = homes.collect();
+            let posture = stance.posture(anatomy).ok_or(Making::OutOfReach)?;
+            stance.centre_of_mass = centre_of_mass(anatomy, &posture);
+            stance.lean = (mean - stance.centre_of_mass[1]).round() + 0.0;
+        }
+        Ok(stance)
+    }
+
+    /// Returns the joint angles of all legs.
+    fn posture(&self, anatomy: &RobotDescription) -> Option<Vec<Vec<f64>>> {
+        let legs = anatomy.legs.iter().zip(&self.homes);
+        legs.map(|(limb, home)| angles(limb, *home, &limb.initial))
+            .collect()
+    }
+
+    /// Returns the points on the floor of the feet that stand while a group is in the air.
+    fn standing(&self, group: &[usize]) -> Vec<[f64; 2]> {
+        let all = self.homes.iter().enumerate();
+        let standing = all.filter(|(leg, _)| !group.contains(leg));
+        standing.map(|(_, home)| [home[0], home[1]]).collect()
+    }
+
+    /// Returns how far the body must lean to the middle of the other feet before one lifts.
+    fn sway(&self, legs: usize) -> Result<f64, Making> {
+        /// Shares that are tried.
+        const SHARES: [f64; 6] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
+        // A slope takes the centre of mass aside, and so do feet that are away from their places.
+        let slope = -self.homes[0][2] * SLOPE.to_radians().tan();
+        let share = RESERVES.into_iter().find_map(|reserve| {
+            let least = LEAST_MARGIN + reserve * slope;
+            let enough = |share: &f64| (0..legs).all(|leg| self.margin(&[leg], *share) >= least);
+            SHARES.into_iter().find(enough)
+        });
+        share.ok_or(Making::Falls)
+    }
+
+    /// Returns the margin with a group in the air.
+    fn margin(&self, group: &[usize], sway: f64) -> f64 {
+        let middle = middle(&self.homes);
+        let share = sway / (self.homes.len() as f64 - 1.0);
+        let [x, y] = [0, 1].map(|axis| {
+            let away: f64 = group
+                .iter()
+                .map(|leg| self.homes[*leg][axis] - middle[axis])
+                .sum();
+            self.centre_of_mass[axis] - share * away
+        });
+        margin(&self.standing(group), [x, y])
+    }
+
+    /// Checks that the robot can stand while each group is in the air.
+    fn check_balance(&self, groups: &[Vec<usize>], sway: f64) -> Result<(), Making> {
+        for group in groups {
+            let margin = self.margin(group, sway);
+            if margin < LEAST_MARGIN {
+                let names: Vec<String> = group.iter().map(|leg| foot_name(*leg)).collect();
+                return Err(Making::NoBalance {
+                    feet: names.join(" "),
+                    margin: margin.round(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the width over the length of the feet. Feet that move to the side take the line between two diagonal ones farther from
+    /// the centre of mass than feet that move ahead by the same way: by the inverse of it.
+    fn width_to_length(&self) -> f64 {
+        let middle = middle(&self.homes);
+        let [width, length] = [0, 1].map(|axis| {
+            let ways = self
+                .homes
+                .iter()
+                .map(|home| (home[axis] - middle[axis]).abs());
+            ways.sum::<f64>()
+        });
+        width / length.max(1.0)
+    }
+
+    /// Returns the distance between the first and the last feet, mm, for each row of them but one.
+    fn spacing(&self) -> f64 {
+        let places = self.homes.iter().map(|home| home[1]);
+        let last = places.clone().fold(f64::INFINITY, f64::min);
+        let first = places.fold(f64::NEG_INFINITY, f64::max);
+        (first - last) / (self.homes.len().div_ceil(2) as f64 - 1.0)
+    }
+
+    /// Returns the largest distance of a foot to the side of the middle, mm.
+    fn widest(&self) -> f64 {
+        let middle = middle(&self.homes);
+        let sides = self.homes.iter().map(|home| (home[0] - middle[0]).abs());
+        sides.fold(0.0, f64::max)
+    }
+
+    /// Returns the distance that the robot can sink, mm: to its belly, unless a joint ends before.
+    fn lower(&self, anatomy: &RobotDescription) -> f64 {
+        let reaches = |way: f64| {
+            let mut legs = anatomy.legs.iter().zip(&self.homes);
+            legs.all(|(limb, [x, y, z])| angles(limb, [*x, *y, z + way], &limb.initial).is_some())
+        };
+        let way = largest(self.belly.max(0.0) * 1.001, reaches);
+        (way - 2.0).max(0.0).floor()
+    }
+}
+
+/// What limits the speed of a gait.
+#[derive(Clone, Copy)]
+struct Way<'a> {
+    anatomy: &'a RobotDescription,
+    stance: &'a Stance,
+    groups: &'a [Vec<usize>],
+    /// Largest distance that the body leans to a side, mm.
+    sway: f64,
+    lift: f64,
+    /// Largest speed of a joint, deg/s.
+    limit: f64,
+    /// ms
+    cycle: f64,
+    kind: Kind,
+}
+
+impl Way<'_> {
+    /// Returns the time that a foot stands, s.
+    fn stance_time(&self, swing: f64, pause: f64) -> f64 {
+        let count = self.groups.len() as f64;
+        let time = match self.kind {
+            Kind::Crawl => {
+                let short = (pause / self.cycle / 3.0).floor() * self.cycle;
+                (count - 1.0) * (swing + short) + 2.0 * pause - short
+            }
+            _ => count * (swing + pause) - swing,
+        };
+        time / 1000.0
+    }
+
+    /// Returns the largest speed along an axis (0: right, 1: ahead, 2: turn): mm/s, deg/s.
+    fn top(&self, axis: usize, swing: f64, pause: f64) -> f64 {
+        let stride = Stride {
+            swing: swing / 1000.0,
+            stance: self.stance_time(swing, pause),
+            lift: self.lift,
+            cycle: self.cycle / 1000.0,
+        };
+        // A foot that landed when the body was slow stands for longer than half of its way behind its place.
+        let reserve = match self.kind {
+            Kind::Tripod | Kind::Trot => 1.0 / REACH_SHARE,
+            Kind::Wave | Kind::Crawl => 1.3 / REACH_SHARE,
+        };
+        largest(FASTEST[axis], |speed| {
+            let mut twist = [0.0; 3];
+            twist[axis] = speed;
+            let far = reserve * stride.stance / 2.0;
+            self.holds(twist, far)
+                && self.reaches(twist, far)
+                && fastest_joint(self.anatomy, &self.stance.homes, twist, stride)
+                    .is_some_and(|rate| rate <= self.limit)
+        })
+    }
+
+    /// Returns how far feet can be from their places: mm to the side, mm ahead, deg.
+    fn reach(&self) -> [f64; 3] {
+        [0, 1, 2].map(|axis| {
+            let most = if axis == 2 { 45.0 } else { FARTHEST };
+            largest(most, |way| {
+                let mut twist = [0.0; 3];
+                twist[axis] = way;
+                self.reaches(twist, 1.0)
+            })
+        })
+    }
+
+    /// Returns true if all feet reach where a velocity takes them in a time (s) after and before their places, on the floor and
+    /// lifted, however the body leans.
+    fn reaches(&self, twist: Twist, seconds: f64) -> bool {
+        let mut legs = self.anatomy.legs.iter().zip(&self.stance.homes);
+        legs.all(|(limb, home)| {
+            [-seconds, seconds].into_iter().all(|seconds| {
+                let [x, y, z] = left_behind(*home, twist, seconds);
+                [-self.sway, self.sway].into_iter().all(|sway| {
+                    [0.0, self.lift]
+                        .into_iter()
+                        .all(|lift| angles(limb, [x + sway, y, z + lift], &limb.initial).is_some())
+                })
+            })
+        })
+    }
+
+    /// Returns true if the robot stands safely on the feet of every group, as far behind as a velocity takes them in a time (s), and
+    /// as far ahead.
+    fn holds(&self, twist: Twist, seconds: f64) -> bool {
+        if self.kind == Kind::Trot || self.kind == Kind::Crawl {
+            return true;
+        }
+        self.groups.iter().all(|group| {
+            [-seconds, seconds].into_iter().all(|seconds| {
+                let homes = self.stance.homes.iter().enumerate();
+                let standing = homes.filter(|(leg, _)| !group.contains(leg));
+                let feet: Vec<[f64; 2]> = standing
+                    .map(|(_, home)| left_behind(*home, twist, seconds))
+                    .map(|[x, y, _]| [x, y])
+                    .collect();
+                margin(&feet, self.stance.centre_of_mass) >= LEAST_MARGIN
+            })
+        })
+    }
+}
