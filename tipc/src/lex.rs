@@ -26,7 +26,7 @@ pub enum Kind {
 /// A word or operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// Kind of the token.
+    /// Class of the token: word or operator.
     pub kind: Kind,
     /// Location in the source.
     pub span: Span,

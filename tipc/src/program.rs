@@ -244,7 +244,7 @@ pub enum Condition {
     },
     /// An event flag.
     Flag {
-        /// Which one.
+        /// The flag that is read.
         flag: Flag,
         /// `!` precedes it.
         negated: bool,
@@ -256,7 +256,7 @@ pub enum Condition {
 pub enum ScalarExpression {
     /// `a`
     Operand(Operand),
-    /// `a + b` and its like.
+    /// An operator and two scalars: `a + b`.
     Binary {
         /// The left operand.
         left: Operand,
@@ -267,7 +267,7 @@ pub enum ScalarExpression {
     },
     /// A function of one scalar.
     Function {
-        /// Which one.
+        /// The function that is evaluated.
         function: Function,
         /// Its operand.
         operand: Operand,
@@ -288,7 +288,7 @@ pub enum ScalarExpression {
 pub enum StructExpression {
     /// `a`
     Copy(StructOperand),
-    /// `a + b` and its like, member by member.
+    /// An operator and two structures, member by member: `a + b`.
     Binary {
         /// The left operand.
         left: StructOperand,
@@ -299,7 +299,7 @@ pub enum StructExpression {
     },
     /// `UNIT_VECT p`
     UnitVect(StructOperand),
-    /// `ROT_X p angle` and its like.
+    /// A rotation about an axis: `ROT_X p angle`.
     Rotate {
         /// The axis.
         axis: Axis,
@@ -420,7 +420,7 @@ pub enum Action {
     Finish(End),
     /// A command of the robot.
     Command {
-        /// Which one.
+        /// The command that the controller carries out.
         op: Op,
         /// `HS` follows its name.
         hs: bool,
@@ -572,7 +572,7 @@ pub enum MessagePart {
     Text(String),
     /// A value.
     Value {
-        /// Which one; without sign.
+        /// The scalar that is printed, without sign.
         operand: Operand,
         /// Digits after the point, 0…7; 0 truncates.
         decimals: u8,

@@ -168,7 +168,7 @@ pub struct Equation {
 pub enum Expression {
     /// `a`
     Operand(Operand),
-    /// `a + b` and its like.
+    /// An operator and two operands: `a + b`.
     Binary {
         /// The left operand.
         left: Operand,
@@ -336,7 +336,7 @@ pub enum StatementKind {
     Subroutine {
         /// The command word.
         keyword: Span,
-        /// The name.
+        /// The declared name, without colon.
         name: Word,
     },
     /// `SUBEND`
@@ -345,7 +345,7 @@ pub enum StatementKind {
     Thread {
         /// The command word.
         keyword: Span,
-        /// The name.
+        /// The declared name, without colon.
         name: Word,
     },
     /// `THREADEND`

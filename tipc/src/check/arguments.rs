@@ -346,7 +346,7 @@ fn cut_short(word: &str, edition: Edition) -> Option<&'static str> {
     longer.next().filter(|_| longer.next().is_none())
 }
 
-/// Returns the command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.
+/// Returns the command that a word begins with, if an argument follows it without a space: `SLEEP100`, `PTPF1`.
 fn glued(word: &str, edition: Edition) -> Option<&'static str> {
     let is_argument = |rest: &str| {
         let is_number = !rest.is_empty() && rest.bytes().all(|it| it.is_ascii_digit());

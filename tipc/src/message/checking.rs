@@ -12,7 +12,7 @@ messages! {
     /// Messages about commands.
     Commanding;
 
-    // Which command.
+    // Unknown commands, and commands of other robots.
     RobotLacks { robot: &'static str, command: &'static str } ["E204-02"]
         "{robot} has no {command}",
         "{robot}に{command}はありません";

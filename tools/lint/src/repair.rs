@@ -145,7 +145,7 @@ struct Accepted {
 }
 
 impl Repair<'_> {
-    /// Applies what can be applied at once; whether there was anything.
+    /// Applies the fixes that go together. Returns true if there were any.
     fn round(&mut self) -> bool {
         let candidates = self.candidates(&HashSet::new());
         let mut accepted = None;
@@ -314,7 +314,7 @@ fn news(before: &Loaded, after: &Loaded, fixed: &[usize], edits: &[&Edit]) -> Ve
     let mut new: Vec<_> = found
         .filter(|(_, diagnostic)| seen.would_show(diagnostic))
         .collect();
-    // What stands where it stood comes first: its like elsewhere may be new.
+    // A diagnostic that stands where it stood comes first: an equal one elsewhere may be new.
     new.retain(|(_, diagnostic)| {
         let stays = takes(&mut here, &(key(diagnostic), diagnostic.span.start));
         !(stays && takes(&mut anywhere, &key(diagnostic)))

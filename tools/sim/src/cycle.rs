@@ -9,7 +9,7 @@ use tip_runtime::program::{Program, THREADS};
 use tip_runtime::record::{self, Sink, state_hash};
 
 /// One control cycle. Where several steps ran in it, it has the last one of the main program, and the effects of all.
-/// Where [`step`](Self::step) is none and no thread had a turn, no step ran to its end, and what a step does is empty.
+/// Without a [`step`](Self::step) and a thread that had a turn, no step ran to its end, and the fields of effects are empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
     /// Its number, from 0.

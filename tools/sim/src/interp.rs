@@ -43,7 +43,7 @@ impl Position {
     }
 }
 
-/// What a step reads of the robot and of its timers.
+/// The inputs of a step: the robot and its timers.
 pub(crate) trait Sensed {
     fn flag(&self, flag: Flag) -> bool;
     fn reading(&self, reading: Reading) -> Result<[f64; MAX], Fault>;

@@ -70,7 +70,7 @@ pub struct Recording {
 pub struct At<T> {
     /// The cycle.
     pub cycle: u64,
-    /// The value.
+    /// The recorded value.
     pub what: T,
 }
 
@@ -157,7 +157,7 @@ pub struct ObjectPose {
 pub struct Assigned {
     /// Its place among [`Script::scalars`].
     pub scalar: usize,
-    /// The value.
+    /// The value that was assigned.
     pub value: f64,
 }
 

@@ -429,7 +429,7 @@ impl<const J: usize> PosturePath<J> {
 }
 
 /// Pieces of a line are no longer than this share of it.
-const LONGEST: f64 = 1.0 / 32.0;
+const MAX_PIECE: f64 = 1.0 / 32.0;
 
 /// Nor shorter than this.
 const SHORTEST: f64 = 1.0 / 16384.0;
@@ -475,7 +475,7 @@ impl<const J: usize> Trial<J> {
             guide,
             angles: from,
             gone: 0.0,
-            piece: LONGEST,
+            piece: MAX_PIECE,
             pieces: 0,
         }
     }
@@ -499,7 +499,7 @@ impl<const J: usize> Trial<J> {
             Some(_) if next >= 1.0 => return TrialResult::Leads(self.guide),
             Some(turned) => {
                 (self.angles, self.gone) = (turned, next);
-                self.piece = (self.piece * 2.0).min(LONGEST);
+                self.piece = (self.piece * 2.0).min(MAX_PIECE);
             }
             None => self.piece /= 2.0,
         }
@@ -640,7 +640,7 @@ mod tests {
 
     /// Cycles that a search takes at most: 18 postures, 60 steps of bending, twice 4 postures more; a line of
     /// 400 pieces each, 9 solutions before.
-    const LONGEST: usize = (18 * 414 + 60 + 2 * 4 * 414) / A_CYCLE + 1;
+    const MAX_CYCLES: usize = (18 * 414 + 60 + 2 * 4 * 414) / A_CYCLE + 1;
 
     /// Returns the result of a search and its number of cycles; each is compared with as many steps.
     fn searched(
@@ -657,7 +657,7 @@ mod tests {
             axes: Inverse::Planar.axes(),
         };
         let mut search = Search::new(&point, start, (place, to), home);
-        for cycle in 1..=LONGEST {
+        for cycle in 1..=MAX_CYCLES {
             let mut stepped = search;
             let (mut pieces, mut steps) = (0, None);
             while pieces < A_CYCLE && steps.is_none() {

@@ -43,14 +43,14 @@ pub(super) fn overridden(context: &LintContext<'_>, found: &mut Diagnostics) {
 /// The main program or a thread.
 #[derive(Clone, Default)]
 struct Part {
-    /// What runs next.
+    /// The step that runs next.
     node: NodeId,
     calls: Vec<NodeId>,
     /// The cycles of SLEEP that are left.
     sleeps: Option<u64>,
 }
 
-/// What follows a step of a turn.
+/// The state of a turn after one of its steps.
 enum Turn {
     GoesOn,
     Ends,
