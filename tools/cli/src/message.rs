@@ -98,6 +98,9 @@ tipc::message_table! {
     NotACondition { text: String }
         "`{text}` is not a condition: write one of forward, speed, falls, margin, slip, rate, torque, energy, cost and lift, then < <= > >= or =, and a number, as in `speed<100`",
         "`{text}` は条件ではありません。forward、speed、falls、margin、slip、rate、torque、energy、cost、liftのどれか、< <= > >= = のどれか、数を `speed<100` のように書いてください";
+    NoCondition { text: String }
+        "`{text}` is not a condition: write the name of a column, one of < <= > >= or =, and a number, as in `falls=0`",
+        "`{text}` は条件ではありません。列の名前、< <= > >= = のどれか、数を `falls=0` のように書いてください";
     NoFigure { name: String }
         "the second run has no figure `{name}`: `tip compare` without --fail-if lists the figures that it has",
         "2番目の実行には `{name}` の値がありません。--fail-ifを付けない `tip compare` で値の一覧を見られます";
@@ -423,9 +426,15 @@ tipc::message_table! {
     Outstanding { result: Text, case: String, values: Text }
         "{result}: case {case}{values}",
         "{result}: ケース{case}{values}";
-    Walked { length: String }
-        "{length} mm forward",
-        "前へ{length} mm";
+    NoneRanked
+        "no run without a fall or an emergency stop meets the conditions",
+        "転倒も非常停止もせず条件を満たす実行はありません";
+    OnFront { count: String, all: String }
+        "{count} of {all} runs are on the Pareto front",
+        "{all}回中{count}回がパレート最適です";
+    Walked { speed: String }
+        "{speed} mm/s forward",
+        "前へ{speed} mm/s";
     Lifted { length: String }
         "object 1 lifted by {length} mm",
         "物体1を{length} mm持ち上げ";
