@@ -9,6 +9,7 @@ use crate::run::SummaryFormat;
 use crate::{Action, Status, output, report};
 use clap::Args;
 use serde::Serialize;
+use similar::TextDiff;
 use std::path::PathBuf;
 use tip_runtime::printable::Printable;
 use tip_sim::Summary;
@@ -105,7 +106,11 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
         }
     }
     output::print(match arguments.format {
-        SummaryFormat::Text => table(&runs, &rows, lang),
+        SummaryFormat::Text => {
+            let diff = program_diff(&runs);
+            let gap = if diff.is_empty() { "" } else { "\n" };
+            table(&runs, &rows, lang) + gap + &Printable::lines(diff).to_string()
+        }
         SummaryFormat::Json => json(&runs, &rows),
     })?;
     let held = (arguments.fail_if.iter()).filter(|condition| holds(condition, &rows));
@@ -120,6 +125,16 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
         status = Status::Fell;
     }
     Ok(status)
+}
+
+/// Returns the unified diff of the two programs, without context; empty if they are equal.
+fn program_diff(runs: &[Recording; 2]) -> String {
+    let [one, other] = runs.each_ref().map(|run| &run.script);
+    let diff = TextDiff::from_lines(&*one.text, &*other.text);
+    let mut diff = diff.unified_diff();
+    let names = [one, other].map(|script| Printable::line(&script.name).to_string());
+    let [from, to] = &names;
+    diff.context_radius(0).header(from, to).to_string()
 }
 
 /// The direction in which a figure is better.
@@ -302,11 +317,12 @@ struct Ended<'a> {
 struct Report<'a> {
     runs: Vec<Ended<'a>>,
     figures: &'a [Row],
+    diff: String,
 }
 
 /// Returns the table as a line of JSON.
 fn json(runs: &[Recording; 2], rows: &[Row]) -> String {
-    let runs = runs.iter().map(|run| Ended {
+    let ended = runs.iter().map(|run| Ended {
         file: &run.script.name,
         end: match &run.outcome {
             Outcome::Program(word) => word.clone(),
@@ -317,8 +333,9 @@ fn json(runs: &[Recording; 2], rows: &[Row]) -> String {
         summary: &run.summary,
     });
     let report = Report {
-        runs: runs.collect(),
+        runs: ended.collect(),
         figures: rows,
+        diff: program_diff(runs),
     };
     // No value of it can fail to be written.
     serde_json::to_string(&report).unwrap_or_default() + "\n"

@@ -83,7 +83,7 @@ pub(super) struct Sweep {
     seed: u64,
 
     /// The sampling of random values
-    #[arg(long, value_enum, default_value = "random")]
+    #[arg(long, value_enum, default_value = "random", hide_short_help = true)]
     sampling: SamplingName,
 
     /// The longest run
@@ -91,7 +91,12 @@ pub(super) struct Sweep {
     until: f64,
 
     /// Add last values of variables to the table
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "NAME,...",
+        value_delimiter = ',',
+        hide_short_help = true
+    )]
     record: Vec<String>,
 
     /// Rank the runs by a column: more is better
@@ -126,7 +131,13 @@ pub(super) struct Sweep {
     force: bool,
 
     /// The number of threads; else that of cores
-    #[arg(long, value_name = "N", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = positive,
+        allow_negative_numbers = true,
+        hide_short_help = true
+    )]
     jobs: Option<u64>,
 
     /// Print only errors
