@@ -98,9 +98,6 @@ tipc::message_table! {
     NotACondition { text: String }
         "`{text}` is not a condition: write one of forward, speed, falls, margin, slip, rate, torque, energy, cost and lift, then < <= > >= or =, and a number, as in `speed<100`",
         "`{text}` は条件ではありません。forward、speed、falls、margin、slip、rate、torque、energy、cost、liftのどれか、< <= > >= = のどれか、数を `speed<100` のように書いてください";
-    NoCondition { text: String }
-        "`{text}` is not a condition: write the name of a column, one of < <= > >= or =, and a number, as in `falls=0`",
-        "`{text}` は条件ではありません。列の名前、< <= > >= = のどれか、数を `falls=0` のように書いてください";
     NoFigure { name: String }
         "the second run has no figure `{name}`: `tip compare` without --fail-if lists the figures that it has",
         "2番目の実行には `{name}` の値がありません。--fail-ifを付けない `tip compare` で値の一覧を見られます";
@@ -110,7 +107,7 @@ tipc::message_table! {
     FallsAreElsewhere
         "--deny falls and --deny collisions need a built-in plant: falls and collisions of a process's robot are not counted",
         "--deny falls と --deny collisions を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒や干渉は数えられません";
-    NotAnAxis { reason: Message }
+    NotAnArgument { reason: Message }
         "{reason}",
         "{reason}";
     NotATime { text: String }

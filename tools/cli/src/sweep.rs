@@ -20,6 +20,7 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::{fmt, fs, thread};
@@ -29,8 +30,8 @@ pub(super) use table::{is_table, specification};
 use tip_runtime::plant::Simulation;
 use tip_runtime::printable::Printable;
 use tip_sweep::{
-    Axis, AxisError, Condition, Front, Goal, PlantSpec, Ranking, RobotSpec, Row, Sampling, Spec,
-    SweepError, Text,
+    ArgumentError, Axis, Condition, Front, Goal, PlantSpec, Ranking, RobotSpec, Row, Sampling,
+    Spec, SweepError, Text,
 };
 use tip_view::{DurationLimit, FrameRate, MAX_RUNS, Recording, SweepTable};
 use tipc::message::Lang;
@@ -71,7 +72,7 @@ pub(super) struct Sweep {
     /// Vary a quantity
     ///
     /// NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)
-    #[arg(long, value_name = "NAME=VALUES", value_parser = axis)]
+    #[arg(long, value_name = "NAME=VALUES", value_parser = argument::<Axis>)]
     vary: Vec<Axis>,
 
     /// Cases of each combination
@@ -112,7 +113,7 @@ pub(super) struct Sweep {
     /// Rank only the runs with such a number
     ///
     /// The name of a column, one of < <= > >= =, and a number
-    #[arg(long = "where", value_name = "CONDITION", value_parser = condition)]
+    #[arg(long = "where", value_name = "CONDITION", value_parser = argument::<Condition>)]
     conditions: Vec<Condition>,
 
     #[command(flatten)]
@@ -154,18 +155,11 @@ enum SamplingName {
     LatinHypercube,
 }
 
-/// Parses an axis.
-fn axis(text: &str) -> Result<Axis, Using> {
-    text.parse().map_err(|error: AxisError| {
+/// Parses an axis or a condition.
+fn argument<T: FromStr<Err = ArgumentError>>(text: &str) -> Result<T, Using> {
+    text.parse().map_err(|error: ArgumentError| {
         let reason = error.message();
-        Using::NotAnAxis { reason }
-    })
-}
-
-/// Parses a condition.
-fn condition(text: &str) -> Result<Condition, Using> {
-    text.parse().map_err(|_| Using::NoCondition {
-        text: text.to_owned(),
+        Using::NotAnArgument { reason }
     })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::columns::{Column, Kind, Row};
 use crate::error::{SweepError, Sweeping};
+use crate::spec::ArgumentError;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
@@ -83,9 +84,9 @@ impl Condition {
 }
 
 impl FromStr for Condition {
-    type Err = SweepError;
+    type Err = ArgumentError;
 
-    fn from_str(text: &str) -> Result<Self, SweepError> {
+    fn from_str(text: &str) -> Result<Self, ArgumentError> {
         let mut operators = Operator::ALL.iter();
         let parts = operators.find_map(|(symbol, operator)| {
             let (name, value) = text.split_once(symbol)?;
@@ -97,8 +98,9 @@ impl FromStr for Condition {
             let name = Some(name.trim()).filter(|name| !name.is_empty())?;
             Some((name.to_owned(), *operator, value))
         });
-        let (name, operator, value) = parts.ok_or_else(|| Sweeping::NotACondition {
-            text: text.to_owned(),
+        let (name, operator, value) = parts.ok_or_else(|| {
+            let text = text.to_owned();
+            ArgumentError(Sweeping::NotACondition { text })
         })?;
         Ok(Condition {
             name,
@@ -109,9 +111,9 @@ impl FromStr for Condition {
 }
 
 impl TryFrom<String> for Condition {
-    type Error = SweepError;
+    type Error = ArgumentError;
 
-    fn try_from(text: String) -> Result<Self, SweepError> {
+    fn try_from(text: String) -> Result<Self, ArgumentError> {
         text.parse()
     }
 }

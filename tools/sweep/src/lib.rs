@@ -16,7 +16,7 @@ pub use error::{SweepError, Texts};
 pub use goal::{Condition, Front, Goal, Operator, Ranking};
 pub use quantity::{Noise, Push, Quantity};
 pub use saved::Saved;
-pub use spec::{Axis, AxisError, PlantSpec, RobotSpec, Sampling, Spec, Text, Values};
+pub use spec::{ArgumentError, Axis, PlantSpec, RobotSpec, Sampling, Spec, Text, Values};
 pub use sweep::{Case, Sweep};
 
 use std::sync::Arc;
