@@ -43,7 +43,7 @@ use tipc::message::Lang;
   tip sweep walk.prg --plant dynamic --vary push.x=0..40/20 --until 5s -o pushed.csv
   tip sweep grasp.prg --robot hand --scene scene.toml --vary scene.object.1.friction=0.3,0.6 -o grasps.csv
   tip sweep walk.prg --vary STRIDE=160..240/20 -o strides.csv --resume
-  tip sweep walk.prg --vary SPEED=200..400/50 --maximize speed --minimize slip --where 'least_margin>20' -o runs.csv
+  tip sweep walk.prg --vary SPEED=200..400/50 --maximize speed --maximize least_margin --where 'slip<5' -o runs.csv
   tip view runs.csv                      the page of the table
   tip view runs.csv --case 3             the replay page of a run
 
