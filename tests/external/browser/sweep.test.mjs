@@ -68,6 +68,17 @@ for (const width of [1440, 390]) {
       for (const { text, y } of drawn.filter(({ text, y }) => text && y < 200)) assert.ok(y <= top - 4, `${text} at ${y}, lines from ${top}`);
     });
 
+    test('runs that failed and the best ones are marked in the table and in the plot', async () => {
+      const rows = await page.$$eval('tbody tr', (rows) => rows.map((row) => [row.className, row.cells[0].textContent]));
+      assert.deepEqual(rows, [['failed', '✕ 4'], ['failed', '✕ 3'], ['', '1'], ['best', '★ 2']]);
+      assert.equal(await page.textContent('#note'), '★ best by forward (more), falls=0  ✕ fell or stopped');
+      // Crosses are the only lines of the plot.
+      const lines = await page.evaluate(() => window.drawn.filter(({ id, text }) => id === 'scatter' && !text).length);
+      const draws = await page.evaluate(() => window.drawn.filter(({ id, text }) => id === 'scatter' && text === 'forward [mm]').length);
+      assert.equal(lines, draws * 2 * 2);
+      assert.equal(await page.$eval('#sy option:checked', (option) => option.textContent), 'forward [mm]');
+    });
+
     test('only the plot scrolls sideways, not the page', async () => {
       const [page1, plot] = await page.evaluate(() => [document.documentElement, document.querySelector('.sideways')].map((part) => part.scrollWidth > part.clientWidth));
       assert.deepEqual([page1, plot], [false, width < 1000]);

@@ -9,11 +9,11 @@ use crate::run::SummaryFormat;
 use crate::{Action, Status, output, report};
 use clap::Args;
 use serde::Serialize;
-use std::fmt;
+use similar::TextDiff;
 use std::path::PathBuf;
-use std::str::FromStr;
 use tip_runtime::printable::Printable;
 use tip_sim::Summary;
+use tip_sweep::Condition;
 use tip_view::{Outcome, Recording};
 use tipc::message::Lang;
 
@@ -46,7 +46,7 @@ pub(super) struct Compare {
     /// Exit with status 4 if a figure of OTHER is so
     ///
     /// A name, one of < <= > >= =, and a number
-    #[arg(long, value_name = "CONDITION")]
+    #[arg(long, value_name = "CONDITION", value_parser = condition)]
     fail_if: Vec<Condition>,
 
     /// The table: text or json
@@ -101,15 +101,19 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
             .iter()
             .any(|row| row.name == condition.name && row.other.is_some())
         {
-            let name = condition.name.to_owned();
+            let name = condition.name.clone();
             return Err(Error::usage(Using::NoFigure { name }, lang));
         }
     }
     output::print(match arguments.format {
-        SummaryFormat::Text => table(&runs, &rows, lang),
+        SummaryFormat::Text => {
+            let diff = program_diff(&runs);
+            let gap = if diff.is_empty() { "" } else { "\n" };
+            table(&runs, &rows, lang) + gap + &Printable::lines(diff).to_string()
+        }
         SummaryFormat::Json => json(&runs, &rows),
     })?;
-    let held = (arguments.fail_if.iter()).filter(|condition| condition.holds(&rows));
+    let held = (arguments.fail_if.iter()).filter(|condition| holds(condition, &rows));
     let mut status = Status::Success;
     for condition in held {
         report::say(
@@ -121,6 +125,16 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
         status = Status::Fell;
     }
     Ok(status)
+}
+
+/// Returns the unified diff of the two programs, without context; empty if they are equal.
+fn program_diff(runs: &[Recording; 2]) -> String {
+    let [one, other] = runs.each_ref().map(|run| &run.script);
+    let diff = TextDiff::from_lines(&*one.text, &*other.text);
+    let mut diff = diff.unified_diff();
+    let names = [one, other].map(|script| Printable::line(&script.name).to_string());
+    let [from, to] = &names;
+    diff.context_radius(0).header(from, to).to_string()
 }
 
 /// The direction in which a figure is better.
@@ -192,62 +206,20 @@ fn rows(one: &Summary, other: &Summary) -> Vec<Row> {
     rows.collect()
 }
 
-/// A condition of `--fail-if`.
-#[derive(Clone, Debug)]
-struct Condition {
-    name: &'static str,
-    operator: &'static str,
-    value: f64,
+/// Parses a condition on one of the figures.
+fn condition(text: &str) -> Result<Condition, Using> {
+    let parsed = text.parse::<Condition>().ok();
+    let is_known = |condition: &Condition| FIGURES.iter().any(|(name, _)| *name == condition.name);
+    parsed.filter(is_known).ok_or_else(|| Using::NotACondition {
+        text: text.to_owned(),
+    })
 }
 
-/// The operators, longer ones first.
-const OPERATORS: [&str; 5] = ["<=", ">=", "<", ">", "="];
-
-impl FromStr for Condition {
-    type Err = Using;
-
-    fn from_str(text: &str) -> Result<Self, Using> {
-        let refused = || Using::NotACondition {
-            text: text.to_owned(),
-        };
-        let mut found = OPERATORS.iter().filter_map(|operator| {
-            let (name, value) = text.split_once(operator)?;
-            Some((name.trim(), *operator, value.trim()))
-        });
-        let (name, operator, value) = found.next().ok_or_else(refused)?;
-        let value = value.parse().ok().filter(|value: &f64| value.is_finite());
-        let name = FIGURES.iter().find(|(figure, _)| *figure == name);
-        let (Some((name, _)), Some(value)) = (name, value) else {
-            return Err(refused());
-        };
-        Ok(Condition {
-            name,
-            operator,
-            value,
-        })
-    }
-}
-
-impl fmt::Display for Condition {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}{}", self.name, self.operator, self.value)
-    }
-}
-
-impl Condition {
-    fn holds(&self, rows: &[Row]) -> bool {
-        let row = rows.iter().find(|row| row.name == self.name);
-        let Some(value) = row.and_then(|row| row.other) else {
-            return false;
-        };
-        match self.operator {
-            "<" => value < self.value,
-            "<=" => value <= self.value,
-            ">" => value > self.value,
-            ">=" => value >= self.value,
-            _ => value == self.value,
-        }
-    }
+/// Returns true if the condition holds for the second run.
+fn holds(condition: &Condition, rows: &[Row]) -> bool {
+    let row = rows.iter().find(|row| row.name == condition.name);
+    let value = row.and_then(|row| row.other);
+    value.is_some_and(|value| condition.holds(value))
 }
 
 fn decimals(name: &str) -> usize {
@@ -345,11 +317,12 @@ struct Ended<'a> {
 struct Report<'a> {
     runs: Vec<Ended<'a>>,
     figures: &'a [Row],
+    diff: String,
 }
 
 /// Returns the table as a line of JSON.
 fn json(runs: &[Recording; 2], rows: &[Row]) -> String {
-    let runs = runs.iter().map(|run| Ended {
+    let ended = runs.iter().map(|run| Ended {
         file: &run.script.name,
         end: match &run.outcome {
             Outcome::Program(word) => word.clone(),
@@ -360,8 +333,9 @@ fn json(runs: &[Recording; 2], rows: &[Row]) -> String {
         summary: &run.summary,
     });
     let report = Report {
-        runs: runs.collect(),
+        runs: ended.collect(),
         figures: rows,
+        diff: program_diff(runs),
     };
     // No value of it can fail to be written.
     serde_json::to_string(&report).unwrap_or_default() + "\n"

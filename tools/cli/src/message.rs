@@ -107,7 +107,7 @@ tipc::message_table! {
     FallsAreElsewhere
         "--deny falls and --deny collisions need a built-in plant: falls and collisions of a process's robot are not counted",
         "--deny falls と --deny collisions を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒や干渉は数えられません";
-    NotAnAxis { reason: Message }
+    NotAnArgument { reason: Message }
         "{reason}",
         "{reason}";
     NotATime { text: String }
@@ -435,9 +435,15 @@ tipc::message_table! {
     Outstanding { result: Text, case: String, values: Text }
         "{result}: case {case}{values}",
         "{result}: ケース{case}{values}";
-    Walked { length: String }
-        "{length} mm forward",
-        "前へ{length} mm";
+    NoneRanked
+        "no run without a fall or an emergency stop meets the conditions",
+        "転倒も非常停止もせず条件を満たす実行はありません";
+    OnFront { count: String, all: String }
+        "{count} of {all} runs are on the Pareto front",
+        "{all}回中{count}回がパレート最適です";
+    Walked { speed: String }
+        "{speed} mm/s forward",
+        "前へ{speed} mm/s";
     Lifted { length: String }
         "object 1 lifted by {length} mm",
         "物体1を{length} mm持ち上げ";

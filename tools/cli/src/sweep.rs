@@ -20,6 +20,7 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::{fmt, fs, thread};
@@ -28,7 +29,10 @@ use table::Table;
 pub(super) use table::{is_table, specification};
 use tip_runtime::plant::Simulation;
 use tip_runtime::printable::Printable;
-use tip_sweep::{Axis, AxisError, PlantSpec, RobotSpec, Row, Sampling, Spec, SweepError, Text};
+use tip_sweep::{
+    ArgumentError, Axis, Condition, Front, Goal, PlantSpec, Ranking, RobotSpec, Row, Sampling,
+    Spec, SweepError, Text,
+};
 use tip_view::{DurationLimit, FrameRate, MAX_RUNS, Recording, SweepTable};
 use tipc::message::Lang;
 
@@ -39,6 +43,7 @@ use tipc::message::Lang;
   tip sweep walk.prg --plant dynamic --vary push.x=0..40/20 --until 5s -o pushed.csv
   tip sweep grasp.prg --robot hand --scene scene.toml --vary scene.object.1.friction=0.3,0.6 -o grasps.csv
   tip sweep walk.prg --vary STRIDE=160..240/20 -o strides.csv --resume
+  tip sweep walk.prg --vary SPEED=200..400/50 --maximize speed --maximize least_margin --where 'slip<5' -o runs.csv
   tip view runs.csv                      the page of the table
   tip view runs.csv --case 3             the replay page of a run
 
@@ -49,6 +54,9 @@ Names of quantities:
   push.x, push.y, push.z          a force on a robot with mass, N; push.at and push.for are its start and duration, s (1 and 0.2)
   noise.angle, noise.sole         standard deviations of measured joint angles (deg) and soles (V)
   sensor.VR1                      the reading of an input, V
+
+Goals and conditions name columns of the table; without a goal a walking robot is ranked by speed. A run that fell or
+stopped is never ranked. With --resume other goals rank a table that is complete.
 
 Lists and ranges are combined with one another; --repeat is the number of cases of each combination. Random values
 differ from case to case and depend on --seed and the number of the case alone: a table is the same with
@@ -64,7 +72,7 @@ pub(super) struct Sweep {
     /// Vary a quantity
     ///
     /// NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)
-    #[arg(long, value_name = "NAME=VALUES", value_parser = axis)]
+    #[arg(long, value_name = "NAME=VALUES", value_parser = argument::<Axis>)]
     vary: Vec<Axis>,
 
     /// Cases of each combination
@@ -76,7 +84,7 @@ pub(super) struct Sweep {
     seed: u64,
 
     /// The sampling of random values
-    #[arg(long, value_enum, default_value = "random")]
+    #[arg(long, value_enum, default_value = "random", hide_short_help = true)]
     sampling: SamplingName,
 
     /// The longest run
@@ -84,8 +92,29 @@ pub(super) struct Sweep {
     until: f64,
 
     /// Add last values of variables to the table
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "NAME,...",
+        value_delimiter = ',',
+        hide_short_help = true
+    )]
     record: Vec<String>,
+
+    /// Rank the runs by a column: more is better
+    ///
+    /// Several goals give the Pareto front
+    #[arg(long, value_name = "NAME")]
+    maximize: Vec<String>,
+
+    /// Rank the runs by a column: less is better
+    #[arg(long, value_name = "NAME")]
+    minimize: Vec<String>,
+
+    /// Rank only the runs with such a number
+    ///
+    /// The name of a column, one of < <= > >= =, and a number
+    #[arg(long = "where", value_name = "CONDITION", value_parser = argument::<Condition>)]
+    conditions: Vec<Condition>,
 
     #[command(flatten)]
     deny: Deny,
@@ -103,7 +132,13 @@ pub(super) struct Sweep {
     force: bool,
 
     /// The number of threads; else that of cores
-    #[arg(long, value_name = "N", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = positive,
+        allow_negative_numbers = true,
+        hide_short_help = true
+    )]
     jobs: Option<u64>,
 
     /// Print only errors
@@ -120,11 +155,11 @@ enum SamplingName {
     LatinHypercube,
 }
 
-/// Parses an axis.
-fn axis(text: &str) -> Result<Axis, Using> {
-    text.parse().map_err(|error: AxisError| {
+/// Parses an axis or a condition.
+fn argument<T: FromStr<Err = ArgumentError>>(text: &str) -> Result<T, Using> {
+    text.parse().map_err(|error: ArgumentError| {
         let reason = error.message();
-        Using::NotAnAxis { reason }
+        Using::NotAnArgument { reason }
     })
 }
 
@@ -184,16 +219,18 @@ fn sweep(arguments: &Sweep) -> Result<Status, Error> {
         let axis = axis.to_owned();
         report::say(Sweeping::Idle { axis }, lang);
     }
+    let ranking = arguments.ranking().of(sweep.columns()).map_err(usage)?;
     let (mut table, mut summary) = match input::is_stream(&arguments.out) {
         true if arguments.resume => {
             return Err(Error::usage(Using::ResumesNothing, lang));
         }
-        true => (Table::Stream, Summary::default()),
+        true => (Table::Stream, Summary::new(ranking)),
         false => {
             output::refuse_inputs(&arguments.out, &run.files())?;
             Table::open(
                 &arguments.out,
                 &sweep,
+                ranking,
                 arguments.resume,
                 arguments.force,
                 lang,
@@ -211,7 +248,7 @@ fn sweep(arguments: &Sweep) -> Result<Status, Error> {
     interrupt::hold();
     let complete = summary.runs == work.cases;
     if complete {
-        table.finish()?;
+        table.finish(&sweep, summary.ranking(), lang)?;
     }
     let name = Printable::line(arguments.out.display()).to_string();
     if !arguments.quiet {
@@ -247,6 +284,15 @@ fn sweep(arguments: &Sweep) -> Result<Status, Error> {
 }
 
 impl Sweep {
+    fn ranking(&self) -> Ranking {
+        let goals = self.maximize.iter().cloned().map(Goal::Maximize);
+        let goals = goals.chain(self.minimize.iter().cloned().map(Goal::Minimize));
+        Ranking {
+            goals: goals.collect(),
+            conditions: self.conditions.clone(),
+        }
+    }
+
     /// Returns the specification of the sweep of a loaded program.
     fn spec(&self, subject: &Subject) -> Result<Spec, Error> {
         let inputs = &self.run.inputs;
@@ -490,18 +536,23 @@ impl Work {
     }
 }
 
-/// Reads the specification of a table.
-fn specified(table: &Path, lang: Lang) -> Result<tip_sweep::Sweep, Error> {
-    let spec = table::saved(table, lang)?.spec;
-    tip_sweep::Sweep::new(spec).map_err(|error| Error::Usage(error.text(lang)))
+/// Reads the specification of a table, and how its runs are ranked.
+fn specified(table: &Path, lang: Lang) -> Result<(tip_sweep::Sweep, Ranking), Error> {
+    let usage = |error: SweepError| Error::Usage(error.text(lang));
+    let saved = table::saved(table, lang)?;
+    let sweep = tip_sweep::Sweep::new(saved.spec).map_err(usage)?;
+    let ranking = saved.ranking.of(sweep.columns()).map_err(usage)?;
+    Ok((sweep, ranking))
 }
 
 /// Returns the page of a table, and the number of its runs.
 pub(super) fn page(file: &Path, lang: Lang) -> Result<(String, u64), Error> {
-    let sweep = specified(file, lang)?;
+    let (sweep, ranking) = specified(file, lang)?;
+    let mut front = Front::new(ranking);
     let (mut runs, mut every) = (0, 1);
     let mut rows: Vec<Row> = Vec::new();
     table::rows(file, &sweep, lang, |row| {
+        front.add(&row);
         if runs % every == 0 {
             rows.push(row);
         }
@@ -511,11 +562,26 @@ pub(super) fn page(file: &Path, lang: Lang) -> Result<(String, u64), Error> {
             rows = std::mem::take(&mut rows).into_iter().step_by(2).collect();
         }
     })?;
+    let best = front.rows();
+    let is_best = |row: &Row| best.iter().any(|best| best.case() == row.case());
+    // The best ones are shown, whichever are left out.
+    let left_out = best
+        .iter()
+        .filter(|best| rows.iter().all(|row| row.case() != best.case()));
+    let left_out: Vec<Row> = left_out.map(|best| (*best).clone()).collect();
+    rows.extend(left_out);
     rows.sort_by(|one, other| one.outcome().order(&other.outcome()));
+    let kinds = rows.iter().map(|row| match row.has_failed() {
+        true => 'x',
+        false if is_best(row) => 'f',
+        false => '.',
+    });
     let name = input::name(file);
     let table = SweepTable {
         columns: &**sweep.columns(),
         rows: rows.iter().map(Row::cells).collect::<Vec<_>>(),
+        kinds: kinds.collect(),
+        ranking: front.ranking(),
         command: format!("tip view {}", quoted(&name)),
         every,
     };
@@ -528,7 +594,7 @@ pub(super) fn page(file: &Path, lang: Lang) -> Result<(String, u64), Error> {
 /// There is no such case, or the table belongs to another specification.
 pub(super) fn record(file: &Path, number: u64, lang: Lang) -> Result<Recording, Error> {
     interrupt::catch();
-    let sweep = specified(file, lang)?;
+    let (sweep, _) = specified(file, lang)?;
     if file.exists() {
         table::rows(file, &sweep, lang, drop)?;
     }

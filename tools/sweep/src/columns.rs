@@ -31,6 +31,7 @@ tipc::message_table! {
     Right "travel of the body to the right", "胴体の右への移動";
     Up "travel of the body upward", "胴体の上への移動";
     Turn "turn of the body to the left", "胴体の左への旋回";
+    Speed "travel of the body forward, divided by the time of the run", "胴体の前への移動を実行時間で割った値";
     Falls "number of falls", "転倒の回数";
     UprightFalls "number of these falls that left the body upright", "そのうち胴体が倒れなかった回数";
     FirstFall "time of the first fall", "最初の転倒の時刻";
@@ -42,6 +43,7 @@ tipc::message_table! {
     PeakSpeed "greatest speed of a joint", "関節の最大速度";
     PeakTorque "greatest torque of a joint", "関節の最大トルク";
     Energy "sum of |torque × rotation| over joints and cycles", "関節と周期にわたる|トルク×回転|の和";
+    Cost "cost of transport: energy, divided by the weight and the travel along the floor", "移動コスト: エネルギーを重量と床に沿った移動距離で割った値";
     ObjectX "x of the object", "物体のx";
     ObjectY "y of the object", "物体のy";
     ObjectAngle "angle of the object", "物体の角度";
@@ -109,6 +111,7 @@ pub(crate) enum Measure {
     Right,
     Up,
     Turn,
+    Speed,
     Falls,
     UprightFalls,
     FirstFall,
@@ -120,6 +123,7 @@ pub(crate) enum Measure {
     PeakSpeed,
     PeakTorque,
     Energy,
+    Cost,
     /// A number of an object under a hand, by the object's index.
     Object(usize, ObjectMeasure),
     /// A recorded scalar, by its index in `record`.
@@ -159,6 +163,7 @@ impl Measure {
             Measure::Right => ("right".to_owned(), "mm", Number, Meaning::Right),
             Measure::Up => ("up".to_owned(), "mm", Number, Meaning::Up),
             Measure::Turn => ("turn".to_owned(), "deg", Number, Meaning::Turn),
+            Measure::Speed => ("speed".to_owned(), "mm/s", Number, Meaning::Speed),
             Measure::Falls => ("falls".to_owned(), "", Count, Meaning::Falls),
             Measure::UprightFalls => {
                 let name = "upright_falls".to_owned();
@@ -176,6 +181,7 @@ impl Measure {
             Measure::PeakSpeed => ("peak_speed".to_owned(), "deg/s", Number, Meaning::PeakSpeed),
             Measure::PeakTorque => ("peak_torque".to_owned(), "N·m", Number, Meaning::PeakTorque),
             Measure::Energy => ("energy".to_owned(), "J", Number, Meaning::Energy),
+            Measure::Cost => ("cost".to_owned(), "", Number, Meaning::Cost),
             Measure::Object(_, ObjectMeasure::X) => (object("x"), "mm", Number, Meaning::ObjectX),
             Measure::Object(_, ObjectMeasure::Y) => (object("y"), "mm", Number, Meaning::ObjectY),
             Measure::Object(_, ObjectMeasure::Angle) => {
@@ -248,7 +254,7 @@ pub enum Outcome {
     Fell(f64),
     /// It stopped in an emergency after this time, s.
     Stopped(f64),
-    /// It travelled so far forward, mm.
+    /// It travelled forward at this speed, mm/s.
     Walked(f64),
     /// It lifted the first object so high, mm.
     Lifted(f64),
@@ -346,6 +352,22 @@ impl Row {
         self.end() == LIMIT
     }
 
+    /// Returns true if the robot fell or the run ended in an emergency stop: its numbers are no results.
+    pub fn has_failed(&self) -> bool {
+        self.has_fallen() || self.is_stopped()
+    }
+
+    /// Returns the number in the column of this name, NaN where it is missing; `None` if there is no such column of numbers.
+    pub fn named(&self, name: &str) -> Option<f64> {
+        let mut columns = self.columns.iter();
+        let index = columns.position(|column| column.name == name)?;
+        match self.cells.get(index)? {
+            Cell::Number(number) => Some(*number),
+            Cell::Count(count) => Some(*count as f64),
+            Cell::Text(_) => None,
+        }
+    }
+
     /// Returns the end of the run with the figure by which runs are compared.
     pub fn outcome(&self) -> Outcome {
         let object = Measure::Object(0, ObjectMeasure::Highest);
@@ -355,8 +377,8 @@ impl Row {
             Outcome::Fell(number(Measure::FirstFall).unwrap_or(missing))
         } else if self.is_stopped() {
             Outcome::Stopped(number(Measure::Time).unwrap_or(missing))
-        } else if let Some(forward) = number(Measure::Forward) {
-            Outcome::Walked(forward)
+        } else if let Some(speed) = number(Measure::Speed) {
+            Outcome::Walked(speed)
         } else {
             number(object).map_or(Outcome::Ended, Outcome::Lifted)
         }

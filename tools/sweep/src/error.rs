@@ -30,6 +30,12 @@ tipc::message_table! {
     UnknownVariable { name: String }
         "cannot record '{name}': this is not a variable of the program",
         "'{name}' を記録できません: プログラムの変数ではありません";
+    UnknownColumn { name: String, known: String }
+        "the table has no numbers `{name}`; it has {known}",
+        "表に数の列 `{name}` はありません。あるのは {known} です";
+    NotACondition { text: String }
+        "`{text}` is not a condition: write the name of a column, one of < <= > >= or =, and a number, as in `falls=0`",
+        "`{text}` は条件ではありません。列の名前、< <= > >= = のどれか、数を `falls=0` のように書いてください";
     NotAnInput { input: String }
         "'{input}' is not an input",
         "'{input}' は入力ではありません";

@@ -4,6 +4,7 @@
 
 mod columns;
 mod error;
+mod goal;
 mod measure;
 mod quantity;
 mod saved;
@@ -12,9 +13,10 @@ mod sweep;
 
 pub use columns::{Cell, Column, Kind, LIMIT, Meaning, Outcome, Row, Table};
 pub use error::{SweepError, Texts};
+pub use goal::{Condition, Front, Goal, Operator, Ranking};
 pub use quantity::{Noise, Push, Quantity};
 pub use saved::Saved;
-pub use spec::{Axis, AxisError, PlantSpec, RobotSpec, Sampling, Spec, Text, Values};
+pub use spec::{ArgumentError, Axis, PlantSpec, RobotSpec, Sampling, Spec, Text, Values};
 pub use sweep::{Case, Sweep};
 
 use std::sync::Arc;

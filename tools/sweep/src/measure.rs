@@ -4,8 +4,10 @@ use crate::columns::{Cell, Column, Measure, ObjectMeasure, Row};
 use crate::spec::{Spec, hash};
 use std::sync::Arc;
 use tip_runtime::model::TorqueUnit;
-use tip_runtime::plant::{Clearance, Motion, Travel};
-use tip_sim::{Grasp, Robot, Run};
+use tip_runtime::plant::Clearance;
+use tip_sim::{
+    Energy, FallFigures, Grasp, Peak, Robot, Run, Summary, SummaryBuilder, TravelFigures,
+};
 
 /// The columns of a sweep, and what their cells depend on besides the run.
 #[derive(Clone, Debug)]
@@ -42,6 +44,7 @@ impl Schema {
         let mut measures = vec![Measure::End, Measure::Line, Measure::Cycles, Measure::Time];
         if run.travel().is_some() {
             measures.extend([Measure::Forward, Measure::Right, Measure::Up, Measure::Turn]);
+            measures.push(Measure::Speed);
         }
         if run.motion().is_some() {
             measures.extend([Measure::Falls, Measure::UprightFalls, Measure::FirstFall]);
@@ -53,6 +56,9 @@ impl Schema {
         measures.push(Measure::PeakSpeed);
         if has_forces(run) {
             measures.extend([Measure::PeakTorque, Measure::Energy]);
+            if run.travel().is_some() {
+                measures.push(Measure::Cost);
+            }
         }
         let objects = run.grasp().map_or(0, |grasp| grasp.objects.len());
         for object in 0..objects {
@@ -87,8 +93,7 @@ impl Schema {
             values,
             end,
             figures,
-            travel: run.travel(),
-            motion: run.motion(),
+            summary: figures.summary.summary(),
             grasp: run.grasp(),
             clearance: run.clearance(),
         };
@@ -112,18 +117,19 @@ struct Finished<'a> {
     values: &'a [f64],
     end: &'a str,
     figures: &'a Figures,
-    travel: Option<Travel>,
-    motion: Option<Motion>,
+    summary: &'a Summary,
     grasp: Option<Grasp>,
     clearance: Option<Clearance>,
 }
 
 impl Finished<'_> {
     fn cell(&self, measure: Measure) -> Cell {
-        let (run, figures) = (self.run, self.figures);
-        let travel = |of: fn(Travel) -> f64| measured(self.travel.map_or(f64::NAN, of));
-        let motion = |of: fn(Motion) -> f64| measured(self.motion.map_or(f64::NAN, of));
-        let falls = |of: fn(Motion) -> u32| Cell::Count(self.motion.map_or(0, of).into());
+        let (run, figures, summary) = (self.run, self.figures, self.summary);
+        let number = |number: Option<f64>| measured(number.unwrap_or(f64::NAN));
+        let travel = |of: fn(TravelFigures) -> f64| number(summary.travel.map(of));
+        let falls = |of: fn(FallFigures) -> u32| Cell::Count(summary.falls.map_or(0, of).into());
+        let peak = |peak: &Option<Peak>| number(peak.as_ref().map(|peak| peak.value));
+        let energy = |of: fn(Energy) -> Option<f64>| number(summary.energy.and_then(of));
         match measure {
             Measure::Case => Cell::Count(self.case),
             Measure::Axis(axis) => Cell::Number(self.values[axis]),
@@ -135,30 +141,32 @@ impl Finished<'_> {
             }
             Measure::Cycles => Cell::Count(run.cycles()),
             Measure::Time => Cell::Number(run.time() / 1000.0),
-            Measure::Forward => travel(|travel| travel.y),
-            Measure::Right => travel(|travel| travel.x),
-            Measure::Up => travel(|travel| travel.z),
-            Measure::Turn => travel(|travel| travel.turn),
-            Measure::Falls => falls(|motion| motion.falls),
-            Measure::UprightFalls => falls(|motion| motion.upright_falls),
+            Measure::Forward => travel(|travel| travel.forward_mm),
+            Measure::Right => travel(|travel| travel.right_mm),
+            Measure::Up => travel(|travel| travel.up_mm),
+            Measure::Turn => travel(|travel| travel.turn_deg),
+            Measure::Speed => travel(|travel| travel.speed_mm_s),
+            Measure::Falls => falls(|falls| falls.count),
+            Measure::UprightFalls => falls(|falls| falls.upright),
             Measure::FirstFall => {
-                let fall = run.first_fall();
-                Cell::Number(fall.map_or(f64::NAN, |fall| fall.time / 1000.0))
+                let first = summary.falls.and_then(|falls| falls.first);
+                number(first.map(|first| first.time_s))
             }
-            Measure::Slip => motion(|motion| motion.slip),
-            Measure::LeastMargin => motion(|motion| motion.least_margin),
+            Measure::Slip => peak(&summary.slip),
+            Measure::LeastMargin => peak(&summary.margin),
             Measure::Tilt => measured(figures.tilt),
-            Measure::Clearance => {
-                let least = self.clearance.map(|clearance| clearance.least.distance);
-                measured(least.unwrap_or(f64::NAN))
-            }
+            Measure::Clearance => number(self.clearance.map(|clearance| clearance.least.distance)),
             Measure::Collisions => {
                 let count = self.clearance.map_or(0, |clearance| clearance.collisions);
                 Cell::Count(count.into())
             }
-            Measure::PeakSpeed => measured(figures.speed),
-            Measure::PeakTorque => measured(figures.torque / self.schema.torque_unit),
-            Measure::Energy => measured(figures.energy / self.schema.torque_unit),
+            Measure::PeakSpeed => peak(&summary.rate),
+            Measure::PeakTorque => {
+                let torque = summary.torque.as_ref();
+                number(torque.map(|torque| torque.value / self.schema.torque_unit))
+            }
+            Measure::Energy => energy(|energy| Some(energy.work_j)),
+            Measure::Cost => energy(|energy| energy.cost_of_transport),
             Measure::Object(index, of) => {
                 let objects = self.grasp.as_ref().map(|grasp| &grasp.objects);
                 let object = objects.and_then(|objects| objects.get(index));
@@ -193,31 +201,26 @@ fn measured(number: f64) -> Cell {
     })
 }
 
-/// Figures that are gathered cycle by cycle.
-#[derive(Debug, Default)]
+/// Figures that are gathered cycle by cycle: those of the summary of a run, and those of tables alone.
+#[derive(Debug)]
 pub(crate) struct Figures {
+    summary: SummaryBuilder,
     hash: u64,
-    angles: Vec<f64>,
-    /// Greatest speed of a joint, deg/s.
-    speed: f64,
     /// Greatest angle between the body's z axis and the vertical, deg.
     tilt: f64,
-    has_mass: bool,
-    /// Greatest torque of a joint, in the robot's unit.
-    torque: f64,
-    /// Sum over joints and cycles of |torque · rotation|, in the robot's unit of torque.
-    energy: f64,
 }
 
 impl Figures {
-    pub(crate) fn new(run: &Run) -> Self {
+    pub(crate) fn new(robot: &Robot) -> Self {
         Figures {
-            has_mass: has_forces(run),
-            ..Figures::default()
+            summary: SummaryBuilder::new(robot),
+            hash: 0,
+            tilt: 0.0,
         }
     }
 
     pub(crate) fn after(&mut self, run: &Run) {
+        self.summary.after(run, None);
         let step = u64::from(run.program().at());
         self.hash = hash([self.hash, step, run.state_hash(), 0]);
         if let Some(pose) = run.pose() {
@@ -226,24 +229,5 @@ impl Figures {
                 .tilt
                 .max(libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees());
         }
-        // Measured angles have the errors of sensors; those of a robot with mass are at hand without.
-        let limbs = self.has_mass.then(|| run.limbs()).flatten();
-        match limbs {
-            Some(limbs) => self.moved(run, &limbs.angles.concat(), &limbs.torques.concat()),
-            None => self.moved(run, run.angles(), &[]),
-        }
-    }
-
-    fn moved(&mut self, run: &Run, angles: &[f64], torques: &[f64]) {
-        let seconds = run.period() / 1000.0;
-        for (now, before) in angles.iter().zip(&self.angles) {
-            self.speed = self.speed.max(libm::fabs(now - before) / seconds);
-        }
-        for ((torque, now), before) in torques.iter().zip(angles).zip(&self.angles) {
-            self.torque = self.torque.max(libm::fabs(*torque));
-            self.energy += libm::fabs(torque * (now - before).to_radians());
-        }
-        self.angles.clear();
-        self.angles.extend_from_slice(angles);
     }
 }

@@ -1,6 +1,7 @@
 //! The file next to a table, `NAME.sweep.json`: the specification of its sweep, and a list of its columns.
 
 use crate::columns::Column;
+use crate::goal::Ranking;
 use crate::spec::Spec;
 use crate::sweep::Sweep;
 use serde::{Deserialize, Serialize};
@@ -15,15 +16,19 @@ pub struct Saved {
     columns: Vec<Column>,
     /// The specification.
     pub spec: Spec,
+    /// The goals by which the runs are ranked; no row depends on them.
+    #[serde(default)]
+    pub ranking: Ranking,
 }
 
 impl Saved {
-    /// Returns the contents for a sweep.
-    pub fn of(sweep: &Sweep) -> Self {
+    /// Returns the contents for a sweep whose runs are ranked so.
+    pub fn of(sweep: &Sweep, ranking: Ranking) -> Self {
         Saved {
             tip: env!("CARGO_PKG_VERSION").to_owned(),
             columns: sweep.columns().to_vec(),
             spec: sweep.spec().clone(),
+            ranking,
         }
     }
 

@@ -267,40 +267,40 @@ fn usable(given: &[f64], computed: f64) -> Result<(), Sweeping> {
     }
 }
 
-/// A text that is no axis.
+/// The error of a text that is not an axis, or not a condition.
 #[derive(Clone, Debug, PartialEq)]
-pub struct AxisError(Sweeping);
+pub struct ArgumentError(pub(crate) Sweeping);
 
-impl AxisError {
+impl ArgumentError {
     /// Returns the message, which has a text in each language.
     pub fn message(&self) -> Message {
         self.0.clone().into()
     }
 }
 
-impl fmt::Display for AxisError {
+impl fmt::Display for ArgumentError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
 }
 
-impl std::error::Error for AxisError {}
+impl std::error::Error for ArgumentError {}
 
 impl FromStr for Axis {
-    type Err = AxisError;
+    type Err = ArgumentError;
 
     /// Reads `NAME=100..300/20`, `NAME=200,300,400`, `NAME=uniform(0.4,1)` or `NAME=normal(20,2)`.
-    fn from_str(text: &str) -> Result<Self, AxisError> {
+    fn from_str(text: &str) -> Result<Self, ArgumentError> {
         let whole = || text.to_owned();
         let (name, values) = text
             .split_once('=')
             .filter(|(name, values)| !name.trim().is_empty() && !values.trim().is_empty())
-            .ok_or_else(|| AxisError(Sweeping::NoValues { text: whole() }))?;
+            .ok_or_else(|| ArgumentError(Sweeping::NoValues { text: whole() }))?;
         let number = |part: &str| {
             let word = part.trim().to_owned();
             let text = whole();
             let number = word.parse::<f64>();
-            number.map_err(|_| AxisError(Sweeping::NotANumber { word, text }))
+            number.map_err(|_| ArgumentError(Sweeping::NotANumber { word, text }))
         };
         let pair = |kind: &str| {
             let inner = values.trim().strip_prefix(kind)?.trim_start();

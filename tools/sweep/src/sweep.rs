@@ -456,7 +456,7 @@ impl Sweep {
         let mut run = self.start(&case)?;
         let limit = self.spec.until * 1000.0;
         let cycles = self.spec.cycles.unwrap_or(u64::MAX);
-        let mut figures = Figures::new(&run);
+        let mut figures = Figures::new(&case.robot);
         let end = loop {
             if run.time() >= limit || run.cycles() >= cycles {
                 break LIMIT.to_owned();

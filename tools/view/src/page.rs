@@ -50,11 +50,15 @@ impl Recording {
 
 /// The table of a sweep, as its page shows it.
 #[derive(Debug, Serialize)]
-pub struct SweepTable<C, R> {
+pub struct SweepTable<C, R, G> {
     /// The columns: a list of objects with `name`, `unit`, `type` and `meaning`.
     pub columns: C,
     /// The cells of each row, the worst first; at most [`MAX_RUNS`].
     pub rows: R,
+    /// The kind of each row, one letter each: `x` failed, `f` is on the Pareto front or the best one, `.` is another result.
+    pub kinds: String,
+    /// The goals and conditions of the front: an object with the lists `goals` and `where`.
+    pub ranking: G,
     /// The command that replays a run if ` --case N` is added.
     pub command: String,
     /// 1, or the distance of the rows that were taken from a larger table.
@@ -62,7 +66,10 @@ pub struct SweepTable<C, R> {
 }
 
 /// Returns one HTML file that shows a table of runs, as `tip sweep` writes it, and makes no network requests.
-pub fn sweep_page(name: &str, table: &SweepTable<impl Serialize, impl Serialize>) -> String {
+pub fn sweep_page(
+    name: &str,
+    table: &SweepTable<impl Serialize, impl Serialize, impl Serialize>,
+) -> String {
     // The data has string keys and no values that JSON lacks; nothing in it ends the script element.
     let data = serde_json::to_string(table).unwrap_or_default();
     let data = data.replace('<', "\\u003c");

@@ -4,8 +4,11 @@ use crate::choices::quoted;
 use crate::message::{Figure, Sweeping};
 use crate::run::line;
 use std::time::Duration;
-use tip_sweep::{Outcome, Row};
-use tipc::message::Lang;
+use tip_sweep::{Column, Front, Goal, Outcome, Ranking, Row};
+use tipc::message::{Lang, Text};
+
+/// Number of runs of a Pareto front that are listed.
+const LISTED: usize = 10;
 
 /// The figures of a table.
 #[derive(Debug, Default)]
@@ -20,11 +23,24 @@ pub(super) struct Summary {
     stopped: u64,
     /// Number of runs that were cut off.
     cut_off: u64,
-    best: Option<Row>,
+    front: Front,
     worst: Option<Row>,
 }
 
 impl Summary {
+    /// Returns the summary of a table without rows, whose runs are ranked so.
+    pub(super) fn new(ranking: Ranking) -> Self {
+        Summary {
+            front: Front::new(ranking),
+            ..Summary::default()
+        }
+    }
+
+    /// Returns the goals and the conditions.
+    pub(super) fn ranking(&self) -> &Ranking {
+        self.front.ranking()
+    }
+
     /// Adds a row.
     pub(super) fn add(&mut self, row: &Row) {
         self.runs += 1;
@@ -34,17 +50,14 @@ impl Summary {
         self.collided += u64::from(row.has_collided());
         self.stopped += u64::from(row.is_stopped());
         self.cut_off += u64::from(row.is_cut_off());
+        self.front.add(row);
         let outcome = row.outcome();
         if outcome == Outcome::Ended {
             return;
         }
-        let compared =
-            |other: &Option<Row>| other.as_ref().map(|other| outcome.order(&other.outcome()));
-        if compared(&self.worst).is_none_or(|order| order.is_lt()) {
+        let worst = self.worst.as_ref();
+        if worst.is_none_or(|worst| outcome.order(&worst.outcome()).is_lt()) {
             self.worst = Some(row.clone());
-        }
-        if compared(&self.best).is_none_or(|order| order.is_gt()) {
-            self.best = Some(row.clone());
         }
     }
 
@@ -96,38 +109,91 @@ impl Summary {
             let all = all();
             add(Figure::CutOff, Sweeping::CutOff { count, all, time });
         }
-        let has_worked = |row: &&Row| !row.has_fallen() && !row.is_stopped();
-        let best = self.best.iter().filter(has_worked);
-        let best = best.map(|row| (Figure::Best, row));
-        for (figure, row) in best.chain(self.worst.iter().map(|row| (Figure::Worst, row))) {
-            let case = row.case().to_string();
-            let values = row
-                .values()
-                .map(|(name, value)| format!(", {name}={value}"));
-            let outstanding = Sweeping::Outstanding {
-                result: result(row.outcome()).in_lang(lang).to_string().into(),
-                case: case.clone(),
-                values: values.collect::<String>().into(),
-            };
-            text += &line(figure, outstanding.in_lang(lang), lang);
-            if !is_stream {
-                text += &format!("          tip view {} --case {case}\n", quoted(name));
+        let goals = &self.ranking().goals;
+        let best = self.front.rows();
+        match (&*best, goals.len()) {
+            (_, 0) => {}
+            ([], _) => add(Figure::Best, Sweeping::NoneRanked),
+            ([best], _) => {
+                let result = goals_of(best, goals).into();
+                text += &outstanding(Figure::Best, best, result, name, is_stream, lang);
             }
+            (best, _) => {
+                let (count, all) = (best.len().to_string(), all());
+                add(Figure::Best, Sweeping::OnFront { count, all });
+                for row in best.iter().take(LISTED) {
+                    let one = case_of(row, goals_of(row, goals).into());
+                    text += &format!("          {}\n", one.in_lang(lang));
+                }
+            }
+        }
+        if let Some(worst) = &self.worst {
+            let result = result(worst.outcome()).in_lang(lang).to_string();
+            text += &outstanding(Figure::Worst, worst, result.into(), name, is_stream, lang);
         }
         text
     }
 }
 
+/// Returns a run with its number and its values.
+fn case_of(row: &Row, result: Text) -> Sweeping {
+    let values = row
+        .values()
+        .map(|(name, value)| format!(", {name}={value}"));
+    Sweeping::Outstanding {
+        result,
+        case: row.case().to_string(),
+        values: values.collect::<String>().into(),
+    }
+}
+
+/// Returns the line of a run, and the command that replays it.
+fn outstanding(
+    figure: Figure,
+    row: &Row,
+    result: Text,
+    name: &str,
+    is_stream: bool,
+    lang: Lang,
+) -> String {
+    let mut text = line(figure, case_of(row, result).in_lang(lang), lang);
+    if !is_stream {
+        text += &format!(
+            "          tip view {} --case {}\n",
+            quoted(name),
+            row.case()
+        );
+    }
+    text
+}
+
+/// Returns the numbers of a run in the columns of the goals.
+fn goals_of(row: &Row, goals: &[Goal]) -> String {
+    let figures = goals.iter().map(|goal| {
+        let mut columns = row.columns().iter();
+        let unit = columns.find(|column| column.name == goal.name());
+        let unit = unit.map_or("", |column: &Column| column.unit);
+        let value = row.named(goal.name()).unwrap_or(f64::NAN);
+        let digits = match unit {
+            _ if value.fract() == 0.0 => 0,
+            "mm" | "mm/s" | "deg" | "deg/s" => 1,
+            _ => 3,
+        };
+        let figure = format!("{} {value:.digits$} {unit}", goal.name());
+        figure.trim_end().to_owned()
+    });
+    figures.collect::<Vec<_>>().join(", ")
+}
+
 fn result(outcome: Outcome) -> Sweeping {
     let time = |seconds: f64| format!("{seconds:.3}");
-    let length = |millimetres: f64| format!("{millimetres:.1}");
+    let length = |number: f64| format!("{number:.1}");
     match outcome {
         Outcome::Fell(after) => Sweeping::FellAfter { time: time(after) },
         Outcome::Stopped(after) => Sweeping::StoppedAfter { time: time(after) },
         Outcome::Lifted(by) => Sweeping::Lifted { length: length(by) },
-        Outcome::Walked(by) => Sweeping::Walked { length: length(by) },
-        Outcome::Ended => Sweeping::Walked {
-            length: length(0.0),
-        },
+        Outcome::Walked(by) => Sweeping::Walked { speed: length(by) },
+        // It is never the worst run.
+        Outcome::Ended => Sweeping::Walked { speed: length(0.0) },
     }
 }

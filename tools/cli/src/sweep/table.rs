@@ -12,7 +12,7 @@ use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use tip_sweep::{Row, Saved, Sweep};
+use tip_sweep::{Ranking, Row, Saved, Sweep};
 use tipc::embed;
 use tipc::message::Lang;
 
@@ -256,17 +256,27 @@ impl Paths {
     }
 
     /// Writes the specification of a table that begins.
-    fn begin(&self, sweep: &Sweep) -> Result<(), Error> {
+    fn begin(&self, sweep: &Sweep, ranking: &Ranking) -> Result<(), Error> {
         let path = &self.specification_part;
         // A link is not followed.
         let written = match fs::remove_file(path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
             _ => File::create_new(path).and_then(|mut file| {
-                file.write_all(Saved::of(sweep).text().as_bytes())?;
+                file.write_all(Saved::of(sweep, ranking.clone()).text().as_bytes())?;
                 file.sync_all()
             }),
         };
         written.map_err(|error| Error::cannot_write(&self.specification, error))
+    }
+
+    /// Writes the goals of a complete table anew, if they are others.
+    fn rank(&self, sweep: &Sweep, ranking: &Ranking, lang: Lang) -> Result<(), Error> {
+        if saved(&self.table, lang)?.ranking == *ranking {
+            return Ok(());
+        }
+        self.begin(sweep, ranking)?;
+        let renamed = fs::rename(&self.specification_part, &self.specification);
+        renamed.map_err(|error| Error::cannot_write(&self.specification, error))
     }
 }
 
@@ -279,6 +289,7 @@ impl Table {
     pub(super) fn open(
         path: &Path,
         sweep: &Sweep,
+        ranking: Ranking,
         resume: bool,
         force: bool,
         lang: Lang,
@@ -292,15 +303,23 @@ impl Table {
         let part = length(&paths.part);
         if resume && part.unwrap_or(0) == 0 && paths.table.exists() {
             let other_sweep = || other_sweep(&paths.table, lang);
-            if !saved(&paths.table, lang)?.is_of(sweep) {
+            let known = saved(&paths.table, lang)?;
+            if !known.is_of(sweep) {
                 return Err(other_sweep());
             }
-            let mut summary = Summary::default();
+            let mut summary = Summary::new(ranking);
             rows(&paths.table, sweep, lang, |row| summary.add(&row))?;
-            return match summary.runs == sweep.cases() {
-                true => Ok((Table::Complete, summary)),
-                false => Err(other_sweep()),
-            };
+            if summary.runs != sweep.cases() {
+                return Err(other_sweep());
+            }
+            if known.ranking != *summary.ranking() {
+                // Nobody writes the specification meanwhile.
+                let _lock = paths.lock(lang)?;
+                let ranked = paths.rank(sweep, summary.ranking(), lang);
+                let _ = fs::remove_file(&paths.part);
+                ranked?;
+            }
+            return Ok((Table::Complete, summary));
         }
         let mut file = paths.lock(lang)?;
         if length(&paths.part) != Some(0) {
@@ -308,16 +327,16 @@ impl Table {
                 let part = paths.part.display().to_string().into();
                 return Err(Error::failed(Using::HasPart { part }, lang));
             }
-            let summary = resumed(&mut file, &paths, sweep, lang)?;
+            let summary = resumed(&mut file, &paths, sweep, ranking, lang)?;
             return Ok((Table::Part { file, paths }, summary));
         }
-        if let Err(error) = paths.begin(sweep) {
+        if let Err(error) = paths.begin(sweep, &ranking) {
             // Nothing has been written: there is nothing to resume.
             let _ = fs::remove_file(&paths.specification_part);
             let _ = fs::remove_file(&paths.part);
             return Err(error);
         }
-        Ok((Table::Part { file, paths }, Summary::default()))
+        Ok((Table::Part { file, paths }, Summary::new(ranking)))
     }
 
     pub(super) fn is_stream(&self) -> bool {
@@ -355,7 +374,12 @@ impl Table {
     }
 
     /// Gives the complete table and its specification their names.
-    pub(super) fn finish(&mut self) -> Result<(), Error> {
+    pub(super) fn finish(
+        &mut self,
+        sweep: &Sweep,
+        ranking: &Ranking,
+        lang: Lang,
+    ) -> Result<(), Error> {
         let Table::Part { file, paths } = self else {
             return Ok(());
         };
@@ -367,7 +391,8 @@ impl Table {
             }
             fs::rename(&paths.part, &paths.table)
         });
-        named.map_err(|error| Error::cannot_write(&paths.table, error))
+        named.map_err(|error| Error::cannot_write(&paths.table, error))?;
+        paths.rank(sweep, ranking, lang)
     }
 }
 
@@ -382,12 +407,18 @@ fn other_sweep(file: &Path, lang: Lang) -> Error {
 
 /// Counts the rows of an unfinished table, and cuts off what the sweep has not written: a kill may have left a piece of a row, and a
 /// power failure rows of zeros.
-fn resumed(file: &mut File, paths: &Paths, sweep: &Sweep, lang: Lang) -> Result<Summary, Error> {
+fn resumed(
+    file: &mut File,
+    paths: &Paths,
+    sweep: &Sweep,
+    ranking: Ranking,
+    lang: Lang,
+) -> Result<Summary, Error> {
     let failed = |error| Error::cannot_write(&paths.part, error);
     if !saved(&paths.part, lang)?.is_of(sweep) {
         return Err(other_sweep(&paths.table, lang));
     }
-    let mut summary = Summary::default();
+    let mut summary = Summary::new(ranking);
     let mut lines = Lines::of(file, sweep, true);
     loop {
         match lines.next().map_err(failed)? {

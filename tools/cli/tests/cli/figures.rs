@@ -366,6 +366,25 @@ fn two_runs_are_compared_figure_by_figure() {
         "difference",
     );
     assert_eq!(slip["better"], "less");
+    // The programs differ in one line, and its number is told.
+    let diff = outcome.out.split_once("\n\n").expect("a difference").1;
+    let lines: Vec<&str> = diff.lines().collect();
+    assert_eq!(lines[..2], ["--- a.prg", "+++ b.prg"], "{diff}");
+    let place = SLIDES.lines().position(|line| line.contains("40 0 0"));
+    let number = place.expect("the line") + 1;
+    assert_eq!(lines[2], format!("@@ -{number} +{number} @@"));
+    assert!(
+        lines[3].starts_with('-') && lines[3].contains("10 0 0"),
+        "{diff}"
+    );
+    assert!(
+        lines[4].starts_with('+') && lines[4].contains("40 0 0"),
+        "{diff}"
+    );
+    assert_eq!(lines.len(), 5, "{diff}");
+    assert_eq!(report["diff"], diff);
+    let same = folder.tip(&["compare", "a.prg", "a.prg"]).expect(0);
+    assert!(!same.out.contains("\n\n"), "{}", same.out);
     // Each run is the one that `tip run` makes.
     for (place, file) in ["a.prg", "b.prg"].into_iter().enumerate() {
         let alone = folder.tip(&["run", file, "--format", "json"]).expect(0);

@@ -150,6 +150,84 @@ fn falls_are_counted_and_denied() {
     );
 }
 
+/// C is the quotient B / (A − 2): a run with A = 2 stops in an emergency.
+const QUOTIENT: &str = "DEF_VAR A B C\nA = 1\nB = 1\nC = A - 2\nC = B / C\nEND";
+
+#[test]
+fn goals_rank_the_runs_that_did_not_fail() {
+    let folder = folder("sweep-goals").program("quotient.prg", QUOTIENT);
+    let sweep = |options: &[&str]| {
+        let sweep = [
+            "sweep",
+            "quotient.prg",
+            "--vary",
+            "A=1,2,3",
+            "--vary",
+            "B=1,2",
+            "--record",
+            "C",
+            "-o",
+            "runs.csv",
+        ];
+        folder.tip(&[&sweep[..], options].concat())
+    };
+    let outcome = sweep(&["--maximize", "final_C"]).expect(0);
+    let best = "\n  best    final_C 2: case 5, A=3, B=2\n          tip view runs.csv --case 5\n";
+    assert!(outcome.err.contains(best), "{}", outcome.err);
+    let table = folder.read("runs.csv");
+
+    // Other goals rank the same table: C is −1, −2 for A = 1, and 1, 2 for A = 3.
+    let goals = [
+        "--maximize",
+        "final_C",
+        "--minimize",
+        "B",
+        "--where",
+        "falls=0",
+        "--resume",
+    ];
+    let outcome = sweep(&goals).expect(0);
+    let front = "\n  best    2 of 6 runs are on the Pareto front\n          \
+        final_C 2, B 2: case 5, A=3, B=2\n          final_C 1, B 1: case 4, A=3, B=1\n";
+    assert!(outcome.err.contains(front), "{}", outcome.err);
+    assert_eq!(folder.read("runs.csv"), table);
+    assert!(!folder.has("runs.csv.part") && !folder.has("runs.sweep.json.part"));
+    let outcome = sweep(&[
+        "--maximize",
+        "A",
+        "--where",
+        "A=2",
+        "--resume",
+        "--lang",
+        "ja",
+    ]);
+    let outcome = outcome.expect(0);
+    assert!(outcome.err.contains("最良    転倒も"), "{}", outcome.err);
+
+    // The page has the goals of the last command, and marks the runs.
+    sweep(&goals).expect(0);
+    folder.tip(&["view", "runs.csv"]).expect(0);
+    let page = folder.read("runs.html");
+    let ranking =
+        r#""ranking":{"goals":[{"maximize":"final_C"},{"minimize":"B"}],"where":["falls=0"]}"#;
+    assert!(page.contains(ranking));
+    // The worst first: the two that stopped.
+    let (_, kinds) = page.split_once(r#""kinds":""#).expect("kinds");
+    let (kinds, _) = kinds.split_once('"').expect("an end");
+    assert!(kinds.starts_with("xx") && kinds.len() == 6, "{kinds}");
+    assert_eq!(kinds.matches('f').count(), 2, "{kinds}");
+
+    for (options, expected) in [
+        (["--maximize", "sped"], "did you mean speed?"),
+        (["--minimize", "end"], "the table has no numbers `end`"),
+        (["--where", "falls"], "`falls` is not a condition"),
+        (["--where", "fals=0"], "did you mean falls?"),
+    ] {
+        let outcome = sweep(&options).expect(2);
+        assert!(outcome.err.contains(expected), "{}", outcome.err);
+    }
+}
+
 #[test]
 fn a_program_that_never_ends_is_cut_off() {
     let folder = folder("sweep-endless");

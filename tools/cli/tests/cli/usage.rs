@@ -140,7 +140,12 @@ fn the_language_may_come_before_the_command() {
 #[test]
 fn help_fits_a_screen_and_groups_the_commands() {
     let folder = Folder::new("usage-screen");
-    for arguments in [&["--help"][..], &["run", "--help"]] {
+    for arguments in [
+        &["--help"][..],
+        &["run", "--help"],
+        &["sweep", "--help"],
+        &["sweep", "--help", "--lang", "ja"],
+    ] {
         let help = folder.tip(arguments).expect(0);
         let lines = help.lines();
         assert!(lines.len() <= 40, "{} lines: {}", lines.len(), help.out);

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
 use std::fmt::Display;
 use std::sync::{Mutex, PoisonError};
-use tip_sweep::{Cell, Kind, RobotSpec, Saved, Spec, Sweep};
+use tip_sweep::{Cell, Kind, Ranking, RobotSpec, Saved, Spec, Sweep};
 use tipc::message::Lang;
 use tipc::render;
 
@@ -112,7 +112,7 @@ fn to_bytes(cell: &Cell) -> [u8; 8] {
 /// Returns the contents of the file next to a table.
 #[pyfunction]
 fn saved(spec: &str) -> PyResult<String> {
-    Ok(Saved::of(&sweep_of(spec)?).text())
+    Ok(Saved::of(&sweep_of(spec)?, Ranking::default()).text())
 }
 
 /// Returns true if the simulation of the robot has torques.

@@ -3,6 +3,7 @@
 mod axes;
 mod cases;
 mod compiled;
+mod goals;
 mod results;
 mod surroundings;
 

@@ -2,7 +2,9 @@
 
 use crate::{LIFT, cells, numbers, refused, rows, spec, texts};
 use tip_sim::{Limit, Robot, Run, load};
-use tip_sweep::{Cell, Kind, Outcome, PlantSpec, RobotSpec, Saved, Spec, Sweep, run_chunk};
+use tip_sweep::{
+    Cell, Kind, Outcome, PlantSpec, Ranking, RobotSpec, Saved, Spec, Sweep, run_chunk,
+};
 use tipc::message::Lang;
 
 fn recorded(text: &str, axes: &[&str], record: &str) -> Vec<f64> {
@@ -213,7 +215,8 @@ fn the_saved_columns_have_units_and_meanings() {
         ..spec(LIFT, &["Z=10", "scene.floor.slope.1=0"])
     });
     let sweep = sweep.expect("a sweep");
-    let saved: serde_json::Value = serde_json::from_str(&Saved::of(&sweep).text()).expect("JSON");
+    let saved: serde_json::Value =
+        serde_json::from_str(&Saved::of(&sweep, Ranking::default()).text()).expect("JSON");
     let columns = saved["columns"].as_array().expect("a list");
     assert_eq!(columns.len(), sweep.columns().len());
     let column = |name: &str| {
@@ -232,7 +235,8 @@ fn the_saved_columns_have_units_and_meanings() {
     );
     let slope = sweep.columns()[2].meaning.text(Lang::Japanese);
     assert!(slope.contains("傾き"), "{slope}");
-    let read = Saved::read(Saved::of(&sweep).text().as_bytes()).expect("it is its own");
+    let read = Saved::read(Saved::of(&sweep, Ranking::default()).text().as_bytes())
+        .expect("it is its own");
     assert!(read.is_of(&sweep));
     assert!(!read.is_of(&Sweep::new(spec(LIFT, &["Z=10"])).expect("a sweep")));
 }

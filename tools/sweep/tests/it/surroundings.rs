@@ -6,7 +6,7 @@ use tip_sweep::{Cell, PlantSpec, RobotSpec, Row, Spec, Sweep, Table};
 use tipc::message::Lang;
 
 pub(crate) const HEXAPOD: &str = include_str!("../../../../examples/six-legs/hexapod.toml");
-const TRIPOD: &str = include_str!("../../../../examples/six-legs/motions/tripod.prg");
+pub(crate) const TRIPOD: &str = include_str!("../../../../examples/six-legs/motions/tripod.prg");
 const SCENE: &str = include_str!("../../../../examples/grasp/scene.toml");
 const GRASP: &str = include_str!("../../../../examples/grasp/motions/grasp.prg");
 

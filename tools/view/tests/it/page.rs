@@ -142,6 +142,8 @@ fn no_table_leaves_its_place() {
     let table = SweepTable {
         columns: [json!({ "name": "</script>", "unit": "", "type": "text" })],
         rows,
+        kinds: ".".to_owned(),
+        ranking: json!({ "goals": [], "where": [] }),
         command: "tip view '<b>.csv'".to_owned(),
         every: 2,
     };
@@ -153,6 +155,8 @@ fn no_table_leaves_its_place() {
     let expected = json!({
         "columns": [{ "name": "</script>", "unit": "", "type": "text" }],
         "rows": rows,
+        "kinds": ".",
+        "ranking": { "goals": [], "where": [] },
         "command": "tip view '<b>.csv'",
         "every": 2,
     });
