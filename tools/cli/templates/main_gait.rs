@@ -17,8 +17,9 @@ fn main() -> ExitCode {
     let keys = KEYS.map(|(seconds, key)| (cycle(seconds), key));
     let console = Scripted::new(keys.to_vec()).halt(cycle(HALT));
     let plant = DynamicPlant::new(&<<MODEL>>);
-    let robot = Machine::new(<<Program>>::new(), &<<MODEL>>, plant, console, ());
-    let mut robot = robot.expect("the program is compiled for this robot");
+    let robot = Machine::new(<<Program>>::new(), &<<MODEL>>, plant);
+    let robot = robot.expect("the program is compiled for this robot");
+    let mut robot = robot.with_console(console);
     while robot.cycle().is_running() {}
     let seconds = robot.cycles() as f64 * robot.period() / 1000.0;
     println!("{seconds:.1} s on the robot");
