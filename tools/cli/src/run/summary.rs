@@ -665,10 +665,6 @@ mod tests {
             said(412_000, 400_000),
             "18 servos, 41.20 ms in each cycle, longer than its 40 ms: cycles are late; 50.00 ms at most"
         );
-        assert_eq!(
-            said(0, 0),
-            "18 servos, 0.00 ms of 0 ms in each cycle (0 %), 50.00 ms at most"
-        );
     }
 
     #[test]
