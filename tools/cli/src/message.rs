@@ -352,6 +352,9 @@ tipc::message_table! {
     BusTime { servos: usize, mean: String, period: f64, share: String, longest: String }
         "{servos} servos, {mean} ms of {period} ms in each cycle ({share} %), {longest} ms at most",
         "サーボ{servos}台、1周期{period} msのうち平均{mean} ms({share} %)、最大{longest} ms";
+    BusOverrun { servos: usize, mean: String, period: f64, longest: String }
+        "{servos} servos, {mean} ms in each cycle, longer than its {period} ms: cycles are late; {longest} ms at most",
+        "サーボ{servos}台、1周期に平均{mean} msかかり、制御周期{period} msを超えます(周期遅れ)。最大{longest} ms";
     BusAnswers { missing: String, asked: String, implausible: String, slowed: String, clipped: String }
         "{missing} of {asked} missing, {implausible} not believed; commands: {slowed} slowed down, {clipped} outside of limits",
         "{asked}回中、欠落{missing}回、不採用{implausible}回。指令: 減速{slowed}回、範囲外{clipped}回";
@@ -1113,9 +1116,9 @@ tipc::message_table! {
     OtherModel { joint: String, id: u32, number: u32, model: &'static str }
         "{joint} (servo {id}) reports the model number {number}, which is not that of {model}",
         "{joint}(サーボ{id})の型番{number}は{model}のものではありません";
-    BusLoad { percent: String, cycles: u32 }
-        "reading and commanding all servos takes {percent} % of a cycle; each servo is read in one of {cycles} cycles",
-        "全サーボの読み取りと指令に制御周期の{percent} %が必要です。各サーボの読み取りは{cycles}周期に1回です";
+    BusLoad { read: String, period: f64, cycles: u32 }
+        "reading all servos takes {read} ms, longer than a cycle of {period} ms has for it: each servo is read in one of {cycles} cycles",
+        "全サーボの読み取りに{read} msが必要で、制御周期{period} msの読み取り時間を超えます。各サーボの読み取りは{cycles}周期に1回です";
     ShortTimeout { time: String, cycles: String }
         "without the host the servos stop after {time} ms, their longest time-out: {cycles} cycles",
         "ホストが止まると、サーボは最長のタイムアウトである{time} ms({cycles}周期)で停止します";

@@ -209,6 +209,8 @@ struct Motion {
     test: &'static str,
     /// Minimum travel, mm.
     travel: f64,
+    /// True if sticks or keys steer it.
+    is_steered: bool,
     /// The results of trying it on the simulated robot, one per line.
     tried: Vec<Making>,
     /// The only edition that it can be written in.
@@ -233,6 +235,7 @@ impl Motion {
             main: include_str!("../templates/main_walk.rs"),
             test: include_str!("../templates/test_walk.rs"),
             travel: 500.0,
+            is_steered: false,
             tried: vec![],
             only_edition: None,
             scene: None,
@@ -286,6 +289,7 @@ impl Motion {
             test: include_str!("../templates/test_gait.rs"),
             // 1000 cycles, with a reserve for starting.
             travel: (0.8 * gait.speed[0] * gait.cycle).floor(),
+            is_steered: true,
             tried: tried.into_iter().flatten().collect(),
             only_edition: Some(Edition::V3_2),
             scene: gait.needs_mass().then_some(SceneFile {
@@ -303,6 +307,7 @@ impl Motion {
             main: include_str!("../templates/main_grasp.rs"),
             test: include_str!("../templates/test_grasp.rs"),
             travel: 0.0,
+            is_steered: false,
             tried: vec![],
             only_edition: None,
             scene: Some(SceneFile {

@@ -13,7 +13,7 @@ fn the_servos_take_the_first_second() {
     let description = described::read("robot.toml", include_bytes!("../robot.toml")).unwrap();
     let robot = Described::new(&description).unwrap();
     let mut drives = operator::open(&robot, SIMULATED).unwrap();
-    drives.connect().unwrap();
+<<sticks>>    drives.connect().unwrap();
     let step = drives.approach(&robot.initial, robot.bus.start);
     assert_eq!(step, Ok(Step::Arrived));
     let machine = Machine::new(<<Program>>::new(), &<<MODEL>>, drives);

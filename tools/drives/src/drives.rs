@@ -172,6 +172,10 @@ pub struct Counts {
     pub longest: u64,
     /// Sum of these times, µs.
     pub busy: u64,
+    /// Cycles that commanded, of which `busy` is the sum.
+    pub commanded: u64,
+    /// Sum of their sampling times, µs.
+    pub time: u64,
 }
 
 /// A joint while it runs.
@@ -437,24 +441,19 @@ impl<P: Port> Drives<P> {
             let (one, _) = family.times(self.bus.timing(), self.joints.len());
             self.read_time = one * self.joints.len() as u64;
         }
-        let mut times: Vec<u64, 9> = Vec::new();
+        let mut least = None;
         // Two readings that agree, so that a damaged one cannot be the first.
         for _ in 0..2 * (self.settings.silence as usize + 1) {
             let begin = self.bus.now();
             self.measure(u64::MAX)?;
             if self.joints.iter().all(|state| state.age == 0) {
-                // Enough of them, if there is no room.
-                let _ = times.push(self.bus.now() - begin);
+                let time = self.bus.now() - begin;
+                least = Some(least.map_or(time, |least: u64| least.min(time)));
             }
         }
-        times.sort_unstable();
-        // With the latency of the adapter, which is unknown before. Where servos answer together, what is too long is refused: the
-        // time of the longest answers counts, and no delay of a busy host.
-        let measured = match self.family().is_some_and(|family| family.reads_together()) {
-            true => times.first().map(|least| self.read_time.max(*least)),
-            false => times.get(times.len() / 2).copied(),
-        };
-        self.read_time = measured.unwrap_or(self.read_time);
+        // The shortest reading has the latency of the adapter, which is unknown before, and no delay of a busy host. Its answers may
+        // be short ones.
+        self.read_time = self.read_time.max(least.unwrap_or_default());
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
                 return self.fail(Some(number), Problem::Silent);
@@ -694,6 +693,8 @@ impl<P: Port> Drives<P> {
         self.send_goals()?;
         let busy = self.bus.now() - begin + self.reading;
         self.counts.busy += busy;
+        self.counts.commanded += 1;
+        self.counts.time += (period * 1000.0) as u64;
         self.counts.longest = self.counts.longest.max(busy);
         Ok(())
     }

@@ -56,7 +56,7 @@ use crate::bus::{BusError, MAX_SERVOS, Port, Wire};
 use crate::drives::{Drives, Failure, Policy, Problem, Settings};
 use heapless::Vec;
 use tip_runtime::fault::Fault;
-use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
+use tip_runtime::hardware::{Hardware, HardwareFault, Inputs, JointCommand, Outputs, Sensors};
 
 /// Time in which the servos confirm the state in which they are left, µs.
 pub const LEAVING_LIMIT: u64 = 3_000_000;
@@ -139,6 +139,8 @@ pub struct TorqueGuard<P: Port, H: Host<P>> {
     is_stopped: bool,
     /// Time of the next cycle of approaching and leaving, µs.
     due: u64,
+    /// Readings of inputs that are not on the bus.
+    inputs: Inputs,
 }
 
 impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
@@ -152,6 +154,7 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
             switched_on: 0,
             is_stopped: false,
             due: 0,
+            inputs: Inputs::all(f64::NAN),
         }
     }
 
@@ -168,6 +171,12 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
     /// Returns the host.
     pub const fn host_mut(&mut self) -> &mut H {
         &mut self.host
+    }
+
+    /// Returns the readings of inputs that are not on the bus, V, such as sticks of the host, to be set before a cycle. NaN, which
+    /// they are at first, where nothing is connected: a program that reads it is stopped.
+    pub const fn inputs_mut(&mut self) -> &mut Inputs {
+        &mut self.inputs
     }
 
     /// Returns true if the torque is on, or may be on.
@@ -462,6 +471,7 @@ impl<P: Port, H: Host<P>, const L: usize, const J: usize> Hardware<L, J> for Tor
         for (number, age) in into.ages.as_flattened_mut().iter_mut().enumerate() {
             *age = self.drives.age(number).unwrap_or_default();
         }
+        into.inputs = self.inputs;
         Ok(())
     }
 

@@ -29,7 +29,7 @@ use std::boxed::Box;
 use std::path::Path;
 use std::string::String;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::sleep;
 use std::time::Duration;
 use std::vec::Vec;
@@ -39,6 +39,8 @@ use tip_runtime::console::{Console, Terminal};
 /// Bytes of keys.
 const RETURN: u8 = 0x0D;
 const ESCAPE: u8 = 0x1B;
+/// Exit status of a process that a signal ends, without the number of the signal.
+const BY_SIGNAL: u8 = 128;
 
 /// Opens a robot on a serial port, or on simulated servos if the port is "simulated". From now on signals end nothing: whoever holds
 /// the guard asks its host for them.
@@ -93,8 +95,10 @@ pub fn leave(guard: &mut TorqueGuard<AnyPort, Operator>, robot: &Described) -> R
 pub struct Operator {
     /// Reads the keys, unless somebody else does.
     keyboard: Option<Terminal<io::Sink>>,
-    /// True after a signal.
-    is_signalled: Arc<AtomicBool>,
+    /// Number of the last signal; 0 before.
+    last: Arc<AtomicUsize>,
+    /// Number of the first signal that was noticed.
+    signal: Option<u8>,
 }
 
 impl Operator {
@@ -104,7 +108,7 @@ impl Operator {
     /// The system does not tell of a signal.
     pub fn new() -> io::Result<Self> {
         use signal_hook::consts;
-        let is_signalled = Arc::new(AtomicBool::new(false));
+        let last = Arc::new(AtomicUsize::new(0));
         // Each of them would end or suspend the process, and leave stiff servos.
         #[cfg(unix)]
         let more = [
@@ -126,11 +130,13 @@ impl Operator {
         #[cfg(not(unix))]
         let more = [];
         for signal in [consts::SIGINT, consts::SIGTERM].into_iter().chain(more) {
-            signal_hook::flag::register(signal, Arc::clone(&is_signalled))?;
+            let number = usize::try_from(signal).unwrap_or_default();
+            signal_hook::flag::register_usize(signal, Arc::clone(&last), number)?;
         }
         Ok(Operator {
             keyboard: Some(Self::terminal()),
-            is_signalled,
+            last,
+            signal: None,
         })
     }
 
@@ -148,9 +154,17 @@ impl Operator {
         self.keyboard = Some(Self::terminal());
     }
 
-    /// Returns true after a signal that asks this process to end.
-    pub fn is_signalled(&self) -> bool {
-        self.is_signalled.load(Ordering::Relaxed)
+    /// Returns the number of the first signal that asked this process to end.
+    pub fn signal(&mut self) -> Option<u8> {
+        let last = u8::try_from(self.last.load(Ordering::Relaxed));
+        self.signal = self.signal.or(last.ok().filter(|last| *last > 0));
+        self.signal
+    }
+
+    /// Returns the exit status of a process that was asked to end, as shells have it: 128 and the number of the first signal. A key
+    /// counts as Ctrl-C.
+    pub fn status(&mut self) -> u8 {
+        BY_SIGNAL + self.signal().unwrap_or(signal_hook::consts::SIGINT as u8)
     }
 }
 
@@ -166,7 +180,7 @@ impl Host<AnyPort> for Operator {
     }
 
     fn request(&mut self) -> Option<Request> {
-        let mut request = self.is_signalled().then_some(Request::End);
+        let mut request = self.signal().map(|_| Request::End);
         if let Some(keyboard) = &mut self.keyboard {
             while let Some(key) = keyboard.key(0) {
                 match key {

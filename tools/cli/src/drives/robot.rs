@@ -258,9 +258,12 @@ impl Connection {
         );
         let mut warnings = Vec::new();
         if load.cycles > 1 {
-            let percent = format!("{:.0}", load.part() * 100.0);
-            let cycles = load.cycles;
-            warnings.push(Driving::BusLoad { percent, cycles });
+            let (read, cycles) = (format!("{:.1}", load.read), load.cycles);
+            warnings.push(Driving::BusLoad {
+                read,
+                period,
+                cycles,
+            });
         }
         if let Some(timeout) = timeout.filter(|timeout| *timeout < SAFE_TIMEOUT * period) {
             let (time, cycles) = (format!("{timeout:.0}"), format!("{:.1}", timeout / period));

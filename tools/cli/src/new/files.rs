@@ -145,6 +145,10 @@ fn placeholders(
                 "tip-drives = { <<drives>>, features = [\"std\"] }\n",
             ),
         ),
+        (
+            "sticks",
+            when(template.motion.is_steered, template_text!("sticks.rs")),
+        ),
         ("drives", origin.dependency(DRIVES)),
         (
             "workspace",

@@ -8,6 +8,7 @@ use crate::output::width;
 use crate::report::step_location;
 use serde::Serialize;
 use std::fmt::{self, Write as _};
+use tip_drives::drives::Counts;
 use tip_runtime::command::Op;
 use tip_runtime::machine::Emergency;
 use tip_runtime::plant::{Motion, Travel, Unmodelled};
@@ -134,15 +135,8 @@ pub(crate) fn line(figure: Figure, value: impl fmt::Display, lang: Lang) -> Stri
 pub(super) fn driven(connection: &Connection, jitter: Option<&Histogram>, lang: Lang) -> String {
     let robot = connection.robot();
     let drives = robot.drives();
-    let (counts, period) = (drives.counts(), connection.period());
-    let mean = counts.busy as f64 / counts.cycles.max(1) as f64 / 1000.0;
-    let time = Running::BusTime {
-        servos: drives.joints().count(),
-        mean: format!("{mean:.2}"),
-        period,
-        share: format!("{:.0}", mean / period * 100.0),
-        longest: format!("{:.2}", counts.longest as f64 / 1000.0),
-    };
+    let counts = drives.counts();
+    let time = bus_time(drives.joints().count(), &counts, connection.period());
     let answers = Running::BusAnswers {
         missing: counts.missing.to_string(),
         asked: drives.bus().counters().asked.to_string(),
@@ -163,6 +157,33 @@ pub(super) fn driven(connection: &Connection, jitter: Option<&Histogram>, lang: 
         text += &line(Figure::Jitter, &jitter, lang);
     }
     text
+}
+
+/// Returns the time of a bus in a cycle, of which a program may have changed the sampling time, ms.
+fn bus_time(servos: usize, counts: &Counts, first: f64) -> Running {
+    let cycles = counts.commanded.max(1) as f64;
+    let mean = counts.busy as f64 / cycles / 1000.0;
+    let period = match counts.commanded {
+        0 => first,
+        _ => (counts.time as f64 / cycles / 100.0).round() / 10.0,
+    };
+    let (share, mean) = (mean / period, format!("{mean:.2}"));
+    let longest = format!("{:.2}", counts.longest as f64 / 1000.0);
+    match share > 1.0 {
+        true => Running::BusOverrun {
+            servos,
+            mean,
+            period,
+            longest,
+        },
+        false => Running::BusTime {
+            servos,
+            mean,
+            period,
+            share: format!("{:.0}", share * 100.0),
+            longest,
+        },
+    }
 }
 
 /// A summary while it is written.
@@ -620,6 +641,31 @@ pub(crate) fn wait_message(wait: &Wait) -> Waiting {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The sampling time is that in force, not that of the file; a time that is longer is no percentage.
+    #[test]
+    fn the_time_of_a_bus_is_compared_with_the_sampling_time_in_force() {
+        let said = |busy, time| {
+            let counts = Counts {
+                cycles: 15,
+                commanded: 10,
+                busy,
+                time,
+                longest: 50_000,
+                ..Counts::default()
+            };
+            let time = bus_time(18, &counts, 20.0);
+            time.in_lang(Lang::English).to_string()
+        };
+        assert_eq!(
+            said(380_000, 400_000),
+            "18 servos, 38.00 ms of 40 ms in each cycle (95 %), 50.00 ms at most"
+        );
+        assert_eq!(
+            said(412_000, 400_000),
+            "18 servos, 41.20 ms in each cycle, longer than its 40 ms: cycles are late; 50.00 ms at most"
+        );
+    }
 
     #[test]
     fn nothing_is_less_than_nothing() {

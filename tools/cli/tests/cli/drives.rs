@@ -1,5 +1,6 @@
 //! Real robots whose servos are simulated: runs, faults, and `tip drives` on a pseudo-terminal.
 
+use crate::servo_bus::ServoBus;
 use crate::support::Folder;
 use crate::torque::leg;
 use crate::view::data;
@@ -514,36 +515,46 @@ fn a_killed_host_leaves_servos_that_stand() {
             "[bus]\n",
             "[bus]\nlatency = 400\nsilence = 200\nlag = [90, 60]\n",
         );
+    // Watchdogs wait for ten cycles, and a busy machine keeps the host from its work for longer than those of 20 ms.
+    let slow = slow.replace("[standards]\n", "[standards]\nperiod = 100\n");
+    let mut bus = ServoBus::of(&slow, 0.0);
     let folder = folder.file("slow.toml", slow);
-    let pty = Pty::open(&folder);
-    let port = ["--port", &pty.1];
     let run = [
         "run",
         "it/motions/walk.prg",
         "--hardware",
         "slow.toml",
         "--yes",
+        "--port",
+        bus.port(),
     ];
-    let mut host = folder.command(&[&run[..], &port].concat());
+    let mut host = folder.command(&run);
     let mut host = host.stderr(Stdio::piped()).spawn().expect("it starts");
-    let mut said = BufReader::new(host.stderr.take().expect("a pipe")).lines();
-    // The status is shown each second: it walks.
-    let walks = said.any(|line| line.is_ok_and(|line| line.starts_with("3.")));
-    assert!(walks);
+    let lines = BufReader::new(host.stderr.take().expect("a pipe")).lines();
+    let mut said = Vec::new();
+    for line in lines.map_while(Result::ok) {
+        said.push(line);
+        // The status is shown each second: it walks.
+        if said.last().is_some_and(|line| line.starts_with("3.")) {
+            break;
+        }
+    }
+    let walks = said.last().is_some_and(|line| line.starts_with("3."));
+    assert!(walks, "{said:#?}");
     host.kill().expect("it runs");
     host.wait().expect("it ends");
     std::thread::sleep(Duration::from_secs(1));
-    let monitor = [&["drives", "monitor", "slow.toml", "--once"][..], &port].concat();
-    let counts = || {
-        let table = folder.tip(&monitor).expect(0).out;
-        let rows = table.lines().filter(|line| line.starts_with('J'));
-        let counts = rows.filter_map(|row| row.split_whitespace().nth(3).map(str::to_owned));
-        counts.collect::<Vec<_>>()
+    let mut counts = || {
+        bus.with(|bus| {
+            let counts = bus.servos().iter().map(|servo| servo.position().round());
+            counts.collect::<Vec<_>>()
+        })
     };
     let stopped = counts();
     assert_eq!(stopped.len(), 12);
     std::thread::sleep(Duration::from_secs(1));
     assert_eq!(counts(), stopped);
+    assert_eq!(bus.stiff().len(), 12);
 }
 
 #[test]

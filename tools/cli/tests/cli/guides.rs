@@ -4,6 +4,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::{env, fs};
 
 /// The guides, each followed from an empty folder.
@@ -83,12 +84,16 @@ fn is_as_expected(expected: &[&str], printed: &[&str]) -> bool {
 struct Terminal {
     start: PathBuf,
     here: PathBuf,
+    /// One cargo at a time: it says that it waits for another one.
+    _turn: MutexGuard<'static, ()>,
 }
 
 impl Terminal {
     /// Outside the workspace, of which a crate inside would be a part; always at the same place, so that cargo knows again
     /// what it has built.
     fn open() -> Self {
+        static TURN: Mutex<()> = Mutex::new(());
+        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let mut hasher = DefaultHasher::new();
         workspace().hash(&mut hasher);
         let start = env::temp_dir().join(format!("tip-guides-{:x}", hasher.finish()));
@@ -96,7 +101,11 @@ impl Terminal {
         fs::create_dir_all(&start).expect("a folder for temporary files");
         std::os::unix::fs::symlink(workspace(), start.join("tip")).expect("a link");
         let here = start.clone();
-        Terminal { start, here }
+        Terminal {
+            start,
+            here,
+            _turn: turn,
+        }
     }
 
     fn write(&self, file: &str, text: &str) {
@@ -198,6 +207,46 @@ fn made_for(terminal: &mut Terminal, robot: &str, ends: &str) {
         tested.contains(passed) && !tested.contains("warning"),
         "{robot}: {tested}"
     );
+}
+
+/// The program that `tip new --hardware` writes for servos on a bus moves simulated ones to the end of the motion, passes its test, and
+/// ends with the status of a signal.
+#[test]
+fn a_made_crate_moves_its_servos() {
+    let mut terminal = Terminal::open();
+    let made = terminal.run("tip new six --robot phantomx --hardware --workspace tip");
+    assert!(made.contains("  src/bin/drive.rs\n"), "{made}");
+    terminal.run("cd six");
+    let tested = terminal.run("cargo test --quiet --test hardware");
+    let passed = "test result: ok. 1 passed; 0 failed";
+    assert!(
+        tested.contains(passed) && !tested.contains("warning"),
+        "{tested}"
+    );
+    let first = "3.1\nThe first posture\nINITIAL_POSTURE\nWAIT_INPOS ALL\n";
+    terminal.write("motions/walk.prg", &format!("{first}SLEEP 2000\nEND\n"));
+    let run = terminal.run("cargo run --quiet --bin drive; echo status $?");
+    let lines: Vec<&str> = run.lines().collect();
+    let [cycles, "status 0"] = lines[..] else {
+        panic!("{run}");
+    };
+    let cycles = cycles
+        .strip_suffix(" cycles")
+        .and_then(|n| n.parse::<u32>().ok());
+    assert!(cycles.is_some_and(|it| (100..500).contains(&it)), "{run}");
+    terminal.write(
+        "motions/walk.prg",
+        &format!("{first}STAND:\nGOTO STAND:\nEND\n"),
+    );
+    terminal.run("cargo build --quiet --bin drive");
+    for (signal, status) in [("TERM", 143), ("INT", 130), ("HUP", 129)] {
+        let limited = format!("timeout --preserve-status --signal {signal} 2");
+        let run = terminal.run(&format!(
+            "{limited} $CARGO_TARGET_DIR/debug/drive; echo status $?"
+        ));
+        let ended = format!(" cycles\nstatus {status}\n");
+        assert!(run.ends_with(&ended), "{signal}: {run}");
+    }
 }
 
 /// Does what a guide says; returns how many commands it has run.
