@@ -2,7 +2,7 @@
 //! under callgrind, which writes the count of each call of [`counted`] to a file. The first argument is the common part of the names
 //! of these files. The second selects the pairs whose name contains it, such as `lsp of 3.2`.
 
-use robustness::repetitions::{Reader, Unit, forms, long_programs, pieces};
+use robustness::repetitions::{ALL, Reader, Unit, forms, long_programs, pieces};
 use std::env;
 use std::error::Error;
 use std::fs;
@@ -65,8 +65,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let selection = arguments.next().unwrap_or_default();
     let mut dumps = Dumps { prefix, calls: 0 };
     // What is set up once does not belong to the first pair.
-    for (_, reader) in forms().iter().take(7) {
-        dumps.count(*reader, "3.1\nT\nEND\n")?;
+    for reader in ALL {
+        dumps.count(reader, "3.1\nT\nEND\n")?;
     }
     let (mut pairs, mut excesses) = (0, 0);
     println!("ratio\tn\tat n\tat 4 n\treader and form");

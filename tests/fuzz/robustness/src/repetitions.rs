@@ -25,7 +25,8 @@ const MIGRATE: Reader = ("migrate", migrate);
 const DAP: Reader = ("dap", debug);
 const EMIT: Reader = ("emit", emit);
 
-const ALL: [Reader; 7] = [CHECK, FMT, LSP, CYCLES, MIGRATE, DAP, EMIT];
+/// All readers.
+pub const ALL: [Reader; 7] = [CHECK, FMT, LSP, CYCLES, MIGRATE, DAP, EMIT];
 
 fn options() -> Options {
     Options::default()
@@ -192,6 +193,11 @@ pub fn long_programs() -> Vec<(Unit, Reader)> {
         (unit(first, "A_", "", 15_000), vec![CHECK, FMT]),
         (unit(first, "A\u{FF1A}", "", 5_000), vec![CHECK, FMT]),
         (unit(first, "DEF_VAR A ", "", 5_000), vec![CHECK, FMT]),
+        (unit(first, "IF V > -1 GOTO L:", "\n", 120), vec![CHECK]),
+        (
+            unit(first, "L{n}:\nIF V > 1 GOSUB L{m}:", "\n", 120),
+            vec![CHECK],
+        ),
         (
             unit(first, "L{n}: REM\nIF KB_HIT GOTO L{m}:", "\n", 400),
             vec![CYCLES],

@@ -2,11 +2,11 @@
 //! lines and pieces along a line, in both editions, and go through all that reads programs. All statements of the tables are read too,
 //! without a measurement: a form with other words costs the same.
 //!
-//! Work is measured here in processor time of the thread, which other processes do not add to, as a ratio: four times the text may cost
-//! five times as much, where a square costs sixteen. A ratio that is too high is measured again, the least of several runs, and at four
-//! times the size: a square stays, noise goes. No absolute time is compared. `tests/external/operations` counts instructions, which
-//! no other process changes. Stacks are those of threads, 2 MiB; a thread has the name of
-//! its unit, which the message of an overflow shows.
+//! Work is measured here in processor time of the thread, which other processes hardly add to, as a ratio: four times the text may
+//! cost five times as much, where a square costs sixteen. A ratio that is too high is measured again, the least of several runs, and
+//! at four times the size: a square stays, noise goes. No absolute time is compared. This is an alarm: squares with a small factor
+//! show only in the instructions that `tests/external/operations/run` counts. Stacks are those of threads, 2 MiB; a thread has the
+//! name of its unit, which the message of an overflow shows.
 
 use robustness::repetitions::{
     CHECK, CYCLES, Reader, Unit, all_statements, fix, forms, long_programs, pieces,
