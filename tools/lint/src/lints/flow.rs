@@ -238,7 +238,7 @@ fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
     compares.then(|| flow.first(turn))
 }
 
-/// Returns whether the loop cannot end; `None` if it is too large to say.
+/// Returns whether the loop cannot end; `None` if the searches have visited too much to say.
 fn is_stuck(
     program: &Program,
     flow: &Flow,
@@ -477,7 +477,7 @@ fn one_way(program: &Program, flow: &Flow) -> Vec<(StepId, StepId)> {
 
 /// Returns whether the routine does something, and then runs to the end of the source or into a call of itself, but
 /// never returns;
-/// `None` if it is too long to say.
+/// `None` if the searches have visited too much to say.
 fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
     let path = walk.from(&[call.entry], None, Calls::Passed)?;
     let nodes = || path.iter().map(|id| &flow.nodes()[*id]);
@@ -490,8 +490,9 @@ fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -
     Some((runs_out || calls_itself) && actions().any(Action::acts))
 }
 
-/// Maximum number of nodes on a path that is followed: the time stays in proportion to the program.
-const FARTHEST: usize = 1_000;
+/// Maximum number of nodes that all searches of one lint visit, for each node of the program: the time stays in proportion to the
+/// program. 32 loops over the whole program are still judged.
+const VISITS: usize = 64;
 
 /// The way of a path at a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -508,6 +509,8 @@ struct Walk<'a> {
     /// The last search that came to each node.
     seen: Vec<u32>,
     search: u32,
+    /// Number of nodes that may still be visited.
+    visits: usize,
 }
 
 impl<'a> Walk<'a> {
@@ -516,12 +519,13 @@ impl<'a> Walk<'a> {
             flow,
             seen: vec![0; flow.nodes().len()],
             search: 0,
+            visits: VISITS * flow.nodes().len(),
         }
     }
 
     /// Returns the nodes that paths from `starts` come to, themselves among them, without those behind `end`, where
     /// paths end;
-    /// `None` if there are very many.
+    /// `None` if too many have been visited.
     fn from(
         &mut self,
         starts: &[NodeId],
@@ -538,9 +542,7 @@ impl<'a> Walk<'a> {
             if std::mem::replace(&mut self.seen[id], self.search) == self.search {
                 continue;
             }
-            if found.len() == FARTHEST {
-                return None;
-            }
+            self.visits = self.visits.checked_sub(1)?;
             found.push(id);
             if Some(id) == end {
                 continue;

@@ -6,4 +6,3 @@ mod format;
 mod fuzz;
 mod programs;
 mod repetitions;
-mod units;

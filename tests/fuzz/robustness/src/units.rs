@@ -11,12 +11,12 @@ use tipc::language::reserved::RESERVED;
 use tipc::language::{Edition, inputs::INPUTS};
 
 /// Declarations and labels that units name.
-pub(crate) const HEAD: &str = "DEF_VAR V\nDEF_POS P\nDEF_JOINT Q\nV = 1\nP.X = V\nP.Y = V\nP.Z = V\n\
+pub const HEAD: &str = "DEF_VAR V\nDEF_POS P\nDEF_JOINT Q\nV = 1\nP.X = V\nP.Y = V\nP.Z = V\n\
     Q.J1 = V\nQ.J2 = V\nQ.J3 = V\nL:\n";
 
 /// Statements of every form, right and wrong, also those that no table has. `{n}` is the number of the repetition, `{m}` another number below the count, `{t}` the number of
 /// the next one.
-pub(crate) const FORMS: &[&str] = &[
+pub const FORMS: &[&str] = &[
     "PTP F1 1 V C{n}",
     "PTP F1 391 201 -150\nWAIT_INPOS ALL",
     "SET_POSITION_STIFFNESS F1 P",
@@ -72,7 +72,7 @@ pub(crate) const FORMS: &[&str] = &[
 ];
 
 /// Pieces that are repeated without anything between them, on one line.
-pub(crate) const PIECES: &[&str] = &[
+pub const PIECES: &[&str] = &[
     "A_",
     "_",
     "A",
@@ -169,7 +169,7 @@ pub(crate) const PIECES: &[&str] = &[
 ];
 
 /// Returns the statements of an edition: those that its tables hold in each form, and others.
-pub(crate) fn statements(edition: Edition) -> Vec<String> {
+pub fn statements(edition: Edition) -> Vec<String> {
     let mut all = BTreeSet::new();
     for row in COMMANDS.iter().filter(|row| row.since <= edition) {
         let robot = Robot::ALL.iter().find(|robot| row.robots.contains(**robot));
