@@ -8,6 +8,7 @@ use super::section::{Found, Section, Sign, fault};
 use crate::message::{Describing, Message, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
+use std::ops::RangeInclusive;
 use tip_runtime::command::Target;
 use tip_runtime::model::Range;
 
@@ -146,7 +147,7 @@ pub(super) fn read(
 fn settings(bus: Section<'_>, drives: Vec<Drive>, found: &mut Found) -> Option<Bus> {
     let port = bus.text("port", found).map(|(_, text)| text.to_owned());
     let baud = whole(bus, "baud", 9_600.0..=4_500_000.0, 1_000_000, found);
-    let latency = bus.number("latency", Sign::NotNegative, found);
+    let latency = within(bus, "latency", 0.0..=1000.0, 4.0, found);
     let answers = [("each", false), ("together", true)];
     let together = bus.has("answers") && bus.choice("answers", &answers, found)?;
     let policies = [("hold", false), ("relax", true)];
@@ -159,28 +160,50 @@ fn settings(bus: Section<'_>, drives: Vec<Drive>, found: &mut Found) -> Option<B
     let voltage = bus.range("voltage", Sign::Positive, found);
     let overload = bus.numbers("overload", Sign::Positive, found);
     let lag = bus.numbers("lag", Sign::Positive, found);
-    let start = bus.number("start", Sign::Positive, found);
+    let start = within(bus, "start", SPEEDS, 30.0, found);
     Some(Bus {
         port,
         baud: baud?,
-        latency: latency.unwrap_or(4.0),
+        latency,
         together,
         silence: silence?,
         temperature: temperature.unwrap_or(65.0),
         voltage: voltage.unwrap_or(Range::new(6.0, 15.0)),
         overload: overload.unwrap_or([0.9, 0.5]),
         lag: lag.unwrap_or([25.0, 0.5]),
-        start: start.unwrap_or(30.0),
+        start,
         relaxes,
         drives,
     })
+}
+
+/// Speeds of a joint, deg/s. A slower one would take hours to an angle, without a word.
+const SPEEDS: RangeInclusive<f64> = 0.1..=100_000.0;
+
+/// Reads a number of a range.
+fn within(
+    section: Section<'_>,
+    key: &str,
+    range: RangeInclusive<f64>,
+    standard: f64,
+    found: &mut Found,
+) -> f64 {
+    let Some(number) = section.number(key, Sign::Any, found) else {
+        return standard;
+    };
+    if !range.contains(&number) {
+        let (least, most) = range.into_inner();
+        let reason = Describing::NotBetween { least, most };
+        section.refuse::<()>(key, section.location_of(key), reason, found);
+    }
+    number
 }
 
 /// Reads a whole number.
 fn whole(
     section: Section<'_>,
     key: &str,
-    range: std::ops::RangeInclusive<f64>,
+    range: RangeInclusive<f64>,
     standard: u32,
     found: &mut Found,
 ) -> Option<u32> {
@@ -302,11 +325,9 @@ fn drive(
             found,
         );
     }
-    let speed = section.number("speed", Sign::Positive, found);
-    let torque = section.number("torque", Sign::Positive, found);
-    if torque.is_some_and(|torque| torque > 1.0) {
-        refuse("torque", Describing::AboveFullTorque.into(), found);
-    }
+    let speed = within(section, "speed", SPEEDS, 180.0, found);
+    // Less than a hundredth rounds to 0 counts in some servos: they would have torque, and give way to everything.
+    let torque = within(section, "torque", 0.01..=1.0, 1.0, found);
     if let Some(servo) = model.filter(|_| is_inside) {
         let Range { min, max } = servo.travel;
         let ends = [limits.min, limits.max].map(|angle| sign * gear * angle + offset);
@@ -327,8 +348,8 @@ fn drive(
         offset,
         gear,
         limits,
-        speed: speed.unwrap_or(180.0),
-        torque: torque.unwrap_or(1.0),
+        speed,
+        torque,
     };
     Some((drive, model))
 }

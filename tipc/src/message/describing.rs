@@ -183,6 +183,9 @@ messages! {
     NotWhole { least: f64, most: f64 }
         "a whole number from {least} to {most} belongs here",
         "ここには{least}から{most}までの整数を書きます";
+    NotBetween { least: f64, most: f64 }
+        "a number from {least} to {most} belongs here",
+        "ここには{least}から{most}までの数を書きます";
     BeyondJoint { min: f64, max: f64 }
         "the joint itself goes from {min} to {max} deg only",
         "関節自体の範囲は{min}から{max}度までです";
@@ -192,9 +195,6 @@ messages! {
     BeyondTravel { angle: f64, min: f64, max: f64 }
         "the motor would have to turn to {angle} deg, and goes from {min} to {max} deg: look at sign, offset and gear, or narrow the limits",
         "モータが{angle}度まで回る必要がありますが、範囲は{min}から{max}度です。符号、オフセット、減速比を確かめるか、範囲を狭めてください";
-    AboveFullTorque
-        "no torque limit is above 1",
-        "トルク制限は1以下です";
 
     // Shapes.
     NoForm

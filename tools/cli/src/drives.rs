@@ -194,6 +194,7 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
     let (limits, speed) = (setup.joints[place].limits, setup.bus.start);
     let connection = arguments.robot.connect(setup)?;
     let joint = arguments.joint.clone();
+    input::forget_typed();
     report::say(Driving::JogHow { joint }, lang);
     connection.take_over(!connection.is_simulated());
     let mut step = connection.robot().hold();

@@ -24,6 +24,18 @@ use tipc::{Loaded, Options, embed};
 /// Time between two looks for an interrupt while a line is awaited.
 const POLL_INTERVAL: Duration = Duration::from_millis(20);
 
+/// Reads the answer to a question that was asked now; true for RETURN alone, which is not what someone answers who does not want it.
+pub(super) fn is_confirmed() -> Result<bool, Error> {
+    Ok(line()?.is_some_and(|line| line.trim_end_matches(['\r', '\n']).is_empty()))
+}
+
+/// Forgets what was typed before a question: it cannot answer it.
+pub(super) fn forget_typed() {
+    // Only a terminal can forget.
+    #[cfg(unix)]
+    let _ = rustix::termios::tcflush(io::stdin(), rustix::termios::QueueSelector::IFlush);
+}
+
 /// Reads a line of standard input; `None` at its end, or if the command is interrupted meanwhile.
 pub(super) fn line() -> Result<Option<String>, Error> {
     let (sender, receiver) = channel();

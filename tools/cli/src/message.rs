@@ -1051,6 +1051,12 @@ tipc::message_table! {
     ZeroReleases { joints: String }
         "these servos hold: {joints}. Support the robot; RETURN switches their torque off",
         "保持中のサーボがあります: {joints}。ロボットを支えてください。RETURNでトルクを切ります";
+    IdReleases { id: u32 }
+        "servo {id} holds. Support the robot; RETURN switches its torque off, and writes the number",
+        "サーボ{id}は保持中です。ロボットを支えてください。RETURNでトルクを切り、番号を書き込みます";
+    IdKept { id: u32 }
+        "servo {id} keeps its number and its torque: RETURN alone would have written the number",
+        "サーボ{id}の番号とトルクは変わりません。番号を書き込むにはRETURNだけを押してください";
     NotStill { joints: String }
         "{joints} gave no two equal positions in a row: keep the joint still, look at its cables, and do it again",
         "{joints}の位置が定まりません。関節を動かさず、ケーブルを確かめて、やり直してください";

@@ -305,9 +305,9 @@ fn agreed(arguments: &Run, connection: &Connection) -> Result<bool, Error> {
     if !io::stdin().is_terminal() {
         return Err(Error::usage(Driving::NeedsYes, lang));
     }
+    input::forget_typed();
     report::say(Driving::PressReturn, lang);
-    // RETURN alone: not what someone answers who does not want it.
-    Ok(input::line()?.is_some_and(|line| line.trim().is_empty()))
+    input::is_confirmed()
 }
 
 impl Job<'_> {

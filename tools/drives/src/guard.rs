@@ -399,6 +399,13 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
                 self.pass(period);
             }
         }
+        // A robot that was left while its torque was switched on holds with some of its servos.
+        let stiff = match joints < self.drives.joints().count() {
+            true => self.drives.stiff(),
+            false => Vec::new(),
+        };
+        let limp = (joints..self.drives.joints().count()).filter(|it| !stiff.contains(it));
+        other.extend(limp);
         let unknown = open.into_iter().filter(|it| !other.contains(it));
         Some(Outcome {
             policy,

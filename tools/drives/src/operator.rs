@@ -38,6 +38,8 @@ use tip_runtime::console::{Console, Terminal};
 
 /// Bytes of keys.
 const RETURN: u8 = 0x0D;
+/// RETURN that was pressed before keys were read one by one.
+const LINE_FEED: u8 = 0x0A;
 const ESCAPE: u8 = 0x1B;
 /// Exit status of a process that a signal ends, without the number of the signal.
 const BY_SIGNAL: u8 = 128;
@@ -184,7 +186,7 @@ impl Host<AnyPort> for Operator {
         if let Some(keyboard) = &mut self.keyboard {
             while let Some(key) = keyboard.key(0) {
                 match key {
-                    RETURN => return Some(Request::EmergencyStop),
+                    RETURN | LINE_FEED => return Some(Request::EmergencyStop),
                     ESCAPE => request = Some(Request::End),
                     _ => {}
                 }

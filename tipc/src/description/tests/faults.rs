@@ -507,7 +507,7 @@ fn every_fault_of_a_drive_is_at_its_location() {
         ),
         (
             &format!("{bus}id = 1\nmodel = \"MX-28\"\ntorque = 2\n"),
-            "10:10: no torque limit is above 1",
+            "10:10: a number from 0.01 to 1 belongs here",
         ),
     ] {
         assert_eq!(faults_of_drive(more), [expected], "{more}");

@@ -149,6 +149,8 @@ impl Setup {
 
 /// The bytes of the keys RETURN and ESC.
 const RETURN: u8 = 0x0D;
+/// RETURN that was pressed before keys were read one by one.
+const LINE_FEED: u8 = 0x0A;
 const ESCAPE: u8 = 0x1B;
 
 /// The operator of a robot: keys, signals, and the time of simulated servos.
@@ -199,7 +201,7 @@ impl Host<AnyPort> for Operator {
         if let Some(keyboard) = self.keyboard.as_mut().filter(|_| is_ours) {
             while let Some(key) = keyboard.key(0) {
                 match key {
-                    RETURN => return Some(Request::EmergencyStop),
+                    RETURN | LINE_FEED => return Some(Request::EmergencyStop),
                     ESCAPE => request = Some(Request::End),
                     _ if self.typed.len() < MAX_TYPED => self.typed.push(key),
                     _ => {}

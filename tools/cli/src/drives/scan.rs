@@ -4,7 +4,7 @@ use super::port::open_serial;
 use crate::choices::{self, LangName};
 use crate::error::Error;
 use crate::message::Driving;
-use crate::{Status, interrupt, output, report};
+use crate::{Status, input, interrupt, output, report};
 use clap::Args;
 use std::fmt::Write as _;
 use tip_drives::bus::{Bus, BusError, Timing, Wire};
@@ -312,6 +312,7 @@ fn keys_besides(asked: &'static dyn Family) -> String {
 }
 
 pub(super) fn id(arguments: &Id) -> Result<Status, Error> {
+    interrupt::catch();
     let (lang, family) = (arguments.port.lang(), arguments.family);
     let (from, to) = (arguments.from, arguments.to);
     let mut bus = arguments.port.bus()?;
@@ -354,6 +355,18 @@ pub(super) fn id(arguments: &Id) -> Result<Status, Error> {
             return Err(Error::failed(remark, lang));
         }
         (_, remark) => super::realtime::warn(remark.as_slice(), lang),
+    }
+    // A servo that gets a number loses its torque.
+    if family.is_stiff(&mut bus, from) == Ok(true) {
+        let id = from.into();
+        input::forget_typed();
+        report::say(Driving::IdReleases { id }, lang);
+        if !input::is_confirmed()? {
+            return match interrupt::is_requested() {
+                true => Ok(Status::Interrupted),
+                false => Err(Error::failed(Driving::IdKept { id }, lang)),
+            };
+        }
     }
     family.set_id(&mut bus, from, to).map_err(|error| {
         let (id, to) = (from.into(), to.into());

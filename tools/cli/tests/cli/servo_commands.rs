@@ -5,6 +5,7 @@ use crate::servo_bus::ServoBus;
 use crate::support::{Folder, Outcome};
 use crate::torque::{WAITS, leg};
 use rustix::process::{Pid, Signal, kill_process};
+use std::fs::File;
 use std::io::{Read, Write};
 use std::process::{Child, ChildStderr, ChildStdin, Stdio};
 use tip_drives::simulated::Servo;
@@ -356,6 +357,36 @@ fn table(bus: &mut ServoBus) -> Vec<u8> {
         let registers = (0..36).filter_map(|address| servo.register(address, 1));
         registers.map(|value| value as u8).collect()
     })
+}
+
+/// A servo that gets a number loses its torque: its operator is asked.
+#[test]
+fn a_servo_that_holds_gets_a_number_after_return_only() {
+    let robot = leg("hold", "hold", "");
+    let folder = Folder::new("id-holds").file("robot.toml", &robot);
+    let folder = folder.program("p.prg", "END");
+    let mut bus = ServoBus::of(&robot, 0.5);
+    let run = ["run", "p.prg", "--hardware", "robot.toml", "--yes"];
+    let port = bus.port().to_owned();
+    folder
+        .tip(&[&run[..], &["--port", &port]].concat())
+        .expect(0);
+    let id = |typed: &str| {
+        std::fs::write(folder.path("typed"), typed).expect("a file");
+        let id = ["drives", "id", "1", "7", "--family", "sts"];
+        let more = ["--latency", "300", "--port", &port];
+        let mut command = folder.command(&[&id[..], &more].concat());
+        command.stdin(File::open(folder.path("typed")).expect("a file"));
+        Outcome::of(command.output().expect("tip starts"))
+    };
+    for typed in ["", "no\n"] {
+        let kept = id(typed).expect(1);
+        assert!(kept.err.contains("servo 1 holds."), "{}", kept.err);
+        assert!(kept.err.contains("keeps its number"), "{}", kept.err);
+        assert_eq!(bus.stiff(), [1, 2, 3]);
+    }
+    assert_eq!(id("\n").expect(0).out, "servo 1 is servo 7 now\n");
+    assert_eq!(bus.stiff(), [2, 3]);
 }
 
 #[test]

@@ -107,6 +107,17 @@ fn await_go(child: &mut Child) {
     assert_eq!(first, *b"go\n");
 }
 
+/// Reads standard error until the question that starts a run.
+fn await_question(child: &mut Child) {
+    let mut said = Vec::new();
+    let mut byte = [0];
+    while !said.ends_with(b"RETURN starts") {
+        let err = child.stderr.as_mut().expect("piped");
+        err.read_exact(&mut byte).expect("the question");
+        said.push(byte[0]);
+    }
+}
+
 fn signal(child: &Child, signal: Signal) {
     kill_process(Pid::from_child(child), signal).expect("nobody has waited for it yet");
 }
@@ -470,7 +481,10 @@ fn servos_that_were_stiff_before_a_run_that_does_not_start_are_named() {
     std::fs::write(session.folder.path("cold.toml"), cold).expect("a file");
     let said = "was on before this run, and stays on: J11 (servo 1), J12 (servo 2), J13 (servo 3)";
     let refused = |session: &Session| {
-        let child = session.start(&["run", "p.prg", "--hardware", "robot.toml"]);
+        let mut child = session.start(&["run", "p.prg", "--hardware", "robot.toml"]);
+        // It comes before the question, and starts nothing.
+        session.pty.press(RETURN);
+        await_question(&mut child);
         for key in *b"q\r" {
             session.pty.press(key);
         }

@@ -190,7 +190,13 @@ fn a_request_in_any_cycle_of_the_approach_is_obeyed_in_it() {
                     let on = asked.saturating_sub(1).min(JOINTS);
                     let wanted = &wanted(policy)[..on.min(wanted(policy).len())];
                     assert_eq!(stiff_of(&robot), wanted, "{what}");
-                    assert!(robot.outcome().expect("left").is_certain(), "{what}");
+                    let outcome = robot.outcome().expect("left");
+                    let limp: Vec<usize> = match policy {
+                        Policy::Hold => (on..JOINTS).collect(),
+                        Policy::Relax => Vec::new(),
+                    };
+                    assert_eq!(outcome.other[..], limp[..], "{what}: they were to hold");
+                    assert!(outcome.unknown.is_empty(), "{what}");
                 }
             }
         }
