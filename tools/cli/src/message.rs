@@ -201,6 +201,12 @@ tipc::message_table! {
     NoPlayground
         "this command was built without the page: take a released command, or run `site/build` in a clone of the project",
         "このコマンドにはページが入っていません。公開版のコマンドを使うか、クローンで `site/build` を実行してください";
+    CutTrace { file: String, cycle: String }
+        "{file}: the trace has no last record and is incomplete from cycle {cycle} on: copy it again, or run the program again with --trace; 'tip view' shows what there is",
+        "{file}: トレースに最後の記録がなく、周期{cycle}以降が欠けています。コピーし直すか、--traceを付けてプログラムを実行し直してください。残っている部分は 'tip view' で表示できます";
+    ShowsCutTrace { file: String, cycle: String }
+        "warning: {file}: the trace has no last record and is incomplete from cycle {cycle} on",
+        "警告: {file}: トレースに最後の記録がなく、周期{cycle}以降が欠けています";
     TraceWithoutProgram { file: Text }
         "{file} is a trace: name the program that it is of by --program FILE.prg",
         "{file} はトレースです。--program FILE.prg で元のプログラムを指定してください";
