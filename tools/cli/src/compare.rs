@@ -175,7 +175,7 @@ fn figure(summary: &Summary, name: &str) -> Option<(f64, &'static str)> {
         "slip" => peak(&summary.slip),
         "rate" => peak(&summary.rate),
         "torque" => peak(&summary.torque),
-        "energy" => Some((summary.energy?.work_j, "joule")),
+        "energy" => Some((summary.energy?.work_j, "J")),
         "cost" => Some((summary.energy?.cost_of_transport?, "")),
         "lift" => summary.lifts.first().map(|lift| (lift.value, lift.unit)),
         _ => None,
