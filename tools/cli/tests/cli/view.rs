@@ -159,8 +159,8 @@ fn a_cut_trace_is_shown_with_a_warning_and_a_damaged_one_is_refused() {
     let whole = folder.read("wave.jsonl");
     let lines: Vec<&str> = whole.split_inclusive('\n').collect();
     let folder = folder
-        .file("cut.jsonl", &lines[..5].concat())
-        .file("gap.jsonl", &[&lines[..5], &lines[6..]].concat().concat());
+        .file("cut.jsonl", lines[..5].concat())
+        .file("gap.jsonl", [&lines[..5], &lines[6..]].concat().concat());
     let tip = |command: &[&str]| folder.tip(&[command, &["--program", "wave.prg"]].concat());
     let shown = tip(&["view", "cut.jsonl", "-o", "cut.html"]).expect(0);
     let warning =
