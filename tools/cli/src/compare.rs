@@ -94,6 +94,11 @@ fn compare(arguments: &Compare) -> Result<Status, Error> {
     {
         return Ok(Status::Interrupted);
     }
+    // The figures of a part of a run say nothing about the run.
+    if let Some(cut) = runs.iter().find(|run| run.outcome == Outcome::Unknown) {
+        let (file, cycle) = (cut.script.name.clone(), cut.cycles.to_string());
+        return Err(Error::failed(Using::CutTrace { file, cycle }, lang));
+    }
     let rows = rows(&runs[0].summary, &runs[1].summary);
     // A condition on a figure that the robot lacks is a mistake, not a success.
     for condition in &arguments.fail_if {
@@ -170,7 +175,7 @@ fn figure(summary: &Summary, name: &str) -> Option<(f64, &'static str)> {
         "slip" => peak(&summary.slip),
         "rate" => peak(&summary.rate),
         "torque" => peak(&summary.torque),
-        "energy" => Some((summary.energy?.work_j, "joule")),
+        "energy" => Some((summary.energy?.work_j, "J")),
         "cost" => Some((summary.energy?.cost_of_transport?, "")),
         "lift" => summary.lifts.first().map(|lift| (lift.value, lift.unit)),
         _ => None,
@@ -326,7 +331,7 @@ fn json(runs: &[Recording; 2], rows: &[Row]) -> String {
         file: &run.script.name,
         end: match &run.outcome {
             Outcome::Program(word) => word.clone(),
-            Outcome::Interrupted => "INTERRUPTED".to_owned(),
+            Outcome::Interrupted | Outcome::Unknown => "INTERRUPTED".to_owned(),
             Outcome::Limit => "LIMIT".to_owned(),
             Outcome::Emergency(_) => "EMERGENCY".to_owned(),
         },

@@ -1,5 +1,5 @@
 //! Ctrl-C, and the signals by which the system asks a process to end: SIGINT, SIGTERM, SIGHUP and SIGQUIT. While the torque of a
-//! robot may be on, they include every signal that would end the process and can be handled.
+//! robot may be on, they include every signal that would end the process and can be handled. SIGXFSZ is no request: the write fails.
 //!
 //! The first one is a request, which the command obeys. A second one, or time, ends a command that is stuck. Before the process
 //! ends so, a robot whose torque is on is left in the state that its file names.
@@ -11,7 +11,7 @@ use crate::Status;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, Ordering};
-use std::sync::{Mutex, MutexGuard, Once, PoisonError, mpsc};
+use std::sync::{Arc, Mutex, MutexGuard, Once, PoisonError, mpsc};
 use std::time::Duration;
 use std::{fs, process, thread};
 use tip_runtime::console::TerminalState;
@@ -70,6 +70,18 @@ pub(super) fn catch() {
     ONCE.call_once(listen);
 }
 
+/// Lets a write beyond the limit of a file's size fail, as on a full disk: the signal for it would end the process.
+#[cfg(unix)]
+pub(super) fn let_writes_fail() {
+    let signal = rustix::process::Signal::XFSZ.as_raw();
+    // If the system refuses, the signal ends the process as before.
+    let _ = signal_hook::flag::register(signal, Arc::default());
+}
+
+/// Does nothing: files have no such limit here.
+#[cfg(not(unix))]
+pub(super) fn let_writes_fail() {}
+
 /// Handles signals in a thread. A signal that was ignored before the process began, as with `nohup` and background jobs, stays
 /// ignored.
 #[cfg(unix)]
@@ -87,15 +99,13 @@ fn listen_for_robot() {
         SIGALRM, SIGINT, SIGIO, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1,
         SIGUSR2, SIGVTALRM, SIGXCPU,
     };
-    /// A file has become longer than its limit.
-    const XFSZ: i32 = rustix::process::Signal::XFSZ.as_raw();
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let ignored = [SIGINT, SIGTERM, SIGQUIT].into_iter();
         let ignored = ignored.filter(|signal| is_ignored(*signal));
         let others = [
             SIGALRM, SIGIO, SIGPROF, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGVTALRM,
-            SIGXCPU, XFSZ,
+            SIGXCPU,
         ];
         listen_for(ignored.chain(others));
     });
@@ -145,7 +155,6 @@ pub(super) fn may_read_keys() -> bool {
 /// Handles Ctrl-C in a thread that looks for it.
 #[cfg(not(unix))]
 fn listen() {
-    use std::sync::Arc;
     let flag = Arc::new(AtomicBool::new(false));
     if signal_hook::flag::register(SIGINT.into(), Arc::clone(&flag)).is_ok() {
         thread::spawn(move || {

@@ -64,7 +64,10 @@ tipc::message_table! {
         "`{text}` は数えられません。0以上の整数を指定してください";
     NotPositive { text: String }
         "`{text}` is not a number of runs or cycles: write a whole number, 1 or more",
-        "`{text}` では何も比較されません。1以上の整数を指定してください";
+        "`{text}` は実行回数でも周期数でもありません。1以上の整数を指定してください";
+    NotThreads { text: String }
+        "`{text}` is not a number of threads: write a whole number, 1 or more",
+        "`{text}` はスレッド数ではありません。1以上の整数を指定してください";
     NotAFoot { text: String }
         "`{text}` is not a foot: write the name of a link, or `LINK=X,Y,Z` for a position in its frame in metres, such as `shank=0,0,-0.13`",
         "`{text}` は足先の指定ではありません。リンクの名前か、`shank=0,0,-0.13` のようにリンク座標系での位置(メートル)を付けて書いてください";
@@ -134,6 +137,9 @@ tipc::message_table! {
     DamagedPart { part: Text, line: String }
         "line {line} of {part} is damaged, or of another version of tip: restore the file, or remove it to start again",
         "{part} の{line}行目は壊れているか、別のバージョンのtipのものです。ファイルを元に戻すか、削除して最初から実行してください";
+    IsLink { file: Text }
+        "{file} is a link: name the file itself with -o, or write '-o -' for standard output",
+        "{file} はリンクです。-oでファイル自体を指定するか、標準出力に書くには '-o -' を指定してください";
     NotATableName { file: Text }
         "{file} is not the name of a table: write a name that ends in .csv, or '-o -' for standard output",
         "{file} は表の名前ではありません。.csvで終わる名前か、標準出力を表す '-o -' を指定してください";
@@ -201,6 +207,12 @@ tipc::message_table! {
     NoPlayground
         "this command was built without the page: take a released command, or run `site/build` in a clone of the project",
         "このコマンドにはページが入っていません。公開版のコマンドを使うか、クローンで `site/build` を実行してください";
+    CutTrace { file: String, cycle: String }
+        "{file}: the trace has no last record and is incomplete from cycle {cycle} on: copy it again, or run the program again with --trace; 'tip view' shows what there is",
+        "{file}: トレースに最後の記録がなく、周期{cycle}以降が欠けています。コピーし直すか、--traceを付けてプログラムを実行し直してください。残っている部分は 'tip view' で表示できます";
+    ShowsCutTrace { file: String, cycle: String }
+        "warning: {file}: the trace has no last record and is incomplete from cycle {cycle} on",
+        "警告: {file}: トレースに最後の記録がなく、周期{cycle}以降が欠けています";
     TraceWithoutProgram { file: Text }
         "{file} is a trace: name the program that it is of by --program FILE.prg",
         "{file} はトレースです。--program FILE.prg で元のプログラムを指定してください";

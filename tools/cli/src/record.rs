@@ -34,7 +34,7 @@ impl Recorded {
         match self.recording.outcome {
             Outcome::Interrupted => Status::Interrupted,
             Outcome::Emergency(_) => Status::Emergency,
-            Outcome::Program(_) | Outcome::Limit => Status::Success,
+            Outcome::Program(_) | Outcome::Limit | Outcome::Unknown => Status::Success,
         }
     }
 }
@@ -191,6 +191,12 @@ fn view(arguments: &View) -> Result<Status, Error> {
     let recording = reading.recording(&run.file)?;
     let other = arguments.other.as_ref();
     let other = other.map(|other| reading.recording(other)).transpose()?;
+    for trace in [Some(&recording), other.as_ref()].into_iter().flatten() {
+        if trace.outcome == Outcome::Unknown && !arguments.quiet {
+            let (file, cycle) = (trace.script.name.clone(), trace.cycles.to_string());
+            report::say(Using::ShowsCutTrace { file, cycle }, arguments.lang());
+        }
+    }
     interrupt::hold();
     let page = match &other {
         Some(other) => recording.to_comparison(other),

@@ -135,7 +135,7 @@ pub(super) struct Sweep {
     #[arg(
         long,
         value_name = "N",
-        value_parser = positive,
+        value_parser = threads,
         allow_negative_numbers = true,
         hide_short_help = true
     )]
@@ -160,6 +160,13 @@ fn argument<T: FromStr<Err = ArgumentError>>(text: &str) -> Result<T, Using> {
     text.parse().map_err(|error: ArgumentError| {
         let reason = error.message();
         Using::NotAnArgument { reason }
+    })
+}
+
+/// Parses a number of threads.
+fn threads(text: &str) -> Result<u64, Using> {
+    positive(text).map_err(|_| Using::NotThreads {
+        text: text.to_owned(),
     })
 }
 

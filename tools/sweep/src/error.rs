@@ -27,6 +27,9 @@ tipc::message_table! {
     UnknownQuantity
         "this is neither a variable of the program nor one of friction, scene.KEY, robot.KEY, push.x, push.y, push.z, push.at, push.for, noise.angle, noise.sole and sensor.NAME",
         "プログラムの変数でも、friction、scene.キー、robot.キー、push.x、push.y、push.z、push.at、push.for、noise.angle、noise.sole、sensor.名前 のどれでもありません";
+    IsConstant
+        "DEFINE makes it a constant: declare it with DEF_VAR and assign its value",
+        "DEFINEで定義した定数です。DEF_VARで宣言し、値を代入してください";
     UnknownVariable { name: String }
         "cannot record '{name}': this is not a variable of the program",
         "'{name}' を記録できません: プログラムの変数ではありません";

@@ -100,6 +100,9 @@ impl Quantity {
         if let Some(scalar) = scalars.iter().position(|scalar| *scalar == wanted) {
             return Ok(Quantity::Variable(scalar));
         }
+        if program.constants().iter().any(|(name, _)| *name == wanted) {
+            return Err(SweepError::axis(name, Sweeping::IsConstant));
+        }
         let known = scalars
             .iter()
             .map(String::as_str)

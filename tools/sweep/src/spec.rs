@@ -230,12 +230,17 @@ impl Values {
                     return Err(Sweeping::EmptyRange);
                 }
                 // A last value that only rounding keeps beyond the end belongs to the range.
-                let steps = libm::floor((to - from) / step + 1e-9);
+                let ratio = (to - from) / step;
+                let steps = libm::floor(ratio + 1e-9);
                 if steps >= LIST_LIMIT {
                     return Err(Sweeping::LongRange);
                 }
                 let values = (0..=steps as u32).map(|index| from + f64::from(index) * step);
-                Ok(Some(values.collect()))
+                let mut values: Vec<f64> = values.collect();
+                if let Some(last) = values.last_mut().filter(|_| (ratio - steps).abs() < 1e-9) {
+                    *last = *to;
+                }
+                Ok(Some(values))
             }
             Values::Uniform { low, high } => {
                 usable(&[*low, *high], high - low)?;

@@ -197,6 +197,8 @@ pub enum Outcome {
     Program(String),
     /// The run was interrupted.
     Interrupted,
+    /// The end is not known: the trace lacks its last record.
+    Unknown,
     /// The cycles were used up.
     Limit,
     /// An emergency stop.
@@ -226,6 +228,7 @@ impl fmt::Display for Outcome {
         match self {
             Outcome::Program(word) => f.write_str(word),
             Outcome::Interrupted => f.write_str("interrupted"),
+            Outcome::Unknown => f.write_str("the trace was cut short"),
             Outcome::Limit => f.write_str("the cycles were used up"),
             Outcome::Emergency(stop) => write!(f, "emergency stop: {} ({})", stop.error, stop.kind),
         }

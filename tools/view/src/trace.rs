@@ -18,6 +18,26 @@ use tipc::language::Keyword;
 pub enum TraceError {
     /// This line, counted from 1, is not a record.
     Line(usize, String),
+    /// This line, counted from 1, has another cycle than the one that follows.
+    Cycle {
+        /// The line.
+        line: usize,
+        /// The cycle of its record.
+        found: u64,
+        /// The cycle that the record before it asks for.
+        expected: u64,
+    },
+    /// The last record, in this line, counts other cycles than there are.
+    Count {
+        /// The line.
+        line: usize,
+        /// The number in the record.
+        said: u64,
+        /// The number of cycles before it.
+        found: u64,
+    },
+    /// This line comes after the last record.
+    AfterEnd(usize),
     /// No record has the motion of the robot.
     NoMotion,
     /// A record names a step that the program does not have.
@@ -32,6 +52,22 @@ impl fmt::Display for TraceError {
             TraceError::Line(line, why) => {
                 write!(f, "line {line} is not a record of a trace: {why}")
             }
+            TraceError::Cycle {
+                line,
+                found,
+                expected,
+            } => write!(
+                f,
+                "line {line} is of cycle {found} where cycle {expected} follows: lines are missing, doubled or out of order; {RETAKE}"
+            ),
+            TraceError::Count { line, said, found } => write!(
+                f,
+                "line {line} ends a trace of {said} cycles, and {found} are before it: lines are missing or added; {RETAKE}"
+            ),
+            TraceError::AfterEnd(line) => write!(
+                f,
+                "line {line} comes after the end of the trace: keep one run per file"
+            ),
             TraceError::NoMotion => {
                 f.write_str("it does not say how the robot moved: write it with --trace-motion")
             }
@@ -44,6 +80,9 @@ impl fmt::Display for TraceError {
 }
 
 impl std::error::Error for TraceError {}
+
+/// The way out of a damaged trace.
+const RETAKE: &str = "copy the file again, or run the program again with --trace";
 
 /// A line of a trace: a cycle, or the end.
 #[derive(Debug, Default, Deserialize)]
@@ -65,30 +104,63 @@ struct Record {
     margin: Option<f64>,
     falls: u32,
     end: Option<String>,
+    cycles: u64,
     error: String,
     kind: String,
 }
 
 impl Recording {
     /// Reads a trace that was written with the robot's motion. Only of a trace's own cycles is anything known: what
-    /// happened from outside, torques and objects are not in it.
+    /// happened from outside, torques and objects are not in it. A trace without its last record, of a run that was killed or
+    /// of a copy that was cut short, has the outcome [`Outcome::Unknown`].
     ///
     /// # Errors
-    /// It is not the trace of such a program, or it holds no motion.
+    /// It is not the trace of such a program, it holds no motion, or its cycles are not 0, 1, 2 … up to its last record.
     pub fn from_trace(trace: &str, loaded: &Loaded, robot: &Robot) -> Result<Self, TraceError> {
         let program = loaded.program.as_ref().ok_or(TraceError::NoProgram)?;
         let script = Script::of(&loaded.source, program);
         let mut period = robot.anatomy().standards.period;
         let mut time = 0.0;
-        let mut outcome = Outcome::Interrupted;
-        let mut records = Vec::new();
-        for (line, text) in (1..).zip(trace.lines()) {
-            let record: Record = serde_json::from_str(text)
-                .map_err(|error| TraceError::Line(line, error.to_string()))?;
+        let mut outcome = Outcome::Unknown;
+        let mut records: Vec<(Option<IssuedCommand>, Record)> = Vec::new();
+        let mut cycles = 0;
+        for (line, text) in (1..).zip(trace.split_inclusive('\n')) {
+            if outcome != Outcome::Unknown {
+                return Err(TraceError::AfterEnd(line));
+            }
+            let record: Record = match serde_json::from_str(text) {
+                Ok(record) => record,
+                // The line that was being written as the trace was cut short.
+                Err(error) if error.is_eof() && !text.ends_with('\n') => break,
+                Err(error) => return Err(TraceError::Line(line, error.to_string())),
+            };
             if let Some(end) = &record.end {
                 outcome = ending(end, &record);
-                break;
+                // In the cycle of an emergency, steps may have run before the one that failed.
+                let is_counted = record.cycles == cycles
+                    || outcome.is_emergency() && cycles.checked_sub(1) == Some(record.cycles);
+                if !is_counted {
+                    return Err(TraceError::Count {
+                        line,
+                        said: record.cycles,
+                        found: cycles,
+                    });
+                }
+                continue;
             }
+            // Only records after the first one of their cycle have a number.
+            let (expected, sub) = match records.last() {
+                Some((_, last)) if record.sub > 0 => (last.cycle, last.sub + 1),
+                _ => (cycles, 0),
+            };
+            if (record.cycle, record.sub) != (expected, sub) {
+                return Err(TraceError::Cycle {
+                    line,
+                    found: record.cycle,
+                    expected,
+                });
+            }
+            cycles = expected + 1;
             if record.step as usize >= program.steps().len() {
                 return Err(TraceError::Step(record.step));
             }

@@ -432,7 +432,7 @@ impl<'a> Ended<'a> {
         };
         match &recording.outcome {
             Outcome::Program(word) => by(word),
-            Outcome::Interrupted => by("interrupted"),
+            Outcome::Interrupted | Outcome::Unknown => by("interrupted"),
             Outcome::Limit => by("limit"),
             Outcome::Emergency(stop) => Ended {
                 error: Some(&stop.error),

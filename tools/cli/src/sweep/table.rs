@@ -189,10 +189,9 @@ impl Paths {
     /// Returns the paths for a table.
     ///
     /// # Errors
-    /// A place has something that must not be lost: a device, a read-only file, or something else than a specification.
+    /// A place has something that must not be lost: a link, a device, a read-only file, or something else than a specification.
     fn of(table: &Path, lang: Lang) -> Result<Self, Error> {
-        // A new table takes the place of a file, not of a link to it.
-        let table = fs::canonicalize(table).unwrap_or_else(|_| table.to_owned());
+        let table = table.to_owned();
         let name = |path: &Path| path.display().to_string().into();
         let refuse = |why: Using| Err(Error::failed(why, lang));
         let found = fs::metadata(&table);
@@ -203,6 +202,12 @@ impl Paths {
             return refuse(Using::NotATableName { file: name(&table) });
         }
         let specification = table.with_extension("sweep.json");
+        // A link is neither followed nor replaced.
+        for file in [&table, &specification] {
+            if file.is_symlink() {
+                return refuse(Using::IsLink { file: name(file) });
+            }
+        }
         if fs::symlink_metadata(&specification).is_ok() {
             let text = embed::read_file(&specification, MAX_SPECIFICATION);
             if !text.is_ok_and(|text| Saved::read(&text).is_ok()) {

@@ -350,6 +350,14 @@ fn two_runs_are_compared_figure_by_figure() {
         outcome.out
     );
     assert!(row("falls").ends_with(" 0"), "{}", outcome.out);
+    // Its unit is that of `tip run`.
+    let mass = ["compare", "a.prg", "b.prg", "--plant", "dynamic"];
+    let mass = folder.tip(&mass).expect(0).out;
+    let energy = mass.lines().find(|line| line.starts_with("energy"));
+    assert!(
+        energy.is_some_and(|row| row.matches(" J").count() == 2),
+        "{mass}"
+    );
     let json = folder
         .tip(&["compare", "a.prg", "b.prg", "--format", "json"])
         .expect(0);

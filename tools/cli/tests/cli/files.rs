@@ -216,3 +216,25 @@ fn a_file_that_is_rewritten_stays_the_same_file_to_others() {
     let found = fs::metadata(folder.path("mode.prg")).expect("it is there");
     assert_eq!((found.mode() & 0o7777, owner("mode.prg")), (0o750, before));
 }
+
+#[test]
+fn a_file_that_may_not_become_as_long_is_an_error_and_leaves_nothing() {
+    let folder = Folder::new("files-limited").program("p.prg", "PTP_ANGLE J11 10\nSLEEP 8000\nEND");
+    for arguments in [
+        "plot p.prg -o out.svg",
+        "view p.prg -o out.html",
+        "log p.prg -o out.csv",
+        "run p.prg -q --trace out.jsonl --trace-motion",
+    ] {
+        // Two kilobytes, or four: the unit depends on the shell.
+        let script = format!(
+            "ulimit -f 4; exec '{}' {arguments}",
+            env!("CARGO_BIN_EXE_tip")
+        );
+        let mut shell = Command::new("sh");
+        let shell = shell.args(["-c", &script]).current_dir(folder.path(""));
+        let outcome = Outcome::of(shell.output().expect("a shell")).expect(1);
+        assert!(outcome.err.contains("out."), "{arguments}: {outcome:#?}");
+        assert_eq!(folder.names(), ["p.prg"], "{arguments}");
+    }
+}

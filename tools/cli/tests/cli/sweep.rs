@@ -513,20 +513,47 @@ fn a_table_takes_the_place_of_files_only() {
         .file("foreign.sweep.json", "{\"mine\": 1}");
     std::os::unix::fs::symlink("far/table.csv", folder.path("link.csv")).expect("a link");
     let sweep = |out: &str| folder.tip(&["sweep", "lift.prg", "--vary", "Z=10,20", "-o", out]);
-    // What is there stays, unless it is to be replaced.
-    let outcome = sweep("link.csv").expect(1);
+    std::os::unix::fs::symlink("far/none.csv", folder.path("loose.csv")).expect("a link");
+    // Neither a table nor its specification takes the place of a link, or of the file that it leads to.
+    std::os::unix::fs::symlink("far/spec.json", folder.path("mine.sweep.json")).expect("a link");
+    for (out, link) in [
+        ("link.csv", "link.csv"),
+        ("loose.csv", "loose.csv"),
+        ("mine.csv", "mine.sweep.json"),
+    ] {
+        for option in [&[][..], &["--force"], &["--resume"]] {
+            let arguments = ["sweep", "lift.prg", "--vary", "Z=10,20", "-o", out];
+            let outcome = folder.tip(&[&arguments, option].concat()).expect(1);
+            let expected = format!("{link} is a link: name the file itself");
+            assert!(outcome.err.contains(&expected), "{}", outcome.err);
+        }
+        assert!(folder.path(link).is_symlink());
+    }
+    assert_eq!(folder.read("far/table.csv"), "old");
+    assert_eq!(
+        std::fs::read_dir(folder.path("far"))
+            .expect("a folder")
+            .count(),
+        1
+    );
+    // A file stays, unless it is to be replaced.
+    let outcome = sweep("far/table.csv").expect(1);
     assert!(
-        outcome.err.contains("link.csv exists: --force"),
+        outcome.err.contains("table.csv exists: --force"),
         "{}",
         outcome.err
     );
     assert_eq!(folder.read("far/table.csv"), "old");
-    assert!(!folder.has("far/table.csv.part"));
     let replaced = [
-        "sweep", "lift.prg", "--vary", "Z=10,20", "--force", "-o", "link.csv",
+        "sweep",
+        "lift.prg",
+        "--vary",
+        "Z=10,20",
+        "--force",
+        "-o",
+        "far/table.csv",
     ];
     folder.tip(&replaced).expect(0);
-    assert!(folder.path("link.csv").is_symlink());
     assert!(folder.read("far/table.csv").starts_with("case,"));
     for out in ["/dev/null", "far"] {
         let outcome = sweep(out).expect(1);
@@ -731,8 +758,7 @@ fn an_empty_part_is_taken_and_a_full_disk_leaves_nothing() {
     // A limit of the file size is a full disk.
     let limited = |kilobytes: u32, arguments: &str| {
         let tip = env!("CARGO_BIN_EXE_tip");
-        let script =
-            format!("trap '' XFSZ; ulimit -f {kilobytes}; exec '{tip}' sweep lift.prg {arguments}");
+        let script = format!("ulimit -f {kilobytes}; exec '{tip}' sweep lift.prg {arguments}");
         let mut shell = std::process::Command::new("bash");
         let output = shell
             .args(["-c", &script])
@@ -818,6 +844,12 @@ fn a_part_that_another_program_has_changed_is_not_believed() {
 fn any_number_of_jobs_is_bounded() {
     let folder = folder("sweep-jobs");
     heights(&folder, &["--jobs", "1000000000000"]).expect(0);
+    let outcome = heights(&folder, &["--jobs", "0"]).expect(2);
+    assert!(
+        outcome.err.contains("`0` is not a number of threads"),
+        "{}",
+        outcome.err
+    );
 }
 
 #[test]

@@ -358,6 +358,27 @@ fn a_trace_without_a_reader_comes_before_the_torque() {
     assert_eq!(session.bus.stiff(), stiff("relax"));
 }
 
+/// The trace may not become longer than a block: the run ends as on a full disk, and the robot is left as at its end.
+#[test]
+fn a_trace_that_becomes_too_long_ends_a_run_in_order() {
+    let mut session = Session::new("limited", &leg("relax", "hold", ""), 0.5, WAITS);
+    let script = "ulimit -f 1; exec \"$0\" run p.prg --hardware robot.toml --yes --trace t --trace-motion --port \"$1\"";
+    let mut command = std::process::Command::new("sh");
+    command.args(["-c", script, env!("CARGO_BIN_EXE_tip"), session.bus.port()]);
+    command
+        .current_dir(session.folder.path(""))
+        .stdin(session.pty.input());
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let child = command.spawn().expect("a shell");
+    session.bus.await_that("it holds", |bus| {
+        bus.servos().iter().all(|servo| servo.has_torque())
+    });
+    let outcome = session.ended(child).expect(1);
+    assert!(outcome.err.contains("cannot write t: "), "{outcome:#?}");
+    assert_eq!(session.bus.stiff(), stiff("relax"), "{}", outcome.err);
+    assert_eq!(session.folder.names(), ["p.prg", "robot.toml"]);
+}
+
 /// Nobody reads the messages: the command is stuck in its output, with the torque on.
 #[test]
 fn a_command_that_is_stuck_leaves_the_robot_before_it_ends() {

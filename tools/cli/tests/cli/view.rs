@@ -144,6 +144,50 @@ fn two_runs_are_compared_on_one_page() {
 }
 
 #[test]
+fn a_cut_trace_is_shown_with_a_warning_and_a_damaged_one_is_refused() {
+    let folder = Folder::new("view-cut").program("wave.prg", WAVE);
+    folder
+        .tip(&[
+            "run",
+            "-q",
+            "wave.prg",
+            "--trace",
+            "wave.jsonl",
+            "--trace-motion",
+        ])
+        .expect(0);
+    let whole = folder.read("wave.jsonl");
+    let lines: Vec<&str> = whole.split_inclusive('\n').collect();
+    let folder = folder
+        .file("cut.jsonl", lines[..5].concat())
+        .file("gap.jsonl", [&lines[..5], &lines[6..]].concat().concat());
+    let tip = |command: &[&str]| folder.tip(&[command, &["--program", "wave.prg"]].concat());
+    let shown = tip(&["view", "cut.jsonl", "-o", "cut.html"]).expect(0);
+    let warning =
+        "warning: cut.jsonl: the trace has no last record and is incomplete from cycle 5 on";
+    assert!(shown.err.contains(warning), "{}", shown.err);
+    for trace in ["cut.jsonl", "gap.jsonl"] {
+        for pair in [[trace, "wave.jsonl"], ["wave.jsonl", trace]] {
+            let compared = tip(&[&["compare"], &pair[..], &["--fail-if", "falls>0"]].concat());
+            assert!(compared.err.contains(trace), "{}", compared.err);
+            assert_eq!(compared.expect(1).out, "");
+        }
+    }
+    let refused = tip(&["view", "gap.jsonl", "-o", "gap.html"]).expect(1);
+    let reason = "gap.jsonl: line 6 is of cycle 6 where cycle 5 follows";
+    assert!(refused.err.contains(reason), "{}", refused.err);
+    assert!(!folder.has("gap.html"));
+    let compared = tip(&[
+        "compare",
+        "wave.jsonl",
+        "wave.jsonl",
+        "--fail-if",
+        "falls>0",
+    ]);
+    assert_eq!(compared.expect(0).err, "");
+}
+
+#[test]
 fn a_run_without_end_stops_after_ten_minutes_and_says_so() {
     let folder =
         Folder::new("view-endless").program(

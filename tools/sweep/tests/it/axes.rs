@@ -1,7 +1,7 @@
 //! Axes: their text forms, their names, and what is refused.
 
 use crate::surroundings::HEXAPOD;
-use crate::{LIFT, refused, spec, sweep};
+use crate::{LIFT, numbers, refused, rows, spec, sweep};
 use tip_sweep::{Axis, PlantSpec, RobotSpec, Spec, Sweep, Values, run_chunk};
 use tipc::message::Lang;
 
@@ -51,6 +51,33 @@ fn axes_are_lists_ranges_and_distributions() {
         japanese.starts_with("`A=x` の `x` は数値ではありません。"),
         "{japanese}"
     );
+}
+
+#[test]
+fn a_range_ends_with_its_end_where_a_step_meets_it() {
+    let listed = |axis: &str| {
+        let table = rows(spec(LIFT, &[axis]));
+        numbers(&table, "Z")
+    };
+    // Three steps of 0.1 are 0.30000000000000004.
+    assert_eq!(listed("Z=0..0.3/0.1"), [0.0, 0.1, 0.2, 0.3]);
+    assert_eq!(listed("Z=0..-0.3/-0.1"), [0.0, -0.1, -0.2, -0.3]);
+    assert_eq!(listed("Z=5..5/0.1"), [5.0]);
+    // No step meets this end.
+    assert_eq!(listed("Z=0..0.35/0.125"), [0.0, 0.125, 0.25]);
+}
+
+#[test]
+fn a_constant_does_not_vary() {
+    let text = |declared: &str| format!("3.2\nSide\n{declared}\nREL_PTP F1 0 0 SIDE\nEND\n");
+    let constant = spec(&text("DEFINE SIDE 20"), &["side=5"]);
+    let error = Sweep::new(constant).expect_err("a constant").to_string();
+    assert_eq!(
+        error,
+        "cannot vary 'side': DEFINE makes it a constant: declare it with DEF_VAR and assign its value"
+    );
+    let variable = text("DEF_VAR SIDE\nSIDE = 20");
+    Sweep::new(spec(&variable, &["SIDE=5"])).expect("a variable");
 }
 
 #[test]

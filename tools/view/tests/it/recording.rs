@@ -343,6 +343,64 @@ fn what_is_no_trace_is_refused_with_a_reason() {
     assert!(refused("{\"cycle\":-1}").starts_with("line 1"));
 }
 
+#[test]
+fn a_damaged_trace_is_refused_and_a_cut_one_has_no_known_end() {
+    let moves = "3.1\nMoves\nPTP_ANGLE J11 3\nSLEEP 60\nEND\n";
+    let fails = "3.1\nFails\nPTP_ANGLE J11 3\nSLEEP 60\nPTP F1 0 0 0\nEND\n";
+    let robot = titan();
+    for text in [moves, fails] {
+        let loaded = loaded(text, &robot);
+        let whole = trace(text, &robot, "");
+        let lines: Vec<&str> = whole.split_inclusive('\n').collect();
+        let end = lines.len() - 1;
+        let read = |trace: &str| Recording::from_trace(trace, &loaded, &robot);
+        let outcome = read(&whole).expect("a trace").outcome;
+        assert_ne!(outcome, Outcome::Unknown);
+        let refused = |lines: &[&[&str]], expected: &str| {
+            let error = read(&lines.concat().concat())
+                .expect_err(expected)
+                .to_string();
+            assert!(error.starts_with(expected), "{error}");
+        };
+        refused(&[&lines[1..]], "line 1 is of cycle 1 where cycle 0 follows");
+        refused(
+            &[&lines[..2], &lines[3..]],
+            "line 3 is of cycle 3 where cycle 2 follows",
+        );
+        refused(
+            &[&lines[..3], &lines[2..]],
+            "line 4 is of cycle 2 where cycle 3 follows",
+        );
+        refused(
+            &[&lines[..1], &lines[2..3], &lines[1..2], &lines[3..]],
+            "line 2 is of cycle 2 where cycle 1 follows",
+        );
+        let short = format!(
+            "line {end} ends a trace of {end} cycles, and {} are",
+            end - 1
+        );
+        refused(&[&lines[..end - 1], &lines[end..]], &short);
+        let after = format!("line {} comes after the end", end + 2);
+        refused(&[&lines, &lines[end..]], &after);
+        refused(&[&lines, &lines[..1]], &after);
+        // Cut between two lines, and within one.
+        let cut = lines[..3].concat();
+        for cut in [&cut[..], &cut[..cut.len() - 9]] {
+            let read = read(cut).expect("a part of a trace");
+            assert_eq!(read.outcome, Outcome::Unknown);
+            assert_eq!(read.cycles, cut.matches('\n').count() as u64);
+        }
+    }
+    // A run that was stopped from outside has its last record.
+    let stopped = trace(moves, &robot, "2:halt");
+    let read = Recording::from_trace(&stopped, &loaded(moves, &robot), &robot).expect("a trace");
+    assert_ne!(read.outcome, Outcome::Unknown);
+    let interrupted = stopped.replace("\"end\":\"END\"", "\"end\":\"INTERRUPTED\"");
+    let read =
+        Recording::from_trace(&interrupted, &loaded(moves, &robot), &robot).expect("a trace");
+    assert_eq!(read.outcome, Outcome::Interrupted);
+}
+
 /// The main program runs lines 4 to 11 in cycles 0 to 7; its thread lines 12 to 14 in cycles 3 to 5.
 const THREAD: &str = "3.2\nTwo\nDEF_VAR N\nSTART_TIMER 2\nN = 0\nSTART_THREAD SIDE:\nN = 1\nSTOP_TIMER 2\nN = 2\nUNLOCK ALL\nEXIT\n\
                       THREAD SIDE:\nLOCK J21\nTHREADEND\nEND\n";
