@@ -198,8 +198,13 @@ fn statuses(line: &str) -> &'static [i32] {
         _ if line.contains("*.prg") || line.contains("--diff") => &[0, 1],
         // Its client has gone.
         _ if line == "tip lsp" => &[0, 1],
-        // There is no such port, or no keyboard.
-        _ if line.contains("/dev/tty") || line.contains("tip drives jog") => &[1],
+        // There is no such port, or no keyboard, or nobody turns the joints.
+        _ if ["/dev/tty", "tip drives jog", "tip drives zero"]
+            .iter()
+            .any(|it| line.contains(it)) =>
+        {
+            &[1]
+        }
         // Only a release has the page.
         _ if line.contains("tip playground") => &[1],
         // It needs a terminal.
