@@ -391,6 +391,23 @@ fn a_damaged_trace_is_refused_and_a_cut_one_has_no_known_end() {
             assert_eq!(read.cycles, cut.matches('\n').count() as u64);
         }
     }
+    // In the cycle of an emergency, steps before the one that failed have records.
+    let several = "3.2\nSeveral\nTIP_SPEED_UP 3\nPTP_ANGLE J11 3\nSLEEP 60\nLAMP_ON 1\nLAMP_ON 2\nPTP F1 0 0 0\nEND\n";
+    let whole = trace(several, &robot, "");
+    assert!(whole.contains("\"sub\":1"), "{whole}");
+    let read = |trace: &str| Recording::from_trace(trace, &loaded(several, &robot), &robot);
+    assert!(read(&whole).expect("a trace").outcome.is_emergency());
+    let second = whole.lines().position(|line| line.contains("\"sub\":1"));
+    let doubled = whole
+        .lines()
+        .enumerate()
+        .flat_map(|(at, line)| std::iter::repeat_n(line, 1 + usize::from(Some(at) == second)));
+    let doubled: Vec<&str> = doubled.collect();
+    let error = read(&doubled.join("\n")).expect_err("a record twice");
+    assert!(
+        matches!(error, tip_view::TraceError::Cycle { .. }),
+        "{error}"
+    );
     // A run that was stopped from outside has its last record.
     let stopped = trace(moves, &robot, "2:halt");
     let read = Recording::from_trace(&stopped, &loaded(moves, &robot), &robot).expect("a trace");
