@@ -53,11 +53,6 @@ const ASKED: [(Register, Resolution); 8] = [
     (Register::Position, Resolution::Int32),
 ];
 
-/// The registers of an answer about the settings.
-const HOME: [(Register, Resolution); 2] = [
-    (Register::HomeState, Resolution::Int8),
-    (Register::MultiplexId, Resolution::Int16),
-];
 /// Values of the register Home State: the position is that since the start, or known within a turn of the rotor; else it is known at
 /// the output.
 const RELATIVE: i32 = 0;
@@ -132,10 +127,22 @@ fn contents(id: u8, payload: &[u8]) -> Option<Answer> {
     })
 }
 
-/// Returns the state of the position of a controller.
+/// Returns a register of a byte of a controller, which also tells its identity.
+fn byte_of(register: Register, id: u8, payload: &[u8]) -> Option<i32> {
+    let asked = [
+        (register, Resolution::Int8),
+        (Register::MultiplexId, Resolution::Int16),
+    ];
+    let [value, own] = values(payload, &asked)?;
+    (own == i32::from(id)).then_some(value)
+}
+
 fn home_state(id: u8, payload: &[u8]) -> Option<i32> {
-    let [state, own] = values(payload, &HOME)?;
-    (own == i32::from(id)).then_some(state)
+    byte_of(Register::HomeState, id, payload)
+}
+
+fn mode(id: u8, payload: &[u8]) -> Option<i32> {
+    byte_of(Register::Mode, id, payload)
 }
 
 /// Tries to read a line at the beginning of `bytes` with an answer to a sender, whose contents `read` accepts.
@@ -215,12 +222,12 @@ pub fn query(id: u8, from: u8) -> Line {
     line(&frame)
 }
 
-/// Returns a request for the state of the position of a controller.
-fn home_query(id: u8, from: u8) -> Line {
+/// Returns a request for a register of a byte of a controller, and for its identity.
+fn byte_query(register: Register, id: u8, from: u8) -> Line {
     let mut frame = frame(id, from, true);
     let mut bytes = WriteCanData::new(&mut frame);
     bytes.write_u8(READ_INT8 | 1);
-    bytes.write_u8(Register::HomeState.address() as u8);
+    bytes.write_u8(register.address() as u8);
     bytes.write_u8(READ_INT16 | 1);
     bytes.write_varuint(Register::MultiplexId.address().into());
     line(&frame)
@@ -370,7 +377,7 @@ impl Family for Moteus {
         (id, model): (u8, &'static Model),
         (min, max): (i32, i32),
     ) -> Result<Option<Mismatch>, BusError> {
-        let request = |sender| home_query(id, sender);
+        let request = |sender| byte_query(Register::HomeState, id, sender);
         let state = wire.repeat(|wire| Self::exchange(wire, id, request, u64::MAX, home_state))?;
         // A qdd100 has a reducer of 6 between its rotor and its output.
         let turn = match model.name {
@@ -448,7 +455,10 @@ impl Family for Moteus {
     }
 
     fn has_timed_out(&self, wire: &mut dyn Wire, id: u8) -> Result<bool, BusError> {
-        Ok(Self::query(wire, id, u64::MAX)?.is_timed_out)
+        // Not the position: the one that was measured stands.
+        let request = |sender| byte_query(Register::Mode, id, sender);
+        let mode = Self::exchange(wire, id, request, u64::MAX, mode)?;
+        Ok(mode == i32::from(i8::from(Mode::Timeout)))
     }
 
     fn release(&self, wire: &mut dyn Wire, ids: &[u8]) -> Result<(), BusError> {

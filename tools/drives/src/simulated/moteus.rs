@@ -97,6 +97,8 @@ pub(super) struct Moteus {
     command: Command,
     /// Time of the last command, µs.
     commanded: u64,
+    /// True if the last answer holds the position.
+    tells_position: bool,
 }
 
 /// Bytes of a payload, from the front.
@@ -167,6 +169,7 @@ impl Moteus {
             fault: 0.0,
             command: Command::UNSPECIFIED,
             commanded: 0,
+            tells_position: false,
         };
         Some((Box::new(moteus), top_speed, 12.0))
     }
@@ -194,7 +197,7 @@ impl Moteus {
 
     /// Reads the subframe that follows its first byte.
     fn subframe(
-        &self,
+        &mut self,
         first: u8,
         bytes: &mut Bytes<'_>,
         shaft: &Shaft,
@@ -218,6 +221,7 @@ impl Moteus {
             let units = units(register);
             if first & 0xF0 == 0x10 {
                 let value = self.read(register, shaft);
+                self.tells_position |= register == at::POSITION;
                 if kind == 3 {
                     answer.extend((value as f32).to_le_bytes());
                     continue;
@@ -331,7 +335,12 @@ impl Firmware for Moteus {
         self.home = value as u8;
     }
 
+    fn tells_position(&self, _code: u8, _answer: &[u8]) -> bool {
+        self.tells_position
+    }
+
     fn serve(&mut self, _code: u8, payload: &[u8], shaft: &Shaft, now: u64) -> Option<Vec<u8>> {
+        self.tells_position = false;
         let (mut new, mut answer) = (None, Vec::new());
         let mut bytes = Bytes(payload);
         while let Some(first) = bytes.byte() {
