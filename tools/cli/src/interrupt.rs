@@ -27,7 +27,7 @@ const SIGINT: u8 = 2;
 /// The cleanup of a process that ends immediately; `None` while files are being completed.
 static LAST: Mutex<Option<Last>> = Mutex::new(None);
 
-/// The cause for which a process ends although its command goes on.
+/// The reason to end the process before its command has returned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cause {
     /// A second signal, or a command that does not obey the first one.
@@ -36,7 +36,8 @@ pub(super) enum Cause {
     Stall,
 }
 
-/// Leaves the robot whose torque is on, and returns what its operator has to know; `None` if its control loop goes on.
+/// Leaves the robot whose torque is on, and returns the messages for its operator. It returns `None`, and does nothing, if the control
+/// loop is running again.
 type Leave = Box<dyn FnMut(Cause) -> Option<String> + Send>;
 
 /// The robot whose torque is on, if there is one.

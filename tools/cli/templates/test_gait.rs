@@ -1,4 +1,4 @@
-//! What the gait must not lose when it is tuned.
+//! Properties of the gait that hold however it is tuned.
 
 use <<crate>>::<<items>>;
 

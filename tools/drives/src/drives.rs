@@ -495,7 +495,7 @@ impl<P: Port> Drives<P> {
         most.min(self.period - self.write_time()).max(0.0)
     }
 
-    /// Returns the most cycles for which a robot goes on whose host does not read it.
+    /// Returns the number of cycles without a reading after which the robot is stopped.
     fn most_not_read(&self) -> u32 {
         MAX_NOT_READ * self.settings.silence.max(1)
     }

@@ -374,7 +374,7 @@ fn two_runs_are_compared_figure_by_figure() {
         "difference",
     );
     assert_eq!(slip["better"], "less");
-    // The programs differ in one line, and its number is told.
+    // The programs differ in one line. The diff has its number.
     let diff = outcome.out.split_once("\n\n").expect("a difference").1;
     let lines: Vec<&str> = diff.lines().collect();
     assert_eq!(lines[..2], ["--- a.prg", "+++ b.prg"], "{diff}");

@@ -56,7 +56,7 @@ fn an_end_in_a_thread_is_told_with_its_line() {
 }
 
 // clauses: 15.1
-// A stands at its WAIT_THREAD after cycle 1, B after cycle 2.
+// Thread A begins to wait in cycle 1, thread B in cycle 2.
 #[test]
 fn threads_that_wait_for_each_other_are_reported_once() {
     let program = "3.2\nt\nSTART_THREAD A:\nSTART_THREAD B:\nL: SLEEP 20\nGOTO L:\nTHREAD A:\nWAIT_THREAD B:\nTHREADEND\n\

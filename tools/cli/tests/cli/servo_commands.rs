@@ -492,16 +492,7 @@ fn a_servo_of_another_family_is_named() {
             .tip(&[&id[..], &["--family", asked]].concat())
             .expect(1);
         assert!(outcome.err.contains(said), "{model}: {}", outcome.err);
-        let scan = [
-            "drives",
-            "scan",
-            "--to",
-            "2",
-            "--latency",
-            "50",
-            "--port",
-            bus.port(),
-        ];
+        let scan = scan(&bus);
         if asked == "x" {
             let outcome = folder
                 .tip(&[&scan[..], &["--family", asked]].concat())
@@ -510,6 +501,12 @@ fn a_servo_of_another_family_is_named() {
             assert!(outcome.err.contains(said), "{model}: {}", outcome.err);
         }
     }
+}
+
+/// Returns the arguments that look for the first identities.
+fn scan(bus: &ServoBus) -> Vec<&str> {
+    let scan = ["drives", "scan", "--to", "2", "--latency", "50", "--port"];
+    [&scan[..], &[bus.port()]].concat()
 }
 
 /// All families are asked, those of lines too.
@@ -522,16 +519,7 @@ fn a_scan_lists_servos_of_every_family() {
         ("XL430-W250", "XL430-W250"),
     ] {
         let bus = bus(model, &[500.0], 1_000_000);
-        let scan = [
-            "drives",
-            "scan",
-            "--to",
-            "2",
-            "--latency",
-            "50",
-            "--port",
-            bus.port(),
-        ];
+        let scan = scan(&bus);
         let outcome = folder.tip(&scan).expect(0);
         assert!(
             outcome.out.contains(name) && outcome.out.contains("1 servos found"),

@@ -143,19 +143,15 @@ fn two_runs_are_compared_on_one_page() {
     );
 }
 
+fn trace_with_motion(folder: &Folder, trace: &str) {
+    let run = ["run", "-q", "wave.prg", "--trace", trace, "--trace-motion"];
+    folder.tip(&run).expect(0);
+}
+
 #[test]
 fn a_cut_trace_is_shown_with_a_warning_and_a_damaged_one_is_refused() {
     let folder = Folder::new("view-cut").program("wave.prg", WAVE);
-    folder
-        .tip(&[
-            "run",
-            "-q",
-            "wave.prg",
-            "--trace",
-            "wave.jsonl",
-            "--trace-motion",
-        ])
-        .expect(0);
+    trace_with_motion(&folder, "wave.jsonl");
     let whole = folder.read("wave.jsonl");
     let lines: Vec<&str> = whole.split_inclusive('\n').collect();
     let folder = folder
@@ -218,16 +214,7 @@ fn a_run_without_end_stops_after_ten_minutes_and_says_so() {
 #[test]
 fn a_trace_with_motion_becomes_a_page_and_another_one_does_not() {
     let folder = Folder::new("view-trace").program("wave.prg", WAVE);
-    folder
-        .tip(&[
-            "run",
-            "-q",
-            "wave.prg",
-            "--trace",
-            "with.jsonl",
-            "--trace-motion",
-        ])
-        .expect(0);
+    trace_with_motion(&folder, "with.jsonl");
     folder
         .tip(&["run", "-q", "wave.prg", "--trace", "without.jsonl"])
         .expect(0);

@@ -2,6 +2,7 @@
 
 use tip_runtime::model::{Inverse, Point};
 use tip_runtime::program::End;
+use tip_runtime::random::Random;
 use tip_runtime::record::Ending;
 use tip_sim::{Limit, Plant, Robot, RobotDescription, Run, load};
 
@@ -202,18 +203,19 @@ fn gaits_walk_and_turn_as_fast_as_stated_and_stop_within_a_stride() {
 #[test]
 fn gaits_do_not_fall_whatever_the_sticks_say() {
     for gait in &GAITS {
-        let mut seed = 49_u32;
-        let mut below = |count: u32| {
-            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (seed >> 16) % count
-        };
+        let mut random = Random::new(49);
         let (mut events, mut time) = (REST.to_owned(), 4.0);
         while time < 24.0 {
             for stick in 1..=3 {
-                let volts = [5, 5, 0, 10, below(11), below(11)][below(6) as usize];
+                let volts = match random.below(6) {
+                    0 | 1 => 5,
+                    2 => 0,
+                    3 => 10,
+                    _ => random.below(11),
+                };
                 events += &format!(", {}:VR{stick}={volts}", gait.at(time));
             }
-            time += f64::from(20 + below(200)) / 100.0;
+            time += random.within(0.2, 2.2);
         }
         events += &format!(", {}:halt", gait.at(time));
         let mut run = gait.run(&events);

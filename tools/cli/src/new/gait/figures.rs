@@ -5,6 +5,7 @@ use crate::new::gait::plan::{Plan, SLOPE};
 use std::fmt::Write as _;
 use tip_runtime::command::Port;
 use tip_runtime::plant::{self, Scene, ServoDynamics};
+use tip_runtime::random::Random;
 use tip_sim::{Event, Limit, Plant, Robot, Run, load};
 
 /// A level floor or a slope, and a robot with or without mass.
@@ -124,17 +125,18 @@ impl Figures {
             trial.push([5.0; 3])?;
             trial.walk(plan.delay / 1000.0)?;
         }
-        let mut random = Random(1);
+        // The same for every robot.
+        let mut random = Random::new(1);
         for _ in 0..RANDOM {
             // A third each: at rest, at an end, anywhere.
             trial.push([1, 2, 3].map(|_| match random.below(6) {
                 0 | 1 => 5.0,
                 2 => 0.0,
                 3 => 10.0,
-                _ => f64::from(random.below(101)) / 10.0,
+                _ => random.within(0.0, 10.0),
             }))?;
             let [least, most] = RANDOM_TIME;
-            trial.walk(least + (most - least) * f64::from(random.below(101)) / 100.0)?;
+            trial.walk(random.within(least, most))?;
         }
         let figures = trial.sit_down()?;
         // It walks as it should, and not on its belly.
@@ -222,17 +224,6 @@ impl Trial {
         }
         self.figures.slip = motion.slip;
         Ok(self.figures)
-    }
-}
-
-/// Random numbers that are the same for every robot (Numerical Recipes).
-struct Random(u32);
-
-impl Random {
-    /// Returns a number from 0 to `count` - 1.
-    fn below(&mut self, count: u32) -> u32 {
-        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (self.0 >> 16) % count
     }
 }
 

@@ -299,7 +299,7 @@ fn lifts(kind: Kind, height: f64) -> Vec<f64> {
     }
 }
 
-/// How the robot stands before it walks.
+/// The posture of the robot before it walks.
 struct Stance {
     /// Places of the feet, mm.
     homes: Vec<Point>,
@@ -446,7 +446,7 @@ impl Stance {
     }
 }
 
-/// What limits the speed of a gait.
+/// The limits of the speed of a gait.
 #[derive(Clone, Copy)]
 struct Way<'a> {
     anatomy: &'a RobotDescription,
