@@ -18,28 +18,23 @@
 //! ```
 
 use crate::{Loaded, Options, load_all_errors};
-use std::cell::Cell;
 use std::collections::{BTreeMap, HashMap, HashSet};
-use std::hash::Hash;
 use tip_runtime::printable::Printable;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::{Applicability, Diagnostic, Edit, Fix};
 use tipc::message::Lang;
 use tipc::render::{push_member, push_number, push_string};
-use tipc::source::Span;
 use tipc::syntax::StatementKind;
 
-/// The most times that a file is read again.
-const MAX_READINGS: usize = 200;
-
-/// The most bytes that are read again to try the fixes of a file: what is not tried is not offered.
-const MIN_READ_BYTES: usize = 1 << 18;
-
-/// Number of times that a file is read again, whatever its length, if its fixes are asked for.
-const MIN_READINGS: usize = 8;
+/// The most bytes that are read again to try the fixes of a file, unless the whole of it needs more.
+const MAX_READ_BYTES: usize = 1 << 18;
 
 /// The most mistakes of one line that are put right one after the other.
 const MAX_HIDDEN: usize = 4;
+
+/// The most times that a file is read again, and the least if its fixes are asked for.
+const MAX_READINGS: usize = 200;
+const MIN_READINGS: usize = 8;
 
 /// A diagnostic that was put right.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,106 +68,80 @@ pub fn preview(loaded: Loaded, options: &Options, least: Applicability) -> Repai
     apply(loaded, options, least, 1)
 }
 
-/// Applies fixes; the file may be read again this `often`, and a short one more often.
-fn apply(loaded: Loaded, options: &Options, least: Applicability, often: usize) -> Repaired {
-    let length = loaded.source.text().len();
-    let mut repair = Repair {
-        options,
-        least,
-        follows: true,
-        readings: MAX_READINGS,
-        bytes: Cell::new(MIN_READ_BYTES.max(often * length)),
+/// Applies all fixes that do not touch each other, reads the file again, and so on until no fix is left that makes it better.
+fn apply(loaded: Loaded, options: &Options, least: Applicability, readings: usize) -> Repaired {
+    let mut trials = Trials::new(&loaded, options, least, readings);
+    trials.hidden = MAX_HIDDEN;
+    let mut repaired = Repaired {
         applied: Vec::new(),
         loaded,
     };
-    while repair.round() {}
-    Repaired {
-        applied: repair.applied,
-        loaded: repair.loaded,
+    let mut refused = HashSet::new();
+    loop {
+        let loaded = &repaired.loaded;
+        let identity = |index: usize| {
+            let diagnostic = &loaded.diagnostics[index];
+            let line = loaded.source.line_column(diagnostic.span.start).0;
+            let text = loaded.source.slice(loaded.source.line(line).span);
+            (key(diagnostic), text.to_owned())
+        };
+        let batch = trials.candidates(loaded, |index| !refused.contains(&identity(index)));
+        let Some(first) = batch.first() else {
+            return repaired;
+        };
+        match trials.better(loaded, &batch) {
+            Some((_, better)) => {
+                repaired.applied.extend(better.applied);
+                repaired.loaded = better.loaded;
+            }
+            None => _ = refused.insert(identity(*first)),
+        }
     }
 }
 
 /// Keeps the fixes of what was loaded with `options` that do what they say: those that, applied alone or with others, put
 /// their diagnostic right without a new one.
-pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
-    let mut repair = Repair {
-        options,
-        least: Applicability::Likely,
-        follows: false,
-        readings: MAX_READINGS,
-        bytes: Cell::new(MIN_READ_BYTES.max(loaded.source.text().len())),
-        applied: Vec::new(),
-        loaded,
-    };
-    let mut confirmed = HashSet::new();
-    let mut tried = HashSet::new();
+pub fn confirm(mut loaded: Loaded, options: &Options) -> Loaded {
+    let mut trials = Trials::new(&loaded, options, Applicability::Likely, 1);
+    let mut confirmed: HashSet<usize> = HashSet::new();
+    let mut tried: HashSet<usize> = HashSet::new();
     loop {
-        let candidates = repair.candidates(&tried);
-        if candidates.is_empty() {
+        let batch = trials.candidates(&loaded, |index| !tried.contains(&index));
+        if batch.is_empty() {
             break;
         }
-        let mut accepted = None;
-        repair.accept(&candidates, &mut accepted);
-        tried.extend(candidates);
-        confirmed.extend(accepted.into_iter().flat_map(|it: Accepted| it.diagnostics));
+        let better = trials.better(&loaded, &batch);
+        let count = better.map_or(0, |(count, _)| count);
+        confirmed.extend(&batch[..count]);
+        tried.extend(&batch[..count.max(1)]);
     }
-    for (index, diagnostic) in repair.loaded.diagnostics.iter_mut().enumerate() {
+    for (index, diagnostic) in loaded.diagnostics.iter_mut().enumerate() {
         if !confirmed.contains(&index) {
             diagnostic.fixes.clear();
         }
     }
-    repair.loaded
+    loaded
 }
 
-struct Repair<'a> {
+/// Trials of fixes, as many as may be made.
+struct Trials<'a> {
     options: &'a Options,
     least: Applicability,
-    /// True if what another mistake hid on its line may be fixed along with it.
-    follows: bool,
-    readings: usize,
-    /// Number of bytes that may still be read again.
-    bytes: Cell<usize>,
-    applied: Vec<Applied>,
-    loaded: Loaded,
+    /// The most mistakes of one line that are fixed along with the one that hid them.
+    hidden: usize,
+    /// Number of times that the file may still be read again.
+    left: usize,
 }
 
-/// The diagnostics that are put right together, and what comes of the file.
-struct Accepted {
-    diagnostics: Vec<usize>,
-    /// Hidden mistakes, which are fixed as well.
-    hidden: Vec<Applied>,
-    loaded: Loaded,
-}
-
-impl Repair<'_> {
-    /// Applies the fixes that go together. Returns true if there were any.
-    fn round(&mut self) -> bool {
-        let candidates = self.candidates(&HashSet::new());
-        let mut accepted = None;
-        self.accept(&candidates, &mut accepted);
-        let Some(accepted) = accepted else {
-            return false;
-        };
-        let applied = self.applied(&self.loaded, &accepted.diagnostics);
-        self.applied.extend(applied);
-        self.applied.extend(accepted.hidden);
-        self.loaded = accepted.loaded;
-        true
-    }
-
-    /// Returns what the fixes of these diagnostics remove.
-    fn applied(&self, before: &Loaded, diagnostics: &[usize]) -> Vec<Applied> {
-        let applied = diagnostics.iter().filter_map(|index| {
-            let diagnostic = &before.diagnostics[*index];
-            let (line, column) = before.source.line_column(diagnostic.span.start);
-            Some(Applied {
-                line,
-                column,
-                diagnostic: diagnostic.clone(),
-                fix: self.fix(diagnostic)?.clone(),
-            })
-        });
-        applied.collect()
+impl<'a> Trials<'a> {
+    fn new(loaded: &Loaded, options: &'a Options, least: Applicability, readings: usize) -> Self {
+        let length = loaded.source.text().len().max(1);
+        Trials {
+            options,
+            least,
+            hidden: 0,
+            left: (MAX_READ_BYTES / length).clamp(readings, MAX_READINGS),
+        }
     }
 
     /// Returns the fix of a diagnostic, if it is sure enough.
@@ -181,219 +150,114 @@ impl Repair<'_> {
         fixes.find(|fix| fix.applicability <= self.least)
     }
 
-    /// Returns the diagnostics, but for some, whose fixes do not touch each other.
-    fn candidates(&self, tried: &HashSet<usize>) -> Vec<usize> {
+    /// Returns the wanted diagnostics whose fixes do not touch each other; none if the file may not be read again.
+    fn candidates(&self, loaded: &Loaded, is_wanted: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut taken = Taken::default();
-        let found = self.loaded.diagnostics.iter().enumerate();
+        let found = loaded.diagnostics.iter().enumerate();
         let free = found.filter(|(index, diagnostic)| {
-            let fix = self.fix(diagnostic).filter(|_| !tried.contains(index));
-            fix.is_some_and(|fix| taken.take(&fix.edits))
+            let fix = self.fix(diagnostic).filter(|_| is_wanted(*index));
+            self.left > 0 && fix.is_some_and(|fix| taken.take(&fix.edits))
         });
         free.map(|(index, _)| index).collect()
     }
 
-    /// Adds these diagnostics to those that are put right; of several that do not go together, what does.
-    fn accept(&mut self, diagnostics: &[usize], accepted: &mut Option<Accepted>) {
-        if diagnostics.is_empty() || self.readings == 0 {
-            return;
-        }
-        self.readings -= 1;
-        let mut together = accepted
-            .as_ref()
-            .map_or(Vec::new(), |it| it.diagnostics.clone());
-        together.extend(diagnostics);
-        let lines = match self.attempt(together) {
-            Ok(better) => {
-                *accepted = Some(better);
-                return;
+    /// Returns how many of the first of these diagnostics can be put right together, and the file then: all, or half as many,
+    /// and so on.
+    fn better(&mut self, loaded: &Loaded, batch: &[usize]) -> Option<(usize, Repaired)> {
+        let mut count = batch.len();
+        while count > 0 {
+            if let Some(better) = self.changed(loaded, &batch[..count], self.hidden) {
+                return Some((count, better));
             }
-            Err(lines) => lines,
-        };
-        // What stands where something new was found comes last.
-        let is_at = |index: &usize| {
-            let fix = self.fix(&self.loaded.diagnostics[*index]);
-            let mut edits = fix.into_iter().flat_map(|fix| &fix.edits);
-            edits.any(|edit| lines.contains(&self.loaded.source.line_column(edit.span.start).0))
-        };
-        let (mut second, mut first): (Vec<usize>, Vec<usize>) =
-            diagnostics.iter().copied().partition(is_at);
-        if first.is_empty() || second.is_empty() {
-            let (one, other) = diagnostics.split_at(diagnostics.len() / 2);
-            (first, second) = (one.to_vec(), other.to_vec());
+            count /= 2;
         }
-        if !first.is_empty() {
-            self.accept(&first, accepted);
-            self.accept(&second, accepted);
-        }
+        None
     }
 
-    /// Returns the file with the fixes of these diagnostics, if it is better; else the changed lines on which something
-    /// new is found. Mistakes hidden by these on their lines are fixed, too.
-    fn attempt(&self, diagnostics: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
-        let (mut loaded, mut new) = self.changed(&self.loaded, &diagnostics)?;
-        let mut hidden = Vec::new();
-        for _ in 0..MAX_HIDDEN {
-            if new.is_empty() {
-                return Ok(Accepted {
-                    diagnostics,
-                    hidden,
-                    loaded,
-                });
-            }
-            let can_follow = |index: &usize| self.fix(&loaded.diagnostics[*index]).is_some();
-            if !self.follows || !new.iter().all(can_follow) {
-                // No line was put in or taken out.
-                let follows = |index: &&usize| self.follows && can_follow(index);
-                let rest = new.iter().filter(|index| !follows(index));
-                let starts = rest.map(|index| loaded.diagnostics[*index].span.start);
-                return Err(starts
-                    .map(|start| loaded.source.line_column(start).0)
-                    .collect());
-            }
-            hidden.extend(self.applied(&loaded, &new));
-            (loaded, new) = self.changed(&loaded, &new)?;
+    /// Returns a file with the fixes of some diagnostics, if they are gone then and nothing new is wrong. What they hid on their
+    /// lines is fixed, too, `hidden` times at most.
+    fn changed(&mut self, before: &Loaded, indices: &[usize], hidden: usize) -> Option<Repaired> {
+        self.left = self.left.checked_sub(1)?;
+        let fixed: Vec<_> = indices.iter().map(|it| &before.diagnostics[*it]).collect();
+        let fixes = fixed.iter().filter_map(|diagnostic| self.fix(diagnostic));
+        let mut edits: Vec<&Edit> = fixes.flat_map(|fix| &fix.edits).collect();
+        edits.sort_by_key(|edit| edit.span);
+        let overlaps = |pair: &[&Edit]| pair[0].span.end > pair[1].span.start;
+        if edits.windows(2).any(overlaps) {
+            return None;
         }
-        Err(HashSet::new())
+        let source = &before.source;
+        let bytes = source.changed(edits.iter().map(|edit| (edit.span, edit.text.as_str())));
+        let after = load_all_errors(source.name(), &bytes, self.options);
+        if after.source.text() != spliced(source.text(), &edits) {
+            return None;
+        }
+        let new = self.revealed(before, &after, &fixed, &edits)?;
+        let applied = indices.iter();
+        let applied = applied.filter_map(|index| self.applied(before, *index));
+        let mut repaired = Repaired {
+            applied: applied.collect(),
+            loaded: after,
+        };
+        if !new.is_empty() {
+            let rest = self.changed(&repaired.loaded, &new, hidden.checked_sub(1)?)?;
+            repaired.applied.extend(rest.applied);
+            repaired.loaded = rest.loaded;
+        }
+        Some(repaired)
     }
 
-    /// Returns a file with the fixes of some diagnostics, and the diagnostics that are new then, if all of them were hidden;
-    /// else the changed lines on which the others are.
-    fn changed(
+    /// Returns the diagnostics that are new after some were fixed, if each may follow. A statement has one diagnostic at most: when
+    /// it is put right, another may show on its line. Diagnostics that could not be seen before do not count.
+    fn revealed(
         &self,
         before: &Loaded,
-        diagnostics: &[usize],
-    ) -> Result<(Loaded, Vec<usize>), HashSet<u32>> {
-        let found = diagnostics.iter().map(|index| &before.diagnostics[*index]);
-        let fixes: Vec<&Fix> = found
-            .filter_map(|diagnostic| self.fix(diagnostic))
+        after: &Loaded,
+        fixed: &[&Diagnostic],
+        edits: &[&Edit],
+    ) -> Option<Vec<usize>> {
+        let visible = Visible::of(before, edits);
+        let mut allowed: HashMap<Key, usize> = HashMap::new();
+        for diagnostic in &before.diagnostics {
+            *allowed.entry(key(diagnostic)).or_default() += 1;
+        }
+        for diagnostic in fixed {
+            *allowed.entry(key(diagnostic)).or_default() -= 1;
+        }
+        let has_same_lines = before.source.line_count() == after.source.line_count();
+        let changed = edits.iter().filter(|_| has_same_lines);
+        let changed: HashSet<u32> = changed
+            .map(|edit| before.source.line_column(edit.span.start).0)
             .collect();
-        let mut taken = Taken::default();
-        if !fixes.iter().all(|fix| taken.take(&fix.edits)) {
-            return Err(HashSet::new());
+        let mut new = Vec::new();
+        for (index, diagnostic) in after.diagnostics.iter().enumerate() {
+            if !visible.shows(diagnostic) {
+                continue;
+            }
+            let count = allowed.entry(key(diagnostic)).or_default();
+            let line = after.source.line_column(diagnostic.span.start).0;
+            if *count > 0 {
+                *count -= 1;
+            } else if changed.contains(&line) && self.fix(diagnostic).is_some() {
+                new.push(index);
+            } else {
+                return None;
+            }
         }
-        let mut edits: Vec<&Edit> = fixes.iter().flat_map(|fix| &fix.edits).collect();
-        edits.sort_by_key(|edit| edit.span);
-        let source = &before.source;
-        let changes = edits.iter().map(|edit| (edit.span, edit.text.as_str()));
-        let bytes = source.changed(changes.clone());
-        let Some(left) = self.bytes.get().checked_sub(bytes.len()) else {
-            return Err(HashSet::new());
-        };
-        self.bytes.set(left);
-        let loaded = load_all_errors(source.name(), &bytes, self.options);
-        if loaded.source.text() != spliced(source.text(), changes) {
-            return Err(HashSet::new());
-        }
-        let new = news(before, &loaded, diagnostics, &edits);
-        let is_shown = not_hidden(before, &loaded, &new, &edits);
-        match is_shown.is_empty() {
-            true => Ok((loaded, new)),
-            false => Err(lines(before, &loaded, &is_shown, &edits)),
-        }
-    }
-}
-
-// Judgement of a changed text: it is better if the mistake is gone, and nothing else is wrong that could be seen before. A
-// statement has one diagnostic at most, so that a second mistake shows when the first is fixed.
-
-/// Returns the diagnostics that are new after these were to be put right. One that is still there counts as new.
-fn news(before: &Loaded, after: &Loaded, fixed: &[usize], edits: &[&Edit]) -> Vec<usize> {
-    let fixed: HashSet<usize> = fixed.iter().copied().collect();
-    let ends = Ends::of(edits);
-    let mut here: HashMap<(Key, usize), usize> = HashMap::new();
-    let mut anywhere: HashMap<Key, usize> = HashMap::new();
-    for (index, diagnostic) in before.diagnostics.iter().enumerate() {
-        if !fixed.contains(&index) {
-            let location = ends.moved(diagnostic.span.start);
-            *here.entry((key(diagnostic), location)).or_default() += 1;
-            *anywhere.entry(key(diagnostic)).or_default() += 1;
-        }
-    }
-    let seen = Seen::of(before, &ends, edits);
-    let found = after.diagnostics.iter().enumerate();
-    let mut new: Vec<_> = found
-        .filter(|(_, diagnostic)| seen.would_show(diagnostic))
-        .collect();
-    // A diagnostic that stands where it stood comes first: an equal one elsewhere may be new.
-    new.retain(|(_, diagnostic)| {
-        let stays = takes(&mut here, &(key(diagnostic), diagnostic.span.start));
-        !(stays && takes(&mut anywhere, &key(diagnostic)))
-    });
-    new.retain(|(_, diagnostic)| !takes(&mut anywhere, &key(diagnostic)));
-    new.into_iter().map(|(index, _)| index).collect()
-}
-
-/// Takes one of those that are left; whether there was one.
-fn takes<K: Hash + Eq>(left: &mut HashMap<K, usize>, key: &K) -> bool {
-    match left.get_mut(key) {
-        Some(count) if *count > 0 => {
-            *count -= 1;
-            true
-        }
-        _ => false,
-    }
-}
-
-/// Ends of edits, in the text before and in the changed one.
-struct Ends(Vec<(usize, usize)>);
-
-impl Ends {
-    /// Computes the ends of edits in their order.
-    fn of(edits: &[&Edit]) -> Ends {
-        let (mut gone, mut new) = (0, 0);
-        let ends = edits.iter().map(|edit| {
-            gone += edit.span.end - edit.span.start;
-            new += edit.text.len();
-            (edit.span.end, edit.span.end + new - gone)
-        });
-        Ends(ends.collect())
+        Some(new)
     }
 
-    /// Returns the offset after the change.
-    fn moved(&self, at: usize) -> usize {
-        let passed = self.0.partition_point(|(end, _)| *end <= at);
-        let last = passed.checked_sub(1).map(|last| self.0[last]);
-        last.map_or(at, |(before, after)| after + (at - before))
+    /// Returns what the fix of a diagnostic puts right.
+    fn applied(&self, before: &Loaded, index: usize) -> Option<Applied> {
+        let diagnostic = &before.diagnostics[index];
+        let (line, column) = before.source.line_column(diagnostic.span.start);
+        Some(Applied {
+            line,
+            column,
+            diagnostic: diagnostic.clone(),
+            fix: self.fix(diagnostic)?.clone(),
+        })
     }
-}
-
-/// Returns the diagnostics on lines that were not changed: no mistake before may have hidden them.
-fn not_hidden(
-    before: &Loaded,
-    after: &Loaded,
-    diagnostics: &[usize],
-    edits: &[&Edit],
-) -> Vec<usize> {
-    let same_lines = before.source.line_count() == after.source.line_count();
-    let changed = edits.iter().filter(|_| same_lines);
-    let changed = changed.map(|edit| before.source.line_column(edit.span.start).0);
-    let changed: HashSet<u32> = changed.collect();
-    let line = |index: usize| {
-        let start = after.diagnostics[index].span.start;
-        after.source.line_column(start).0
-    };
-    let diagnostics = diagnostics.iter().copied();
-    diagnostics
-        .filter(|index| !changed.contains(&line(*index)))
-        .collect()
-}
-
-/// Returns the lines before the change that hold an edit, if a diagnostic stands there after it.
-fn lines(before: &Loaded, after: &Loaded, diagnostics: &[usize], edits: &[&Edit]) -> HashSet<u32> {
-    let line = |index: &usize| {
-        let start = after.diagnostics[*index].span.start;
-        after.source.line_column(start).0
-    };
-    let found: HashSet<u32> = diagnostics.iter().map(line).collect();
-    let ends = Ends::of(edits);
-    let is_found = |edit: &&&Edit| {
-        let end = ends.moved(edit.span.end);
-        found.contains(&after.source.line_column(end).0)
-    };
-    let edits = edits.iter().filter(is_found);
-    edits
-        .map(|edit| before.source.line_column(edit.span.start).0)
-        .collect()
 }
 
 /// Key by which two diagnostics are the same, wherever they are.
@@ -403,53 +267,48 @@ fn key(diagnostic: &Diagnostic) -> Key {
     (diagnostic.code, diagnostic.reason.to_string())
 }
 
-/// Facts of the text before the change.
-struct Seen {
-    /// End of the text that was read, as an offset of the changed text.
-    read: usize,
-    /// The blocks were whole, so that the use of variables was judged.
-    usage: bool,
-    /// There was a program, so that its warnings were known.
-    program: bool,
+/// Diagnostics that the text before a change would have shown.
+struct Visible {
+    /// End of what was read, as an offset of the changed text: nothing is read after END.
+    end: usize,
+    /// True if the blocks were whole, so that the use of variables was judged.
+    has_usage: bool,
+    /// True if there was a program, so that its warnings were known.
+    has_warnings: bool,
     /// Offsets, in the changed text, of the last reported error and warning, if further ones were omitted.
     last: [Option<usize>; 2],
 }
 
-impl Seen {
-    fn of(before: &Loaded, ends: &Ends, edits: &[&Edit]) -> Seen {
+impl Visible {
+    fn of(before: &Loaded, edits: &[&Edit]) -> Visible {
+        // Edits that reach across an offset count up to it.
+        let moved = |at: usize| {
+            let passed = edits.iter().filter(|edit| edit.span.start < at);
+            let change = |(gone, new), edit: &&Edit| {
+                let gone = gone + edit.span.end.min(at) - edit.span.start;
+                (gone, new + edit.text.len())
+            };
+            let (gone, new) = passed.fold((0, 0), change);
+            at + new - gone
+        };
         let last = before.module.statements.last();
         let end = last.filter(|last| matches!(last.kind, StatementKind::End));
-        let read = end.map_or(before.source.text().len(), |end| end.span.end);
-        // No further than the start of a change across the end.
-        let edits = edits.iter().filter(|edit| edit.span.start < read);
         let last = [Level::Error, Level::Warning].map(|level| {
             let omitted = before.omitted.of_level(level, before.module.edition);
             let of_level = |it: &&Diagnostic| it.level() == level;
             let last = before.diagnostics.iter().rfind(of_level);
-            let last = last.map_or(0, |last| ends.moved(last.span.start));
-            (omitted > 0).then_some(last)
+            (omitted > 0).then(|| last.map_or(0, |last| moved(last.span.start)))
         });
-        let (gone, new) = edits.fold((0, 0), |(gone, new), edit| {
-            let gone = gone + edit.span.end.min(read) - edit.span.start;
-            (gone, new + edit.text.len())
-        });
-        Seen {
-            read: if end.is_some() {
-                read + new - gone
-            } else {
-                usize::MAX
-            },
-            usage: before
-                .diagnostics
-                .iter()
-                .all(|it| it.code != Code::Structure),
-            program: before.program.is_some(),
+        Visible {
+            end: end.map_or(usize::MAX, |end| moved(end.span.end)),
+            has_usage: (before.diagnostics.iter()).all(|it| it.code != Code::Structure),
+            has_warnings: before.program.is_some(),
             last,
         }
     }
 
     /// Returns true if a diagnostic of the changed text would have been reported before.
-    fn would_show(&self, diagnostic: &Diagnostic) -> bool {
+    fn shows(&self, diagnostic: &Diagnostic) -> bool {
         let is_usage = matches!(
             diagnostic.code,
             Code::NeverAssigned | Code::Unused | Code::NeverRead
@@ -457,20 +316,20 @@ impl Seen {
         let is_warning = diagnostic.level() == Level::Warning;
         let last = self.last[usize::from(is_warning)];
         last.is_none_or(|last| diagnostic.span.start < last)
-            && diagnostic.span.start < self.read
-            && (self.usage || !is_usage)
-            && (self.program || !is_warning)
+            && diagnostic.span.start < self.end
+            && (self.has_usage || !is_usage)
+            && (self.has_warnings || !is_warning)
     }
 }
 
-/// Returns a text with others in the place of some spans.
-fn spliced<'a>(text: &str, changes: impl Iterator<Item = (Span, &'a str)>) -> String {
+/// Returns a text with some edits, in their order.
+fn spliced(text: &str, edits: &[&Edit]) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
-    for (span, new) in changes {
-        out += &text[at..span.start];
-        out += new;
-        at = span.end;
+    for edit in edits {
+        out += &text[at..edit.span.start];
+        out += &edit.text;
+        at = edit.span.end;
     }
     out + &text[at..]
 }
