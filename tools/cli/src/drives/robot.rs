@@ -356,10 +356,17 @@ impl Connection {
             }
             Err(failure) => {
                 report::complain(&format!("{}\n", self.explain(failure)));
-                Status::Emergency
+                match self.robot().outcome() {
+                    Some(_) => Status::Emergency,
+                    // A hand has turned a joint where it must not be.
+                    None => Status::Failure,
+                }
             }
         };
         self.finish();
+        if status == Status::Failure {
+            super::report_stiff(self, self.lang);
+        }
         Some(status)
     }
 
@@ -500,7 +507,7 @@ impl Connection {
                 }
             }
             Problem::Period(most) => Driving::PeriodTooLong {
-                most: format!("{most:.0}"),
+                most: format!("{:.0}", most.floor()),
             },
             Problem::NotHeld => Driving::NotHeld,
         };
