@@ -1078,6 +1078,9 @@ tipc::message_table! {
     OverTheEnd { joint: String, end: u32 }
         "{joint} turned over the end of its servo's travel ({end} to 0), where the servo cannot follow: mount its horn turned if the joint has to go there",
         "{joint}はサーボの可動範囲の端({end}と0の間)を越えました。サーボはそこを通れないので、必要ならホーンを回して付け直してください";
+    NotAnAnswer { text: String }
+        "`{text}` is no answer: RETURN alone goes on, 's' and RETURN skips",
+        "`{text}` は答えではありません。RETURNだけで進み、's'とRETURNで飛ばします";
     AtZero { joint: String }
         "{joint} at 0",
         "{joint}を角度0に";

@@ -66,7 +66,10 @@ fn answer(question: &Driving, lang: Lang) -> Result<Answer, Error> {
         match line.trim() {
             "" => return Ok(Answer::Done),
             "s" => return Ok(Answer::Skip),
-            _ => {}
+            other => {
+                let text = other.to_owned();
+                report::say(Driving::NotAnAnswer { text }, lang);
+            }
         }
     }
 }
