@@ -21,6 +21,9 @@ const RETURN: u8 = 0x0D;
 /// While it lives, keys arrive without RETURN and unechoed; dropping it restores the terminal. If
 /// standard input is not a terminal, it is left alone and no keys arrive.
 ///
+/// A process in the background gets no keys: they are not meant for it, and the system would suspend
+/// it for reading them.
+///
 /// Ctrl-C arrives as a byte as well: it stops the robot as the RETURN key does, unless
 /// [`report_interrupts`](Self::report_interrupts) says otherwise.
 #[derive(Debug)]
@@ -90,7 +93,7 @@ impl<W: Write> Terminal<W> {
 
 impl<W: Write> Console for Terminal<W> {
     fn key(&mut self, _cycle: u64) -> Option<u8> {
-        self.raw.as_ref()?;
+        self.raw.as_ref().filter(|_| raw::is_in_foreground())?;
         let mut byte = [0];
         match io::stdin().read(&mut byte) {
             Ok(1) => {}
@@ -177,8 +180,10 @@ impl<W: Write> Terminal<W> {
 /// Standard input without line editing.
 #[cfg(unix)]
 mod raw {
+    use rustix::process::getpgrp;
     use rustix::termios::{
-        InputModes, LocalModes, OptionalActions, SpecialCodeIndex, Termios, tcgetattr, tcsetattr,
+        InputModes, LocalModes, OptionalActions, SpecialCodeIndex, Termios, tcgetattr, tcgetpgrp,
+        tcsetattr,
     };
     use std::io::{IsTerminal, stdin};
 
@@ -230,6 +235,12 @@ mod raw {
             self.0.restore();
         }
     }
+
+    /// Returns true if the keys of standard input are meant for this process. A terminal that does not
+    /// control this process has no foreground.
+    pub(super) fn is_in_foreground() -> bool {
+        tcgetpgrp(stdin()).map_or(true, |foreground| foreground == getpgrp())
+    }
 }
 
 /// Standard input without line editing: not available on this system.
@@ -256,6 +267,11 @@ mod raw {
         pub(super) fn enter() -> Option<Self> {
             None
         }
+    }
+
+    /// Returns true: there is no background here.
+    pub(super) fn is_in_foreground() -> bool {
+        true
     }
 }
 

@@ -23,6 +23,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tip_drives::guard::{Request, Step};
 use tipc::message::Lang;
+use tipc::message::list::List;
 use zero::Zero;
 
 /// The command `tip drives`.
@@ -54,7 +55,7 @@ enum DrivesVerb {
 pub(crate) fn report_stiff(connection: &Connection, lang: Lang) {
     let stiff = connection.robot().drives_mut().stiff();
     if !stiff.is_empty() {
-        let joints = connection.setup.names(&stiff);
+        let joints = List(connection.setup.names(&stiff));
         report::say(Driving::WereStiff { joints }, lang);
     }
 }
@@ -203,9 +204,8 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
         if let Some(status) = connection.ended(step) {
             break status;
         }
-        let mut robot = connection.robot();
         let mut is_over = false;
-        while let Some(key) = robot.host_mut().key() {
+        while let Some(key) = connection.key() {
             match key {
                 b'+' => to[place] += 1.0,
                 b'-' => to[place] -= 1.0,
@@ -214,6 +214,7 @@ fn jog(arguments: &Jog) -> Result<Status, Error> {
             }
         }
         to[place] = to[place].clamp(limits.min, limits.max);
+        let mut robot = connection.robot();
         step = match is_over {
             true => Ok(robot.obey(Request::End)),
             false => robot.step(&to, speed),

@@ -10,19 +10,18 @@
 use crate::Status;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, Once, PoisonError, mpsc};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, Once, PoisonError, mpsc};
 use std::time::Duration;
 use std::{fs, process, thread};
+use tip_drives::operator;
 use tip_runtime::console::TerminalState;
 
-static REQUESTED: AtomicBool = AtomicBool::new(false);
-
-/// The first signal, which the exit status names. A key counts as Ctrl-C.
-static SIGNAL: AtomicU8 = AtomicU8::new(SIGINT);
+/// The number of the first signal; 0 before. A key counts as Ctrl-C. The operator of a robot reads it, and writes it.
+static FIRST: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
 
 /// The number of SIGINT on every system.
-const SIGINT: u8 = 2;
+const SIGINT: usize = 2;
 
 /// The cleanup of a process that ends immediately; `None` while files are being completed.
 static LAST: Mutex<Option<Last>> = Mutex::new(None);
@@ -71,17 +70,9 @@ pub(super) fn catch() {
     ONCE.call_once(listen);
 }
 
-/// Lets a write beyond the limit of a file's size fail, as on a full disk: the signal for it would end the process.
+/// Hears the signals of this process.
 #[cfg(unix)]
-pub(super) fn let_writes_fail() {
-    let signal = rustix::process::Signal::XFSZ.as_raw();
-    // If the system refuses, the signal ends the process as before.
-    let _ = signal_hook::flag::register(signal, Arc::default());
-}
-
-/// Does nothing: files have no such limit here.
-#[cfg(not(unix))]
-pub(super) fn let_writes_fail() {}
+static LISTENER: Mutex<Option<signal_hook::iterator::Handle>> = Mutex::new(None);
 
 /// Handles signals in a thread. A signal that was ignored before the process began, as with `nohup` and background jobs, stays
 /// ignored.
@@ -89,43 +80,31 @@ pub(super) fn let_writes_fail() {}
 fn listen() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
     let signals = [SIGINT, SIGTERM, SIGHUP, SIGQUIT].into_iter();
-    listen_for(signals.filter(|signal| !is_ignored(*signal)));
-}
-
-/// Handles, while the torque of a robot may be on, all signals that would end or suspend the process or whose sender wants it to end.
-/// Only SIGHUP stays ignored, because that is what `nohup` is for.
-#[cfg(unix)]
-fn listen_for_robot() {
-    use signal_hook::consts::{
-        SIGALRM, SIGINT, SIGIO, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1,
-        SIGUSR2, SIGVTALRM, SIGXCPU,
+    let signals = signals.filter(|signal| !operator::is_ignored(*signal));
+    let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) else {
+        return;
     };
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
-        let ignored = [SIGINT, SIGTERM, SIGQUIT].into_iter();
-        let ignored = ignored.filter(|signal| is_ignored(*signal));
-        let others = [
-            SIGALRM, SIGIO, SIGPROF, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGVTALRM,
-            SIGXCPU,
-        ];
-        listen_for(ignored.chain(others));
+    *lock(&LISTENER) = Some(signals.handle());
+    thread::spawn(move || {
+        for signal in signals.forever() {
+            if suspends(signal) && !HAS_TORQUE.load(Ordering::Relaxed) {
+                // Nothing is left to be done if the system refuses.
+                let _ = signal_hook::low_level::emulate_default_handler(signal);
+            } else {
+                signalled(usize::try_from(signal).unwrap_or(SIGINT as usize));
+            }
+        }
     });
 }
 
-/// Handles some signals in a thread.
+/// Hears all signals of a robot's operator from now on, those included that were ignored.
 #[cfg(unix)]
-fn listen_for(signals: impl Iterator<Item = i32>) {
-    if let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) {
-        thread::spawn(move || {
-            for signal in signals.forever() {
-                if suspends(signal) && !HAS_TORQUE.load(Ordering::Relaxed) {
-                    // Nothing is left to be done if the system refuses.
-                    let _ = signal_hook::low_level::emulate_default_handler(signal);
-                } else {
-                    signalled(u8::try_from(signal).unwrap_or(SIGINT));
-                }
-            }
-        });
+fn listen_for_robot() {
+    if let Some(listener) = lock(&LISTENER).as_ref() {
+        for signal in operator::signals() {
+            // A signal that the system does not tell of ends the process as before.
+            let _ = listener.add_signal(signal);
+        }
     }
 }
 
@@ -136,28 +115,11 @@ fn suspends(signal: i32) -> bool {
     matches!(signal, SIGTSTP | SIGTTIN | SIGTTOU)
 }
 
-/// Returns true if the keys of the terminal are meant for this process. One in the background would be suspended for reading them, and
-/// gets the signal again and again while its robot has torque.
-#[cfg(unix)]
-pub(super) fn may_read_keys() -> bool {
-    use rustix::process::getpgrp;
-    use rustix::termios::tcgetpgrp;
-    // A terminal that does not control this process has no foreground.
-    !HAS_TORQUE.load(Ordering::Relaxed)
-        || tcgetpgrp(io::stdin()).map_or(true, |foreground| foreground == getpgrp())
-}
-
-/// Returns true: there is no background here.
-#[cfg(not(unix))]
-pub(super) fn may_read_keys() -> bool {
-    true
-}
-
 /// Handles Ctrl-C in a thread that looks for it.
 #[cfg(not(unix))]
 fn listen() {
     let flag = Arc::new(AtomicBool::new(false));
-    if signal_hook::flag::register(SIGINT.into(), Arc::clone(&flag)).is_ok() {
+    if signal_hook::flag::register(signal_hook::consts::SIGINT, Arc::clone(&flag)).is_ok() {
         thread::spawn(move || {
             loop {
                 thread::sleep(Duration::from_millis(20));
@@ -169,21 +131,10 @@ fn listen() {
     }
 }
 
-/// Returns true if the process ignores a signal, as far as the system says so in a file: elsewhere, none is ignored.
-#[cfg(unix)]
-fn is_ignored(signal: i32) -> bool {
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    let mask = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
-    mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
-}
-
-fn signalled(signal: u8) {
-    if REQUESTED.load(Ordering::Relaxed) {
+fn signalled(signal: usize) {
+    if !first(signal) {
         return end(Cause::Signal);
     }
-    SIGNAL.store(signal, Ordering::Relaxed);
-    request();
     thread::spawn(|| {
         loop {
             thread::sleep(PATIENCE);
@@ -195,7 +146,11 @@ fn signalled(signal: u8) {
 /// Returns the exit status of an interrupted command: 130 after Ctrl-C, 143 after SIGTERM, 129 after SIGHUP, 131 after SIGQUIT;
 /// 128 and the number of another signal.
 pub(super) fn status() -> u8 {
-    128 + SIGNAL.load(Ordering::Relaxed)
+    let signal = match FIRST.load(Ordering::Relaxed) {
+        0 => SIGINT,
+        signal => signal,
+    };
+    128 + signal as u8
 }
 
 /// Ends the process unless its files are being completed. A robot whose torque is on is left first.
@@ -302,12 +257,23 @@ pub(super) fn is_left() {
 
 /// Ends the run as Ctrl-C does.
 pub(super) fn request() {
-    REQUESTED.store(true, Ordering::Relaxed);
+    first(SIGINT);
+}
+
+/// Keeps the number of the first signal; returns false for another one.
+fn first(signal: usize) -> bool {
+    let order = Ordering::Relaxed;
+    FIRST.compare_exchange(0, signal, order, order).is_ok()
+}
+
+/// Returns the place of the number of the first signal.
+pub(super) fn signal() -> Arc<AtomicUsize> {
+    Arc::clone(&FIRST)
 }
 
 /// Returns true if the command should end.
 pub(super) fn is_requested() -> bool {
-    REQUESTED.load(Ordering::Relaxed)
+    FIRST.load(Ordering::Relaxed) > 0
 }
 
 fn last() -> MutexGuard<'static, Option<Last>> {

@@ -114,7 +114,7 @@ trait Action: Args {
 
 /// Runs the command of the command line.
 fn main() -> ExitCode {
-    interrupt::let_writes_fail();
+    tip_drives::operator::let_writes_fail();
     let matches = match help::command(usage::lang()).try_get_matches() {
         Ok(matches) => matches,
         Err(error) => {

@@ -985,7 +985,7 @@ tipc::message_table! {
     NoServoToFail { text: String, id: u32 }
         "`{text}` can never happen: the robot has no servo {id}",
         "`{text}` は起こりません。サーボ{id}はありません";
-    WereStiff { joints: String }
+    WereStiff { joints: List }
         "the torque of these servos was on before this run, and stays on: {joints}. They hold; support the robot before you switch their power off",
         "次のサーボはこの実行の前からトルクが入っており、入ったままです: {joints}。電源を切る前にロボットを支えてください";
     NeedsYes
@@ -1006,16 +1006,16 @@ tipc::message_table! {
     PressReturn
         "keep clear; RETURN starts, Ctrl-C ends",
         "ロボットから離れてください。RETURNで開始、Ctrl-Cで終了します";
-    StillStiff { joints: String }
+    StillStiff { joints: List }
         "still stiff, although they were to relax: {joints}. Switch their power off",
         "脱力しなかったサーボがあります: {joints}。電源を切ってください";
-    PerhapsStiff { joints: String }
+    PerhapsStiff { joints: List }
         "perhaps still stiff, because they did not confirm that they relaxed: {joints}. Switch their power off",
         "脱力を確認できないサーボがあります: {joints}。電源を切ってください";
-    WithoutTorque { joints: String }
+    WithoutTorque { joints: List }
         "without torque, although they were to hold: {joints}",
         "保持するはずのサーボにトルクがありません: {joints}";
-    PerhapsLimp { joints: String }
+    PerhapsLimp { joints: List }
         "perhaps without torque or not where they are to be, because they did not confirm that they hold: {joints}",
         "保持を確認できないサーボがあります: {joints}";
     NoSuchJoint { joint: String }
@@ -1060,7 +1060,7 @@ tipc::message_table! {
     ZeroHow
         "the torque is off. For each joint: turn it by hand to its angle 0, press RETURN; turn it a little in its positive direction, press RETURN. 's' and RETURN skips a joint",
         "トルクを切りました。関節ごとに、手で角度0に合わせてRETURN、正の向きに少し回してRETURNを押してください。's'とRETURNで飛ばします";
-    ZeroReleases { joints: String }
+    ZeroReleases { joints: List }
         "these servos hold: {joints}. Support the robot; RETURN switches their torque off",
         "保持中のサーボがあります: {joints}。ロボットを支えてください。RETURNでトルクを切ります";
     IdReleases { id: u32 }
@@ -1069,7 +1069,7 @@ tipc::message_table! {
     IdKept { id: u32 }
         "servo {id} keeps its number and its torque: RETURN alone would have written the number",
         "サーボ{id}の番号とトルクは変わりません。番号を書き込むにはRETURNだけを押してください";
-    NotStill { joints: String }
+    NotStill { joints: List }
         "{joints} gave no two equal positions in a row: keep the joint still, look at its cables, and do it again",
         "{joints}の位置が定まりません。関節を動かさず、ケーブルを確かめて、やり直してください";
     TurnedTooFar { joint: String, angle: String }
@@ -1078,6 +1078,9 @@ tipc::message_table! {
     OverTheEnd { joint: String, end: u32 }
         "{joint} turned over the end of its servo's travel ({end} to 0), where the servo cannot follow: mount its horn turned if the joint has to go there",
         "{joint}はサーボの可動範囲の端({end}と0の間)を越えました。サーボはそこを通れないので、必要ならホーンを回して付け直してください";
+    NotAnAnswer { text: String }
+        "`{text}` is no answer: RETURN alone goes on, 's' and RETURN skips",
+        "`{text}` は答えではありません。RETURNだけで進み、's'とRETURNで飛ばします";
     AtZero { joint: String }
         "{joint} at 0",
         "{joint}を角度0に";
@@ -1090,10 +1093,10 @@ tipc::message_table! {
     ZeroSkipped { joint: String }
         "{joint} is skipped; its sign and its offset stay",
         "{joint}を飛ばしました。符号とオフセットは変えません";
-    ZeroUnfinished { joints: String }
+    ZeroUnfinished { joints: List }
         "the input ended before these joints were done: {joints}",
         "入力が終わったため、次の関節は終わっていません: {joints}";
-    ZeroWritten { joints: String, file: Text }
+    ZeroWritten { joints: List, file: Text }
         "{file} has the signs and offsets of {joints} now",
         "{joints}の符号とオフセットを{file}に書き込みました";
     ZeroNone { file: Text }

@@ -385,8 +385,10 @@ impl Job<'_> {
         // From here on a signal ends nothing: neither the leaving of the robot nor the files.
         interrupt::hold();
         let is_stopped = connection.as_ref().is_some_and(|connection| {
-            let keyboard = run.console_mut().and_then(Screen::release);
-            connection.finish(keyboard)
+            if let Some(screen) = run.console_mut::<Screen>() {
+                screen.clear();
+            }
+            connection.finish()
         });
         let logged = run.console_mut().map_or(Ok(()), Screen::close);
         if trace.as_ref().is_some_and(Trace::is_straight) {

@@ -121,6 +121,15 @@ impl Described {
         Target::Joint(leg, joint).to_string()
     }
 
+    /// Returns the names of joints and their servos, such as "J11 (servo 1)".
+    pub fn names(&self, joints: &[usize]) -> Vec<String> {
+        let name = |joint: &usize| {
+            let id = self.joints.get(*joint).map_or(0, |joint| joint.id);
+            format!("{} (servo {id})", self.name(*joint))
+        };
+        joints.iter().map(name).collect()
+    }
+
     /// Returns the timing of its bus.
     pub fn timing(&self) -> Timing {
         Timing {

@@ -275,6 +275,8 @@ const TIMEOUT: (f64, f64) = (10.0, 100.0);
 const TIMEOUT_AT_START: f64 = 2000.0;
 /// Minimum time-out with which a healthy robot goes on, cycles.
 const MIN_TIMEOUT: f64 = 3.0;
+/// Number of readings in a row that agree about a position.
+const AGREEING: u32 = 2;
 /// Number of cycles that send a new time-out.
 const TIMEOUT_REPEATS: u32 = 3;
 /// Number of requests without an answer from which a servo counts as silent.
@@ -443,7 +445,7 @@ impl<P: Port> Drives<P> {
         }
         let mut least = None;
         // Two readings that agree, so that a damaged one cannot be the first.
-        for _ in 0..2 * (self.settings.silence as usize + 1) {
+        for _ in 0..self.readings() {
             let begin = self.bus.now();
             self.measure(u64::MAX)?;
             if self.joints.iter().all(|state| state.age == 0) {
@@ -454,6 +456,36 @@ impl<P: Port> Drives<P> {
         // The shortest reading has the latency of the adapter, which is unknown before, and no delay of a busy host. Its answers may
         // be short ones.
         self.read_time = self.read_time.max(least.unwrap_or_default());
+        self.settle(is_commanded)
+    }
+
+    /// Returns the number of readings in which the position of each servo is found, though some answers are missing.
+    fn readings(&self) -> u32 {
+        2 * (self.settings.silence.min(MAX_REPEATS) + 1)
+    }
+
+    /// Measures where the joints are now, whatever was measured before. Nothing moves.
+    ///
+    /// # Errors
+    /// A servo does not answer or is not well, or its joint is outside of its limits.
+    pub(crate) fn locate(&mut self) -> Result<(), Failure> {
+        for state in &mut self.joints {
+            (state.measured, state.suspect, state.is_settled) = (None, None, false);
+        }
+        let mut complete = 0;
+        for _ in 0..self.readings() {
+            self.measure(u64::MAX)?;
+            let is_complete = self.joints.iter().all(|state| state.age == 0);
+            complete = if is_complete { complete + 1 } else { 0 };
+            if complete == AGREEING {
+                break;
+            }
+        }
+        self.settle(true)
+    }
+
+    /// Takes the measured positions for sure, and checks that the joints may be there.
+    fn settle(&mut self, is_commanded: bool) -> Result<(), Failure> {
         for number in 0..self.joints.len() {
             let Some(angle) = self.angle(number) else {
                 return self.fail(Some(number), Problem::Silent);
@@ -576,13 +608,12 @@ impl<P: Port> Drives<P> {
         joints.map(|joint| self.setpoint(joint)).collect()
     }
 
-    /// Sets speeds and torque limits, and switches the torque on, where each joint is, as long as `goes_on` returns true, which is
-    /// asked before each servo.
+    /// Sets speeds and torque limits, and switches the torque on, where each joint was located, as long as `goes_on` returns true,
+    /// which is asked before each servo.
     ///
     /// # Errors
     /// A servo does not answer.
     pub(crate) fn hold_while(&mut self, mut goes_on: impl FnMut() -> bool) -> Result<(), Failure> {
-        self.check_period()?;
         (self.is_held, self.is_resting, self.torque) = (true, false, 1.0);
         for number in 0..self.joints.len() {
             if !goes_on() {

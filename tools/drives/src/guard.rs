@@ -207,14 +207,17 @@ impl<P: Port, H: Host<P>> TorqueGuard<P, H> {
         self.drives.check_period()
     }
 
-    /// Switches the torque on, servo by servo, each where it is.
+    /// Switches the torque on, servo by servo, each where it is now: a hand may have turned it since [`connect`](Self::connect).
     ///
     /// # Errors
-    /// A servo does not answer; the robot was left as in an emergency.
+    /// A joint is where it must not be, or the robot cannot have its sampling time, and no torque was switched on; or a servo does not
+    /// answer, and the robot was left as in an emergency.
     pub fn hold(&mut self) -> Result<Step, Failure> {
-        self.state = State::On;
         self.is_stopped = false;
         self.drives.set_period(self.period);
+        self.drives.check_period()?;
+        self.drives.locate()?;
+        self.state = State::On;
         let (host, mut asked, mut count) = (&mut self.host, None, 0);
         let held = self.drives.hold_while(|| {
             asked = asked.or(host.request());

@@ -21,11 +21,15 @@
 use crate::bus::Port;
 use crate::described::Described;
 use crate::drives::Policy;
-use crate::guard::{Host, Request, TorqueGuard};
+use crate::guard::{Host, Outcome, Request, TorqueGuard};
 use crate::port::{AnyPort, SIMULATED};
 use crate::serial::Serial;
 use crate::simulated::MemoryPort;
+use core::borrow::BorrowMut;
+use core::fmt;
 use std::boxed::Box;
+use std::collections::VecDeque;
+use std::io;
 use std::path::Path;
 use std::string::String;
 use std::sync::Arc;
@@ -33,7 +37,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::sleep;
 use std::time::Duration;
 use std::vec::Vec;
-use std::{format, io};
 use tip_runtime::console::{Console, Terminal};
 
 /// Bytes of keys.
@@ -41,6 +44,8 @@ const RETURN: u8 = 0x0D;
 /// RETURN that was pressed before keys were read one by one.
 const LINE_FEED: u8 = 0x0A;
 const ESCAPE: u8 = 0x1B;
+/// The signal for which the key Ctrl-C counts.
+const CONTROL_C: usize = signal_hook::consts::SIGINT as usize;
 /// Exit status of a process that a signal ends, without the number of the signal.
 const BY_SIGNAL: u8 = 128;
 
@@ -64,44 +69,128 @@ pub fn open(
 /// Leaves a robot in order, or as in an emergency if it was stopped. The keys are read meanwhile.
 ///
 /// # Errors
-/// A text that names the servos that did not confirm the state in which they were to be left.
-pub fn leave(guard: &mut TorqueGuard<AnyPort, Operator>, robot: &Described) -> Result<(), String> {
-    guard.host_mut().take_keys();
-    guard.leave();
-    guard.host_mut().give_keys();
-    let Some(outcome) = guard.outcome().filter(|outcome| !outcome.is_certain()) else {
-        return Ok(());
-    };
-    let servo = |joint: &usize| {
-        let id = robot.joints.get(*joint).map_or(0, |joint| joint.id);
-        format!("{} (servo {id})", robot.name(*joint))
-    };
-    let servos: Vec<String> = outcome
-        .other
-        .iter()
-        .chain(&outcome.unknown)
-        .map(servo)
-        .collect();
-    let state = match outcome.policy {
-        Policy::Hold => "hold",
-        Policy::Relax => "relax",
-    };
-    let servos = servos.join(", ");
-    Err(format!(
-        "these were to {state}, and perhaps do not: {servos}. Switch their power off"
-    ))
+/// The servos that are not in the state in which they were to be left, or may not be.
+pub fn leave<H: Host<AnyPort> + BorrowMut<Operator>>(
+    guard: &mut TorqueGuard<AnyPort, H>,
+    robot: &Described,
+) -> Result<(), Unsettled> {
+    if guard.has_torque() {
+        guard.host_mut().borrow_mut().take_keys();
+        guard.leave();
+    }
+    guard.host_mut().borrow_mut().give_keys();
+    match guard.outcome() {
+        Some(outcome) if !outcome.is_certain() => Err(Unsettled::new(outcome, robot)),
+        _ => Ok(()),
+    }
 }
+
+/// The servos that are not in the state in which a robot was to be left, or may not be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unsettled {
+    /// The state that they were to have.
+    pub policy: Policy,
+    /// Names of the joints whose servos have the other state.
+    pub other: Vec<String>,
+    /// Names of the joints whose servos did not confirm their state.
+    pub unknown: Vec<String>,
+}
+
+impl Unsettled {
+    fn new(outcome: &Outcome, robot: &Described) -> Self {
+        Unsettled {
+            policy: outcome.policy,
+            other: robot.names(&outcome.other),
+            unknown: robot.names(&outcome.unknown),
+        }
+    }
+}
+
+impl fmt::Display for Unsettled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Unsettled {
+            policy,
+            other,
+            unknown,
+        } = self;
+        let state = match policy {
+            Policy::Hold => "hold",
+            Policy::Relax => "relax",
+        };
+        if !other.is_empty() {
+            let other = other.join(", ");
+            write!(f, "these were to {state}, and do not: {other}. ")?;
+        }
+        if !unknown.is_empty() {
+            let unknown = unknown.join(", ");
+            write!(f, "these did not confirm that they {state}: {unknown}. ")?;
+        }
+        f.write_str("Switch their power off")
+    }
+}
+
+impl core::error::Error for Unsettled {}
+
+/// Returns the signals that would end or suspend this process, and leave stiff servos. SIGHUP is not one of them where it is ignored:
+/// that is what `nohup` is for.
+#[cfg(unix)]
+pub fn signals() -> Vec<i32> {
+    use signal_hook::consts::{
+        SIGALRM, SIGHUP, SIGINT, SIGIO, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGTTIN, SIGTTOU,
+        SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+    };
+    let always = [
+        SIGINT, SIGTERM, SIGQUIT, SIGALRM, SIGIO, SIGPROF, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1,
+        SIGUSR2, SIGVTALRM, SIGXCPU,
+    ];
+    let hangup = Some(SIGHUP).filter(|signal| !is_ignored(*signal));
+    always.into_iter().chain(hangup).collect()
+}
+
+/// Returns the signals that ask this process to end.
+#[cfg(not(unix))]
+pub fn signals() -> Vec<i32> {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    [SIGINT, SIGTERM].into()
+}
+
+/// Returns true if this process ignores a signal, as far as the system says so in a file: elsewhere, none is ignored.
+#[cfg(unix)]
+#[allow(clippy::disallowed_methods, reason = "Linux tells it in a file")]
+pub fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
+}
+
+/// Lets a write beyond the limit of a file's size fail, as on a full disk: the signal for it would end the process.
+#[cfg(unix)]
+pub fn let_writes_fail() {
+    let signal = rustix::process::Signal::XFSZ.as_raw();
+    // If the system refuses, the signal ends the process as before.
+    let _ = signal_hook::flag::register(signal, Arc::default());
+}
+
+/// Does nothing: files have no such limit here.
+#[cfg(not(unix))]
+pub fn let_writes_fail() {}
 
 /// The operator of a robot.
 #[derive(Debug)]
 pub struct Operator {
     /// Reads the keys, unless somebody else does.
     keyboard: Option<Terminal<io::Sink>>,
-    /// Number of the last signal; 0 before.
+    /// Other keys than those that end.
+    typed: VecDeque<u8>,
+    /// Number of the last signal; 0 before. A key counts as Ctrl-C.
     last: Arc<AtomicUsize>,
     /// Number of the first signal that was noticed.
     signal: Option<u8>,
 }
+
+/// The most keys that are kept.
+const MAX_TYPED: usize = 64;
 
 impl Operator {
     /// Takes the keys of the terminal, and the signals that ask this process to end.
@@ -109,51 +198,42 @@ impl Operator {
     /// # Errors
     /// The system does not tell of a signal.
     pub fn new() -> io::Result<Self> {
-        use signal_hook::consts;
         let last = Arc::new(AtomicUsize::new(0));
-        // Each of them would end or suspend the process, and leave stiff servos.
-        #[cfg(unix)]
-        let more = [
-            consts::SIGALRM,
-            consts::SIGHUP,
-            consts::SIGIO,
-            consts::SIGPROF,
-            consts::SIGQUIT,
-            consts::SIGTSTP,
-            consts::SIGTTIN,
-            consts::SIGTTOU,
-            consts::SIGUSR1,
-            consts::SIGUSR2,
-            consts::SIGVTALRM,
-            consts::SIGXCPU,
-            // A file has become longer than its limit.
-            rustix::process::Signal::XFSZ.as_raw(),
-        ];
-        #[cfg(not(unix))]
-        let more = [];
-        for signal in [consts::SIGINT, consts::SIGTERM].into_iter().chain(more) {
+        let_writes_fail();
+        for signal in signals() {
             let number = usize::try_from(signal).unwrap_or_default();
             signal_hook::flag::register_usize(signal, Arc::clone(&last), number)?;
         }
-        Ok(Operator {
-            keyboard: Some(Self::terminal()),
+        let mut operator = Self::of_signals(last);
+        operator.take_keys();
+        Ok(operator)
+    }
+
+    /// Returns the operator of a program that handles the signals itself, and writes the number of one here. Ctrl-C as a key is written
+    /// here too. The keys are not read yet.
+    pub const fn of_signals(last: Arc<AtomicUsize>) -> Self {
+        Operator {
+            keyboard: None,
+            typed: VecDeque::new(),
             last,
             signal: None,
-        })
+        }
     }
 
-    fn terminal() -> Terminal<io::Sink> {
-        Terminal::on(io::sink(), false).report_interrupts()
+    /// Gives the keyboard away, such as to the console of a machine.
+    pub fn give_keys(&mut self) -> Option<Terminal<io::Sink>> {
+        self.keyboard.take()
     }
 
-    /// Gives the keys away: the console of a machine reads them.
-    pub fn give_keys(&mut self) {
-        self.keyboard = None;
-    }
-
-    /// Takes the keys again, after the console of a machine has left them.
+    /// Reads the keys from now on, also those of a console that has not let them go.
     pub fn take_keys(&mut self) {
-        self.keyboard = Some(Self::terminal());
+        let open = || Terminal::on(io::sink(), false).report_interrupts();
+        self.keyboard.get_or_insert_with(open);
+    }
+
+    /// Returns the oldest key that was typed and asks for nothing.
+    pub fn key(&mut self) -> Option<u8> {
+        self.typed.pop_front()
     }
 
     /// Returns the number of the first signal that asked this process to end.
@@ -166,7 +246,7 @@ impl Operator {
     /// Returns the exit status of a process that was asked to end, as shells have it: 128 and the number of the first signal. A key
     /// counts as Ctrl-C.
     pub fn status(&mut self) -> u8 {
-        BY_SIGNAL + self.signal().unwrap_or(signal_hook::consts::SIGINT as u8)
+        BY_SIGNAL + self.signal().unwrap_or(CONTROL_C as u8)
     }
 }
 
@@ -182,19 +262,22 @@ impl Host<AnyPort> for Operator {
     }
 
     fn request(&mut self) -> Option<Request> {
-        let mut request = self.signal().map(|_| Request::End);
+        let mut request = None;
         if let Some(keyboard) = &mut self.keyboard {
             while let Some(key) = keyboard.key(0) {
                 match key {
                     RETURN | LINE_FEED => return Some(Request::EmergencyStop),
                     ESCAPE => request = Some(Request::End),
+                    _ if self.typed.len() < MAX_TYPED => self.typed.push_back(key),
                     _ => {}
                 }
             }
             if keyboard.interrupted() {
-                request = Some(Request::End);
+                let (one, order) = (CONTROL_C, Ordering::Relaxed);
+                // A signal that came before stays the first.
+                let _ = self.last.compare_exchange(0, one, order, order);
             }
         }
-        request
+        request.or(self.signal().map(|_| Request::End))
     }
 }

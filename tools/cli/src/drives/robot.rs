@@ -7,23 +7,24 @@ use crate::error::Error;
 use crate::interrupt::Cause;
 use crate::message::{Driving, Stopping};
 use crate::{Status, interrupt, report};
+use std::borrow::{Borrow, BorrowMut};
 use std::io;
 use std::ops::Deref;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
-use tip_drives::bus::Port;
 use tip_drives::described::{Described, NotOnBus};
 use tip_drives::drives::{Failure, Policy, Problem};
-use tip_drives::guard::{Host, Outcome, Request, Step, TorqueGuard};
+use tip_drives::guard::{Host, Request, Step, TorqueGuard};
+use tip_drives::operator::{self, Operator, Unsettled};
 use tip_drives::port::{AnyPort, SIMULATED};
 use tip_drives::simulated::{MemoryPort, SimulatedBus};
-use tip_runtime::console::{Console, Terminal};
+use tip_runtime::console::Terminal;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{HardwareFault, JointCommand};
 use tip_sim::Joints;
 use tipc::description::Description;
 use tipc::message::Lang;
+use tipc::message::list::List;
 
 /// A described robot on a bus, for the commands.
 #[derive(Clone, Debug)]
@@ -93,13 +94,12 @@ impl Setup {
             .drives(opened)
             .map_err(|error| Error::Failed(error.to_string()))?;
         let (is_simulated, period) = (mishaps.is_some(), self.period);
-        let operator = Operator {
+        let host = Attended {
+            operator: Operator::of_signals(interrupt::signal()),
             mishaps,
-            keyboard: None,
-            typed: Vec::new(),
             period,
         };
-        let robot = TorqueGuard::new(drives, operator, period);
+        let robot = TorqueGuard::new(drives, host, period);
         Ok(Connection {
             setup: self,
             port,
@@ -113,111 +113,85 @@ impl Setup {
     pub(super) fn ids(&self) -> Vec<u8> {
         self.joints.iter().map(|joint| joint.id).collect()
     }
+}
 
-    /// Returns the names of joints and their servos.
-    pub(super) fn names(&self, joints: &[usize]) -> String {
-        let name = |joint: &usize| {
-            let id = self.joints.get(*joint).map_or(0, |joint| joint.id);
-            format!("{} (servo {id})", self.name(*joint))
-        };
-        joints.iter().map(name).collect::<Vec<_>>().join(", ")
-    }
+/// Returns lines about the servos that are not in the state in which a robot was to be left.
+fn lines(left: Result<(), Unsettled>, lang: Lang) -> String {
+    let Err(Unsettled {
+        policy,
+        other,
+        unknown,
+    }) = left
+    else {
+        return String::new();
+    };
+    let are = [&other, &unknown].map(|joints| !joints.is_empty());
+    let messages = match policy {
+        Policy::Relax => [
+            Driving::StillStiff {
+                joints: List(other),
+            },
+            Driving::PerhapsStiff {
+                joints: List(unknown),
+            },
+        ],
+        Policy::Hold => [
+            Driving::WithoutTorque {
+                joints: List(other),
+            },
+            Driving::PerhapsLimp {
+                joints: List(unknown),
+            },
+        ],
+    };
+    let lines = messages.into_iter().zip(are).filter(|(_, are)| *are);
+    lines
+        .map(|(message, _)| format!("{}\n", message.in_lang(lang)))
+        .collect()
+}
 
-    /// Returns lines about the servos that are not in the state in which the robot was to be left.
-    fn left(&self, outcome: Option<&Outcome>, lang: Lang) -> String {
-        let Some(outcome) = outcome else {
-            return String::new();
-        };
-        let (other, unknown) = (self.names(&outcome.other), self.names(&outcome.unknown));
-        let messages = match outcome.policy {
-            Policy::Relax => [
-                Driving::StillStiff { joints: other },
-                Driving::PerhapsStiff { joints: unknown },
-            ],
-            Policy::Hold => [
-                Driving::WithoutTorque { joints: other },
-                Driving::PerhapsLimp { joints: unknown },
-            ],
-        };
-        let are = [&outcome.other, &outcome.unknown].map(|joints| !joints.is_empty());
-        let lines = messages.into_iter().zip(are).filter(|(_, are)| *are);
-        lines
-            .map(|(message, _)| format!("{}\n", message.in_lang(lang)))
-            .collect()
+/// The operator of a robot under the eyes of the thread that leaves it if this process is stuck, with faults of simulated servos.
+#[derive(Debug)]
+pub(crate) struct Attended {
+    operator: Operator,
+    /// Faults to inject; `None` on a real bus.
+    mishaps: Option<FaultInjection>,
+    /// The longest cycle of approaching and of leaving, ms.
+    period: f64,
+}
+
+impl Borrow<Operator> for Attended {
+    fn borrow(&self) -> &Operator {
+        &self.operator
     }
 }
 
-/// The bytes of the keys RETURN and ESC.
-const RETURN: u8 = 0x0D;
-/// RETURN that was pressed before keys were read one by one.
-const LINE_FEED: u8 = 0x0A;
-const ESCAPE: u8 = 0x1B;
-
-/// The operator of a robot: keys, signals, and the time of simulated servos.
-#[derive(Debug)]
-pub(crate) struct Operator {
-    /// Faults to inject; `None` on a real bus.
-    mishaps: Option<FaultInjection>,
-    /// Reads keys from the first torque to the last.
-    keyboard: Option<Terminal<io::Sink>>,
-    /// Other keys than those that end.
-    typed: Vec<u8>,
-    /// The longest cycle of approaching and of leaving, ms.
-    period: f64,
+impl BorrowMut<Operator> for Attended {
+    fn borrow_mut(&mut self) -> &mut Operator {
+        &mut self.operator
+    }
 }
 
 /// Cycles that a watchdog should wait: it must not stop a robot whose host is late now and then.
 const SAFE_TIMEOUT: f64 = 10.0;
 
-/// The most keys that are kept.
-const MAX_TYPED: usize = 64;
-
-impl Operator {
-    /// Returns the oldest key that was typed.
-    pub(crate) fn key(&mut self) -> Option<u8> {
-        (!self.typed.is_empty()).then(|| self.typed.remove(0))
-    }
-}
-
-impl Host<AnyPort> for Operator {
+impl Host<AnyPort> for Attended {
     fn wait(&mut self, port: &mut AnyPort, until: u64) {
-        match port {
-            AnyPort::Memory(port) => {
-                port.pass(until);
-                if let Some(mishaps) = &mut self.mishaps {
-                    mishaps.happen(&mut port.bus, until);
-                }
-            }
-            AnyPort::Serial(port) => {
-                realtime::sleep(Duration::from_micros(until.saturating_sub(port.now())));
-            }
+        self.operator.wait(port, until);
+        if let (AnyPort::Memory(port), Some(mishaps)) = (port, &mut self.mishaps) {
+            mishaps.happen(&mut port.bus, until);
         }
     }
 
     fn request(&mut self) -> Option<Request> {
         interrupt::cycle(self.period);
-        let mut request = None;
-        let is_ours = interrupt::may_read_keys();
-        if let Some(keyboard) = self.keyboard.as_mut().filter(|_| is_ours) {
-            while let Some(key) = keyboard.key(0) {
-                match key {
-                    RETURN | LINE_FEED => return Some(Request::EmergencyStop),
-                    ESCAPE => request = Some(Request::End),
-                    _ if self.typed.len() < MAX_TYPED => self.typed.push(key),
-                    _ => {}
-                }
-            }
-            if keyboard.interrupted() {
-                interrupt::request();
-            }
-        }
-        request.or(interrupt::is_requested().then_some(Request::End))
+        self.operator.request()
     }
 }
 
-type SharedGuard = Mutex<TorqueGuard<AnyPort, Operator>>;
+type SharedGuard = Mutex<TorqueGuard<AnyPort, Attended>>;
 
-fn lock(robot: &SharedGuard) -> MutexGuard<'_, TorqueGuard<AnyPort, Operator>> {
+fn lock(robot: &SharedGuard) -> MutexGuard<'_, TorqueGuard<AnyPort, Attended>> {
     robot.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -239,8 +213,13 @@ impl Connection {
     }
 
     /// Returns the robot, while nobody else uses it.
-    pub(crate) fn robot(&self) -> MutexGuard<'_, TorqueGuard<AnyPort, Operator>> {
+    pub(crate) fn robot(&self) -> MutexGuard<'_, TorqueGuard<AnyPort, Attended>> {
         lock(&self.robot)
+    }
+
+    /// Returns the oldest key that was typed and does not end the command.
+    pub(crate) fn key(&self) -> Option<u8> {
+        self.robot().host_mut().operator.key()
     }
 
     /// Returns the sampling time, ms.
@@ -333,8 +312,7 @@ impl Connection {
     /// Reads keys from now on, and lets signals that end this process leave the robot first; with `is_watched`, so does a control loop
     /// that stands still. It comes before the first torque.
     pub(crate) fn take_over(&self, is_watched: bool) {
-        self.robot().host_mut().keyboard =
-            Some(Terminal::on(io::sink(), false).report_interrupts());
+        self.robot().host_mut().operator.take_keys();
         // Not an owner: the robot is left when the last of them is gone.
         let (robot, setup) = (Arc::downgrade(&self.robot), self.setup.clone());
         let lang = self.lang;
@@ -352,8 +330,7 @@ impl Connection {
                 robot.emergency_stop();
                 words = format!("{}\n", Stopping::Stalled.in_lang(lang));
             }
-            robot.leave();
-            Some(words + &setup.left(robot.outcome(), lang))
+            Some(words + &lines(operator::leave(&mut robot, &setup), lang))
         });
     }
 
@@ -379,10 +356,17 @@ impl Connection {
             }
             Err(failure) => {
                 report::complain(&format!("{}\n", self.explain(failure)));
-                Status::Emergency
+                match self.robot().outcome() {
+                    Some(_) => Status::Emergency,
+                    // A hand has turned a joint where it must not be.
+                    None => Status::Failure,
+                }
             }
         };
-        self.finish(None);
+        self.finish();
+        if status == Status::Failure {
+            super::report_stiff(self, self.lang);
+        }
         Some(status)
     }
 
@@ -398,19 +382,17 @@ impl Connection {
 
     /// Returns the keyboard, which nobody reads here then.
     pub(crate) fn keyboard(&self) -> Option<Terminal<io::Sink>> {
-        self.robot().host_mut().keyboard.take()
+        self.robot().host_mut().operator.give_keys()
     }
 
     /// Holds or relaxes the robot for good, and reports servos that are in another state. The keyboard is read until then; returns
     /// true if the emergency stop was pressed.
-    pub(crate) fn finish(&self, keyboard: Option<Terminal<io::Sink>>) -> bool {
+    pub(crate) fn finish(&self) -> bool {
         let mut robot = self.robot();
         let was_stopped = robot.is_stopped();
-        robot.host_mut().keyboard = keyboard;
-        robot.leave();
+        let left = operator::leave(&mut robot, &self.setup);
         interrupt::is_left();
-        report::complain(&self.setup.left(robot.outcome(), self.lang));
-        robot.host_mut().keyboard = None;
+        report::complain(&lines(left, self.lang));
         let is_stopped = robot.is_stopped() && !was_stopped;
         if is_stopped {
             report::say(Stopping::KeyPressed, self.lang);
@@ -525,7 +507,7 @@ impl Connection {
                 }
             }
             Problem::Period(most) => Driving::PeriodTooLong {
-                most: format!("{most:.0}"),
+                most: format!("{:.0}", most.floor()),
             },
             Problem::NotHeld => Driving::NotHeld,
         };

@@ -13,6 +13,7 @@ use tip_drives::family::{Query, Reading};
 use tip_drives::model::Model;
 use tip_runtime::model::Range;
 use tipc::message::Lang;
+use tipc::message::list::List;
 use tipc::{description, embed};
 
 #[derive(Debug, Args)]
@@ -65,7 +66,10 @@ fn answer(question: &Driving, lang: Lang) -> Result<Answer, Error> {
         match line.trim() {
             "" => return Ok(Answer::Done),
             "s" => return Ok(Answer::Skip),
-            _ => {}
+            other => {
+                let text = other.to_owned();
+                report::say(Driving::NotAnAnswer { text }, lang);
+            }
         }
     }
 }
@@ -78,7 +82,7 @@ pub(super) fn zero(arguments: &Zero) -> Result<Status, Error> {
     // The joints from this one on have neither a result nor were they skipped.
     let unfinished = |first: usize| {
         let left: Vec<usize> = (first..joints.end).collect();
-        let joints = connection.setup.names(&left);
+        let joints = List(connection.setup.names(&left));
         Error::failed(Driving::ZeroUnfinished { joints }, lang)
     };
     if !release(&connection, lang)? {
@@ -122,7 +126,7 @@ fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
     let joints = 0..connection.setup.joints.len();
     let stiff = connection.robot().drives_mut().stiff();
     if !stiff.is_empty() {
-        let joints = connection.setup.names(&stiff);
+        let joints = List(connection.setup.names(&stiff));
         let question = Driving::ZeroReleases { joints };
         if !matches!(answer(&question, lang)?, Answer::Done) {
             return Ok(false);
@@ -133,7 +137,7 @@ fn release(connection: &Connection, lang: Lang) -> Result<bool, Error> {
         let drives = robot.drives_mut();
         let mut tries = (0..READINGS).map(|_| drives.relax(place));
         if !tries.any(|confirmed| confirmed == Ok(true)) {
-            let joints = connection.setup.names(&[place]);
+            let joints = List(connection.setup.names(&[place]));
             return Err(Error::failed(Driving::PerhapsStiff { joints }, lang));
         }
     }
@@ -271,7 +275,7 @@ fn position(connection: &Connection, place: usize, lang: Lang) -> Result<Option<
         }
         connection.robot().wait();
     }
-    let joints = connection.setup.names(&[place]);
+    let joints = List(connection.setup.names(&[place]));
     report::say(Driving::NotStill { joints }, lang);
     Ok(None)
 }
@@ -289,8 +293,8 @@ fn keep(arguments: &Zero, found: &[Zeroed]) -> Result<Status, Error> {
         let text = embed::read_file(path, embed::LIMIT).unwrap_or_default();
         if let Some(new) = with_zeros(&text, found) {
             output::update(path, &text, new.as_bytes(), lang)?;
-            let joints: Vec<&str> = found.iter().map(|it| it.joint.as_str()).collect();
-            let (joints, file) = (joints.join(", "), file());
+            let joints = List(found.iter().map(|it| it.joint.clone()).collect());
+            let file = file();
             output::say(Driving::ZeroWritten { joints, file }, lang)?;
             return Ok(Status::Success);
         }

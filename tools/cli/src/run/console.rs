@@ -55,10 +55,9 @@ impl Screen {
         }
     }
 
-    /// Removes the line of progress, and returns the keyboard.
-    pub(super) fn release(&mut self) -> Option<Terminal<Sink>> {
+    /// Removes the line of progress.
+    pub(super) fn clear(&mut self) {
         self.progress.close();
-        self.keyboard.take()
     }
 
     /// Lets keys move sticks from now on.
@@ -79,7 +78,8 @@ impl Screen {
 
     /// Releases the terminal, so that the reports of the end appear where they should, and completes the log files.
     pub(super) fn close(&mut self) -> Result<(), Error> {
-        drop(self.release());
+        self.clear();
+        self.keyboard = None;
         self.logs.as_mut().map_or(Ok(()), finish)?;
         self.failure.take().map_or(Ok(()), Err)
     }
@@ -87,8 +87,7 @@ impl Screen {
 
 impl Console for Screen {
     fn key(&mut self, cycle: u64) -> Option<u8> {
-        let is_ours = interrupt::may_read_keys();
-        let keyboard = self.keyboard.as_mut().filter(|_| is_ours)?;
+        let keyboard = self.keyboard.as_mut()?;
         let key = match &mut self.sticks {
             Some(sticks) => {
                 sticks.press(Instant::now(), || keyboard.key(cycle));

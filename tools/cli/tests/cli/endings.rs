@@ -11,7 +11,7 @@ use rustix::termios::{LocalModes, tcgetattr};
 use std::fmt::Write;
 use std::io::Read;
 use std::panic::resume_unwind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -618,9 +618,26 @@ fn cells() -> Vec<Cell> {
     cells
 }
 
-/// The page has the table between these lines.
-const BEGIN: &str = "<!-- endings: begin -->\n";
-const END: &str = "<!-- endings: end -->\n";
+/// Returns the path of a page of the documentation.
+pub(crate) fn page(name: &str) -> PathBuf {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
+    docs.join(name)
+}
+
+/// Compares the part of a page that is between comments of this name, or writes it there.
+pub(crate) fn replace_part(path: &Path, name: &str, part: &str) {
+    let text = fs::read_to_string(path).expect("a page");
+    let page = path.display();
+    let [begin, end] = ["begin", "end"].map(|edge| format!("<!-- {name}: {edge} -->\n"));
+    let (before, rest) = text.split_once(&begin).expect("its begin");
+    let (old, after) = rest.split_once(&end).expect("its end");
+    if env::var_os("TIP_BLESS").is_some() {
+        let new = format!("{before}{begin}{part}{end}{after}");
+        fs::write(path, new).expect("the docs can be written");
+        return;
+    }
+    assert_eq!(old, part, "{page} differs; TIP_BLESS=1 rewrites it");
+}
 
 /// Returns the words for what may be found in the cells of an event at a moment.
 fn words(event: Event, phase: Phase) -> &'static str {
@@ -733,18 +750,7 @@ fn every_ending_leaves_the_servos_as_the_file_says() {
         cells.len()
     );
     let table = table();
-    for page in ["drives.md", "faults.md"] {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("../../docs")
-            .join(page);
-        let text = fs::read_to_string(&path).expect("a page");
-        let (before, rest) = text.split_once(BEGIN).expect(page);
-        let (old, after) = rest.split_once(END).expect(page);
-        if env::var_os("TIP_BLESS").is_some() {
-            let new = format!("{before}{BEGIN}{table}{END}{after}");
-            fs::write(path, new).expect("the docs can be written");
-            continue;
-        }
-        assert_eq!(old, table, "docs/{page} differs; TIP_BLESS=1 rewrites it");
+    for name in ["drives.md", "faults.md"] {
+        replace_part(&page(name), "endings", &table);
     }
 }

@@ -14,6 +14,8 @@ mod endings;
 #[cfg(unix)]
 mod external;
 #[cfg(target_os = "linux")]
+mod failures;
+#[cfg(target_os = "linux")]
 mod faults;
 #[cfg(target_os = "linux")]
 mod figures;

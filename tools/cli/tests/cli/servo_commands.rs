@@ -233,6 +233,9 @@ fn zero_writes_joints_that_were_turned_and_no_others() {
     zero.answers("s\n");
     zero.asks("J11 is skipped; its sign and its offset stay\n");
     zero.asks("J12 at 0: ");
+    zero.answers("yes\n");
+    zero.asks("`yes` is no answer: RETURN alone goes on, 's' and RETURN skips\n");
+    zero.asks("J12 at 0: ");
     zero.answers("\n");
     zero.asks("in its positive direction: ");
     bus.with(|bus| bus.turn(2, 2.0));

@@ -5,6 +5,7 @@ use crate::servo_bus::ServoBus;
 use crate::support::{Folder, Outcome};
 use rustix::process::{Pid, Signal, kill_process};
 use std::io::Read;
+use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Stdio};
 use std::thread::{scope, sleep};
 use std::time::{Duration, Instant};
@@ -46,16 +47,16 @@ in_emergency = \"{in_emergency}\"
 pub(crate) const WAITS: &str = "MESSAGE go\nL1:\nSLEEP 100\nGOTO L1:\nEND";
 
 /// A command on a robot, with a terminal before it.
-struct Session {
+pub(crate) struct Session {
     folder: Folder,
-    bus: ServoBus,
+    pub(crate) bus: ServoBus,
     pty: Pty,
     terminal: String,
 }
 
 impl Session {
     /// A robot whose joints are this far from the first posture, deg.
-    fn new(name: &str, robot: &str, beside: f64, program: &str) -> Self {
+    pub(crate) fn new(name: &str, robot: &str, beside: f64, program: &str) -> Self {
         let folder = Folder::new(&format!("torque-{name}"));
         let pty = Pty::new();
         Session {
@@ -73,7 +74,7 @@ impl Session {
         command.stderr(Stdio::piped()).spawn().expect("tip starts")
     }
 
-    fn run(&self) -> Child {
+    pub(crate) fn run(&self) -> Child {
         self.start(&["run", "p.prg", "--hardware", "robot.toml", "--yes"])
     }
 
@@ -88,7 +89,7 @@ impl Session {
     }
 
     /// The command has ended, and the terminal is as it was.
-    fn ended(&self, child: Child) -> Outcome {
+    pub(crate) fn ended(&self, child: Child) -> Outcome {
         let outcome = Outcome::of(child.wait_with_output().expect("it ends"));
         assert_eq!(self.pty.behaviour(), self.terminal, "{outcome:#?}");
         outcome
@@ -100,7 +101,7 @@ fn positions(bus: &mut SimulatedBus) -> Vec<f64> {
 }
 
 /// Reads the message of the program.
-fn await_go(child: &mut Child) {
+pub(crate) fn await_go(child: &mut Child) {
     let mut first = [0; 3];
     let out = child.stdout.as_mut().expect("piped");
     out.read_exact(&mut first).expect("the message");
@@ -118,7 +119,7 @@ fn await_question(child: &mut Child) {
     }
 }
 
-fn signal(child: &Child, signal: Signal) {
+pub(crate) fn signal(child: &Child, signal: Signal) {
     kill_process(Pid::from_child(child), signal).expect("nobody has waited for it yet");
 }
 
@@ -491,6 +492,50 @@ fn jog_ends_with_the_status_of_the_signal() {
         signal(&child, sent);
         let outcome = session.ended(child).expect(status);
         assert_eq!(session.bus.stiff(), stiff("relax"), "{outcome:#?}");
+    }
+}
+
+/// Who waits at the question may suspend the run, and turn a joint meanwhile. 20 deg are 227 counts.
+#[test]
+fn a_joint_that_was_turned_before_the_key_is_held_where_it_is() {
+    let robot = leg("hold", "hold", "start = 2");
+    let mut session = Session::new("turned", &robot, 0.5, WAITS);
+    let mut child = session.start(&["run", "p.prg", "--hardware", "robot.toml"]);
+    await_question(&mut child);
+    signal(&child, Signal::STOP);
+    session.bus.with(|bus| bus.turn(2, 20.0));
+    signal(&child, Signal::CONT);
+    let turned = session.bus.with(positions)[1];
+    session.pty.press(RETURN);
+    session.bus.await_that("it holds", |bus| {
+        bus.servos().iter().all(|servo| servo.has_torque())
+    });
+    let (goal, now) = session.bus.with(|bus| {
+        let servo = &bus.servos()[1];
+        (servo.goal(), servo.position())
+    });
+    session.pty.press(ESCAPE);
+    let outcome = session.ended(child).expect(130);
+    // 2 deg/s are 23 counts in a second.
+    for place in [goal, now] {
+        assert!((place - turned).abs() < 60.0, "{place} of {turned}");
+    }
+    assert_eq!(session.bus.stiff(), ALL, "{outcome:#?}");
+}
+
+/// Before the first torque there is nothing to leave in order.
+#[test]
+fn a_signal_at_the_question_ends_a_run_and_moves_nothing() {
+    for sent in [Signal::USR1, Signal::ALARM] {
+        let mut session = Session::new("asked", &leg("relax", "relax", ""), 0.5, WAITS);
+        let mut child = session.start(&["run", "p.prg", "--hardware", "robot.toml"]);
+        await_question(&mut child);
+        let from = session.bus.with(positions);
+        signal(&child, sent);
+        let status = child.wait().expect("it ends");
+        assert_eq!(status.signal(), Some(sent.as_raw()));
+        assert_eq!(session.bus.stiff(), stiff("relax"));
+        assert_eq!(session.bus.with(positions), from);
     }
 }
 

@@ -160,6 +160,45 @@ fn wanted(policy: Policy) -> Vec<u8> {
     }
 }
 
+/// Minutes may pass between the question of a run and its key, and hands turn joints meanwhile.
+#[test]
+fn a_joint_that_was_turned_since_the_connection_is_held_where_it_is() {
+    for model in MODELS {
+        let mut robot = robot(model, POLICIES[0], NEVER);
+        with_bus(&robot, |bus| bus.turn(2, 40.0));
+        assert_eq!(robot.hold(), Ok(Step::Moving), "{model}");
+        with_bus(&robot, |bus| {
+            let servo = &bus.servos()[1];
+            let own = Model::named(model).expect("a model");
+            let degree = own.turn / 360.0;
+            let away = (servo.goal() - servo.position()).abs() / degree;
+            assert!(away < 1.0, "{model}: sent {away} deg away");
+            let turned = servo.position() - own.counts(0.0);
+            assert!(
+                (turned / degree - 40.0).abs() < 2.0,
+                "{model}: it stays there"
+            );
+        });
+    }
+}
+
+/// Its limits are 90 deg. Nothing has torque, so that nothing is left.
+#[test]
+fn a_joint_that_was_turned_beyond_its_limits_is_not_held() {
+    for model in MODELS {
+        let mut robot = robot(model, POLICIES[1], NEVER);
+        with_bus(&robot, |bus| bus.turn(2, 110.0));
+        let failure = robot.hold().expect_err(model);
+        let Problem::Outside(angle) = failure.problem else {
+            panic!("{model}: {failure:?}");
+        };
+        assert!((angle - 110.0).abs() < 2.0, "{model}: {angle} deg");
+        assert_eq!(failure.joint, Some(1), "{model}");
+        assert!(!robot.has_torque() && robot.outcome().is_none(), "{model}");
+        assert_eq!(stiff_of(&robot), [0; 0], "{model}");
+    }
+}
+
 /// The operator may press a key in any cycle of the approach; it ends within this cycle.
 #[test]
 fn a_request_in_any_cycle_of_the_approach_is_obeyed_in_it() {

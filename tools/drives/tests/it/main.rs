@@ -3,6 +3,7 @@
 mod drives;
 mod frames;
 mod guard;
+mod operator;
 mod simulated;
 mod start;
 mod tables;

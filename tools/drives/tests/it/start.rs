@@ -502,6 +502,21 @@ fn no_robot_has_impossible_joints() {
     assert_eq!(refused(&[good], nan), Some(Invalid::Setting { name }));
 }
 
+/// 18 servos answer within 6 ms (AX) or 35 ms (LX), and a thousand cycles of silence are a matter of walking.
+#[test]
+fn a_start_is_short_whatever_silence_is_allowed() {
+    for (model, longest) in [("AX-12", 500_000), ("LX-16A", 3_000_000)] {
+        let settings = Settings {
+            silence: 1000,
+            ..Settings::default()
+        };
+        let mut drives = robot_with(model, 18, Faults::default(), settings);
+        drives.connect().expect("well");
+        let time = drives.bus_mut().now();
+        assert!(time < longest, "{model}: {time} µs");
+    }
+}
+
 /// An LX has no register for load or torque limit: what it cannot tell is unknown.
 #[test]
 fn an_lx_tells_what_it_can() {
