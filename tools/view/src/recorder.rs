@@ -504,7 +504,7 @@ const SLIPPED: f64 = 5.0;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlipDetector(Vec<Stance>);
 
-/// One foot.
+/// The present stance of a foot.
 #[derive(Clone, Copy, Debug, Default)]
 struct Stance {
     /// Place of the touchdown; none in the air.

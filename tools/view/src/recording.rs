@@ -201,7 +201,7 @@ pub struct Frame {
 pub struct ObjectPose {
     /// Its centre, mm.
     pub position: Point,
-    /// deg.
+    /// Its turn about z, deg.
     pub angle: f64,
 }
 

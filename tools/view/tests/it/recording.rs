@@ -33,9 +33,9 @@ fn hand() -> Robot {
         .expect("it grasps")
 }
 
-fn record(text: &str, robot: &Robot, events: &str, extent: DurationLimit) -> Recording {
+fn record(text: &str, robot: &Robot, events: &str, limit: DurationLimit) -> Recording {
     let events: Events = events.parse().expect("events");
-    Recording::of(&loaded(text, robot), robot, &events, extent, || true).expect("it runs")
+    Recording::of(&loaded(text, robot), robot, &events, limit, || true).expect("it runs")
 }
 
 /// The cycles of some occurrences, each with a value.
