@@ -135,7 +135,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
 pub enum JointCommand {
     /// Be at an angle.
     Angle {
-        /// deg.
+        /// The angle, deg.
         angle: f64,
         /// Rate of the trajectory from the angle commanded before to this one, over one sampling
         /// time, deg/s; 0 where it rests. A drive that can use it goes there evenly, in place

@@ -39,7 +39,7 @@ const SMALLEST: f64 = 2.0;
 pub enum Shape {
     /// A cylinder that lies along z.
     Disc {
-        /// mm.
+        /// The radius, mm.
         radius: f64,
     },
     /// A box.

@@ -148,7 +148,7 @@ pub(super) struct LegSwitches<const J: usize> {
     pub(super) locked: [bool; J],
     /// SET_LIMIT left the joint outside its limits, and it has not been inside since.
     pub(super) outside: [bool; J],
-    /// One of them is outside.
+    /// At least one joint is outside.
     pub(super) any_outside: bool,
 }
 

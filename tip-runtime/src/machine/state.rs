@@ -167,9 +167,9 @@ const MAX_BARS: usize = MAX * MAX;
 /// A bar graph.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Graph {
-    /// It is not shown.
+    /// The graph is not shown.
     Off,
-    /// It is to be taken away.
+    /// The graph disappears with the next output.
     Leaving,
     /// Time at which a shown graph is redrawn, ms.
     On(f64),

@@ -101,7 +101,7 @@ impl<const L: usize, const J: usize> SelfCollision<L, J> {
 /// The thickness of a leg's links, and the parts with which they are compared.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Capsules<const J: usize> {
-    /// mm.
+    /// Radius of each link, mm.
     radii: [f64; J],
     /// The parts with which each link is compared.
     compared: [PartSet; J],

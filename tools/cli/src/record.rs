@@ -382,7 +382,7 @@ fn comparison(recording: &Recording, other: &Recording, out: &Path, bytes: usize
 fn figures(recording: &Recording) -> String {
     let cycles = plural(recording.cycles as usize, "cycle");
     let time = recording.time(recording.cycles) / 1000.0;
-    let falls = match recording.falls.len() {
+    let falls = match recording.falls().count() {
         0 => String::new(),
         falls => format!(", {}", plural(falls, "fall")),
     };

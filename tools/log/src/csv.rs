@@ -1,11 +1,11 @@
 //! A recording as a table: a row for each frame, a column for each figure, after RFC 4180. `docs/logs.md` lists the columns.
 
-use std::collections::BTreeSet;
+use crate::state::ProgramState;
 use std::fmt::Display;
 use std::io::{self, Write};
 use tip_runtime::model::TorqueUnit;
 use tip_sim::urdf::frame::{foot, joint};
-use tip_view::{Frame, Recording};
+use tip_view::{Frame, LogEntry, Recording};
 
 /// Writes the frames of a recording as CSV: [`FrameRate`](tip_view::FrameRate) says which cycles have one.
 ///
@@ -35,10 +35,9 @@ fn write_row(out: &mut impl Write, fields: &[String]) -> io::Result<()> {
 /// The state that is kept from row to row.
 struct Table<'a> {
     recording: &'a Recording,
-    /// Value of each variable, once it has one.
-    values: Vec<Option<f64>>,
-    lamps: BTreeSet<u8>,
-    message: &'a str,
+    program: ProgramState<'a>,
+    /// The entries of the log after the last row.
+    to_come: &'a [LogEntry],
     /// The cycle after that of the last row.
     from: u64,
 }
@@ -47,9 +46,8 @@ impl<'a> Table<'a> {
     fn new(recording: &'a Recording) -> Self {
         Table {
             recording,
-            values: vec![None; recording.script.scalars.len()],
-            lamps: BTreeSet::new(),
-            message: "",
+            program: ProgramState::new(recording),
+            to_come: &recording.log,
             from: 0,
         }
     }
@@ -109,20 +107,21 @@ impl<'a> Table<'a> {
     fn row(&mut self, frame: &Frame) -> Vec<String> {
         let recording = self.recording;
         let cycle = frame.cycle;
-        self.catch_up(cycle);
-        let since = |at: u64| (self.from..=cycle).contains(&at);
-        let before = recording.commands.partition_point(|at| at.cycle <= cycle);
-        let last = recording.commands[..before].last();
-        let command = last.filter(|at| since(at.cycle));
+        let count = self.to_come.partition_point(|entry| entry.cycle <= cycle);
+        let (done, to_come) = self.to_come.split_at(count);
+        self.to_come = to_come;
+        done.iter().for_each(|entry| self.program.take(entry));
+        let program = &self.program;
+        let command = program.command.filter(|(at, _)| *at >= self.from);
         let mut row = vec![
             cycle.to_string(),
             number(frame.time),
-            some(recording.step(cycle)),
-            some(recording.line(cycle)),
-            some(command.map(|at| &at.what)),
-            shown(self.message),
+            some(program.step(cycle)),
+            some(program.line(cycle)),
+            some(command.map(|(_, command)| command)),
+            shown(program.message),
             words(&frame.flags),
-            words(&self.lamps),
+            words(&program.lamps),
         ];
         self.from = cycle + 1;
         row.extend(self.body(frame));
@@ -154,40 +153,19 @@ impl<'a> Table<'a> {
             row.extend([x, y, thing.angle].map(measured));
         }
         row.extend(
-            self.values
+            self.program
+                .values
                 .iter()
                 .map(|value| value.map(number).unwrap_or_default()),
         );
         row
     }
 
-    /// Adds the effects of the program until the end of a cycle.
-    fn catch_up(&mut self, cycle: u64) {
-        let recording = self.recording;
-        let (from, until) = (self.from, cycle + 1);
-        for at in within(&recording.sets, from, until, |at| at.cycle) {
-            if let Some(value) = self.values.get_mut(at.what.scalar) {
-                *value = Some(at.what.value);
-            }
-        }
-        for at in within(&recording.lamps, from, until, |at| at.cycle) {
-            let (lamp, on) = at.what;
-            match on {
-                true => self.lamps.insert(lamp),
-                false => self.lamps.remove(&lamp),
-            };
-        }
-        if let Some(at) = within(&recording.messages, from, until, |at| at.cycle).last() {
-            self.message = &at.what;
-        }
-    }
-
     fn body(&self, frame: &Frame) -> Vec<String> {
         if self.recording.robot.body.is_none() {
             return Vec::new();
         }
-        let falls = &self.recording.falls;
-        let falls = falls.partition_point(|fall| fall.cycle <= frame.cycle);
+        let falls = self.program.falls;
         let pose = frame.pose.map(|pose| {
             let [x, y, z] = pose.position;
             [x, y, z, pose.roll, pose.pitch, pose.yaw]
@@ -198,13 +176,6 @@ impl<'a> Table<'a> {
             .chain([margin, falls.to_string()])
             .collect()
     }
-}
-
-/// Returns the part of a list that is in cycles from one until before another.
-fn within<T>(list: &[T], from: u64, until: u64, cycle: impl Fn(&T) -> u64) -> &[T] {
-    let begin = list.partition_point(|at| cycle(at) < from);
-    let end = list.partition_point(|at| cycle(at) < until);
-    list.get(begin..end).unwrap_or_default()
 }
 
 /// Returns a text that spreadsheets show: an apostrophe comes before one that they would take for a

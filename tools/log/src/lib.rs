@@ -6,6 +6,7 @@
 mod csv;
 mod mcap;
 mod plot;
+mod state;
 
 pub use crate::csv::csv;
 pub use crate::mcap::mcap;

@@ -3,16 +3,17 @@
 mod messages;
 mod scene;
 
+use crate::state::ProgramState;
 use ::mcap::records::MessageHeader;
 use ::mcap::{McapResult, WriteOptions, Writer};
 use messages::{Cdr, Encoding, State, Timestamp, Variables};
 use prost::Message;
 use scene::Stage;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::io::{self, Seek, Write};
 use tip_sim::FallKind;
 use tip_sim::urdf::frame;
-use tip_view::{Fallen, Frame, Recording};
+use tip_view::{Frame, LogEntry, Occurrence, Recording};
 
 /// Levels of infos and errors in `foxglove.Log`.
 const INFO: i32 = 2;
@@ -35,7 +36,7 @@ struct Log<'a, W: Write + Seek> {
     channels: BTreeMap<&'static str, Channel>,
     stage: Stage<'a>,
     variables: Variables,
-    lamps: BTreeSet<u8>,
+    program: ProgramState<'a>,
     /// Positions of all joints in the frame before, and when that was: rad or m, ns.
     before: Option<(u64, Vec<f64>)>,
 }
@@ -82,17 +83,6 @@ const MARGIN: Topic = topic("/tip/margin", "tip.Margin", Encoding::Own);
 const LOADS: Topic = topic("/tip/loads", "tip.Loads", Encoding::Own);
 const SLIPS: Topic = topic("/tip/slips", "tip.Slips", Encoding::Own);
 
-/// Something in a cycle that is no motion.
-enum LogEntry<'a> {
-    Step,
-    Lamp(u8, bool),
-    Assigned(usize, f64),
-    /// All variables of the cycle have their values.
-    Variables,
-    Say(&'a str),
-    Fall(Fallen),
-}
-
 impl<'a, W: Write + Seek> Log<'a, W> {
     fn new(recording: &'a Recording, out: W) -> McapResult<Self> {
         let options = WriteOptions::new()
@@ -105,7 +95,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             channels: BTreeMap::new(),
             stage: Stage::new(&recording.robot, &recording.scene),
             variables: Variables::of(&recording.script.scalars),
-            lamps: BTreeSet::new(),
+            program: ProgramState::new(recording),
             before: None,
         })
     }
@@ -115,19 +105,16 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.put(&DESCRIPTION, 0, text)?;
         let fixed = scene::fixed(&self.recording.robot);
         self.send(&FIXED, 0, &scene::transforms(0, fixed))?;
-        let mut log_entries = log_entries(self.recording).into_iter().peekable();
+        let log = &self.recording.log;
+        let mut cycles = log.chunk_by(|one, next| one.cycle == next.cycle).peekable();
         for frame in &self.recording.frames {
             // What happens in a cycle stands before what the robot did until its end.
-            while let Some((cycle, log_entry)) =
-                log_entries.next_if(|(cycle, _)| *cycle <= frame.cycle)
-            {
-                self.write_entry(cycle, &log_entry)?;
+            while let Some(entries) = cycles.next_if(|of| of[0].cycle <= frame.cycle) {
+                self.write_entries(entries)?;
             }
             self.frame(frame)?;
         }
-        for (cycle, log_entry) in log_entries {
-            self.write_entry(cycle, &log_entry)?;
-        }
+        cycles.try_for_each(|entries| self.write_entries(entries))?;
         self.ending()?;
         self.writer.finish().map(drop)
     }
@@ -142,12 +129,10 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         let scene = self.stage.update(time, frame);
         self.send(&SCENE, time, &scene)?;
         self.send(&STATE, time, &self.state(time, frame.cycle, Some(frame)))?;
-        let falls = &self.recording.falls;
-        let falls = falls.partition_point(|fall| fall.cycle <= frame.cycle);
         if let Some(body) = messages::body(time, frame) {
             self.send(&BODY, time, &body)?;
         }
-        if let Some(margin) = messages::margin(time, frame, falls) {
+        if let Some(margin) = messages::margin(time, frame, self.program.falls) {
             self.send(&MARGIN, time, &margin)?;
         }
         for (topic, values) in [(&LOADS, &frame.loads), (&SLIPS, &frame.slips)] {
@@ -206,14 +191,13 @@ impl<'a, W: Write + Seek> Log<'a, W> {
     /// Returns the state of the program in a cycle.
     fn state(&self, time: u64, cycle: u64, frame: Option<&Frame>) -> State {
         let recording = self.recording;
-        let line = recording.line(cycle);
+        let program = &self.program;
+        let line = program.line(cycle);
         let number = line.and_then(|line| (line as usize).checked_sub(1));
         let statement = number.and_then(|number| recording.script.text.lines().nth(number));
-        let commands = &recording.commands;
-        let found = commands.binary_search_by_key(&cycle, |command| command.cycle);
-        let command = found.ok().and_then(|at| commands.get(at));
+        let command = program.command.filter(|(at, _)| *at == cycle);
         let statement = statement.unwrap_or_default().trim();
-        let step = recording.step(cycle).filter(|_| line.is_some());
+        let step = program.step(cycle).filter(|_| line.is_some());
         let flags = frame.iter().flat_map(|frame| &frame.flags);
         let joints = frame.iter().flat_map(|frame| &frame.torque_joints);
         State {
@@ -222,38 +206,35 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             step: step.map(i64::from),
             line: line.map(i64::from),
             statement: line.map(|_| statement.to_owned()),
-            command: command.map(|command| command.what.to_string()),
+            command: command.map(|(_, command)| command.to_string()),
             flags: flags.map(ToString::to_string).collect(),
             torque_joints: joints.map(ToString::to_string).collect(),
-            lamps: self.lamps.iter().map(|lamp| i64::from(*lamp)).collect(),
+            lamps: program.lamps.iter().map(|lamp| i64::from(*lamp)).collect(),
         }
     }
 
-    fn write_entry(&mut self, cycle: u64, log_entry: &LogEntry<'_>) -> McapResult<()> {
+    /// Writes the entries of one cycle. Each of its messages has the values and lamps of its end.
+    fn write_entries(&mut self, entries: &'a [LogEntry]) -> McapResult<()> {
+        let cycle = entries[0].cycle;
         let time = nanoseconds(self.recording.time(cycle));
-        match log_entry {
-            LogEntry::Step => self.send(&STATE, time, &self.state(time, cycle, None)),
-            LogEntry::Lamp(lamp, on) => {
-                match on {
-                    true => self.lamps.insert(*lamp),
-                    false => self.lamps.remove(lamp),
-                };
-                Ok(())
-            }
-            LogEntry::Assigned(scalar, value) => {
-                self.variables.set(*scalar, *value);
-                Ok(())
-            }
-            LogEntry::Variables => {
-                let variables = self.variables.message(time);
-                self.put(&VARIABLES, time, variables)
-            }
-            LogEntry::Say(text) => self.say(cycle, INFO, text),
-            LogEntry::Fall(fall) => {
-                let kind = fall.kind.unwrap_or(FallKind::Fell);
-                self.say(cycle, ERROR, &kind.to_string())
+        entries.iter().for_each(|entry| self.program.take(entry));
+        let is_set = |entry: &LogEntry| matches!(entry.what, Occurrence::Assigned { .. });
+        if entries.iter().any(is_set) {
+            let variables = self.variables.message(time, &self.program.values);
+            self.put(&VARIABLES, time, variables)?;
+        }
+        for entry in entries {
+            match &entry.what {
+                Occurrence::Step(_) => self.send(&STATE, time, &self.state(time, cycle, None))?,
+                Occurrence::Message(text) => self.say(cycle, INFO, text)?,
+                Occurrence::Fall { kind, .. } => {
+                    let kind = kind.unwrap_or(FallKind::Fell);
+                    self.say(cycle, ERROR, &kind.to_string())?;
+                }
+                _ => {}
             }
         }
+        Ok(())
     }
 
     /// Writes a `foxglove.Log`.
@@ -268,7 +249,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             message: text.to_owned(),
             name: self.recording.robot.name.clone(),
             file: script.name.clone(),
-            line: self.recording.line(cycle).unwrap_or_default(),
+            line: self.program.line(cycle).unwrap_or_default(),
         };
         self.send(&MESSAGES, time, &message)
     }
@@ -327,35 +308,4 @@ impl<'a, W: Write + Seek> Log<'a, W> {
 /// Converts ms to ns.
 fn nanoseconds(milliseconds: f64) -> u64 {
     (milliseconds * 1e6).round() as u64
-}
-
-/// Returns all of them, in order of their cycles; what a cycle assigns and switches stands before
-/// its step.
-fn log_entries(recording: &Recording) -> Vec<(u64, LogEntry<'_>)> {
-    let mut all = Vec::new();
-    for at in &recording.sets {
-        all.push((at.cycle, LogEntry::Assigned(at.what.scalar, at.what.value)));
-    }
-    let mut cycles: Vec<u64> = recording.sets.iter().map(|at| at.cycle).collect();
-    cycles.dedup();
-    all.extend(cycles.into_iter().map(|cycle| (cycle, LogEntry::Variables)));
-    for at in &recording.lamps {
-        all.push((at.cycle, LogEntry::Lamp(at.what.0, at.what.1)));
-    }
-    all.extend(recording.steps.iter().map(|at| (at.cycle, LogEntry::Step)));
-    all.extend(
-        recording
-            .messages
-            .iter()
-            .map(|at| (at.cycle, LogEntry::Say(&at.what))),
-    );
-    all.extend(
-        recording
-            .falls
-            .iter()
-            .map(|at| (at.cycle, LogEntry::Fall(at.what))),
-    );
-    // Stable: within a cycle the order above stays.
-    all.sort_by_key(|(cycle, _)| *cycle);
-    all
 }

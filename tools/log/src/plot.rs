@@ -7,7 +7,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::fmt;
 use tip_sim::urdf::frame::foot;
 use tip_sim::urdf::xml::permitted;
-use tip_view::{Frame, Recording};
+use tip_view::{Frame, Occurrence, Recording};
 use tipc::message::Lang;
 
 /// A kind of diagram.
@@ -219,15 +219,16 @@ impl<'a> Plot<'a> {
         }
         let begin = |cycle| recording.time(cycle) / 1000.0;
         let mut bars = vec![Vec::new(); legs];
-        let ends = recording
-            .contacts
-            .iter()
-            .skip(1)
-            .map(|next| begin(next.cycle));
-        for (contact, end) in recording.contacts.iter().zip(ends.chain([self.time.1])) {
-            let touches = bars.iter_mut().zip(&contact.what);
+        let contacts = recording.entries(|what| match what {
+            Occurrence::Contacts(touch) => Some(touch),
+            _ => None,
+        });
+        let contacts: Vec<_> = contacts.collect();
+        let ends = contacts.iter().skip(1).map(|(next, _)| begin(*next));
+        for ((cycle, touch), end) in contacts.iter().zip(ends.chain([self.time.1])) {
+            let touches = bars.iter_mut().zip(*touch);
             for (bar, _) in touches.filter(|(_, touches)| **touches) {
-                bar.push((begin(contact.cycle), end));
+                bar.push((begin(*cycle), end));
             }
         }
         let title = match recording.robot.is_planar {
@@ -238,11 +239,7 @@ impl<'a> Plot<'a> {
             title: title.in_lang(self.lang).to_string(),
             time: self.time,
             legs: bars,
-            marks: recording
-                .falls
-                .iter()
-                .map(|fall| begin(fall.cycle))
-                .collect(),
+            marks: recording.falls().map(begin).collect(),
         })
     }
 

@@ -124,7 +124,7 @@ pub enum StartError {
     Mismatch(Mismatch),
     /// The process cannot be started.
     Process {
-        /// Its program.
+        /// The executable.
         program: String,
         /// Message of the system.
         reason: String,

@@ -19,7 +19,7 @@ pub(crate) struct IdealJoints {
     inputs: Inputs,
     /// Number of soles: one on each leg, if it stands on them.
     soles: usize,
-    /// mm.
+    /// Place of the slider, mm.
     slider: Point,
     /// Torque of a joint on its link while something is touched, in the robot's torque unit.
     resistance: f64,
@@ -31,7 +31,7 @@ pub(crate) struct IdealJoints {
 #[derive(Clone, Copy, Debug)]
 struct Joint {
     limits: Range,
-    /// deg.
+    /// Angle of the joint, deg.
     angle: f64,
     /// Torque, in the robot's torque unit.
     torque: f64,

@@ -149,7 +149,7 @@ pub(crate) enum Miss {
     /// A joint would have to turn beyond its limits.
     Turns {
         joint: Target,
-        /// deg; negative below the lower limit.
+        /// The angle beyond the limit, deg; negative below the lower one.
         by: f64,
         limits: Range,
         /// Number of the command that turns it, if each turns one joint.

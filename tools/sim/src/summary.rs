@@ -92,7 +92,7 @@ pub struct Moment {
 pub struct Peak {
     /// The value.
     pub value: f64,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: &'static str,
     /// The largest value that is possible, if there is one.
     pub limit: Option<f64>,
@@ -122,7 +122,7 @@ pub struct WaitFigure {
     /// The condition that ends it.
     #[serde(serialize_with = "in_english")]
     pub until: Option<Awaited>,
-    /// Its beginning.
+    /// Moment at which the wait began.
     #[serde(flatten)]
     pub at: Moment,
 }

@@ -117,7 +117,7 @@ impl Engines {
     /// Starts an executable that answers as [`lockstep::serve`](crate::lockstep::serve) does.
     ///
     /// # Errors
-    /// It does not start.
+    /// The executable does not start.
     pub fn start(executable: &Path) -> Result<Self, NotBuilt> {
         let cannot = |reason: &dyn std::fmt::Display| {
             NotBuilt::Failed(format!("{} does not start: {reason}", executable.display()))

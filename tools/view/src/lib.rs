@@ -13,8 +13,8 @@ mod updates;
 pub use page::{MAX_RUNS, SweepTable, sweep_page};
 pub use recorder::{DurationLimit, RecordError};
 pub use recording::{
-    Assigned, At, Fallen, Frame, FrameRate, ObjectPose, Outcome, Recording, Script, Skeleton, Slip,
-    Stop, Tick, robot_frame,
+    Frame, FrameRate, LogEntry, ObjectPose, Occurrence, Outcome, Recording, Script, Skeleton, Stop,
+    Tick, robot_frame,
 };
 pub use tip_sim;
 pub use trace::TraceError;

@@ -1,12 +1,12 @@
 //! Recordings of runs: a recorder, which can be taken back and can forget.
 
 use crate::recording::{
-    Assigned, At, Fallen, Frame, FrameRate, ObjectPose, Outcome, Recording, Script, Skeleton, Slip,
-    Stop, Tick, Timer, robot_frame,
+    Frame, FrameRate, LogEntry, ObjectPose, Occurrence, Outcome, Recording, Script, Skeleton, Stop,
+    Tick, robot_frame,
 };
-use std::collections::HashSet;
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
 use std::fmt;
-use std::hash::Hash;
 use tip_runtime::command::{Flag, TIMERS, Target};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::Mismatch;
@@ -87,7 +87,7 @@ impl fmt::Display for RecordError {
 impl std::error::Error for RecordError {}
 
 impl Recording {
-    /// Runs a program by the reference interpreter to its end, or to that of the extent, as long as `goes_on` agrees.
+    /// Runs a program by the reference interpreter to its end or to the limit, as long as `goes_on` agrees.
     ///
     /// # Errors
     /// There is no program, or it cannot run on that robot, or one of the events cannot happen to it.
@@ -95,10 +95,10 @@ impl Recording {
         loaded: &Loaded,
         robot: &Robot,
         events: &Events,
-        extent: DurationLimit,
+        limit: DurationLimit,
         goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
-        Self::paced(loaded, robot, events, extent, FrameRate::Smooth, goes_on)
+        Self::paced(loaded, robot, events, limit, FrameRate::Smooth, goes_on)
     }
 
     /// Records a program, with the motion kept as often as asked.
@@ -109,8 +109,8 @@ impl Recording {
         loaded: &Loaded,
         robot: &Robot,
         events: &Events,
-        extent: DurationLimit,
-        pace: FrameRate,
+        limit: DurationLimit,
+        frame_rate: FrameRate,
         goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
         let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
@@ -119,7 +119,7 @@ impl Recording {
             .map_err(RecordError::Mismatch)?
             .with_events(events)
             .map_err(RecordError::Refused)?;
-        Self::of_run(run, loaded, robot, extent, pace, goes_on)
+        Self::of_run(run, loaded, robot, limit, frame_rate, goes_on)
     }
 
     /// Records a run of a program that has not begun.
@@ -130,21 +130,21 @@ impl Recording {
         run: Run,
         loaded: &Loaded,
         robot: &Robot,
-        extent: DurationLimit,
-        pace: FrameRate,
+        limit: DurationLimit,
+        frame_rate: FrameRate,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Self, RecordError> {
         let program = loaded.program.as_ref().ok_or(RecordError::NoProgram)?;
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = run.all_events().all().to_vec();
-        recorder.pace = pace;
+        recorder.frame_rate = frame_rate;
         let mut run = run.followed();
         let mut waits = WaitDetector::default();
         let outcome = loop {
             if let Some(ending) = run.ending() {
                 break Outcome::from(ending);
             }
-            if extent.is_over(&run, &waits) {
+            if limit.is_over(&run, &waits) {
                 break Outcome::Limit;
             }
             if !goes_on() {
@@ -201,8 +201,8 @@ impl From<Ending> for Outcome {
 /// The threads and timers of a program after a cycle.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tasks {
-    /// The last step of each thread, and its cycle; none of the main program, which has number 0.
-    threads: [Option<(u32, u64)>; THREADS + 1],
+    /// The cycle of the last turn of each thread that runs; none of the main program, which has number 0.
+    threads: [Option<u64>; THREADS + 1],
     /// The time of each timer, ms, and whether it runs.
     timers: [(f64, bool); TIMERS as usize],
 }
@@ -210,12 +210,14 @@ pub(crate) struct Tasks {
 /// A recording that grows cycle by cycle.
 pub(crate) struct Recorder {
     pub(crate) recording: Recording,
+    /// The last state under each key.
+    states: HashMap<Cow<'static, str>, Occurrence>,
     pub(crate) summary: SummaryBuilder,
     slips: SlipDetector,
     falls: u32,
     upright_falls: u32,
     tasks: Tasks,
-    pub(crate) pace: FrameRate,
+    pub(crate) frame_rate: FrameRate,
     /// The last frame, if it is not among those of the recording.
     pub(crate) pending: Option<Frame>,
 }
@@ -231,30 +233,19 @@ impl Recorder {
                 cycles: 0,
                 clock: Vec::new(),
                 frames: Vec::new(),
-                steps: Vec::new(),
-                threads: Vec::new(),
-                timers: Vec::new(),
-                locks: Vec::new(),
-                messages: Vec::new(),
-                sets: Vec::new(),
-                lamps: Vec::new(),
-                commands: Vec::new(),
-                contacts: Vec::new(),
-                flags: Vec::new(),
-                modes: Vec::new(),
-                falls: Vec::new(),
-                slips: Vec::new(),
+                log: Vec::new(),
                 events: Vec::new(),
                 outcome: Outcome::Limit,
                 summary: Summary::default(),
                 wait: None,
             },
+            states: HashMap::new(),
             summary: SummaryBuilder::new(robot),
             slips: SlipDetector::default(),
             falls: 0,
             upright_falls: 0,
             tasks: Tasks::default(),
-            pace: FrameRate::Smooth,
+            frame_rate: FrameRate::Smooth,
             pending: None,
         }
     }
@@ -272,9 +263,10 @@ impl Recorder {
         self.note(happened);
         self.end_threads(cycle, cycle);
         self.note_timers(cycle, run);
-        let locked = run.locked();
-        if !(locked.is_empty() && self.recording.locks.is_empty()) {
-            note_change(&mut self.recording.locks, cycle, &locked);
+        let locks = Occurrence::Locks(run.locked());
+        // A program that locks nothing has no locks.
+        if locks != Occurrence::Locks(Vec::new()) || self.states.contains_key(&locks.key()) {
+            self.note_state(cycle, locks);
         }
         let motion = run.motion();
         if let Some(motion) = &motion {
@@ -311,13 +303,9 @@ impl Recorder {
             frame.objects = things.collect();
         }
         frame.flags = raised(run, frame.angles.len());
-        note_change(&mut self.recording.flags, cycle, &frame.flags);
-        let modes: Vec<_> = run
-            .setpoints()
-            .iter()
-            .map(|aim| (aim.of, aim.mode))
-            .collect();
-        note_change(&mut self.recording.modes, cycle, &modes);
+        self.note_state(cycle, Occurrence::Flags(frame.flags.clone()));
+        let modes = run.setpoints().into_iter().map(|aim| (aim.of, aim.mode));
+        self.note_state(cycle, Occurrence::Modes(modes.collect()));
         frame.torque_joints = torque_joints(run, &frame.angles);
         self.keep(frame);
     }
@@ -334,83 +322,91 @@ impl Recorder {
         }
     }
 
-    /// Adds the effects of the program in a cycle.
-    pub(crate) fn note(&mut self, happened: Cycle) {
-        let Cycle {
-            number: cycle,
-            step,
-            set,
-            messages,
-            lamps,
-            commands,
-            threads,
-            ..
-        } = happened;
-        self.note_threads(cycle, &threads);
-        let recording = &mut self.recording;
-        if step.is_none() && threads.is_empty() {
-            return;
-        }
-        recording.cycles = cycle + 1;
-        if let Some(step) = step
-            && recording.steps.last().is_none_or(|last| last.what != step)
-        {
-            recording.steps.push(At { cycle, what: step });
-        }
-        let at = |what| At { cycle, what };
-        recording.messages.extend(messages.into_iter().map(at));
-        let at = |what| At { cycle, what };
-        recording.lamps.extend(lamps.into_iter().map(at));
-        let at = |what| At { cycle, what };
-        recording.commands.extend(commands.into_iter().map(at));
-        for (name, value) in set {
-            let scalar = recording.script.scalar(&name);
-            let assigned = scalar.map(|scalar| Assigned { scalar, value });
-            recording
-                .sets
-                .extend(assigned.map(|what| At { cycle, what }));
+    /// Adds an occurrence.
+    fn log(&mut self, cycle: u64, what: Occurrence) {
+        self.recording.log.push(LogEntry { cycle, what });
+    }
+
+    /// Adds a state that was another one before.
+    fn note_state(&mut self, cycle: u64, state: Occurrence) {
+        let key = state.key();
+        if self.states.get(&key) != Some(&state) {
+            self.states.insert(key, state.clone());
+            self.log(cycle, state);
         }
     }
 
-    /// Adds the steps of threads in a cycle.
-    pub(crate) fn note_threads(&mut self, cycle: u64, threads: &[(u8, u32)]) {
-        for (thread, step) in threads {
-            let Some(task) = self.tasks.threads.get_mut(usize::from(*thread)) else {
-                continue;
-            };
-            if task.is_none_or(|(last, _)| last != *step) {
-                let what = (*thread, Some(*step));
-                self.recording.threads.push(At { cycle, what });
+    /// Returns the source line of the last step of the main program, from 1.
+    pub(crate) fn line(&self) -> Option<u32> {
+        match self.states.get("step") {
+            Some(Occurrence::Step(step)) => {
+                self.recording.script.lines.get(*step as usize).copied()
             }
-            *task = Some((*step, cycle));
+            _ => None,
+        }
+    }
+
+    /// Adds the effects of the program in a cycle.
+    pub(crate) fn note(&mut self, happened: Cycle) {
+        let cycle = happened.number;
+        self.note_threads(cycle, &happened.threads);
+        if happened.step.is_none() && happened.threads.is_empty() {
+            return;
+        }
+        self.recording.cycles = cycle + 1;
+        if let Some(step) = happened.step {
+            self.note_state(cycle, Occurrence::Step(step));
+        }
+        let script = &self.recording.script;
+        let assigned = |(name, value): (String, f64)| {
+            let scalar = script.scalar(&name)?;
+            Some(Occurrence::Assigned { scalar, value })
+        };
+        let messages = happened.messages.into_iter().map(Occurrence::Message);
+        let lamps = happened.lamps.into_iter();
+        let lamps = lamps.map(|(device, on)| Occurrence::Lamp(device, on));
+        let commands = happened.commands.into_iter().map(Occurrence::Command);
+        let sets = happened.set.into_iter().filter_map(assigned);
+        let all = messages.chain(lamps).chain(commands).chain(sets);
+        let entries = all.map(|what| LogEntry { cycle, what });
+        self.recording.log.extend(entries);
+    }
+
+    /// Adds the steps of threads in a cycle.
+    fn note_threads(&mut self, cycle: u64, threads: &[(u8, u32)]) {
+        for (thread, step) in threads {
+            if let Some(turn) = self.tasks.threads.get_mut(usize::from(*thread)) {
+                *turn = Some(cycle);
+                self.note_state(cycle, Occurrence::Thread(*thread, Some(*step)));
+            }
         }
     }
 
     /// Notes in a cycle the end of threads that had no turn since another one.
     pub(crate) fn end_threads(&mut self, cycle: u64, since: u64) {
-        for (thread, task) in (0..).zip(&mut self.tasks.threads) {
-            if task.is_some_and(|(_, last)| last < since) {
-                *task = None;
-                let what = (thread, None);
-                self.recording.threads.push(At { cycle, what });
+        for (thread, turn) in (0..).zip(self.tasks.threads) {
+            if turn.is_some_and(|turn| turn < since) {
+                self.tasks.threads[usize::from(thread)] = None;
+                self.note_state(cycle, Occurrence::Thread(thread, None));
             }
         }
     }
 
     /// Adds the timers that did not go on as before.
     fn note_timers(&mut self, cycle: u64, run: &Run) {
+        let log = &mut self.recording.log;
         for (number, (before, runs)) in (0..).zip(&mut self.tasks.timers) {
             let (now, period) = (run.timer(number), run.period());
             let expected = if *runs { *before + period } else { *before };
             if now != expected {
                 *runs = now != *before && now > 0.0;
                 let time = if *runs { run.time() - now } else { now };
-                let what = Timer {
+                let what = Occurrence::Timer {
                     number,
                     runs: *runs,
                     time,
                 };
-                self.recording.timers.push(At { cycle, what });
+                log.push(LogEntry { cycle, what });
             }
             *before = now;
         }
@@ -426,28 +422,34 @@ impl Recorder {
     ) {
         if falls > self.falls {
             self.falls = falls;
-            let what = Fallen { margin, kind };
-            self.recording.falls.push(At { cycle, what });
+            let fall = Occurrence::Fall {
+                count: falls,
+                margin,
+                kind,
+            };
+            self.log(cycle, fall);
         }
     }
 
     /// Adds the motion of the robot in a cycle.
     pub(crate) fn keep(&mut self, mut frame: Frame) {
-        let recording = &mut self.recording;
         let cycle = frame.cycle;
         if frame.slips.is_empty() {
-            frame.slips = self.slips.measure(&recording.robot, &frame);
+            frame.slips = self.slips.measure(&self.recording.robot, &frame);
         }
-        let touch: Vec<bool> = frame.loads.iter().map(|load| *load > 0.0).collect();
-        note_change(&mut recording.contacts, cycle, &touch);
-        self.slips.note(&mut recording.slips, cycle, &frame.slips);
-        let is_due = |last: &Frame| match self.pace {
+        let touch = frame.loads.iter().map(|load| *load > 0.0);
+        self.note_state(cycle, Occurrence::Contacts(touch.collect()));
+        for slip in self.slips.begun(&frame.slips) {
+            self.log(cycle, slip);
+        }
+        let is_due = |last: &Frame| match self.frame_rate {
             FrameRate::Smooth => frame.time - last.time > APART - ROUNDING,
             FrameRate::Every(cycles) => frame.cycle - last.cycle >= cycles,
         };
-        self.pending = match recording.frames.last().is_none_or(is_due) {
+        let frames = &mut self.recording.frames;
+        self.pending = match frames.last().is_none_or(is_due) {
             true => {
-                recording.frames.push(frame);
+                frames.push(frame);
                 None
             }
             false => Some(frame),
@@ -460,14 +462,6 @@ impl Recorder {
         self.recording.outcome = outcome;
         self.recording.summary = self.summary.summary().clone();
         self.recording
-    }
-}
-
-/// Keeps what something is from a cycle on, if it was not that before.
-fn note_change<T: Clone + PartialEq>(list: &mut Vec<At<Vec<T>>>, cycle: u64, now: &[T]) {
-    if list.last().is_none_or(|last| last.what != now) {
-        let what = now.to_vec();
-        list.push(At { cycle, what });
     }
 }
 
@@ -510,13 +504,13 @@ const SLIPPED: f64 = 5.0;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlipDetector(Vec<Stance>);
 
-/// One foot.
+/// The present stance of a foot.
 #[derive(Clone, Copy, Debug, Default)]
 struct Stance {
     /// Place of the touchdown; none in the air.
     touchdown: Option<Point>,
-    /// Largest slip of this stance, once it is listed, mm.
-    listed: Option<f64>,
+    /// The slip of this stance is in the log.
+    is_logged: bool,
 }
 
 impl SlipDetector {
@@ -541,41 +535,18 @@ impl SlipDetector {
         slips.collect()
     }
 
-    /// Lists the slips of a cycle; each stance has one at most, with its largest distance so far.
-    fn note(&mut self, list: &mut Vec<At<Slip>>, cycle: u64, slips: &[f64]) {
+    /// Returns the slips that became too large in a cycle, at most one of each stance.
+    fn begun(&mut self, slips: &[f64]) -> Vec<Occurrence> {
         self.0.resize(slips.len(), Stance::default());
+        let mut begun = Vec::new();
         for (leg, (stance, distance)) in self.0.iter_mut().zip(slips.iter().copied()).enumerate() {
-            match stance.listed {
-                _ if distance <= 0.0 => stance.listed = None,
-                None if distance > SLIPPED => {
-                    stance.listed = Some(distance);
-                    let what = Slip { leg, distance };
-                    list.push(At { cycle, what });
-                }
-                Some(largest) if distance > largest => {
-                    stance.listed = Some(distance);
-                    set_last(list, leg, distance);
-                }
-                _ => {}
+            if distance > SLIPPED && !stance.is_logged {
+                begun.push(Occurrence::Slip { leg, distance });
+                stance.is_logged = true;
             }
+            stance.is_logged &= distance > 0.0;
         }
-    }
-
-    /// Takes back the distances of slips that go on.
-    fn restore(&self, list: &mut [At<Slip>]) {
-        for (leg, stance) in self.0.iter().enumerate() {
-            if let Some(distance) = stance.listed {
-                set_last(list, leg, distance);
-            }
-        }
-    }
-}
-
-/// Sets the distance of the last slip of a leg.
-fn set_last(list: &mut [At<Slip>], leg: usize, distance: f64) {
-    let mut latest = list.iter_mut().rev();
-    if let Some(slip) = latest.find(|slip| slip.what.leg == leg) {
-        slip.what.distance = distance;
+        begun
     }
 }
 
@@ -612,80 +583,32 @@ impl Recorder {
         self.tasks = checkpoint.tasks;
         self.pending = None;
         self.recording.cut(checkpoint.cycle);
-        self.slips.restore(&mut self.recording.slips);
+        let entries = self.recording.log.iter().map(|entry| &entry.what);
+        self.states = entries.map(|what| (what.key(), what.clone())).collect();
     }
 }
 
 impl Recording {
     /// Takes away what happened from a cycle on; events stay, since they are going to happen again.
     fn cut(&mut self, from: u64) {
-        let count = self.frames.partition_point(|frame| frame.cycle < from);
-        self.frames.truncate(count);
-        let ticks = self.clock.partition_point(|tick| tick.cycle < from);
-        self.clock.truncate(ticks);
-        cut(&mut self.steps, from);
-        cut(&mut self.threads, from);
-        cut(&mut self.timers, from);
-        cut(&mut self.locks, from);
-        cut(&mut self.messages, from);
-        cut(&mut self.sets, from);
-        cut(&mut self.lamps, from);
-        cut(&mut self.commands, from);
-        cut(&mut self.contacts, from);
-        cut(&mut self.flags, from);
-        cut(&mut self.modes, from);
-        cut(&mut self.falls, from);
-        cut(&mut self.slips, from);
+        self.frames.retain(|frame| frame.cycle < from);
+        self.clock.retain(|tick| tick.cycle < from);
+        let kept = self.log.partition_point(|entry| entry.cycle < from);
+        self.log.truncate(kept);
         self.cycles = from;
     }
 
-    /// Forgets what happened before a cycle, but for what still holds in it, and for falls, which are counted.
+    /// Forgets what happened before a cycle, but for what still holds in it.
     pub(crate) fn forget(&mut self, before: u64) {
         self.frames.retain(|frame| frame.cycle >= before);
-        let later = self.clock.partition_point(|tick| tick.cycle <= before);
-        if let Some(Tick {
-            cycle,
-            time,
-            period,
-        }) = self.clock.get(later.wrapping_sub(1)).copied()
-        {
-            let passed = before.saturating_sub(cycle) as f64 * period;
-            self.clock.drain(..later - 1);
-            self.clock[0] = Tick {
-                cycle: before,
-                time: time + passed,
-                period,
-            };
-        }
-        keep_last(&mut self.steps, before, |_| ());
-        keep_last(&mut self.threads, before, |thread| thread.0);
-        keep_last(&mut self.timers, before, |timer| timer.number);
-        keep_last(&mut self.locks, before, |_| ());
-        keep_last(&mut self.contacts, before, |_| ());
-        keep_last(&mut self.flags, before, |_| ());
-        keep_last(&mut self.modes, before, |_| ());
-        keep_last(&mut self.messages, before, |_| ());
-        keep_last(&mut self.sets, before, |set| set.scalar);
-        keep_last(&mut self.lamps, before, |lamp| lamp.0);
-        keep_last(&mut self.commands, before, |asked| asked.target.to_string());
-        self.slips.retain(|slip| slip.cycle >= before);
         self.events.retain(|event| event.cycle >= before);
+        let later = self.clock.partition_point(|tick| tick.cycle <= before);
+        self.clock.drain(..later.saturating_sub(1));
+        let later = self.log.partition_point(|entry| entry.cycle < before);
+        let mut seen = HashSet::new();
+        let latest = self.log[..later].iter().rev();
+        let mut kept: Vec<bool> = latest.map(|entry| seen.insert(entry.what.key())).collect();
+        // Those that are left are asked for from the front on.
+        self.log.retain(|_| kept.pop().unwrap_or(true));
     }
-}
-
-fn cut<T>(list: &mut Vec<At<T>>, from: u64) {
-    list.truncate(list.partition_point(|at| at.cycle < from));
-}
-
-/// Keeps the last value of each key of everything that happened before a cycle.
-fn keep_last<T, K: Eq + Hash>(list: &mut Vec<At<T>>, before: u64, key: impl Fn(&T) -> K) {
-    let mut seen = HashSet::new();
-    let later = list.partition_point(|at| at.cycle < before);
-    let mut kept: Vec<bool> = list[..later]
-        .iter()
-        .rev()
-        .map(|at| seen.insert(key(&at.what)))
-        .collect();
-    // Those that are left are asked for from the front on.
-    list.retain(|_| kept.pop().unwrap_or(true));
 }

@@ -1,6 +1,7 @@
 //! A run as data, and the geometry of the robot in it.
 
 use serde::Serialize;
+use std::borrow::Cow;
 use std::fmt;
 use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
@@ -11,7 +12,7 @@ use tip_sim::{FallKind, IssuedCommand, Limb, Robot, Summary, Timed, Wait};
 
 /// The run of a program, from its first cycle to its last.
 ///
-/// Motion is there at 50 Hz at most; everything else in the cycle in which it was. Lists are in order of their cycles.
+/// It has poses at 50 Hz at most, and everything else in its cycle. Lists are in the order of their cycles.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Recording {
@@ -27,34 +28,8 @@ pub struct Recording {
     pub clock: Vec<Tick>,
     /// Motion of the robot, at 50 Hz at most; the last cycle has one.
     pub frames: Vec<Frame>,
-    /// The step that ran, where it was another one than in the cycle before.
-    pub steps: Vec<At<u32>>,
-    /// The step that a thread ran, where it was another one than in the cycle before; none where the thread was over.
-    pub threads: Vec<At<(u8, Option<u32>)>>,
-    /// Timers, where they did not go on as before. A trace lacks them.
-    pub timers: Vec<At<Timer>>,
-    /// Joints that were locked, where that changed. A trace lacks them.
-    pub locks: Vec<At<Vec<Target>>>,
-    /// Messages; an empty one cleared the line.
-    pub messages: Vec<At<String>>,
-    /// Variables that were assigned another value.
-    pub sets: Vec<At<Assigned>>,
-    /// Lamps that were switched, and whether on.
-    pub lamps: Vec<At<(u8, bool)>>,
-    /// Commands that were accepted.
-    pub commands: Vec<At<IssuedCommand>>,
-    /// Feet or fingertips that touched something, where that changed; the first entry is that of
-    /// cycle 0.
-    pub contacts: Vec<At<Vec<bool>>>,
-    /// The flags of conditions that were up, where that changed; the first is that of cycle 0. A trace does not say.
-    pub flags: Vec<At<Vec<Flag>>>,
-    /// Control modes of feet or joints, and a slider, where they changed; the first entry is that
-    /// of cycle 0. A trace lacks them.
-    pub modes: Vec<At<Vec<(Target, Mode)>>>,
-    /// Falls.
-    pub falls: Vec<At<Fallen>>,
-    /// Feet that slipped by more than 5 mm while they stood, each in the cycle in which that began.
-    pub slips: Vec<At<Slip>>,
+    /// Everything that happened besides the motion.
+    pub log: Vec<LogEntry>,
     /// Events from outside: keys, halts, inputs. A trace lacks them.
     pub events: Vec<Timed>,
     /// End of the run.
@@ -65,13 +40,91 @@ pub struct Recording {
     pub wait: Option<Wait>,
 }
 
-/// Something in a cycle, counted from 0.
+/// An occurrence and its cycle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct At<T> {
-    /// The cycle.
+pub struct LogEntry {
+    /// The cycle, counted from 0.
     pub cycle: u64,
-    /// The recorded value.
-    pub what: T,
+    /// The occurrence.
+    pub what: Occurrence,
+}
+
+/// Something that happened in a cycle, or a state that began in it.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Occurrence {
+    /// Another step ran than in the cycle before.
+    Step(u32),
+    /// A thread, counted from 1, ran another step than before; none where the thread was over.
+    Thread(u8, Option<u32>),
+    /// A timer did not go on as before. A trace lacks it.
+    Timer {
+        /// Its number.
+        number: u8,
+        /// It grows with the time of the robot.
+        runs: bool,
+        /// Its time if it stands, else the time of the robot at which it was 0, ms.
+        time: f64,
+    },
+    /// These joints were locked, and no others. A trace lacks it.
+    Locks(Vec<Target>),
+    /// A message; an empty one cleared the line.
+    Message(String),
+    /// A variable was assigned another value.
+    Assigned {
+        /// Its place among [`Script::scalars`].
+        scalar: usize,
+        /// The value that was assigned.
+        value: f64,
+    },
+    /// A lamp was switched on (true) or off.
+    Lamp(u8, bool),
+    /// A command was accepted.
+    Command(IssuedCommand),
+    /// The feet or fingertips that touched something changed; the first entry is that of cycle 0.
+    Contacts(Vec<bool>),
+    /// The flags of conditions that were up changed; the first entry is that of cycle 0. A trace lacks it.
+    Flags(Vec<Flag>),
+    /// The control modes of feet or joints, and of a slider, changed; the first entry is that of cycle 0. A trace lacks it.
+    Modes(Vec<(Target, Mode)>),
+    /// The robot fell.
+    Fall {
+        /// Number of falls so far.
+        count: u32,
+        /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
+        margin: f64,
+        /// The kind. A trace lacks it.
+        kind: Option<FallKind>,
+    },
+    /// A foot that stood had slipped by more than 5 mm, for the first time in this stance.
+    Slip {
+        /// The leg, from 0.
+        leg: usize,
+        /// Its slip in this cycle, mm.
+        distance: f64,
+    },
+}
+
+impl Occurrence {
+    /// Returns the name of the state that this changes. An entry holds until the next one of its key.
+    pub(crate) fn key(&self) -> Cow<'static, str> {
+        let numbered = |kind, of: &dyn fmt::Display| Cow::Owned(format!("{kind}.{of}"));
+        match self {
+            Occurrence::Step(_) => "step".into(),
+            Occurrence::Thread(thread, _) => numbered("thread", thread),
+            Occurrence::Timer { number, .. } => numbered("timer", number),
+            Occurrence::Locks(_) => "locks".into(),
+            Occurrence::Message(_) => "message".into(),
+            Occurrence::Assigned { scalar, .. } => numbered("set", scalar),
+            Occurrence::Lamp(device, _) => numbered("lamp", device),
+            Occurrence::Command(command) => numbered("command", &command.target),
+            Occurrence::Contacts(_) => "contacts".into(),
+            Occurrence::Flags(_) => "flags".into(),
+            Occurrence::Modes(_) => "modes".into(),
+            Occurrence::Fall { .. } => "fall".into(),
+            Occurrence::Slip { leg, .. } => numbered("slip", leg),
+        }
+    }
 }
 
 /// From this cycle on each takes so long.
@@ -148,46 +201,8 @@ pub struct Frame {
 pub struct ObjectPose {
     /// Its centre, mm.
     pub position: Point,
-    /// deg.
+    /// Its turn about z, deg.
     pub angle: f64,
-}
-
-/// A variable has another value from now on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Assigned {
-    /// Its place among [`Script::scalars`].
-    pub scalar: usize,
-    /// The value that was assigned.
-    pub value: f64,
-}
-
-/// A timer of the program.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Timer {
-    /// Its number.
-    pub number: u8,
-    /// It grows with the time of the robot.
-    pub runs: bool,
-    /// Its time if it stands, else the time of the robot at which it was 0, ms.
-    pub time: f64,
-}
-
-/// A fall of the robot.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fallen {
-    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
-    pub margin: f64,
-    /// The kind. A trace does not say.
-    pub kind: Option<FallKind>,
-}
-
-/// A foot has slipped while it stood.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slip {
-    /// The leg, from 0.
-    pub leg: usize,
-    /// Largest slip in that stance, mm.
-    pub distance: f64,
 }
 
 /// The end of a run.
@@ -255,16 +270,19 @@ impl Recording {
         })
     }
 
-    /// Returns the step that ran in a cycle, if one did.
-    pub fn step(&self, cycle: u64) -> Option<u32> {
-        let after = self.steps.partition_point(|step| step.cycle <= cycle);
-        let step = after.checked_sub(1).and_then(|at| self.steps.get(at))?;
-        (cycle < self.cycles).then_some(step.what)
+    /// Returns the occurrences that `of` selects, each with its cycle.
+    pub fn entries<'a, T>(
+        &'a self,
+        of: impl Fn(&'a Occurrence) -> Option<T> + 'a,
+    ) -> impl Iterator<Item = (u64, T)> + 'a {
+        let log = self.log.iter();
+        log.filter_map(move |entry| Some((entry.cycle, of(&entry.what)?)))
     }
 
-    /// Returns the source line that ran in a cycle, from 1, if a step did.
-    pub fn line(&self, cycle: u64) -> Option<u32> {
-        self.script.lines.get(self.step(cycle)? as usize).copied()
+    /// Returns the cycles in which the robot fell.
+    pub fn falls(&self) -> impl Iterator<Item = u64> {
+        let is_fall = |what: &Occurrence| matches!(what, Occurrence::Fall { .. }).then_some(());
+        self.entries(is_fall).map(|(cycle, ())| cycle)
     }
 }
 

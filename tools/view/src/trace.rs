@@ -264,7 +264,7 @@ impl Recorder {
         let at = Moment {
             cycle: record.cycle,
             time_s: recording.time(record.cycle) / 1000.0,
-            line: recording.line(record.cycle).unwrap_or_default(),
+            line: self.line().unwrap_or_default(),
         };
         self.summary.add(&Sample {
             at,

@@ -1,13 +1,15 @@
 //! A recording as updates: what a page is told of a run, in JSON. `page/src/session.js` lists them. A page that replays a run
 //! holds all of them; a page of a run that goes on gets them one by one.
 
-use crate::recording::{At, Frame, Outcome, Recording, Script, Skeleton};
+use crate::recording::{Frame, Occurrence, Outcome, Recording, Script, Skeleton};
 use serde::Serialize;
+use serde_json::{Value as Json, json};
+use std::collections::BTreeMap;
 use tip_runtime::command::Target;
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Range;
 use tip_runtime::plant::{self, Object, Shape};
-use tip_sim::{Event, FallKind, IssuedCommand, Summary};
+use tip_sim::{IssuedCommand, Summary};
 
 /// The grid on which motion is: mm, deg or N.
 const GRID: f64 = 0.01;
@@ -28,42 +30,19 @@ struct Begin<'a> {
 }
 
 /// Everything that happened from one cycle to another; it replaces what the viewer has seen of
-/// cycles from `from` on. Large lists of numbers are in columns, and a column of cycles, steps or
-/// motion holds the differences between its numbers.
+/// cycles from `from` on. A column of cycles or motion holds the differences between its numbers.
 #[derive(Serialize)]
-struct More<'a> {
+struct More {
     r#type: &'static str,
     run: u64,
     first: u64,
     from: u64,
     cycles: u64,
-    clock: Vec<(u64, f64, f64)>,
+    log: Columns,
     /// Cycles, then each channel.
     frames: Vec<Vec<i64>>,
     /// The posture of the last cycle, unless it is among the frames.
     now: Option<Vec<Vec<i64>>>,
-    /// Cycles and steps.
-    steps: [Vec<i64>; 2],
-    /// Cycles, and bits: the first foot or finger has the lowest.
-    contacts: (Vec<i64>, Vec<u64>),
-    /// Cycles, variables, and their values to the bit.
-    sets: (Vec<i64>, Vec<usize>, Vec<f64>),
-    messages: Vec<(u64, &'a str)>,
-    lamps: Vec<(u64, u8, bool)>,
-    commands: Vec<(u64, &'static str, String, String)>,
-    flags: Vec<(u64, String)>,
-    modes: Vec<(u64, Vec<(String, &'static str)>)>,
-    /// Cycles, margins and kinds.
-    falls: Vec<(u64, f64, Option<FallKind>)>,
-    slips: Vec<(u64, usize, f64)>,
-    /// Cycles, threads, and their steps, counted from 1; 0 where a thread is over.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    threads: Option<(Vec<i64>, Vec<u8>, Vec<i64>)>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    timers: Vec<(u64, u8, bool, f64)>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    locks: Vec<(u64, String)>,
-    events: Vec<(u64, &'a Event)>,
 }
 
 /// The end of a recorded run.
@@ -135,85 +114,85 @@ pub(crate) fn more(recording: &Recording, part: &Part<'_>) -> String {
     let now = part
         .now
         .map(|frame| columns(&channels, std::slice::from_ref(frame)));
-    let (steps, contacts) = (part.of(&recording.steps), part.of(&recording.contacts));
-    let (sets, threads) = (part.of(&recording.sets), part.of(&recording.threads));
-    let clock = recording.clock.iter();
-    let clock = clock.filter(|tick| (from..until).contains(&tick.cycle));
-    let events = recording.events.iter();
-    let events = events.filter(|event| (from..until).contains(&event.cycle));
     json(&More {
         r#type: "more",
         run: part.run,
         first: part.first,
         from,
         cycles: part.cycles,
-        clock: clock
-            .map(|tick| (tick.cycle, tick.time, tick.period))
-            .collect(),
+        log: log(recording, part),
         frames: columns(&channels, frames),
         now,
-        steps: [
-            cycles(steps),
-            differences(steps.iter().map(|step| step.what.into())),
-        ],
-        contacts: (cycles(contacts), each(contacts, |_, touch| mask(touch))),
-        sets: (
-            cycles(sets),
-            each(sets, |_, set| set.scalar),
-            each(sets, |_, set| set.value),
-        ),
-        messages: each(part.of(&recording.messages), |cycle, text| (cycle, &**text)),
-        lamps: each(part.of(&recording.lamps), |cycle, (device, on)| {
-            (cycle, *device, *on)
-        }),
-        commands: each(part.of(&recording.commands), |cycle, asked| {
-            let target = asked.target.to_string();
-            (cycle, asked.op.name(), target, values(asked))
-        }),
-        flags: each(part.of(&recording.flags), |cycle, flags| {
-            (cycle, listed(flags))
-        }),
-        modes: each(part.of(&recording.modes), |cycle, modes| {
-            (cycle, named(modes))
-        }),
-        falls: each(part.of(&recording.falls), |cycle, fall| {
-            (cycle, fall.margin, fall.kind)
-        }),
-        slips: slips(recording, part),
-        threads: (!threads.is_empty()).then(|| {
-            let number = |step| i64::from(step) + 1;
-            let steps = threads.iter().map(|at| at.what.1.map_or(0, number));
-            (
-                cycles(threads),
-                each(threads, |_, thread| thread.0),
-                differences(steps),
-            )
-        }),
-        timers: each(part.of(&recording.timers), |cycle, timer| {
-            (cycle, timer.number, timer.runs, timer.time)
-        }),
-        locks: each(part.of(&recording.locks), |cycle, locks| {
-            (cycle, listed(locks))
-        }),
-        events: events.map(|timed| (timed.cycle, &timed.event)).collect(),
     })
 }
 
-/// Returns the slips of a part, and before them the last one of each leg, which may have grown since it was told.
-fn slips(recording: &Recording, part: &Part<'_>) -> Vec<(u64, usize, f64)> {
-    let (list, new) = (&recording.slips, part.of(&recording.slips));
-    let before = &list[..list.partition_point(|slip| slip.cycle < part.from)];
-    let legs = 0..recording.robot.legs.len();
-    let last = legs.filter_map(|leg| before.iter().rev().find(|slip| slip.what.leg == leg));
-    let all = last.chain(new);
-    all.map(|at| (at.cycle, at.what.leg, at.what.distance))
-        .collect()
+/// Cycles and values under each key.
+type Columns = BTreeMap<String, (Vec<i64>, Vec<Json>)>;
+
+/// Returns the log of a part, with differences between cycles.
+fn log(recording: &Recording, part: &Part<'_>) -> Columns {
+    let mut log = Columns::new();
+    let mut add = |key, cycle, value| {
+        let (cycles, values) = log.entry(key).or_default();
+        cycles.push(cycle as i64);
+        values.push(value);
+    };
+    let is_told = |cycle: u64| (part.from..part.until).contains(&cycle);
+    let clock = recording.clock.iter();
+    for tick in clock.filter(|tick| is_told(tick.cycle)) {
+        let value = json!([tick.cycle, tick.time, tick.period]);
+        add("clock".to_owned(), tick.cycle, value);
+    }
+    let place = |cycle| recording.log.partition_point(|entry| entry.cycle < cycle);
+    for entry in &recording.log[place(part.from)..place(part.until)] {
+        for key in keys(&entry.what, recording.robot.legs.len()) {
+            add(key, entry.cycle, value(&entry.what));
+        }
+    }
+    let events = recording.events.iter();
+    for event in events.filter(|event| is_told(event.cycle)) {
+        add("event".to_owned(), event.cycle, json!(event.event));
+    }
+    for (cycles, _) in log.values_mut() {
+        *cycles = differences(cycles.iter().copied());
+    }
+    log
 }
 
-impl Part<'_> {
-    fn of<'a, T>(&self, list: &'a [At<T>]) -> &'a [At<T>] {
-        let place = |cycle| list.partition_point(|at| at.cycle < cycle);
-        &list[place(self.from)..place(self.until)]
+/// Returns the keys of an occurrence on a page. A command has one for each leg that it moves.
+fn keys(what: &Occurrence, legs: usize) -> Vec<String> {
+    let leg = |leg: u8| usize::from(leg)..=usize::from(leg);
+    let legs = match what {
+        Occurrence::Command(command) => match command.target {
+            Target::All => 1..=legs,
+            Target::Foot(of) | Target::Joint(of, _) => leg(of),
+            Target::None | Target::Floor => return Vec::new(),
+        },
+        _ => return vec![what.key().into_owned()],
+    };
+    legs.map(|leg| format!("command.{leg}")).collect()
+}
+
+/// Returns the value under the key of an occurrence (`page/src/session.js`).
+fn value(what: &Occurrence) -> Json {
+    match what {
+        Occurrence::Step(step) => json!(step),
+        Occurrence::Thread(_, step) => json!(step),
+        Occurrence::Timer { runs, time, .. } => json!([runs, time]),
+        Occurrence::Locks(joints) => json!(listed(joints)),
+        Occurrence::Message(text) => json!(text),
+        Occurrence::Assigned { value, .. } => json!(value),
+        Occurrence::Lamp(_, on) => json!(on),
+        Occurrence::Command(command) => json!(words(command)),
+        Occurrence::Contacts(touch) => json!(mask(touch)),
+        Occurrence::Flags(flags) => json!(listed(flags)),
+        Occurrence::Modes(modes) => json!(named(modes)),
+        Occurrence::Fall {
+            count,
+            margin,
+            kind,
+        } => json!([count, margin, kind]),
+        Occurrence::Slip { distance, .. } => json!(distance),
     }
 }
 
@@ -235,10 +214,6 @@ fn columns(channels: &[Channel], frames: &[Frame]) -> Vec<Vec<i64>> {
         }))
     });
     std::iter::once(differences(cycles)).chain(motion).collect()
-}
-
-fn cycles<T>(list: &[At<T>]) -> Vec<i64> {
-    differences(list.iter().map(|at| at.cycle as i64))
 }
 
 /// Returns the first number, and how much each is more than the one before.
@@ -324,10 +299,6 @@ pub(crate) struct Ended<'a> {
     time: f64,
 }
 
-fn each<'a, T, U>(list: &'a [At<T>], of: impl Fn(u64, &'a T) -> U) -> Vec<U> {
-    list.iter().map(|at| of(at.cycle, &at.what)).collect()
-}
-
 /// Returns words with blanks between.
 fn listed(list: &[impl ToString]) -> String {
     let words: Vec<_> = list.iter().map(ToString::to_string).collect();
@@ -353,9 +324,12 @@ fn called(mode: Mode) -> &'static str {
     }
 }
 
-fn values(asked: &IssuedCommand) -> String {
-    let values: Vec<_> = asked.values.iter().map(ToString::to_string).collect();
-    values.join(" ")
+/// Returns a command with its target and values.
+fn words(command: &IssuedCommand) -> String {
+    let IssuedCommand {
+        op, target, values, ..
+    } = command;
+    format!("{} {target} {}", op.name(), listed(values))
 }
 
 impl Scene {

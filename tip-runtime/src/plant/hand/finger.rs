@@ -85,11 +85,11 @@ impl Link {
 /// The state of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Finger<const J: usize> {
-    /// m.
+    /// Place of the first joint, m.
     base: Vector,
-    /// deg.
+    /// Joint angles, deg.
     pub(super) angles: [f64; J],
-    /// rad/s.
+    /// Joint rates, rad/s.
     rates: [f64; J],
     /// Expected rates in the middle of the step, rad/s.
     middle: [f64; J],

@@ -18,7 +18,7 @@ use crate::plant::self_collision::{Capsules, CollisionCounter, Gap, nearest, now
 /// The longest time step, ms.
 const LONGEST_STEP: f64 = 20.0;
 
-/// One leg.
+/// A simulated leg and its servos.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LegPlant<const J: usize> {
     model: Leg<J>,

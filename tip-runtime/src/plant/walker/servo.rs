@@ -64,7 +64,7 @@ pub(super) struct JointLoad {
 /// The servo of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Servo {
-    /// deg.
+    /// Angle of the joint, deg.
     pub(super) angle: f64,
     /// The motor's torque, N·m.
     pub(super) torque: f64,

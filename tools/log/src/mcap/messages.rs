@@ -443,11 +443,11 @@ pub(super) fn body(time: u64, frame: &Frame) -> Option<Body> {
 }
 
 /// Returns a `tip.Margin`.
-pub(super) fn margin(time: u64, frame: &Frame, falls: usize) -> Option<Margin> {
+pub(super) fn margin(time: u64, frame: &Frame, falls: u32) -> Option<Margin> {
     Some(Margin {
         timestamp: Timestamp::of(time),
         margin_mm: frame.margin?,
-        falls: falls as i64,
+        falls: falls.into(),
     })
 }
 
@@ -471,13 +471,10 @@ fn begun(time: u64) -> Vec<u8> {
 type Field = (String, Vec<(Option<String>, usize)>);
 
 /// The variables of a program as a message: `COUNT` is a field, `P.X` is field `X` of field `P`.
-pub(super) struct Variables {
-    fields: Vec<Field>,
-    values: Vec<Option<f64>>,
-}
+pub(super) struct Variables(Vec<Field>);
 
 impl Variables {
-    /// Creates variables that have no values yet.
+    /// Returns the fields of these variables.
     pub(super) fn of(scalars: &[String]) -> Self {
         let mut fields: Vec<Field> = Vec::new();
         for (place, name) in scalars.iter().enumerate() {
@@ -493,29 +490,24 @@ impl Variables {
                 None => fields.push((name.to_owned(), vec![(member, place)])),
             }
         }
-        Variables {
-            fields,
-            values: vec![None; scalars.len()],
-        }
-    }
-
-    /// Sets the value of a variable from now on.
-    pub(super) fn set(&mut self, scalar: usize, value: f64) {
-        if let Some(slot) = self.values.get_mut(scalar) {
-            *slot = Some(value);
-        }
+        Variables(fields)
     }
 
     /// Returns `tip.Variables`: those that have a value.
-    pub(super) fn message(&self, time: u64) -> Vec<u8> {
+    pub(super) fn message(&self, time: u64, values: &[Option<f64>]) -> Vec<u8> {
+        let encode = |field, place: usize, message: &mut Vec<u8>| {
+            if let Some(Some(value)) = values.get(place) {
+                double::encode(field, value, message);
+            }
+        };
         let mut message = begun(time);
-        for (field, (_, members)) in (2..).zip(&self.fields) {
+        for (field, (_, members)) in (2..).zip(&self.0) {
             match members.as_slice() {
-                [(None, place)] => self.encode(field, *place, &mut message),
+                [(None, place)] => encode(field, *place, &mut message),
                 members => {
                     let mut inner = Vec::new();
                     for (field, (_, place)) in (1..).zip(members) {
-                        self.encode(field, *place, &mut inner);
+                        encode(field, *place, &mut inner);
                     }
                     bytes::encode(field, &inner, &mut message);
                 }
@@ -524,15 +516,9 @@ impl Variables {
         message
     }
 
-    fn encode(&self, field: u32, place: usize, message: &mut Vec<u8>) {
-        if let Some(Some(value)) = self.values.get(place) {
-            double::encode(field, value, message);
-        }
-    }
-
     fn descriptor(&self) -> DescriptorProto {
         let (mut fields, mut inner) = (vec![time_field()], Vec::new());
-        for (number, (name, members)) in (2..).zip(&self.fields) {
+        for (number, (name, members)) in (2..).zip(&self.0) {
             let names = members.iter().filter_map(|(name, _)| name.as_ref());
             let names = (1..).zip(names);
             let names: Vec<_> = names

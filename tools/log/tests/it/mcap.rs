@@ -7,7 +7,7 @@ use std::io::Cursor;
 use std::path::Path;
 use tip_runtime::plant::{Block, Scene};
 use tip_sim::{Events, Robot, tipc, urdf};
-use tip_view::{DurationLimit, FrameRate, Recording, robot_frame};
+use tip_view::{DurationLimit, FrameRate, Occurrence, Recording, robot_frame};
 
 fn example(path: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -184,9 +184,15 @@ fn each_topic_has_its_schema_and_as_many_messages_as_the_run() {
         .collect();
     let frames = recording.frames.len();
     assert_eq!(frames, 500, "20 ms a cycle are 50 Hz");
-    let mut assigning: Vec<u64> = recording.sets.iter().map(|at| at.cycle).collect();
+    let cycles = |is: fn(&Occurrence) -> bool| -> Vec<u64> {
+        let entries = recording.entries(move |what| is(what).then_some(()));
+        entries.map(|(cycle, ())| cycle).collect()
+    };
+    let steps = cycles(|what| matches!(what, Occurrence::Step(_))).len();
+    let mut assigning = cycles(|what| matches!(what, Occurrence::Assigned { .. }));
     assigning.dedup();
-    let said = recording.messages.len() + recording.falls.len() + 1;
+    let messages = cycles(|what| matches!(what, Occurrence::Message(_)));
+    let said = messages.len() + recording.falls().count() + 1;
     assert_eq!(
         shown,
         [
@@ -200,7 +206,7 @@ fn each_topic_has_its_schema_and_as_many_messages_as_the_run() {
             ("/tip/margin", "tip.Margin", frames),
             ("/tip/messages", "foxglove.Log", said),
             ("/tip/slips", "tip.Slips", frames),
-            ("/tip/state", "tip.State", frames + recording.steps.len()),
+            ("/tip/state", "tip.State", frames + steps),
             ("/tip/variables", "tip.Variables", assigning.len()),
         ]
     );

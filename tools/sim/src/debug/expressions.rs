@@ -169,7 +169,7 @@ impl Debugger {
     /// Evaluates a condition, or the right side of an equation, at the present position.
     ///
     /// # Errors
-    /// It is neither, or it cannot be calculated.
+    /// The text is neither, or its value cannot be calculated.
     pub fn evaluate(&self, text: &str) -> Result<Value, DebugError> {
         let expression = Expression::new(text, &self.asker)?;
         Ok(expression.evaluate(&self.here())?)

@@ -49,9 +49,9 @@ pub enum Reason {
     Fault(Emergency),
     /// The program is over.
     Ended(End),
-    /// It was interrupted.
+    /// The run was interrupted.
     Interrupted,
-    /// Something was made to happen.
+    /// An event was added.
     Change,
 }
 
@@ -296,7 +296,7 @@ pub enum DebugError {
     NoVariable(String, VariableError),
     /// The text is not a condition or number of the program.
     Wrong(Box<Diagnostic>),
-    /// It cannot be calculated, or reads what is not assigned.
+    /// The value cannot be calculated, or a variable in it is not assigned.
     Fault(Fault),
     /// The text does not say how many hits.
     Hits(HitsError),

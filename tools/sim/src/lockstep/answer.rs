@@ -35,7 +35,7 @@ pub enum Answer {
 pub enum RunEnd {
     /// END or EXIT.
     Finished,
-    /// Its cycles were used up.
+    /// The limit of cycles was reached.
     Limit,
     /// Emergency stop.
     Emergency,

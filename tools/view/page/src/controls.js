@@ -20,7 +20,7 @@ export function controls(requests, recording) {
     showHalt();
   });
   const showHalt = () => {
-    const taken = recording.events.some(({ text }) => text === 'halt');
+    const taken = recording.entries('event').values.includes('halt');
     asked &&= !taken;
     const pending = recording.outcome.how === 'limit' && (asked || taken);
     element('halt').setAttribute('aria-pressed', pending);
@@ -94,11 +94,12 @@ function knob(name, happen) {
     name,
     say,
     box: make('label', { className: 'knob' }, make('span', { textContent: name }), slider, reading),
-    show({ events }) {
-      if (events.length === last) return;
-      last = events.length;
-      const own = events.findLast(({ text }) => text.startsWith(`${name}=`));
-      const volts = own ? Number(own.text.slice(name.length + 1)) : 0;
+    show(recording) {
+      const { values } = recording.entries('event');
+      if (values.length === last) return;
+      last = values.length;
+      const own = values.findLast((text) => text.startsWith(`${name}=`));
+      const volts = own ? Number(own.slice(name.length + 1)) : 0;
       if (slider.matches(':active') || !Number.isFinite(volts)) return;
       slider.value = volts;
       show();

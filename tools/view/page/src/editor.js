@@ -278,7 +278,7 @@ export class Editor {
       const [from, to] = [line.from + index, line.from + index + name.length];
       const scalar = this.names?.get(name.toUpperCase());
       if (place < from || place > to || scalar === undefined) continue;
-      const value = this.player.recording.valueAt(scalar, this.player.cycle);
+      const value = this.player.recording.at(`set.${scalar}`, this.player.cycle);
       return { from, to, text: `${name.toUpperCase()} = ${value === undefined ? word('unassigned') : shown(value)}` };
     }
     return undefined;

@@ -271,7 +271,7 @@ export class Plots {
   drawGait() {
     const { recording, gait } = this;
     const legs = recording.robot.legs.length;
-    const known = recording.contactCycles.length && recording.has('load.0');
+    const known = recording.entries('contacts').cycles.length && recording.has('load.0');
     element('gait-box').hidden = !known;
     if (!known) return;
     const [row, ratio] = [14, devicePixelRatio];

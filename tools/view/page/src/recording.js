@@ -1,24 +1,15 @@
 // What a program did, to be asked by cycle or by time. It grows by the updates of a session (session.js); a page that replays a
 // run holds all of them.
 
-import { countUpTo, lastUpTo } from './search.js';
+import { countUpTo } from './search.js';
 import { bytesOf, inflated } from './unpack.js';
 
 /** Motion is in hundredths of mm, deg or N. */
 const HUNDREDTHS = 100;
-/** Lists of what happened seldom, and what each entry has beside its cycle. */
-const LISTED = [
-  ['messages', 'text'],
-  ['lamps', 'device', 'on'],
-  ['commands', 'op', 'target', 'values'],
-  ['flags', 'text'],
-  ['modes', 'list'],
-  ['falls', 'margin', 'kind'],
-  ['slips', 'leg', 'distance'],
-  ['timers', 'timer', 'runs', 'time'],
-  ['locks', 'text'],
-  ['events', 'text'],
-];
+/** Cycles and values under a key without entries. */
+const NOTHING = { cycles: [], values: [] };
+/** The first cycle, its time and its period (ms), before anything is known. */
+const START = [0, 0, 20];
 
 export class Recording {
   /** Of a run that is over: its updates, one a line, deflated, in base64. */
@@ -40,11 +31,10 @@ export class Recording {
     this.changed = 0;
     // Whether the last frame is there for the moment only.
     this.provisional = false;
-    const lists = ['clock', 'frames', 'frameTimes', 'stepCycles', 'steps', 'contactCycles', 'contacts', ...LISTED.map(([list]) => list)];
-    for (const list of lists) this[list] = [];
+    [this.frames, this.frameTimes] = [[], []];
     this.columns = Object.fromEntries(channels.map((name) => [name, []]));
-    this.sets = script.scalars.map(() => ({ cycles: [], values: [] }));
-    this.threads = (script.threads ?? []).map(() => ({ cycles: [], steps: [] }));
+    // Cycles and values under each key (session.js).
+    this.log = new Map();
     this.duration = this.endOf(0);
     this.stepsOfLine = new Map();
     script.lines.forEach((line, step) => {
@@ -52,10 +42,33 @@ export class Recording {
     });
   }
 
+  /** The cycles and values under a key of the log. */
+  entries(key) {
+    return this.log.get(key) ?? NOTHING;
+  }
+
+  /** The cycle of the last entry under a key, up to a cycle; none before the first. */
+  lastOf(key, cycle) {
+    const { cycles } = this.entries(key);
+    return cycles[countUpTo(cycles, cycle) - 1];
+  }
+
+  /** The value under a key at the end of a cycle; none before the first entry. */
+  at(key, cycle) {
+    const { cycles, values } = this.entries(key);
+    return values[countUpTo(cycles, cycle) - 1];
+  }
+
+  /** The numbers of things of a kind, such as lamps, that have entries. */
+  numbers(kind) {
+    const keys = [...this.log.keys()].map((key) => key.split('.'));
+    return keys.filter(([of]) => of === kind).map(([, number]) => Number(number)).sort((one, other) => one - other);
+  }
+
   /** When a cycle was over: ms. */
   endOf(cycle) {
-    const tick = lastUpTo(this.clock, cycle) ?? { cycle: 0, time: 0, period: 20 };
-    return tick.time + (cycle - tick.cycle + 1) * tick.period;
+    const [from, time, period] = this.at('clock', cycle) ?? START;
+    return time + (cycle - from + 1) * period;
   }
 
   /** The last cycle that was over at a time. */
@@ -65,17 +78,13 @@ export class Recording {
 
   /** The same, counted on after the end of the run. */
   countAt(time) {
-    let tick = this.clock[countUpTo(this.clock, time, ({ time, period }) => time + period - 1e-6) - 1];
-    tick ??= this.clock[0] ?? { cycle: 0, time: 0, period: 20 };
-    return Math.max(tick.cycle + Math.floor((time - tick.time) / tick.period + 1e-6) - 1, 0);
-  }
-
-  stepAt(cycle) {
-    return this.steps[countUpTo(this.stepCycles, cycle) - 1];
+    const { values } = this.entries('clock');
+    const [from, begin, period] = values[countUpTo(values, time, ([, begin, period]) => begin + period - 1e-6) - 1] ?? values[0] ?? START;
+    return Math.max(from + Math.floor((time - begin) / period + 1e-6) - 1, 0);
   }
 
   lineAt(cycle) {
-    return this.script.lines[this.stepAt(cycle)];
+    return this.script.lines[this.at('step', cycle)];
   }
 
   /** Whether a fault ended the run in this cycle, or right after it: a trace has no record of the cycle of a fault. */
@@ -97,54 +106,47 @@ export class Recording {
   nextRunOf(line, cycle) {
     const steps = new Set(this.stepsOfLine.get(line));
     if (!steps.size) return undefined;
-    const next = ({ cycles, steps: ran }) => {
+    const next = (key) => {
+      const { cycles, values } = this.entries(key);
       const from = countUpTo(cycles, cycle);
-      for (let i = 0; i < ran.length; i++) {
-        const at = (from + i) % ran.length;
-        if (steps.has(ran[at])) return cycles[at];
+      for (let i = 0; i < values.length; i++) {
+        const at = (from + i) % values.length;
+        if (steps.has(values[at])) return cycles[at];
       }
       return undefined;
     };
-    const all = [{ cycles: this.stepCycles, steps: this.steps }, ...this.threads].map(next).filter((found) => found !== undefined);
+    const all = ['step', ...this.threads.map((_, thread) => `thread.${thread + 1}`)].map(next).filter((found) => found !== undefined);
     const later = all.filter((found) => found > cycle);
     return all.length ? Math.min(...(later.length ? later : all)) : undefined;
   }
 
+  /** The names of the program's threads. */
+  get threads() {
+    return this.script.threads ?? [];
+  }
+
   /** The threads that ran in a cycle, with their lines. */
   threadsAt(cycle) {
-    const lines = this.threads.map(({ cycles, steps }, thread) => {
-      const step = steps[countUpTo(cycles, cycle) - 1];
-      return { name: this.script.threads[thread], line: this.script.lines[step] };
-    });
+    const lines = this.threads.map((name, thread) => ({ name, line: this.script.lines[this.at(`thread.${thread + 1}`, cycle)] }));
     return lines.filter(({ line }) => line !== undefined);
   }
 
   /** The timers that were used until the end of a cycle: ms. */
   timersAt(cycle) {
-    const last = new Map(this.timers.slice(0, countUpTo(this.timers, cycle, (entry) => entry.cycle)).map((entry) => [entry.timer, entry]));
-    const now = [...last.values()].map(({ timer, runs, time }) => ({ timer, time: runs ? this.endOf(cycle) - time : time }));
-    return now.sort((one, other) => one.timer - other.timer);
+    const timers = this.numbers('timer').filter((timer) => this.at(`timer.${timer}`, cycle));
+    return timers.map((timer) => {
+      const [runs, time] = this.at(`timer.${timer}`, cycle);
+      return { timer, time: runs ? this.endOf(cycle) - time : time };
+    });
   }
 
   messageAt(cycle) {
-    return lastUpTo(this.messages, cycle)?.text ?? '';
-  }
-
-  /** The value of a scalar after a cycle; none before it is assigned. */
-  valueAt(scalar, cycle) {
-    const { cycles, values } = this.sets[scalar];
-    return values[countUpTo(cycles, cycle) - 1];
-  }
-
-  /** The cycle up to one in which a scalar was given the value that it has; none before it is assigned. */
-  assignedAt(scalar, cycle) {
-    const { cycles } = this.sets[scalar];
-    return cycles[countUpTo(cycles, cycle) - 1];
+    return this.at('message', cycle) ?? '';
   }
 
   /** Whether each foot or fingertip touches something. */
   touchesAt(cycle) {
-    const mask = this.contacts[countUpTo(this.contactCycles, cycle) - 1] ?? 0;
+    const mask = this.at('contacts', cycle) ?? 0;
     return this.robot.legs.map((_, leg) => Math.floor(mask / 2 ** leg) % 2 === 1);
   }
 
@@ -159,8 +161,9 @@ export class Recording {
         begin = undefined;
       }
     };
-    this.contactCycles.forEach((cycle, n) => {
-      change(Math.floor(this.contacts[n] / 2 ** leg) % 2 === 1, cycle ? this.endOf(cycle - 1) : 0);
+    const { cycles, values } = this.entries('contacts');
+    cycles.forEach((cycle, n) => {
+      change(Math.floor(values[n] / 2 ** leg) % 2 === 1, cycle ? this.endOf(cycle - 1) : 0);
     });
     change(false, this.duration);
     return found;
@@ -193,18 +196,24 @@ export class Recording {
     return { pose, angles };
   }
 
-  /** Where something happened that one may want to go to, in order. */
+  /** Where something happened that one may want to go to, in order: `{cycle, kind, value}`. */
   get marks() {
-    const kind = (entries, kind) => entries.map((entry) => ({ ...entry, kind }));
+    const of = (key, kind, value = (value) => value) => {
+      const { cycles, values } = this.entries(key);
+      return cycles.map((cycle, n) => ({ cycle, kind, value: value(values[n], cycle) })).filter(({ cycle }) => cycle >= this.first);
+    };
+    const slips = this.robot.legs.flatMap((_, leg) => of(`slip.${leg}`, 'slip', (distance, cycle) => ({ leg, distance: this.largestSlip(leg, cycle, distance) })));
     const stop = this.outcome.how === 'emergency' ? [{ cycle: this.cycles - 1, kind: 'fault' }] : [];
-    const messages = this.messages.filter(({ text }) => text !== '');
-    return [
-      ...kind(messages, 'message'),
-      ...kind(this.falls.filter(({ cycle }) => cycle >= this.first), 'fall'),
-      ...kind(this.slips, 'slip'),
-      ...kind(this.events, 'event'),
-      ...stop,
-    ].sort((one, other) => one.cycle - other.cycle);
+    const messages = of('message', 'message').filter(({ value }) => value !== '');
+    return [...messages, ...of('fall', 'fall'), ...slips, ...of('event', 'event'), ...stop].sort((one, other) => one.cycle - other.cycle);
+  }
+
+  /** How far a foot that had slipped so far in a cycle slipped until it was lifted: mm. */
+  largestSlip(leg, cycle, distance) {
+    const slips = this.columns[`slip.${leg}`] ?? [];
+    let largest = distance;
+    for (let frame = countBefore(this.frames, cycle); slips[frame] > 0; frame++) largest = Math.max(largest, slips[frame]);
+    return largest;
   }
 
   /** Another run in the place of this one. */
@@ -215,34 +224,12 @@ export class Recording {
   /** What has happened, an update `more`. */
   take(more) {
     this.cut(more.from);
-    for (const [cycle, time, period] of more.clock) this.clock.push({ cycle, time, period });
-    this.addFrames(more.frames);
-    const [steps, contacts, sets] = [more.steps.map(sums), more.contacts, more.sets];
-    append(this.stepCycles, steps[0]);
-    append(this.steps, steps[1]);
-    append(this.contactCycles, sums(contacts[0]));
-    append(this.contacts, contacts[1]);
-    sums(sets[0]).forEach((cycle, n) => {
-      const set = this.sets[sets[1][n]];
-      set.cycles.push(cycle);
-      set.values.push(sets[2][n]);
-    });
-    const [threadCycles, threads, threadSteps] = more.threads ?? [[], [], []];
-    const ran = sums(threadSteps);
-    sums(threadCycles).forEach((cycle, n) => {
-      const thread = this.threads[threads[n] - 1];
-      thread.cycles.push(cycle);
-      thread.steps.push(ran[n] - 1);
-    });
-    for (const [list, ...names] of LISTED) {
-      for (const entry of more[list] ?? []) {
-        const made = Object.fromEntries(['cycle', ...names].map((name, n) => [name, entry[n]]));
-        // A slip that was told before may have grown.
-        const known = made.cycle < more.from ? this[list].find(({ cycle, leg }) => cycle === made.cycle && leg === made.leg) : undefined;
-        if (known) Object.assign(known, made);
-        else if (made.cycle >= more.from) this[list].push(made);
-      }
+    for (const [key, [cycles, values]] of Object.entries(more.log)) {
+      if (!this.log.has(key)) this.log.set(key, { cycles: [], values: [] });
+      append(this.log.get(key).cycles, sums(cycles));
+      append(this.log.get(key).values, values);
     }
+    this.addFrames(more.frames);
     this.provisional = Boolean(more.now);
     if (more.now) this.addFrames(more.now);
     if (more.first > this.first) this.forget(more.first);
@@ -255,7 +242,7 @@ export class Recording {
       this.frames.push(cycle);
       this.frameTimes.push(this.endOf(cycle));
     }
-    motion.forEach((column, n) => append(this.columns[this.channels[n]], sums(column), HUNDREDTHS));
+    motion.forEach((column, n) => append(this.columns[this.channels[n]], sums(column).map((value) => value / HUNDREDTHS)));
   }
 
   /** Takes away what was known of cycles from `from` on, and a frame that was there for the moment only. */
@@ -263,8 +250,10 @@ export class Recording {
     const kept = Math.min(countBefore(this.frames, from), this.frames.length - (this.provisional ? 1 : 0));
     this.changed = Math.min(this.changed, kept);
     for (const list of this.framed) list.length = kept;
-    for (const lists of this.paired) lists.forEach((list) => (list.length = countBefore(lists[0], from)));
-    for (const list of this.listed) list.length = countBefore(list, from, ({ cycle }) => cycle);
+    for (const [key, { cycles, values }] of this.log) {
+      cycles.length = values.length = countBefore(cycles, from);
+      if (!cycles.length) this.log.delete(key);
+    }
   }
 
   /** Forgets what was before a cycle, but for what still holds. */
@@ -272,18 +261,10 @@ export class Recording {
     this.first = first;
     const frames = countBefore(this.frames, first);
     for (const list of this.framed) list.splice(0, frames);
-    for (const lists of this.paired) {
-      const before = Math.max(countUpTo(lists[0], first) - 1, 0);
-      lists.forEach((list) => list.splice(0, before));
+    for (const { cycles, values } of this.log.values()) {
+      const before = Math.max(countUpTo(cycles, first) - 1, 0);
+      for (const list of [cycles, values]) list.splice(0, before);
     }
-    const before = countUpTo(this.clock, first, ({ cycle }) => cycle) - 1;
-    this.clock.splice(0, Math.max(before, 0));
-    keepLast(this.lamps, first, ({ device }) => device);
-    keepLast(this.commands, first, ({ target }) => target);
-    keepLast(this.timers, first, ({ timer }) => timer);
-    for (const list of [this.messages, this.flags, this.modes, this.locks]) keepLast(list, first, () => 0);
-    // Falls stay: they are counted from the start.
-    for (const list of [this.slips, this.events]) list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
     this.changed = 0;
   }
 
@@ -291,30 +272,11 @@ export class Recording {
   get framed() {
     return [this.frames, this.frameTimes, ...this.channels.map((name) => this.columns[name])];
   }
-
-  /** Cycles with what changed in them. */
-  get paired() {
-    const threads = this.threads.map(({ cycles, steps }) => [cycles, steps]);
-    const sets = this.sets.map(({ cycles, values }) => [cycles, values]);
-    return [[this.stepCycles, this.steps], [this.contactCycles, this.contacts], ...threads, ...sets];
-  }
-
-  /** Lists of entries with a cycle. */
-  get listed() {
-    return [this.clock, ...LISTED.map(([list]) => this[list])];
-  }
 }
 
 /** How many of the ordered values are below `value`. */
 function countBefore(values, value, of) {
   return countUpTo(values, value - 0.5, of);
-}
-
-/** Of the entries before a cycle, keeps the last of each key. */
-function keepLast(list, first, key) {
-  const before = list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
-  const last = new Map(before.map((entry) => [key(entry), entry]));
-  list.unshift(...before.filter((entry) => last.get(key(entry)) === entry));
 }
 
 /** Running sums. */
@@ -324,6 +286,6 @@ function sums(differences) {
 }
 
 /** Puts values behind those of a list. */
-function append(list, values, share = 1) {
-  for (const value of values) list.push(value / share);
+function append(list, values) {
+  for (const value of values) list.push(value);
 }

@@ -10,8 +10,3 @@ export function countUpTo(values, value, of = (one) => one) {
   }
   return low;
 }
-
-/** The last of the ordered entries that is not after a cycle. */
-export function lastUpTo(entries, cycle) {
-  return entries[countUpTo(entries, cycle, (entry) => entry.cycle) - 1];
-}

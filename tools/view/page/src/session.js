@@ -30,13 +30,11 @@
 //
 //   run        {run, robot, scene, script, channels, inputs}: a run begins. `channels` names the columns of motion, `inputs`
 //              what has sliders
-//   more       {run, first, from, cycles, clock, frames, now, steps, contacts, sets, messages, lamps, commands, flags, modes,
-//              falls, slips, events, threads, timers, locks}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any
-//              more, and what was before `first` is forgotten. What is much is in columns, the first of them cycles: `frames`
-//              has one for each channel (0.01 mm, deg or N), `steps` steps, `contacts` bits of feet or fingers, `sets` variables
-//              and their values, `threads` threads, counted from 1, and their steps, counted from 1, or 0 where one is over.
-//              `threads`, `timers` and `locks` are there if they have an entry. Columns of cycles, steps and motion hold differences. Other lists have an entry of its cycle
-//              and more for each thing. `now` is a frame of the last cycle that the next update takes back, or null
+//   more       {run, first, from, cycles, log, frames, now}: what happened up to cycle `cycles`. What was known of cycles from
+//              `from` on is not so any more, and what was before `first` is forgotten, but for what still holds. `log` has under
+//              each key below a column of cycles and one of values. `frames` has a column of cycles and one for each channel
+//              (0.01 mm, deg or N). Columns of cycles and motion hold differences. `now` is a frame of the last cycle that the
+//              next update takes back, or null
 //   text       {version, by, text}: the text of the editor
 //   findings   {version, findings, good}: what is found in it, and whether it is a program. Each has `level`, `code`, `from`
 //              and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`
@@ -46,6 +44,19 @@
 //              has changed the file
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,
 //              over, many, stale, errors, unspelled, unsaved, unread, or flood; `detail` says more
+
+// Keys of the log, with their values. A value holds until the next one; a key without entries is left out. Legs, fingers and
+// threads count from 1 in keys, as in programs, but for those of slips:
+//
+//   clock       [cycle, time, period]: this cycle began at a time (ms), and from it on each takes a period (ms)
+//   step        the step of the main program      thread.N    the step of a thread, or null where it is over
+//   set.N       the value of a variable, from 0   timer.N     [runs, time]: its time, or that of the robot at which it was 0 (ms)
+//   lamp.N      whether it is on                  command.N   the last command for a leg, as a text
+//   message     its text                          locks       the joints that are locked, with blanks between
+//   flags       those that are up, with blanks between        modes       [[target, mode]]
+//   contacts    a number, whose lowest bit says whether the first foot or finger touches something
+//   fall        [count, margin, kind]: falls so far, mm       slip.N      how far a foot, from 0, had slipped when that was noticed (mm)
+//   event       what happened from outside, as a text
 
 /** Sends requests, and calls `refused(answer)` for each that is not fulfilled. */
 export class Requests {

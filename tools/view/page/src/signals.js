@@ -39,7 +39,7 @@ export function firstChoice(recording) {
 export function valueOf(recording, { column, scalar }, time) {
   if (time > recording.duration) return undefined;
   if (column) return recording.value(column, recording.between(time));
-  return recording.valueAt(scalar, recording.cycleAt(time));
+  return recording.at(`set.${scalar}`, recording.cycleAt(time));
 }
 
 /** The same signal of another recording, of a variable by its name; none if that has none. */
@@ -60,10 +60,10 @@ export function series(recording, signals, begin = -Infinity) {
   const first = begin > 0 ? recording.cycleAt(begin) : 0;
   const cycles = new Set([first, recording.cycles - 1]);
   for (const { scalar } of signals) {
-    const changes = recording.sets[scalar].cycles;
+    const changes = recording.entries(`set.${scalar}`).cycles;
     changes.slice(countUpTo(changes, first)).forEach((cycle) => cycles.add(cycle));
   }
   const ordered = [...cycles].sort((one, other) => one - other);
   const times = ordered.map((cycle) => recording.endOf(cycle) / 1000);
-  return [times, ...signals.map(({ scalar }) => ordered.map((cycle) => recording.valueAt(scalar, cycle) ?? null))];
+  return [times, ...signals.map(({ scalar }) => ordered.map((cycle) => recording.at(`set.${scalar}`, cycle) ?? null))];
 }

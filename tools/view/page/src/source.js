@@ -43,7 +43,7 @@ export function source(player, plot) {
   function showTip(name) {
     tip.hidden = !name;
     if (!name) return;
-    const value = recording.valueAt(Number(name.dataset.scalar), player.cycle);
+    const value = recording.at(`set.${name.dataset.scalar}`, player.cycle);
     const text = `${recording.script.scalars[name.dataset.scalar]} = ${value === undefined ? word('unassigned') : shown(value)}`;
     tip.replaceChildren(text, spark(recording, Number(name.dataset.scalar), player.cycle));
     const place = name.getBoundingClientRect();

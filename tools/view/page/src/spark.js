@@ -7,7 +7,7 @@ const [WIDTH, HEIGHT, EDGE] = [150, 30, 2];
 /** Its values from the first cycle to the last, and where among them one is. */
 export function spark(recording, scalar, cycle) {
   const picture = draw('svg', { class: 'spark', width: WIDTH, height: HEIGHT, viewBox: `0 0 ${WIDTH} ${HEIGHT}`, 'aria-hidden': 'true' });
-  const { cycles, values } = recording.sets[scalar];
+  const { cycles, values } = recording.entries(`set.${scalar}`);
   if (!values.length) return picture;
   const first = recording.first ?? 0;
   const x = (cycle) => ((cycle - first) / Math.max(recording.cycles - 1 - first, 1)) * (WIDTH - 2 * EDGE) + EDGE;

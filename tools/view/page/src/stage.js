@@ -214,8 +214,8 @@ export class Stage {
   showSlips() {
     const { recording } = this;
     this.ends.forEach((end, leg) => {
-      const slip = recording.slips.find((slip) => slip.leg === leg && Math.abs(recording.endOf(slip.cycle) - this.time) < MARKED);
-      if (slip) this.marks.slip(end, this.surroundings.ground(end.x, end.y));
+      const { cycles } = recording.entries(`slip.${leg}`);
+      if (cycles.some((cycle) => Math.abs(recording.endOf(cycle) - this.time) < MARKED)) this.marks.slip(end, this.surroundings.ground(end.x, end.y));
     });
   }
 

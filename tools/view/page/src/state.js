@@ -2,7 +2,7 @@
 
 import { clockTime, element, fixed, make } from './dom.js';
 import { feet } from './kinematics.js';
-import { countUpTo, lastUpTo } from './search.js';
+import { countUpTo } from './search.js';
 import { shown } from './source.js';
 import { label, whenSpoken, word } from './words.js';
 
@@ -40,10 +40,10 @@ export function state(player, plot, assign) {
       const [value, from] = [make('td'), make('button', { type: 'button' })];
       from.addEventListener('click', () => {
         const { cycle } = player;
-        const set = recording.assignedAt(scalar, cycle);
+        const set = recording.lastOf(`set.${scalar}`, cycle);
         player.pause();
         // From there to the assignment before.
-        player.goTo((set === cycle ? recording.assignedAt(scalar, cycle - 1) : set) ?? set);
+        player.goTo((set === cycle ? recording.lastOf(`set.${scalar}`, cycle - 1) : set) ?? set);
       });
       if (assign) assignable(value, name, assign);
       const button = make('button', { type: 'button', textContent: name });
@@ -72,43 +72,43 @@ export function state(player, plot, assign) {
     if (!element('state-panel').classList.contains('chosen')) return;
     const { cycle } = player;
     showLamps(cycle);
-    const now = lastUpTo(recording.modes, cycle)?.list ?? [];
+    const now = recording.at('modes', cycle) ?? [];
     modes.forEach(({ mode, command }, leg) => {
-      const last = lastCommand(recording.commands, leg, cycle);
-      command.textContent = last ? `${last.op} ${last.target} ${rounded(last.values)}` : '–';
+      command.textContent = rounded(recording.at(`command.${leg + 1}`, cycle) ?? '–');
       mode.textContent = inWords(now.filter(([target]) => concerns(target, leg)));
     });
     showJoints();
     const threads = recording.threadsAt(cycle).map(({ name, line }) => `${name}: ${word('line')} ${line}`);
     showBox('threads', recording.threads.length, threads.join(', '));
     const timers = recording.timersAt(cycle).map(({ timer, time }) => `${timer}: ${shown(Math.round(time * 1000) / 1000)} ms`);
-    showBox('timers', recording.timers.length, timers.join(', '));
-    showBox('locks', recording.locks.length, lastUpTo(recording.locks, cycle)?.text);
-    const flags = lastUpTo(recording.flags, cycle)?.text;
+    showBox('timers', recording.numbers('timer').length, timers.join(', '));
+    showBox('locks', recording.entries('locks').cycles.length, recording.at('locks', cycle));
+    const flags = recording.at('flags', cycle);
     element('flags-box').hidden = flags === undefined;
     element('flags').textContent = flags || word('none');
+    const events = recording.entries('event');
     cells.forEach(({ value, name, from }, scalar) => {
-      const set = recording.assignedAt(scalar, cycle);
-      const outside = recording.events.some((event) => event.cycle === set && event.text.startsWith(`set ${name}=`));
+      const set = recording.lastOf(`set.${scalar}`, cycle);
+      const outside = events.cycles.some((cycle, n) => cycle === set && events.values[n].startsWith(`set ${name}=`));
       from.hidden = set === undefined || outside;
       if (!from.hidden) {
         const line = recording.lineAt(set);
         from.textContent = `${word('line')} ${line}`;
         label(from, 'setBy', name, line);
       }
-      const now = recording.valueAt(scalar, cycle);
+      const now = recording.at(`set.${scalar}`, cycle);
       const text = now === undefined ? '–' : shown(now);
       // Somebody writes there.
       if (value.contains(document.activeElement)) return;
       value.classList.toggle('changed', value.textContent !== '' && value.textContent !== text);
       value.textContent = text;
     });
-    const done = recording.events.slice(0, countUpTo(recording.events, cycle, (event) => event.cycle));
-    element('inputs-box').hidden = !recording.events.length;
+    const done = countUpTo(events.cycles, cycle);
+    element('inputs-box').hidden = !events.cycles.length;
     element('inputs').replaceChildren(
-      ...done.slice(-6).map((event) => {
-        const fresh = player.time - recording.endOf(event.cycle) < PRESSED;
-        return make('kbd', { className: fresh ? 'fresh' : '', textContent: event.text });
+      ...events.values.slice(Math.max(done - 6, 0), done).map((text, n) => {
+        const fresh = player.time - recording.endOf(events.cycles[Math.max(done - 6, 0) + n]) < PRESSED;
+        return make('kbd', { className: fresh ? 'fresh' : '', textContent: text });
       }),
     );
   };
@@ -128,17 +128,14 @@ export function state(player, plot, assign) {
     });
   };
   const showLamps = (cycle) => {
-    const known = [...new Set(recording.lamps.map((lamp) => lamp.device))].sort((one, other) => one - other);
+    const known = recording.numbers('lamp');
     if (known.join() !== devices.join()) {
       devices = known;
       lamps = devices.map((device) => make('span', { className: 'lamp', textContent: device }));
       element('lamps').replaceChildren(...lamps);
     }
     element('lamps-box').hidden = !devices.length;
-    lamps.forEach((lamp, n) => {
-      const switched = recording.lamps.findLast((lamp) => lamp.device === devices[n] && lamp.cycle <= cycle);
-      lamp.classList.toggle('on', Boolean(switched?.on));
-    });
+    lamps.forEach((lamp, n) => lamp.classList.toggle('on', Boolean(recording.at(`lamp.${devices[n]}`, cycle))));
   };
   begin();
   player.onMove(show);
@@ -214,14 +211,6 @@ function inWords(modes) {
   return said.map((words) => words.join(' ')).join(', ');
 }
 
-/** What a leg was commanded last until the end of a cycle. */
-function lastCommand(commands, leg, cycle) {
-  for (let n = countUpTo(commands, cycle, (command) => command.cycle) - 1; n >= 0; n--) {
-    if (concerns(commands[n].target, leg)) return commands[n];
-  }
-  return undefined;
-}
-
 function showMargin({ recording, cycle, time }) {
   const margin = recording.value('margin', recording.between(time));
   element('margin-box').hidden = margin === undefined;
@@ -229,7 +218,7 @@ function showMargin({ recording, cycle, time }) {
   if (margin === undefined) return;
   element('now-margin').textContent = `${fixed(margin, 0)} mm`;
   element('now-margin').classList.toggle('bad', margin < 0);
-  const falls = countUpTo(recording.falls, cycle, (fall) => fall.cycle);
+  const [falls] = recording.at('fall', cycle) ?? [0];
   element('now-falls').textContent = falls;
   element('now-falls').classList.toggle('bad', falls > 0);
 }
@@ -237,8 +226,10 @@ function showMargin({ recording, cycle, time }) {
 /** What has just gone wrong, in words. */
 function alarmAt({ recording, cycle, time }) {
   if (recording.isStoppedAt(cycle)) return word('fault');
-  const fall = recording.falls[countUpTo(recording.falls, cycle, (one) => one.cycle) - 1];
-  return fall && time - recording.endOf(fall.cycle) < ANNOUNCED ? word(fall.kind ?? 'fell') : '';
+  const fall = recording.lastOf('fall', cycle);
+  if (fall === undefined || time - recording.endOf(fall) >= ANNOUNCED) return '';
+  const [, , kind] = recording.at('fall', cycle);
+  return word(kind ?? 'fell');
 }
 
 /** Whether a command is for a leg. */
@@ -262,9 +253,9 @@ export function endOf({ outcome }) {
 export function listMarks(player) {
   const { recording } = player;
   const words = {
-    message: ({ text }) => text,
-    event: ({ text }) => text,
-    fall: ({ margin, kind }) => `${word(kind ?? 'fell')} (${fixed(margin, 1)} mm)`,
+    message: (text) => text,
+    event: (text) => text,
+    fall: ([, margin, kind]) => `${word(kind ?? 'fell')} (${fixed(margin, 1)} mm)`,
     slip: ({ leg, distance }) => `${word('slipped', legName(recording, leg))} (${fixed(distance, 1)} mm)`,
     fault: () => `${word('fault')}: ${recording.outcome.error}`,
   };
@@ -273,7 +264,7 @@ export function listMarks(player) {
     button.append(
       make('time', { textContent: clockTime(recording.told(recording.endOf(mark.kind === 'fall' ? mark.cycle - 1 : mark.cycle))) }),
       make('span', { className: 'kind', textContent: '' }),
-      make('span', { textContent: words[mark.kind](mark) }),
+      make('span', { textContent: words[mark.kind](mark.value) }),
     );
     button.addEventListener('click', () => {
       player.pause();

@@ -371,8 +371,8 @@ impl std::fmt::Debug for Session {
 
 /// The most frames of one update; who has seen nothing gets several.
 const MOST_FRAMES: usize = 1000;
-/// The most other things of one kind.
-const MOST_THINGS: usize = 20_000;
+/// The most entries of the log in one update.
+const MOST_ENTRIES: usize = 20_000;
 
 /// The state that one viewer has.
 #[derive(Clone, Debug, Default)]
@@ -506,14 +506,11 @@ fn until(recording: &Recording, from: u64, taken: u64) -> u64 {
     };
     let frames = &recording.frames;
     let frame = frames.partition_point(|it| it.cycle < from);
-    let steps = &recording.steps;
-    let step = steps.partition_point(|it| it.cycle < from);
-    let sets = &recording.sets;
-    let set = sets.partition_point(|it| it.cycle < from);
+    let log = &recording.log;
+    let entry = log.partition_point(|it| it.cycle < from);
     let limits = [
         after(frame, MOST_FRAMES, &|at| frames.get(at).map(|it| it.cycle)),
-        after(step, MOST_THINGS, &|at| steps.get(at).map(|it| it.cycle)),
-        after(set, MOST_THINGS, &|at| sets.get(at).map(|it| it.cycle)),
+        after(entry, MOST_ENTRIES, &|at| log.get(at).map(|it| it.cycle)),
     ];
     limits.into_iter().fold(taken, u64::min)
 }

@@ -3,7 +3,7 @@
 use base64::Engine as _;
 use serde_json::{Value, json};
 use tip_sim::{Events, Robot, tipc};
-use tip_view::{DurationLimit, Recording, SweepTable, sweep_page};
+use tip_view::{DurationLimit, Occurrence, Recording, SweepTable, sweep_page};
 
 fn record(text: &str) -> Recording {
     let robot = Robot::named("titan8").expect("it has a name");
@@ -46,14 +46,11 @@ fn what_is_packed_is_what_was_recorded() {
         panic!("{updates:?}");
     };
     assert_eq!(status["outcome"]["how"], "END");
-    assert_eq!(
-        more["messages"],
-        serde_json::json!([[recording.messages[0].cycle, "up"]])
-    );
-    assert_eq!(
-        more["events"],
-        serde_json::json!([[3, "key F"], [4, "halt"]])
-    );
+    let messages = recording.entries(|what| matches!(what, Occurrence::Message(_)).then_some(()));
+    let said: Vec<u64> = messages.map(|(cycle, ())| cycle).collect();
+    assert_eq!(more["log"]["message"], json!([said, ["up"]]));
+    // Columns of cycles hold differences.
+    assert_eq!(more["log"]["event"], json!([[3, 1], ["key F", "halt"]]));
     assert_eq!(
         run["script"]["name"], "x<y>.prg",
         "folders are nobody's business"
@@ -62,8 +59,11 @@ fn what_is_packed_is_what_was_recorded() {
         run["robot"]["legs"][3]["base"],
         serde_json::json!([101.0, -201.0, 0.0])
     );
-    assert_eq!(more["sets"][2], serde_json::json!([0.1, -1000.7]), "exact");
-    // Columns hold differences: cycles first, then each channel, within half of 0.01 at the end as at the beginning.
+    let scalars = recording.script.scalars.iter();
+    let height = scalars.zip(0..).find(|(name, _)| *name == "HEIGHT");
+    let key = format!("set.{}", height.expect("it is declared").1);
+    assert_eq!(more["log"][key][1], json!([0.1, -1000.7]), "exact");
+    // So do those of motion: cycles first, then each channel, within half of 0.01 at the end as at the beginning.
     let sums = |column: &Value| {
         let numbers = column.as_array().expect("a column").iter();
         let mut sum = 0;
@@ -86,11 +86,30 @@ fn what_is_packed_is_what_was_recorded() {
         let expected = frame.pose.expect("it walks").position[2];
         assert!((height as f64 * 0.01 - expected).abs() < 0.0051, "{cycle}");
     }
-    let steps = sums(&more["steps"][0])
-        .into_iter()
-        .zip(sums(&more["steps"][1]));
-    let expected = recording.steps.iter();
-    assert!(steps.eq(expected.map(|at| (at.cycle as i64, i64::from(at.what)))));
+    let steps = recording.entries(|what| match what {
+        Occurrence::Step(step) => Some(json!(step)),
+        _ => None,
+    });
+    let (cycles, steps): (Vec<u64>, Vec<Value>) = steps.unzip();
+    let told = sums(&more["log"]["step"][0]).into_iter();
+    assert!(told.eq(cycles.into_iter().map(|cycle| cycle as i64)));
+    assert_eq!(more["log"]["step"][1], json!(steps));
+}
+
+#[test]
+fn a_command_is_told_to_each_leg_that_it_moves() {
+    let recording =
+        record("3.1\nMoves\nSET_A_MAX ALL 1200\nPTP_ANGLE J21 5\nPTP F3 -391 -201 0\nEND\n");
+    let log = &unpacked(&recording)[1]["log"];
+    let all = "SET_A_MAX ALL 1200.0";
+    assert_eq!(log["command.1"], json!([[0], [all]]));
+    assert_eq!(
+        log["command.2"],
+        json!([[0, 1], [all, "PTP_ANGLE J21 5.0"]])
+    );
+    let foot = "PTP F3 -391.0 -201.0 0.0";
+    assert_eq!(log["command.3"], json!([[0, 2], [all, foot]]));
+    assert_eq!(log["command.4"], json!([[0], [all]]));
 }
 
 #[test]

@@ -168,7 +168,6 @@ impl Socket {
     }
 
     fn take(&mut self, update: &Value) {
-        let list = |name: &str| update[name].as_array().cloned().unwrap_or_default();
         match update["type"].as_str().expect("a type") {
             "run" => {
                 self.run = update["run"].as_u64().expect("a number");
@@ -193,12 +192,15 @@ impl Socket {
                     }
                 }
                 self.sets.retain(|set| set[0].as_u64() < Some(from));
-                for (row, cycle) in sums(&update["sets"][0]).into_iter().enumerate() {
-                    let [scalar, value] = [1, 2].map(|column| &update["sets"][column][row]);
-                    self.sets.push(json!([cycle, scalar, value]));
+                for scalar in 0..self.scalars.len() {
+                    let set = &update["log"][format!("set.{scalar}")];
+                    for (row, cycle) in sums(&set[0]).into_iter().enumerate() {
+                        self.sets.push(json!([cycle, scalar, set[1][row]]));
+                    }
                 }
-                let texts = list("messages").into_iter();
-                let texts = texts.map(|it| it[1].as_str().expect("text").to_owned());
+                self.sets.sort_by_key(|set| set[0].as_u64());
+                let texts = update["log"]["message"][1].as_array().into_iter().flatten();
+                let texts = texts.map(|text| text.as_str().expect("text").to_owned());
                 self.messages.extend(texts);
                 self.cycles = update["cycles"].as_u64().expect("a number");
             }

@@ -1,6 +1,6 @@
 //! A viewer in place of the page, which keeps what it receives.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use tip_view::live::{Session, Viewer};
 
@@ -12,7 +12,8 @@ pub(crate) struct Page {
     pub(crate) cycles: u64,
     pub(crate) frames: BTreeMap<u64, Value>,
     pub(crate) now: Value,
-    pub(crate) lists: BTreeMap<&'static str, Vec<Value>>,
+    /// Under each key of the log `[cycle, value]`.
+    pub(crate) log: BTreeMap<String, Vec<Value>>,
     pub(crate) text: String,
     pub(crate) version: u64,
     pub(crate) findings: Vec<Value>,
@@ -21,27 +22,16 @@ pub(crate) struct Page {
     pub(crate) scalars: Vec<String>,
 }
 
-pub(crate) const LISTS: [&str; 8] = [
-    "steps", "sets", "messages", "events", "contacts", "flags", "modes", "falls",
-];
-
-/// The rows of columns, of which so many hold differences.
-fn rows(columns: &Value, differences: usize) -> Vec<Vec<Value>> {
-    let mut rows: Vec<Vec<Value>> = Vec::new();
-    for (place, column) in columns.as_array().expect("columns").iter().enumerate() {
-        let mut sum = 0;
-        for (row, value) in column.as_array().expect("a column").iter().enumerate() {
-            if place == 0 {
-                rows.push(Vec::new());
-            }
-            sum += value.as_i64().unwrap_or_default();
-            rows[row].push(match place < differences {
-                true => sum.into(),
-                false => value.clone(),
-            });
-        }
-    }
-    rows
+/// The numbers of a column of differences.
+fn sums(column: &Value) -> Vec<i64> {
+    let mut sum = 0;
+    let differences = column.as_array().expect("a column").iter();
+    differences
+        .map(|difference| {
+            sum += difference.as_i64().expect("a whole number");
+            sum
+        })
+        .collect()
 }
 
 impl Page {
@@ -61,7 +51,7 @@ impl Page {
             "run" => {
                 self.runs = number("run");
                 self.frames.clear();
-                self.lists.clear();
+                self.log.clear();
                 let names = update["script"]["scalars"].as_array().expect("names");
                 let names = names
                     .iter()
@@ -71,21 +61,25 @@ impl Page {
             "more" => {
                 let from = number("from");
                 self.frames.retain(|cycle, _| *cycle < from);
-                for mut frame in rows(&update["frames"], usize::MAX) {
-                    let cycle = frame.remove(0).as_u64().expect("a cycle");
-                    self.frames.insert(cycle, frame.into());
+                let columns = update["frames"].as_array().expect("columns");
+                let columns: Vec<_> = columns.iter().map(sums).collect();
+                let (cycles, motion) = columns.split_first().expect("cycles");
+                for (row, cycle) in cycles.iter().enumerate() {
+                    let motion = motion.iter().map(|column| column[row]);
+                    self.frames.insert(*cycle as u64, motion.collect());
                 }
-                for name in LISTS {
-                    let list = self.lists.entry(name).or_default();
-                    list.retain(|entry| entry[0].as_u64() < Some(from));
-                    match name {
-                        "steps" => list.extend(rows(&update[name], 2).into_iter().map(Value::from)),
-                        "sets" | "contacts" => {
-                            list.extend(rows(&update[name], 1).into_iter().map(Value::from));
-                        }
-                        _ => list.extend(update[name].as_array().expect("a list").iter().cloned()),
-                    }
+                for entries in self.log.values_mut() {
+                    entries.retain(|entry| entry[0].as_u64() < Some(from));
                 }
+                for (key, columns) in update["log"].as_object().expect("keys") {
+                    let values = columns[1].as_array().expect("values");
+                    let cycles = sums(&columns[0]);
+                    assert_eq!(cycles.len(), values.len(), "{key}");
+                    let entries = cycles.iter().zip(values);
+                    let entries = entries.map(|(cycle, value)| json!([cycle, value]));
+                    self.log.entry(key.clone()).or_default().extend(entries);
+                }
+                self.log.retain(|_, entries| !entries.is_empty());
                 self.now = update["now"].clone();
                 self.cycles = number("cycles");
             }
@@ -106,16 +100,14 @@ impl Page {
     pub(crate) fn seen(&self) -> String {
         format!(
             "{} {:?} {} {:?}",
-            self.cycles, self.frames, self.now, self.lists
+            self.cycles, self.frames, self.now, self.log
         )
     }
 
     pub(crate) fn value(&self, name: &str) -> f64 {
         let scalar = self.scalars.iter().position(|scalar| scalar == name);
-        let sets = self.lists["sets"].iter().rev();
-        let mut own = sets.filter(|set| set[1].as_u64() == scalar.map(|scalar| scalar as u64));
-        own.next().expect("it is assigned")[2]
-            .as_f64()
-            .expect("a number")
+        let key = format!("set.{}", scalar.expect("a variable"));
+        let last = self.log[&key].last().expect("it is assigned");
+        last[1].as_f64().expect("a number")
     }
 }

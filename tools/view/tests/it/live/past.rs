@@ -33,6 +33,27 @@ fn back_is_the_state_that_was_and_the_same_happens_again() {
 }
 
 #[test]
+fn a_change_that_was_taken_back_is_told_when_it_happens_again() {
+    // SLEEP takes cycles 0 to 299, longer than from one checkpoint to the next.
+    let mut session = session_of("3.1\nMoves\nSLEEP 6000\nPTP_ANGLE J11 3\nSLEEP 2000\nEND\n");
+    let mut page = Page::default();
+    does(&mut session, json!({"do": "step", "cycles": 310}));
+    page.look(&session);
+    let modes = page.log["modes"].clone();
+    let cycles: Vec<_> = modes.iter().map(|entry| &entry[0]).collect();
+    assert_eq!(cycles, [&json!(0), &json!(300)]);
+    does(&mut session, json!({"do": "step", "cycles": -15}));
+    page.look(&session);
+    assert_eq!(page.log["modes"], modes[..1]);
+    does(&mut session, json!({"do": "step", "cycles": 15}));
+    page.look(&session);
+    assert_eq!(page.log["modes"], modes);
+    let mut fresh = Page::default();
+    fresh.look(&session);
+    assert_eq!(fresh.seen(), page.seen(), "nothing is told twice");
+}
+
+#[test]
 fn whatever_is_done_after_going_back_is_another_future() {
     let robot = Robot::named("titan8").expect("it has a name");
     let mut setup = Setup::new("counts.prg", COUNTS.as_bytes(), robot);
@@ -56,7 +77,7 @@ fn whatever_is_done_after_going_back_is_another_future() {
         "the command line's event is still to come"
     );
     assert_eq!(
-        page.lists["events"],
+        page.log["event"],
         [json!([51, "VR1=6"]), json!([300, "VR1=2"])]
     );
     refuses(
@@ -119,7 +140,8 @@ fn a_long_run_forgets_its_beginning_and_no_more() {
     let first = *page.frames.keys().next().expect("frames");
     assert!((42_000..=45_000).contains(&first), "{first}");
     assert_eq!(page.cycles, 60_001);
-    let count = page.lists["sets"].len();
+    let sets = page.log.iter().filter(|(key, _)| key.starts_with("set."));
+    let count: usize = sets.map(|(_, entries)| entries.len()).sum();
     assert!(count < 40_000, "{count}");
     does(&mut session, json!({"do": "go", "cycle": first}));
     refuses(
@@ -135,7 +157,7 @@ fn a_long_run_forgets_its_beginning_and_no_more() {
 fn a_fall_is_counted_when_its_cycle_is_forgotten() {
     // Two feet of one side go up: the body tips over them.
     let tips = "3.1\nTips\nSTAND_UP 60\nWAIT_INPOS ALL\nPTP F1 -391 201 -60\nPTP F3 -391 -201 -60\n\
-                WAIT_INPOS ALL\nAGAIN:\nGOTO AGAIN:\nEND\n";
+                MESSAGE up\nWAIT_INPOS ALL\nAGAIN:\nGOTO AGAIN:\nEND\n";
     let mut session = session_of(tips);
     does(&mut session, json!({"do": "play"}));
     for _ in 0..8 {
@@ -150,5 +172,11 @@ fn a_fall_is_counted_when_its_cycle_is_forgotten() {
             .next()
             .is_some_and(|first| *first > 5_000)
     );
-    assert_eq!(page.lists["falls"].len(), 1);
+    // What has not changed since then still holds.
+    for key in ["contacts", "modes", "message", "command.1", "command.3"] {
+        assert_eq!(page.log[key].len(), 1, "{key}");
+    }
+    assert_eq!(page.log["message"][0][1], "up");
+    let falls = &page.log["fall"];
+    assert_eq!((falls.len(), &falls[0][1][0]), (1, &json!(1)));
 }

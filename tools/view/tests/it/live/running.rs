@@ -122,14 +122,11 @@ fn a_key_and_a_knob_reach_the_program() {
     page.look(&session);
     assert_eq!(page.value("V"), 8.0);
     assert_eq!(page.value("K"), 70.0);
-    let texts: Vec<_> = page.lists["messages"]
-        .iter()
-        .map(|it| it[1].clone())
-        .collect();
+    let texts: Vec<_> = page.log["message"].iter().map(|it| it[1].clone()).collect();
     assert_eq!(texts, [json!("key")]);
     // The first value of the knob was never read.
     assert_eq!(
-        page.lists["events"],
+        page.log["event"],
         [json!([10, "key F"]), json!([10, "VR1=8"])]
     );
 }
