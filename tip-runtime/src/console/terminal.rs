@@ -47,6 +47,13 @@ impl Terminal {
         let rewrites = output.is_terminal();
         Self::on(output, rewrites)
     }
+
+    /// Returns true if the keys of standard input are meant for this process: it is in the foreground of
+    /// its terminal, or of none. Creating a terminal in the background suspends the process; one that
+    /// handles the signal for that, SIGTTOU, would wait forever.
+    pub fn is_in_foreground() -> bool {
+        raw::is_in_foreground()
+    }
 }
 
 impl Default for Terminal {
@@ -201,9 +208,9 @@ mod raw {
             TerminalState(state.flatten())
         }
 
-        /// Restores the saved mode.
+        /// Restores the saved mode, unless another process has the terminal now.
         pub fn restore(&self) {
-            if let Some(state) = &self.0 {
+            if let Some(state) = self.0.as_ref().filter(|_| is_in_foreground()) {
                 // Nothing is left to be done for a terminal that is gone.
                 let _ = tcsetattr(stdin(), OptionalActions::Now, state);
             }
@@ -236,8 +243,7 @@ mod raw {
         }
     }
 
-    /// Returns true if the keys of standard input are meant for this process. A terminal that does not
-    /// control this process has no foreground.
+    /// Returns true also for a terminal that does not control this process: it has no foreground.
     pub(super) fn is_in_foreground() -> bool {
         tcgetpgrp(stdin()).map_or(true, |foreground| foreground == getpgrp())
     }

@@ -5,6 +5,7 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign, fault};
+use crate::message::list::List;
 use crate::message::{Describing, Message, Suggestion};
 use crate::source::Span;
 use crate::suggest::nearest;
@@ -253,7 +254,7 @@ fn servo(
         .find(|servo| servo.name.eq_ignore_ascii_case(name));
     if meant.is_none() && !servos.is_empty() {
         let names: Vec<&str> = servos.iter().map(|servo| servo.name).collect();
-        let known = names.join(", ");
+        let known = List(names.iter().map(ToString::to_string).collect());
         let reason = Describing::NoSuchServo { known };
         match nearest_servo(name, &names) {
             Some(near) => {
@@ -337,8 +338,10 @@ fn drive(
             } else {
                 "joint"
             };
+            let [angle, min, max] = [angle, min, max].map(|angle| (angle * 10.0).round() / 10.0);
             let reason = Describing::BeyondTravel { angle, min, max };
-            refuse(key, reason.into(), found);
+            let (location, help) = (section.location_of(key), Suggestion::FitsTravel);
+            found.push(fault(section.part, location, reason, help));
         }
     }
     let drive = Drive {

@@ -168,7 +168,7 @@ messages! {
     OneFamilyEach
         "all servos of one bus are of one family, because their frames differ",
         "フレーム形式が異なるため、1つのバスには1つの系列だけをつなぎます";
-    NoSuchServo { known: String }
+    NoSuchServo { known: List }
         "no servo model has this name; there are {known}",
         "この名前のサーボはありません。使えるのは{known}です";
     OtherFamily { family: &'static str, first: &'static str }
@@ -193,8 +193,8 @@ messages! {
         "the initial posture has this joint at {angle} deg, which is outside",
         "初期姿勢でのこの関節の角度{angle}度が範囲の外にあります";
     BeyondTravel { angle: f64, min: f64, max: f64 }
-        "the motor would have to turn to {angle} deg, and goes from {min} to {max} deg: look at sign, offset and gear, or narrow the limits",
-        "モータが{angle}度まで回る必要がありますが、範囲は{min}から{max}度です。符号、オフセット、減速比を確かめるか、範囲を狭めてください";
+        "the motor would have to turn to {angle} deg, and goes from {min} to {max} deg",
+        "モータが{angle}度まで回る必要がありますが、範囲は{min}から{max}度です";
 
     // Shapes.
     NoForm

@@ -288,6 +288,9 @@ messages! {
         "the file looks like {encoding}: save it as UTF-8 or Shift_JIS",
         "ファイルは{encoding}のようです。UTF-8かShift_JISで保存してください";
 
+    FitsTravel
+        "look at `sign`, `offset` and `gear`, or give the drive narrower `limits`",
+        "`sign`、`offset`、`gear` を確かめるか、`limits` を狭めてください";
     DidYouMean { near: SmolStr }
         "did you mean `{near}`?",
         "`{near}` の間違いではありませんか?";

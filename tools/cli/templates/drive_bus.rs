@@ -14,16 +14,25 @@ use tip_runtime::machine::Machine;
 /// RETURN is the emergency stop from the first torque to the last. ESC is the halt request to the program; Ctrl-C and signals are
 /// the ordered end. `drives` owns the torque: it leaves the servos as `at_end` or `in_emergency` says, after a panic too.
 /// The exit status is 0 after the program, 128 and the number of a signal that ended it (130 for Ctrl-C), and 1 after an emergency stop.
-fn main() -> Result<ExitCode, Box<dyn Error>> {
+fn main() -> ExitCode {
+    drive().unwrap_or_else(|error| {
+        eprintln!("{error}");
+        ExitCode::FAILURE
+    })
+}
+
+fn drive() -> Result<ExitCode, Box<dyn Error>> {
     let description = described::read("robot.toml", include_bytes!("../../robot.toml"))?;
     let robot = Described::new(&description)?;
     let port = env::args().nth(1).or(robot.bus.port.clone());
     let mut drives = operator::open(&robot, &port.ok_or("which port?")?)?;
 <<sticks>>    drives.connect()?;
-    let step = drives.approach(&robot.initial, robot.bus.start)?;
-    if step != Step::Arrived {
-        operator::leave(&mut drives, &robot)?;
-        return Ok(match step {
+    let step = drives.approach(&robot.initial, robot.bus.start);
+    if step != Ok(Step::Arrived) {
+        if let Err(left) = operator::leave(&mut drives, &robot) {
+            eprintln!("{left}");
+        }
+        return Ok(match step? {
             Step::Left(Request::End) => ExitCode::from(drives.host_mut().status()),
             _ => ExitCode::FAILURE,
         });
@@ -39,12 +48,13 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         is_ended = drives.host_mut().signal().is_some() || machine.console().interrupted();
     }
     let drives = machine.hardware_mut();
-    operator::leave(drives, &robot)?;
+    let left = operator::leave(drives, &robot);
     if let Some(failure) = drives.drives().failure() {
         eprintln!("{failure}");
     }
     let (is_stopped, status) = (drives.is_stopped(), drives.host_mut().status());
     println!("{} cycles", machine.cycles());
+    left?;
     Ok(match is_ended {
         _ if is_stopped => ExitCode::FAILURE,
         true => ExitCode::from(status),

@@ -89,8 +89,8 @@ pub struct Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(joint) = self.joint {
-            write!(f, "joint number {joint}: ")?;
+        if let Some(servo) = self.servo {
+            write!(f, "servo {servo}: ")?;
         }
         f.write_str(self.problem.words())
     }

@@ -29,7 +29,6 @@ use core::borrow::BorrowMut;
 use core::fmt;
 use std::boxed::Box;
 use std::collections::VecDeque;
-use std::io;
 use std::path::Path;
 use std::string::String;
 use std::sync::Arc;
@@ -37,6 +36,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::sleep;
 use std::time::Duration;
 use std::vec::Vec;
+use std::{format, io};
 use tip_runtime::console::{Console, Terminal};
 
 /// Bytes of keys.
@@ -60,7 +60,10 @@ pub fn open(
 ) -> Result<TorqueGuard<AnyPort, Operator>, Box<dyn core::error::Error>> {
     let opened = match port {
         SIMULATED => AnyPort::Memory(Box::new(MemoryPort::new(robot.simulated()))),
-        name => AnyPort::Serial(Serial::open(Path::new(name), robot.bus.baud)?),
+        name => {
+            let opened = Serial::open(Path::new(name), robot.bus.baud);
+            AnyPort::Serial(opened.map_err(|error| format!("{name}: {error}"))?)
+        }
     };
     let drives = robot.drives(opened)?;
     Ok(TorqueGuard::new(drives, Operator::new()?, robot.period))
@@ -75,7 +78,9 @@ pub fn leave<H: Host<AnyPort> + BorrowMut<Operator>>(
     robot: &Described,
 ) -> Result<(), Unsettled> {
     if guard.has_torque() {
-        guard.host_mut().borrow_mut().take_keys();
+        if Terminal::is_in_foreground() {
+            guard.host_mut().borrow_mut().take_keys();
+        }
         guard.leave();
     }
     guard.host_mut().borrow_mut().give_keys();
@@ -199,13 +204,14 @@ impl Operator {
     /// The system does not tell of a signal.
     pub fn new() -> io::Result<Self> {
         let last = Arc::new(AtomicUsize::new(0));
+        let mut operator = Self::of_signals(Arc::clone(&last));
+        // In the background it is suspended here, before any torque.
+        operator.take_keys();
         let_writes_fail();
         for signal in signals() {
             let number = usize::try_from(signal).unwrap_or_default();
             signal_hook::flag::register_usize(signal, Arc::clone(&last), number)?;
         }
-        let mut operator = Self::of_signals(last);
-        operator.take_keys();
         Ok(operator)
     }
 

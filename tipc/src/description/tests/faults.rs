@@ -409,6 +409,18 @@ fn faults_of_drive(more: &str) -> Vec<String> {
     reported.collect()
 }
 
+/// The keys that decide how far a motor turns are named, and not what kind of value a key has.
+#[test]
+fn the_help_for_a_motor_that_would_turn_too_far_names_the_keys() {
+    let text = with("[bus]\nservo = \"AX-12\"\n[[drive]]\njoint = \"J11\"\nid = 1\n");
+    let loaded = parse_for_servos("robot.toml", text.as_bytes(), &SERVOS);
+    let loaded = loaded.expect_err("it turns by 180 deg");
+    let helps = loaded.diagnostics.iter().map(|fault| fault.help.as_ref());
+    let helps: Vec<_> = helps.map(|help| help.map(ToString::to_string)).collect();
+    let expected = "look at `sign`, `offset` and `gear`, or give the drive narrower `limits`";
+    assert_eq!(helps, [Some(expected.to_owned())]);
+}
+
 #[test]
 fn a_bus_has_a_drive_for_each_joint() {
     let text = with(
@@ -491,7 +503,12 @@ fn every_fault_of_a_drive_is_at_its_location() {
         ),
         (
             &format!("{bus}id = 1\n"),
-            "7:9: the motor would have to turn to -180 deg, and goes from -150 to 150 deg: look at sign, offset and gear, or narrow the limits",
+            "7:9: the motor would have to turn to -180 deg, and goes from -150 to 150 deg",
+        ),
+        (
+            // 57.3 times 9 is 515.7, which is no binary number.
+            &format!("{bus}id = 1\ngear = 9\nlimits = [-9, 57.3]\n"),
+            "10:10: the motor would have to turn to 515.7 deg, and goes from -150 to 150 deg",
         ),
         (
             &format!("{bus}id = 1\nmodel = \"STS3215\"\n"),

@@ -10,6 +10,7 @@ use std::process::{Child, Stdio};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
+use tip_drives::model::MODELS;
 
 /// The description with a bus, and the gait, of a new crate for a robot. Each is made once: its gait is tried in simulation.
 fn made(robot: &str) -> &'static [String; 2] {
@@ -318,6 +319,18 @@ fn each_fault_has_its_outcome_on(robot: &str) {
             outcome.err
         );
     }
+}
+
+#[test]
+fn a_model_that_does_not_exist_is_answered_with_all_that_do() {
+    let robot = leg("hold", "hold", "").replace("STS3215", "AX12");
+    let folder = Folder::new("drives-no-model").file("robot.toml", robot);
+    let outcome = folder.tip(&["robot", "check", "robot.toml"]).expect(1);
+    for model in MODELS {
+        assert!(outcome.err.contains(model.name), "{}", outcome.err);
+    }
+    let help = "did you mean `AX-12`?";
+    assert!(outcome.err.contains(help), "{}", outcome.err);
 }
 
 /// A hexapod loses the power of all its servos.

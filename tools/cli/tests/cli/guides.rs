@@ -239,8 +239,12 @@ fn a_made_crate_moves_its_servos() {
         &format!("{first}STAND:\nGOTO STAND:\nEND\n"),
     );
     terminal.run("cargo build --quiet --bin drive");
+    let nowhere = terminal.run("$CARGO_TARGET_DIR/debug/drive /dev/nowhere; echo status $?");
+    let said = "/dev/nowhere: No such file or directory (os error 2)\nstatus 1\n";
+    assert_eq!(nowhere, said);
     for (signal, status) in [("TERM", 143), ("INT", 130), ("HUP", 129)] {
-        let limited = format!("timeout --preserve-status --signal {signal} 2");
+        // Long enough for the first posture on a busy machine.
+        let limited = format!("timeout --preserve-status --signal {signal} 5");
         let run = terminal.run(&format!(
             "{limited} $CARGO_TARGET_DIR/debug/drive; echo status $?"
         ));

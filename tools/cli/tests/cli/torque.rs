@@ -495,6 +495,45 @@ fn jog_ends_with_the_status_of_the_signal() {
     }
 }
 
+/// Ctrl-Z is a key here, but SIGSTOP and `bg` of the shell bring a robot with torque into the background. Its keys belong to others
+/// then, and changing the terminal would block it: a signal still ends it in order.
+#[test]
+fn a_robot_in_the_background_is_left_in_order() {
+    let mut session = Session::new("background", &leg("relax", "hold", ""), 0.5, WAITS);
+    let run = ["run", "p.prg", "--hardware", "robot.toml", "--yes"];
+    let port = ["--port", session.bus.port()];
+    let tip = session.folder.command(&[&run[..], &port].concat());
+    let shell = "set -m; \"$@\"; echo stopped; bg; wait %1; echo over $?";
+    let mut command = std::process::Command::new("setsid");
+    command.args(["--ctty", "--wait", "sh", "-c", shell, "sh"]);
+    command.arg(tip.get_program()).args(tip.get_args());
+    let variables = tip.get_envs();
+    command.envs(variables.filter_map(|(key, value)| Some((key, value?))));
+    command.current_dir(session.folder.path(""));
+    command.stdin(session.pty.input()).stdout(Stdio::piped());
+    let mut child = command.stderr(Stdio::piped()).spawn().expect("a shell");
+    await_go(&mut child);
+    let port = session.bus.port();
+    let processes = std::fs::read_dir("/proc").expect("Linux").flatten();
+    let is_it = |process: &std::fs::DirEntry| {
+        let words = std::fs::read_to_string(process.path().join("cmdline"));
+        words.is_ok_and(|words| {
+            words.ends_with(&format!("--port\0{port}\0")) && words.starts_with('/')
+        })
+    };
+    let number = processes
+        .filter(is_it)
+        .find_map(|process| process.file_name().to_str()?.parse().ok());
+    let it = Pid::from_raw(number.expect("it runs")).expect("a process");
+    kill_process(it, Signal::STOP).expect("it runs");
+    sleep(Duration::from_millis(700));
+    assert_eq!(session.bus.stiff(), ALL, "it goes on");
+    kill_process(it, Signal::TERM).expect("it runs");
+    let outcome = Outcome::of(child.wait_with_output().expect("it ends"));
+    assert!(outcome.out.ends_with("over 143\n"), "{outcome:#?}");
+    assert_eq!(session.bus.stiff(), stiff("relax"), "{outcome:#?}");
+}
+
 /// Who waits at the question may suspend the run, and turn a joint meanwhile. 20 deg are 227 counts.
 #[test]
 fn a_joint_that_was_turned_before_the_key_is_held_where_it_is() {
