@@ -393,66 +393,109 @@ pub enum StatementKind {
     Broken(Shape),
 }
 
-/// Role of a statement among the blocks; of a broken one, the intended role, so that one mistake does not unbalance
-/// the blocks around it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Shape {
+/// The effect of a statement on the blocks around it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edge {
+    /// It stands inside a block.
+    Inside,
+    /// It opens a block.
+    Opens,
+    /// It closes a branch that one of these opened, and opens the next.
+    Parts(&'static [Shape]),
+    /// It closes a block that one of these opened; without any, the innermost one.
+    Closes(&'static [Shape]),
+}
+
+macro_rules! shapes {
+    ($( $(#[$doc:meta])* $shape:ident: $keyword:expr, $edge:expr; )*) => {
+        /// Role of a statement among the blocks; of a broken one, the intended role, so that one mistake does not
+        /// unbalance the blocks around it.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Shape {
+            $( $(#[$doc])* $shape, )*
+        }
+
+        impl Shape {
+            /// Every role.
+            pub const ALL: &[Shape] = &[$( Shape::$shape, )*];
+
+            /// Returns the word of such a statement; `None` for one that neither opens nor closes a block, or should
+            /// not be.
+            pub const fn keyword(self) -> Option<Keyword> {
+                match self {
+                    $( Shape::$shape => $keyword, )*
+                }
+            }
+
+            /// Returns its effect on the blocks around it.
+            pub const fn edge(self) -> Edge {
+                match self {
+                    $( Shape::$shape => $edge, )*
+                }
+            }
+        }
+    };
+}
+
+/// What opens a branch of an IF.
+const BRANCHES: &[Shape] = &[Shape::If, Shape::ElseIf, Shape::Else];
+
+shapes! {
     /// Neither opens nor closes anything.
-    Plain,
+    Plain: None, Edge::Inside;
     /// `IF … THEN`
-    If,
+    If: Some(Keyword::If), Edge::Opens;
     /// `IF … THEN` with a statement after it: a mistake that may or may not have its ENDIF.
-    OneLineIf,
+    OneLineIf: None, Edge::Inside;
     /// `ELSEIF`
-    ElseIf,
+    ElseIf: Some(Keyword::ElseIf), Edge::Parts(BRANCHES);
     /// `ELSE`
-    Else,
+    Else: Some(Keyword::Else), Edge::Parts(BRANCHES);
     /// `ENDIF`
-    EndIf,
+    EndIf: Some(Keyword::EndIf), Edge::Closes(BRANCHES);
     /// `WHILE`
-    While,
+    While: Some(Keyword::While), Edge::Opens;
     /// `WEND`
-    Wend,
+    Wend: Some(Keyword::Wend), Edge::Closes(&[Shape::While]);
     /// `REPEAT`
-    Repeat,
+    Repeat: Some(Keyword::Repeat), Edge::Opens;
     /// `UNTIL`
-    Until,
+    Until: Some(Keyword::Until), Edge::Closes(&[Shape::Repeat]);
     /// `FOR`
-    For,
+    For: Some(Keyword::For), Edge::Opens;
     /// `NEXT`
-    Next,
+    Next: Some(Keyword::Next), Edge::Closes(&[Shape::For]);
     /// `}` of another language: a mistake that closes whatever is open.
-    Close,
+    Close: None, Edge::Closes(&[]);
     /// `SUBROUTINE`
-    Subroutine,
+    Subroutine: Some(Keyword::Subroutine), Edge::Opens;
     /// `SUBEND`
-    SubEnd,
+    SubEnd: Some(Keyword::SubEnd), Edge::Closes(&[Shape::Subroutine]);
     /// `THREAD`
-    Thread,
+    Thread: Some(Keyword::Thread), Edge::Opens;
     /// `THREADEND`
-    ThreadEnd,
+    ThreadEnd: Some(Keyword::ThreadEnd), Edge::Closes(&[Shape::Thread]);
 }
 
 impl Shape {
-    /// Returns the word of such a statement; `None` for one that neither opens nor closes a block, or should not be.
-    pub const fn keyword(self) -> Option<Keyword> {
-        Some(match self {
-            Shape::If => Keyword::If,
-            Shape::ElseIf => Keyword::ElseIf,
-            Shape::Else => Keyword::Else,
-            Shape::EndIf => Keyword::EndIf,
-            Shape::While => Keyword::While,
-            Shape::Wend => Keyword::Wend,
-            Shape::Repeat => Keyword::Repeat,
-            Shape::Until => Keyword::Until,
-            Shape::For => Keyword::For,
-            Shape::Next => Keyword::Next,
-            Shape::Subroutine => Keyword::Subroutine,
-            Shape::SubEnd => Keyword::SubEnd,
-            Shape::Thread => Keyword::Thread,
-            Shape::ThreadEnd => Keyword::ThreadEnd,
-            Shape::Plain | Shape::OneLineIf | Shape::Close => return None,
-        })
+    /// Returns the role of a statement with this word that is written as it should be; `None` if the word is none of
+    /// blocks.
+    pub fn of(keyword: Keyword) -> Option<Self> {
+        let mut all = Shape::ALL.iter().copied();
+        all.find(|shape| shape.keyword() == Some(keyword))
+    }
+
+    /// Returns the roles that open what it closes.
+    pub const fn closes(self) -> &'static [Shape] {
+        match self.edge() {
+            Edge::Parts(openers) | Edge::Closes(openers) => openers,
+            Edge::Inside | Edge::Opens => &[],
+        }
+    }
+
+    /// Returns true if it opens a block, or another branch of one.
+    pub const fn opens(self) -> bool {
+        matches!(self.edge(), Edge::Opens | Edge::Parts(_))
     }
 }
 

@@ -5,22 +5,15 @@
 //! ```
 
 use super::recover::statement::not_alone;
+use super::statement::lone_word;
 use super::{Flow, Parser};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Handle};
-use crate::language::{Keyword, names};
+use crate::language::names;
 use crate::lex::{Piece, Pieces, split_comment};
 use crate::message::{Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{StatementKind, Word, upper_case};
-
-/// The words that are alone on their line.
-const LONE: [Keyword; 4] = [
-    Keyword::Else,
-    Keyword::EndIf,
-    Keyword::Wend,
-    Keyword::Repeat,
-];
 
 impl Parser<'_> {
     /// Reads the statements of the current line.
@@ -101,7 +94,7 @@ impl Parser<'_> {
             .enumerate()
             .filter_map(|(index, statement)| {
                 let name = statement.kind.shape().keyword()?;
-                if !LONE.contains(&name) || !is_new(statement.span) {
+                if lone_word(name).is_none() || !is_new(statement.span) {
                     return None;
                 }
                 let other = &statements[usize::from(index == 0)];

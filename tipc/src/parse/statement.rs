@@ -194,7 +194,7 @@ impl Parser<'_> {
 }
 
 /// `ELSE`, `ENDIF`, `WEND`, `REPEAT`: the words that are alone on their line.
-fn lone_word(keyword: Keyword) -> Option<StatementKind> {
+pub(super) fn lone_word(keyword: Keyword) -> Option<StatementKind> {
     Some(match keyword {
         Keyword::Else => StatementKind::Else,
         Keyword::EndIf => StatementKind::EndIf,

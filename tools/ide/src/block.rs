@@ -32,15 +32,12 @@ impl Document {
         let mut open: Vec<usize> = Vec::new();
         for (index, statement) in self.statements().iter().enumerate() {
             let shape = statement.kind.shape();
-            if let Some(closed) = closed_by(shape)
-                && let Some(place) = open
-                    .iter()
-                    .rposition(|block| closed.contains(&blocks.all[*block].shape))
-            {
+            let is_closed = |block: &usize| shape.closes().contains(&blocks.all[*block].shape);
+            if let Some(place) = open.iter().rposition(is_closed) {
                 blocks.all[open[place]].closer = Some(index);
                 open.truncate(place);
             }
-            if opens(shape) {
+            if shape.opens() {
                 let around = open.last().copied();
                 let id = blocks.all.len();
                 let routine = match shape {
@@ -73,31 +70,4 @@ impl Blocks {
     pub(crate) fn outwards(&self, from: Option<usize>) -> impl Iterator<Item = usize> {
         std::iter::successors(from, |inner| self.all[*inner].around)
     }
-}
-
-fn opens(shape: Shape) -> bool {
-    matches!(
-        shape,
-        Shape::If
-            | Shape::ElseIf
-            | Shape::Else
-            | Shape::While
-            | Shape::Repeat
-            | Shape::For
-            | Shape::Subroutine
-            | Shape::Thread
-    )
-}
-
-/// Returns the kinds of blocks that a statement closes.
-pub(crate) fn closed_by(shape: Shape) -> Option<&'static [Shape]> {
-    Some(match shape {
-        Shape::ElseIf | Shape::Else | Shape::EndIf => &[Shape::If, Shape::ElseIf, Shape::Else],
-        Shape::Wend => &[Shape::While],
-        Shape::Until => &[Shape::Repeat],
-        Shape::Next => &[Shape::For],
-        Shape::SubEnd => &[Shape::Subroutine],
-        Shape::ThreadEnd => &[Shape::Thread],
-        _ => return None,
-    })
 }

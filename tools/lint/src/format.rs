@@ -26,7 +26,7 @@ use tipc::lex::{BLANKS, DELIMITERS, split_comment};
 use tipc::load::{Parsed, parsed};
 use tipc::parse::{LINE_LIMIT, parse};
 use tipc::source::{Line, Source, Span, byte_length};
-use tipc::syntax::{Module, Shape, Statement, StatementKind, Word};
+use tipc::syntax::{Edge, Module, Statement, StatementKind, Word};
 
 /// The blanks of each open block.
 const INDENT: usize = 2;
@@ -198,18 +198,18 @@ impl Layout<'_> {
         let mut own = self.depth;
         let mut begins = true;
         for statement in statements {
-            let edge = Edge::of(statement.kind.shape());
+            let edge = statement.kind.shape().edge();
             match edge {
-                Edge::Closes => self.depth = self.depth.saturating_sub(1),
+                Edge::Closes(_) => self.depth = self.depth.saturating_sub(1),
                 Edge::Opens => self.depth += 1,
-                Edge::Parts | Edge::Inside => {}
+                Edge::Parts(_) | Edge::Inside => {}
             }
             match edge {
-                Edge::Closes if begins => own = self.depth,
-                Edge::Parts if begins => own = self.depth.saturating_sub(1),
+                Edge::Closes(_) if begins => own = self.depth,
+                Edge::Parts(_) if begins => own = self.depth.saturating_sub(1),
                 _ => begins = false,
             }
-            begins &= edge == Edge::Closes;
+            begins &= matches!(edge, Edge::Closes(_));
         }
         match statements {
             [label, ..] if matches!(label.kind, StatementKind::Label(_)) => 0,
@@ -292,38 +292,6 @@ impl Layout<'_> {
     fn copy(&mut self, span: Span) -> usize {
         self.code.extend_from_slice(self.source.original(span));
         byte_length(self.source.slice(span))
-    }
-}
-
-/// Effect of a statement on the depth of blocks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Edge {
-    Opens,
-    /// It closes one branch and opens the next.
-    Parts,
-    Closes,
-    Inside,
-}
-
-impl Edge {
-    const fn of(shape: Shape) -> Self {
-        match shape {
-            Shape::If
-            | Shape::While
-            | Shape::Repeat
-            | Shape::For
-            | Shape::Subroutine
-            | Shape::Thread => Edge::Opens,
-            Shape::ElseIf | Shape::Else => Edge::Parts,
-            Shape::EndIf
-            | Shape::Wend
-            | Shape::Until
-            | Shape::Next
-            | Shape::SubEnd
-            | Shape::ThreadEnd
-            | Shape::Close => Edge::Closes,
-            Shape::Plain | Shape::OneLineIf => Edge::Inside,
-        }
     }
 }
 

@@ -145,36 +145,12 @@ impl Parser<'_> {
     }
 }
 
-/// Returns the shape of a statement that starts with `keyword`.
+/// Returns the role of a statement that begins, or was meant to begin, with `keyword`.
 pub(in crate::parse) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> Shape {
-    let Some(keyword) = keyword else {
-        return Shape::Plain;
-    };
     match keyword {
-        Keyword::If if has_statement_after_then(text, tokens) => Shape::OneLineIf,
-        Keyword::If if opens_block(text, tokens) => Shape::If,
-        Keyword::ElseIf => Shape::ElseIf,
-        Keyword::While => Shape::While,
-        Keyword::Until => Shape::Until,
-        Keyword::For => Shape::For,
-        Keyword::Next => Shape::Next,
-        Keyword::Subroutine => Shape::Subroutine,
-        Keyword::SubEnd => Shape::SubEnd,
-        Keyword::Thread => Shape::Thread,
-        Keyword::ThreadEnd => Shape::ThreadEnd,
-        // ELSE, ENDIF, WEND and REPEAT keep their meaning whatever follows them: they are never broken.
-        _ => Shape::Plain,
-    }
-}
-
-/// Returns the shape of a statement that was meant to begin with `keyword`.
-pub(in crate::parse) fn intended_shape(keyword: Keyword, text: &str, tokens: &[Token]) -> Shape {
-    match keyword {
-        Keyword::Else => Shape::Else,
-        Keyword::EndIf => Shape::EndIf,
-        Keyword::Wend => Shape::Wend,
-        Keyword::Repeat => Shape::Repeat,
-        keyword => shape(Some(keyword), text, tokens),
+        Some(Keyword::If) if has_statement_after_then(text, tokens) => Shape::OneLineIf,
+        Some(Keyword::If) if !opens_block(text, tokens) => Shape::Plain,
+        keyword => keyword.and_then(Shape::of).unwrap_or(Shape::Plain),
     }
 }
 

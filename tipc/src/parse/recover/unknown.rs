@@ -3,7 +3,7 @@
 
 use super::characters::narrow;
 use super::control::{joined, marked, spread};
-use super::statement::intended_shape;
+use super::statement::shape;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, MistakeId};
 use crate::language::commands::Meaning;
@@ -19,23 +19,7 @@ use crate::syntax::{Arithmetic, Relation, Shape, StatementKind, VariableKind, Wo
 
 /// Returns the keyword of a block that a command is, if it is one.
 fn of_block(command: &str) -> Option<Keyword> {
-    let keyword = keywords::find(command, Edition::default())?;
-    let is_of_block = matches!(
-        keyword,
-        Keyword::If
-            | Keyword::ElseIf
-            | Keyword::Else
-            | Keyword::EndIf
-            | Keyword::While
-            | Keyword::Wend
-            | Keyword::Repeat
-            | Keyword::Until
-            | Keyword::For
-            | Keyword::Next
-            | Keyword::Subroutine
-            | Keyword::SubEnd
-    );
-    is_of_block.then_some(keyword)
+    keywords::find(command, Edition::default()).filter(|keyword| Shape::of(*keyword).is_some())
 }
 
 /// Returns true if the rest of a statement is that of its misspelt keyword.
@@ -145,7 +129,7 @@ impl Parser<'_> {
         });
         Some(match keyword {
             Keyword::Subroutine => self.broken_subroutine(word, tokens),
-            keyword => StatementKind::Broken(intended_shape(keyword, self.text, tokens)),
+            keyword => StatementKind::Broken(shape(Some(keyword), self.text, tokens)),
         })
     }
 
@@ -442,7 +426,7 @@ impl Parser<'_> {
             return None;
         }
         let shape = match command.map(|command| command.meaning) {
-            Some(Meaning::Keyword(keyword)) => intended_shape(keyword, self.text, &tokens[1..]),
+            Some(Meaning::Keyword(keyword)) => shape(Some(keyword), self.text, &tokens[1..]),
             _ => Shape::Plain,
         };
         self.is_numbered = true;

@@ -1,7 +1,7 @@
 //! Blocks around the cursor: which of their words may begin a statement there, and which labels a jump may lead to.
 
 use crate::Document;
-use crate::block::{Blocks, closed_by};
+use crate::block::Blocks;
 use tipc::language::{Edition, Keyword};
 use tipc::syntax::{Shape, Statement};
 
@@ -46,19 +46,14 @@ impl Place<'_> {
     /// Returns true if a word of blocks may begin a statement here. A word that closes a block may do so only where one is open.
     pub(super) fn fits(&self, keyword: Keyword) -> bool {
         let innermost = self.innermost.map(|id| &self.blocks.all[id]);
-        let shape = match keyword {
-            Keyword::End | Keyword::Subroutine | Keyword::Thread => return innermost.is_none(),
-            Keyword::Else => Shape::Else,
-            Keyword::ElseIf => Shape::ElseIf,
-            Keyword::EndIf => Shape::EndIf,
-            Keyword::Wend => Shape::Wend,
-            Keyword::Until => Shape::Until,
-            Keyword::Next => Shape::Next,
-            Keyword::SubEnd => Shape::SubEnd,
-            Keyword::ThreadEnd => Shape::ThreadEnd,
-            _ => return true,
+        if let Keyword::End | Keyword::Subroutine | Keyword::Thread = keyword {
+            return innermost.is_none();
+        }
+        let closer = Shape::of(keyword).filter(|shape| !shape.closes().is_empty());
+        let Some(shape) = closer else {
+            return true;
         };
-        let closes = closed_by(shape).unwrap_or_default();
+        let closes = shape.closes();
         let Some(innermost) = innermost.filter(|block| closes.contains(&block.shape)) else {
             return false;
         };

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use tipc::language::Keyword;
+use tipc::syntax::{Edge, Shape};
 
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -32,29 +33,20 @@ struct Pattern {
 }
 
 pub(crate) fn configuration() -> Configuration {
-    let any = |words: &[Keyword]| -> String {
-        let words: Vec<&str> = words.iter().map(|word| word.word()).collect();
+    // The block of these begins behind a condition and THEN.
+    let is_asking = |keyword| matches!(keyword, Keyword::If | Keyword::ElseIf);
+    let any = |is_meant: &dyn Fn(Shape, Keyword) -> bool| -> String {
+        let shapes = Shape::ALL.iter().copied();
+        let words = shapes.filter_map(|shape| Some((shape, shape.keyword()?)));
+        let words = words.filter(|(shape, keyword)| is_meant(*shape, *keyword));
+        let words: Vec<&str> = words.map(|(_, keyword)| keyword.word()).collect();
         words.join("|")
     };
-    let closing = [
-        Keyword::EndIf,
-        Keyword::Wend,
-        Keyword::Until,
-        Keyword::Next,
-        Keyword::SubEnd,
-        Keyword::ThreadEnd,
-    ];
-    let parting = any(&[Keyword::ElseIf, Keyword::Else]);
-    let asking = any(&[Keyword::If, Keyword::ElseIf]);
-    let opening = any(&[
-        Keyword::Else,
-        Keyword::While,
-        Keyword::Repeat,
-        Keyword::For,
-        Keyword::Subroutine,
-        Keyword::Thread,
-    ]);
-    let (closing, then) = (any(&closing), Keyword::Then);
+    let asking = any(&|_, keyword| is_asking(keyword));
+    let opening = any(&|shape, keyword| shape.opens() && !is_asking(keyword));
+    let parting = any(&|shape, _| matches!(shape.edge(), Edge::Parts(_)));
+    let closing = any(&|shape, _| matches!(shape.edge(), Edge::Closes(_)));
+    let then = Keyword::Then;
     // A block may also be on one line.
     let open = format!(
         "^\\s*(?:\\w+\\s*:\\s*)*(?:(?:{asking})\\b.*\\b{then}|(?:{opening})\\b(?!.*\\b(?:{closing})\\b).*)\\s*(?://.*)?$"
