@@ -14,7 +14,7 @@ use crate::message::{Parsing, Suggestion};
 use crate::source::Span;
 use crate::syntax::{StatementKind, Word, upper_case};
 
-/// The words that are alone on their line.
+/// The words that must be alone on their line.
 const LONE: [Keyword; 4] = [
     Keyword::Else,
     Keyword::EndIf,
@@ -49,7 +49,7 @@ impl Parser<'_> {
         flow
     }
 
-    /// `NAME:`
+    /// Reads `NAME:`.
     fn label(&mut self, word: Span, span: Span) -> Flow {
         if let Some(flow) = self.no_label(word, span) {
             return flow;
