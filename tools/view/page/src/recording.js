@@ -1,12 +1,12 @@
-// What a program did, to be asked by cycle or by time. It grows by the updates of a session (session.js); a page that replays a
-// run holds all of them.
+// The recording of a run, with its values by cycle or by time. It grows by the updates of a session (session.js); a page that
+// replays a run contains all of them.
 
 import { countUpTo, lastUpTo } from './search.js';
 import { bytesOf, inflated } from './unpack.js';
 
-/** Motion is in hundredths of mm, deg or N. */
+/** Number of units of an update in 1 mm, deg or N. */
 const HUNDREDTHS = 100;
-/** Lists of what happened seldom, and what each entry has beside its cycle. */
+/** Lists of rare events, and the fields of their entries besides the cycle. */
 const LISTED = [
   ['messages', 'text'],
   ['lamps', 'device', 'on'],
@@ -21,7 +21,7 @@ const LISTED = [
 ];
 
 export class Recording {
-  /** Of a run that is over: its updates, one a line, deflated, in base64. */
+  /** Reads the recording of a run that is over: its updates, one a line, deflated, in base64. */
   static async of(base64) {
     const updates = new TextDecoder().decode(await inflated(bytesOf(base64))).split('\n');
     const [run, more, { outcome, summary }] = updates.map((update) => JSON.parse(update));
@@ -30,15 +30,15 @@ export class Recording {
     return Object.assign(recording, { outcome, summary });
   }
 
-  /** Of a run that begins, an update `run`. */
+  /** Creates the recording of a run that begins with an update `run`. */
   constructor({ run, robot, scene, script, channels, inputs }) {
     Object.assign(this, { run, robot, scene, script, channels, inputs });
     this.outcome = { how: 'limit' };
     this.cycles = 1;
     this.first = 0;
-    // From which frame on those that were known have changed.
+    // The first frame that has changed since the last drawing.
     this.changed = 0;
-    // Whether the last frame is there for the moment only.
+    // True if the next update replaces the last frame.
     this.provisional = false;
     const lists = ['clock', 'frames', 'frameTimes', 'stepCycles', 'steps', 'contactCycles', 'contacts', ...LISTED.map(([list]) => list)];
     for (const list of lists) this[list] = [];
@@ -52,18 +52,18 @@ export class Recording {
     });
   }
 
-  /** When a cycle was over: ms. */
+  /** Returns the time at the end of a cycle, ms. */
   endOf(cycle) {
     const tick = lastUpTo(this.clock, cycle) ?? { cycle: 0, time: 0, period: 20 };
     return tick.time + (cycle - tick.cycle + 1) * tick.period;
   }
 
-  /** The last cycle that was over at a time. */
+  /** Returns the last cycle that had ended at a time. */
   cycleAt(time) {
     return Math.min(this.countAt(time), this.cycles - 1);
   }
 
-  /** The same, counted on after the end of the run. */
+  /** Returns the same, but counts on after the end of the run. */
   countAt(time) {
     let tick = this.clock[countUpTo(this.clock, time, ({ time, period }) => time + period - 1e-6) - 1];
     tick ??= this.clock[0] ?? { cycle: 0, time: 0, period: 20 };
@@ -78,22 +78,25 @@ export class Recording {
     return this.script.lines[this.stepAt(cycle)];
   }
 
-  /** Whether a fault ended the run in this cycle, or right after it: a trace has no record of the cycle of a fault. */
+  /** Returns true if a fault ended the run in this cycle or right after it: a trace has no record of the cycle of a fault. */
   isStoppedAt(cycle) {
     return this.outcome.how === 'emergency' && cycle === this.cycles - 1;
   }
 
-  /** The line to mark: that which stopped the run, else that which runs. */
+  /** Returns the line to mark: the one that stopped the run, else the one that runs. */
   markedLineAt(cycle) {
     return (this.isStoppedAt(cycle) && this.outcome.line) || this.lineAt(cycle);
   }
 
-  /** A time as the terminal tells it, ms: it stands still in the cycle of a fault, which here takes as long as others. */
+  /** Returns a time as the terminal shows it, ms. There, the cycle of a fault takes no time; here, it takes a sampling time. */
   told(time) {
     return time > this.duration ? time : Math.min(time, this.outcome.time ?? time);
   }
 
-  /** The next cycle after `cycle` in which a line begins to run, around the end; none if it never does. */
+  /**
+   * Returns the next cycle in which a line begins to run, from the start again after the last one; undefined if it never
+   * runs.
+   */
   nextRunOf(line, cycle) {
     const steps = new Set(this.stepsOfLine.get(line));
     if (!steps.size) return undefined;
@@ -110,7 +113,7 @@ export class Recording {
     return all.length ? Math.min(...(later.length ? later : all)) : undefined;
   }
 
-  /** The threads that ran in a cycle, with their lines. */
+  /** Returns the threads that ran in a cycle, with their lines. */
   threadsAt(cycle) {
     const lines = this.threads.map(({ cycles, steps }, thread) => {
       const step = steps[countUpTo(cycles, cycle) - 1];
@@ -119,7 +122,7 @@ export class Recording {
     return lines.filter(({ line }) => line !== undefined);
   }
 
-  /** The timers that were used until the end of a cycle: ms. */
+  /** Returns the timers that were used up to the end of a cycle, with their times, ms. */
   timersAt(cycle) {
     const last = new Map(this.timers.slice(0, countUpTo(this.timers, cycle, (entry) => entry.cycle)).map((entry) => [entry.timer, entry]));
     const now = [...last.values()].map(({ timer, runs, time }) => ({ timer, time: runs ? this.endOf(cycle) - time : time }));
@@ -130,25 +133,25 @@ export class Recording {
     return lastUpTo(this.messages, cycle)?.text ?? '';
   }
 
-  /** The value of a scalar after a cycle; none before it is assigned. */
+  /** Returns the value of a scalar after a cycle; undefined before it is assigned. */
   valueAt(scalar, cycle) {
     const { cycles, values } = this.sets[scalar];
     return values[countUpTo(cycles, cycle) - 1];
   }
 
-  /** The cycle up to one in which a scalar was given the value that it has; none before it is assigned. */
+  /** Returns the cycle, up to a given one, in which a scalar was assigned last; undefined before that. */
   assignedAt(scalar, cycle) {
     const { cycles } = this.sets[scalar];
     return cycles[countUpTo(cycles, cycle) - 1];
   }
 
-  /** Whether each foot or fingertip touches something. */
+  /** Returns true for each foot or fingertip that touches something. */
   touchesAt(cycle) {
     const mask = this.contacts[countUpTo(this.contactCycles, cycle) - 1] ?? 0;
     return this.robot.legs.map((_, leg) => Math.floor(mask / 2 ** leg) % 2 === 1);
   }
 
-  /** From when to when (ms) a foot stands, or a fingertip touches something. */
+  /** Returns the intervals (ms) in which a foot stands, or a fingertip touches something. */
   stances(leg) {
     const found = [];
     let begin;
@@ -166,7 +169,7 @@ export class Recording {
     return found;
   }
 
-  /** Two frames and how far it is from the one to the other. */
+  /** Returns the frames around a time, and the share of the way from the first to the second. */
   between(time) {
     const after = Math.min(Math.max(countUpTo(this.frameTimes, time), 1), this.frameTimes.length - 1);
     const before = Math.max(after - 1, 0);
@@ -175,7 +178,7 @@ export class Recording {
     return { before, after: Math.max(after, 0), share };
   }
 
-  /** A channel at a time, between frames on a straight line. */
+  /** Returns the value of a channel at a place between frames, by linear interpolation. */
   value(name, { before, after, share }) {
     const column = this.columns[name];
     return column && column[before] + (column[after] - column[before]) * share;
@@ -185,7 +188,7 @@ export class Recording {
     return name in this.columns;
   }
 
-  /** The pose and the joint angles at a place between frames. */
+  /** Returns the pose and the joint angles at a place between frames. */
   posture(place) {
     const value = (name) => this.value(name, place) ?? 0;
     const angles = this.robot.legs.map((leg, l) => leg.joints.map((_, j) => value(`angle.${l}.${j}`)));
@@ -193,7 +196,7 @@ export class Recording {
     return { pose, angles };
   }
 
-  /** Where something happened that one may want to go to, in order. */
+  /** The cycles with something to look at, in order, each with its kind. */
   get marks() {
     const kind = (entries, kind) => entries.map((entry) => ({ ...entry, kind }));
     const stop = this.outcome.how === 'emergency' ? [{ cycle: this.cycles - 1, kind: 'fault' }] : [];
@@ -207,12 +210,12 @@ export class Recording {
     ].sort((one, other) => one.cycle - other.cycle);
   }
 
-  /** Another run in the place of this one. */
+  /** Replaces the recording by that of another run. */
   begin(run) {
     return Object.assign(this, new Recording(run));
   }
 
-  /** What has happened, an update `more`. */
+  /** Takes an update `more`. */
   take(more) {
     this.cut(more.from);
     for (const [cycle, time, period] of more.clock) this.clock.push({ cycle, time, period });
@@ -237,7 +240,7 @@ export class Recording {
     for (const [list, ...names] of LISTED) {
       for (const entry of more[list] ?? []) {
         const made = Object.fromEntries(['cycle', ...names].map((name, n) => [name, entry[n]]));
-        // A slip that was told before may have grown.
+        // An earlier slip may have grown.
         const known = made.cycle < more.from ? this[list].find(({ cycle, leg }) => cycle === made.cycle && leg === made.leg) : undefined;
         if (known) Object.assign(known, made);
         else if (made.cycle >= more.from) this[list].push(made);
@@ -258,7 +261,7 @@ export class Recording {
     motion.forEach((column, n) => append(this.columns[this.channels[n]], sums(column), HUNDREDTHS));
   }
 
-  /** Takes away what was known of cycles from `from` on, and a frame that was there for the moment only. */
+  /** Removes the entries of cycles from `from` on, and a provisional frame. */
   cut(from) {
     const kept = Math.min(countBefore(this.frames, from), this.frames.length - (this.provisional ? 1 : 0));
     this.changed = Math.min(this.changed, kept);
@@ -267,7 +270,7 @@ export class Recording {
     for (const list of this.listed) list.length = countBefore(list, from, ({ cycle }) => cycle);
   }
 
-  /** Forgets what was before a cycle, but for what still holds. */
+  /** Removes the entries before a cycle, except those that still hold. */
   forget(first) {
     this.first = first;
     const frames = countBefore(this.frames, first);
@@ -282,7 +285,7 @@ export class Recording {
     keepLast(this.commands, first, ({ target }) => target);
     keepLast(this.timers, first, ({ timer }) => timer);
     for (const list of [this.messages, this.flags, this.modes, this.locks]) keepLast(list, first, () => 0);
-    // Falls stay: they are counted from the start.
+    // Falls are kept, since they are counted from the start.
     for (const list of [this.slips, this.events]) list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
     this.changed = 0;
   }
@@ -292,7 +295,7 @@ export class Recording {
     return [this.frames, this.frameTimes, ...this.channels.map((name) => this.columns[name])];
   }
 
-  /** Cycles with what changed in them. */
+  /** Pairs of lists: cycles, and the values from these cycles on. */
   get paired() {
     const threads = this.threads.map(({ cycles, steps }) => [cycles, steps]);
     const sets = this.sets.map(({ cycles, values }) => [cycles, values]);
@@ -305,25 +308,25 @@ export class Recording {
   }
 }
 
-/** How many of the ordered values are below `value`. */
+/** Returns the number of ordered values below `value`. */
 function countBefore(values, value, of) {
   return countUpTo(values, value - 0.5, of);
 }
 
-/** Of the entries before a cycle, keeps the last of each key. */
+/** Removes the entries before a cycle, except the last one of each key. */
 function keepLast(list, first, key) {
   const before = list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
   const last = new Map(before.map((entry) => [key(entry), entry]));
   list.unshift(...before.filter((entry) => last.get(key(entry)) === entry));
 }
 
-/** Running sums. */
+/** Returns the running sums of differences. */
 function sums(differences) {
   let sum = 0;
   return differences.map((difference) => (sum += difference));
 }
 
-/** Puts values behind those of a list. */
+/** Appends values, divided by `share`, to a list. */
 function append(list, values, share = 1) {
   for (const value of values) list.push(value / share);
 }

@@ -1,6 +1,6 @@
-// Looking things up in order.
+// Binary search in ordered lists.
 
-/** How many of the ordered values are not above `value`. */
+/** Returns the number of ordered values up to and including `value`. */
 export function countUpTo(values, value, of = (one) => one) {
   let [low, high] = [0, values.length];
   while (low < high) {
@@ -11,7 +11,7 @@ export function countUpTo(values, value, of = (one) => one) {
   return low;
 }
 
-/** The last of the ordered entries that is not after a cycle. */
+/** Returns the last of the ordered entries up to and including a cycle. */
 export function lastUpTo(entries, cycle) {
   return entries[countUpTo(entries, cycle, (entry) => entry.cycle) - 1];
 }

@@ -1,14 +1,14 @@
-// A live run, wherever it is: behind a WebSocket (socket.js), or in a module of this page.
+// The interface of a session, which holds a live run: behind a WebSocket (socket.js), or in a module of this page.
 //
 // A session has two functions:
 //
-//   send(request)       asks for something: an object from below. Its answer is an update like the others.
-//   listen(listener)    calls listener(update) for each update from now on, the first ones bringing all that there is.
+//   send(request)       sends a request: an object from the list below. Its answer is one of the updates.
+//   listen(listener)    calls listener(update) for each update from now on. The first ones have the whole state.
 //
-// and may have a third, watch(listener), which calls listener(true) when it is reached and listener(false) when it is not.
-// After it is reached anew it begins anew, with an update `run`.
+// It may have a third one, watch(listener), which calls listener(true) when the session is connected and listener(false) when it
+// is lost. After a new connection the updates begin again with `run`.
 //
-// A page that replays a run holds three updates, one a line: `run`, one `more`, and a `status` with outcome and summary alone.
+// A page that replays a run contains three updates, one a line: `run`, one `more`, and a `status` with outcome and summary alone.
 //
 // Requests; each may have a number `id`, which its answer repeats:
 //
@@ -20,9 +20,9 @@
 //   {do: 'restart'}                       runs the text of the editor from the beginning
 //   {do: 'edit', text, base, by}          another text in the place of version `base`, by a viewer of that name
 //   {do: 'save'}   {do: 'reload'}         writes the text to its file, or takes that of the file
-//   {do: 'hover', at}                     what is known of the word at a place (line and UTF-16 column, from 1); the answer has
+//   {do: 'hover', at}                     the meaning of the word at a place (line and UTF-16 column, from 1); the answer has
 //                                         `hover`: {from, to, text}, Markdown in English and Japanese, or null
-//   {do: 'complete', at}                  what can be written there; the answer has `offers`: [{label, detail, description,
+//   {do: 'complete', at}                  completions at a place; the answer has `offers`: [{label, detail, description,
 //                                         from, to, text, fills}]: descriptions in English and Japanese, and the
 //                                         text a snippet of LSP if it `fills` places
 //
@@ -31,23 +31,24 @@
 //   run        {run, robot, scene, script, channels, inputs}: a run begins. `channels` names the columns of motion, `inputs`
 //              what has sliders
 //   more       {run, first, from, cycles, clock, frames, now, steps, contacts, sets, messages, lamps, commands, flags, modes,
-//              falls, slips, events, threads, timers, locks}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any
-//              more, and what was before `first` is forgotten. What is much is in columns, the first of them cycles: `frames`
-//              has one for each channel (0.01 mm, deg or N), `steps` steps, `contacts` bits of feet or fingers, `sets` variables
-//              and their values, `threads` threads, counted from 1, and their steps, counted from 1, or 0 where one is over.
-//              `threads`, `timers` and `locks` are there if they have an entry. Columns of cycles, steps and motion hold differences. Other lists have an entry of its cycle
-//              and more for each thing. `now` is a frame of the last cycle that the next update takes back, or null
+//              falls, slips, events, threads, timers, locks}: the run up to cycle `cycles`. It replaces the entries of cycles
+//              from `from` on; entries before `first` are removed. Long lists are columns, of which the first has cycles:
+//              `frames` has a column for each channel (0.01 mm, deg or N), `steps` has steps, `contacts` has bits of feet or
+//              fingers, `sets` has variables and their values, `threads` has threads, from 1, and their steps, from 1, or 0
+//              after the end of the thread. Columns of cycles, steps and motion hold differences. Other lists have entries
+//              that begin with their cycle. `threads`, `timers` and `locks` are absent without entries. `now` is a frame of
+//              the last cycle, which the next update removes, or null
 //   text       {version, by, text}: the text of the editor
-//   findings   {version, findings, good}: what is found in it, and whether it is a program. Each has `level`, `code`, `from`
-//              and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`
-//   status     {playing, speed, late, over, outcome, summary, running, changed, overtaken}: whether the run keeps up, how and when it
-//              ended, its figures (docs/files.md) unless it plays,
-//              which version of the text runs, whether that of the editor is not the file's, and whether someone else
-//              has changed the file
+//   findings   {version, findings, good}: the diagnostics of the text; `good` is true if it is a program. Each has `level`,
+//              `code`, `from` and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`
+//   status     {playing, speed, late, over, outcome, summary, running, changed, overtaken}. `late`: the run does not keep up;
+//              `outcome`: how and when it ended; `summary`: its figures (docs/files.md), unless it plays; `running`: the
+//              version of the text that runs; `changed`: the text of the editor differs from the file; `overtaken`: someone
+//              else has changed the file
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,
 //              over, many, stale, errors, unspelled, unsaved, unread, or flood; `detail` says more
 
-/** Sends requests, and calls `refused(answer)` for each that is not fulfilled. */
+/** Sends requests, and calls `refused(answer)` for each one that is refused. */
 export class Requests {
   constructor(session, refused) {
     this.session = session;
@@ -60,7 +61,7 @@ export class Requests {
       this.asked.delete(update.id);
       take(update);
     });
-    // What was asked of a session that is lost is not answered any more.
+    // A lost session does not answer its open questions.
     session.watch?.(() => {
       this.asked.forEach((take) => take({ ok: false }));
       this.asked.clear();
@@ -73,7 +74,7 @@ export class Requests {
     return this.last;
   }
 
-  /** The answer to a question, whether it is fulfilled or not. */
+  /** Resolves to the answer to a question, also if it is refused. */
   ask(question) {
     return new Promise((take) => {
       this.asked.set(this.last + 1, take);
