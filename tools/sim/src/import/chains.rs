@@ -515,7 +515,7 @@ fn foot<'a>(
     let tips = links
         .iter()
         .flat_map(|(link, pose)| link.tips.iter().map(move |tip| (*link, pose, tip)));
-    // Of several of a kind the last one counts.
+    // If several tips are of the same kind, the last one counts.
     if let Some((link, pose, tip)) = tips.max_by_key(|(_, _, tip)| tip.kind) {
         let foot = Foot {
             link: link.name.clone(),
