@@ -38,7 +38,7 @@ impl Label {
 pub struct Diagnostic {
     /// The class of what it is about.
     pub code: Code,
-    /// The name or file that the message's `{}` stands for.
+    /// The name or file that replaces the message's `{}`.
     pub subject: Option<String>,
     /// Location in the source.
     pub span: Span,
@@ -84,7 +84,7 @@ impl Diagnostic {
         }
     }
 
-    /// Names what the message's `{}` stands for.
+    /// Sets the subject, which replaces the message's `{}`.
     #[must_use]
     pub fn about(mut self, subject: impl Into<String>) -> Self {
         self.subject = Some(subject.into());

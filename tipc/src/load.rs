@@ -271,7 +271,7 @@ fn lower(source: &Source, module: &Module, resolved: ResolvedModule<'_>, robot: 
 /// Takes the resolved module, unless it has an error.
 fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
     judge(checked.found.iter_mut(), edition);
-    // A constant without a result does not change the flow, so the paths can be judged all the same.
+    // A constant without a result does not change the flow, so the paths can still be judged.
     let of_domain = checked.found.iter().filter(|one| one.code == Code::Domain);
     match checked.found.errors(edition) > of_domain.count() {
         true => None,

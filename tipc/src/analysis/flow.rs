@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 /// The index of a node in its flow. Nodes come in the order of their steps.
 pub type NodeId = usize;
 
-/// A step, as it is reached.
+/// A step, with the way in which it is reached.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Node {
     /// The step.
@@ -256,7 +256,7 @@ pub enum Entry {
     Open,
 }
 
-/// Evaluates FOR's first test as far as it is known.
+/// Evaluates FOR's first test, as far as constants decide it.
 pub fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
     match (from, to, step) {
         (_, _, Operand::Constant(0.0)) => Entry::Fails,

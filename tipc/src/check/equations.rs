@@ -255,7 +255,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Resolves a whole struct, of one kind if `kind` says so.
+    /// Resolves a whole struct; if `kind` is given, one of that type.
     fn structure(
         &mut self,
         operand: &Operand,

@@ -9,7 +9,7 @@ use crate::symbols::Access;
 use crate::syntax::VariableKind;
 use tip_runtime::command::{READING, Reading};
 
-/// Value that a placeholder stands for.
+/// The value that a placeholder shows.
 #[derive(Clone, Copy)]
 enum PlaceholderValue {
     Variable(VariableId),
@@ -81,7 +81,7 @@ impl Names {
         })
     }
 
-    /// Returns what a name in capital letters stands for in a placeholder, and its type.
+    /// Returns value and type of a name, in capital letters, in a placeholder.
     fn shown(&self, name: &str) -> Option<(PlaceholderValue, VariableKind)> {
         if name.starts_with(READING) {
             let reading = reserved::reading(name, self.edition)?;
@@ -199,7 +199,7 @@ impl Resolver<'_> {
 
 /// Adds what the start of a text, whose first character is `first`, shows; returns its length in the source.
 ///
-/// In a MESSAGE a doubled backslash stays as it is, so that the second one escapes nothing.
+/// In a MESSAGE a doubled backslash is kept, so that the second one escapes nothing.
 fn shown(of: Keyword, text: &str, first: char, plain: &mut String) -> usize {
     let length = first.len_utf8();
     match (first, text[length..].chars().next()) {

@@ -144,7 +144,7 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// Records an operand that stands for something of this meaning.
+    /// Records an operand with its resolved meaning.
     pub(super) fn operand(&mut self, operand: &Operand, meant: ResolvedOperand, access: Access) {
         let (definition, member) = match meant {
             ResolvedOperand::Reading { .. } => return,
@@ -269,7 +269,7 @@ impl<'a> Uses<'a> {
         self.may_assign.extend(new);
     }
 
-    /// Records that a MESSAGE was to show the variable, and does not.
+    /// Records that a MESSAGE was meant to show the variable but does not.
     pub(super) fn was_to_be_shown(&mut self, variable: VariableId) {
         self.to_be_shown[variable] = true;
     }

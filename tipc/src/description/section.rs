@@ -120,7 +120,7 @@ impl<'a> Section<'a> {
             .map_or(self.location, |(location, _)| location)
     }
 
-    /// Refuses the value of `key`, and says how it is written.
+    /// Refuses the value of `key`, with its form as the help.
     pub(super) fn refuse<T>(
         self,
         key: &str,
@@ -243,7 +243,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// Refuses a word, and says which of the known ones it may mean, if it is near one.
+    /// Refuses a word, with the nearest known one as the help.
     pub(super) fn refuse_word<'w, T>(
         self,
         key: &str,

@@ -7,7 +7,8 @@ use crate::message::Naming;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Deref;
 
-/// Maximum number of diagnostics of a file that are reported: nobody reads more, and each takes time to show and to fix.
+/// Maximum number of diagnostics of a file that are reported. More are not read, and each takes time to show and to
+/// fix.
 pub const MAX_DIAGNOSTICS: usize = 1_000;
 
 /// Maximum number of diagnostics that the passes keep: of a hostile file there may be one for each byte, and each takes

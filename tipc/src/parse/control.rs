@@ -284,7 +284,7 @@ impl Reader<'_> {
         self.jump(keyword, Keyword::Goto)
     }
 
-    /// Reads `NAME:` after GOSUB or CALL. A name without its colon is reported and used all the same.
+    /// Reads `NAME:` after GOSUB or CALL. A name without its colon is reported and still used.
     pub(super) fn jump(&mut self, keyword: Span, name: Keyword) -> Parsed<(Jump, Parsed<()>)> {
         let (label, colon) = self.jump_label(name)?;
         let jump = Jump {

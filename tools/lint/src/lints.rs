@@ -91,7 +91,7 @@ impl LintContext<'_> {
 
     /// Adds all warnings, and returns the values that texts were meant to show.
     fn add_warnings(&self, found: &mut Diagnostics) -> message::MeantValues {
-        // Statements by themselves, and the values that they read.
+        // Single statements, and the values that they read.
         statements::unassigned(self, found);
         statements::commands(self, found);
         statements::swapped_signs(self, found);

@@ -201,7 +201,7 @@ pub(in crate::parse) fn is_sign(char: char) -> bool {
     half || plain(char).is_some_and(|it| it != ",")
 }
 
-/// Returns true if a character has no width, so that nobody sees it.
+/// Returns true if a character has no width, so that it is invisible.
 fn is_invisible(char: char) -> bool {
     matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
 }

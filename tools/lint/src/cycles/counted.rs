@@ -7,7 +7,7 @@ use tipc::analysis::access;
 use tipc::analysis::flow::{Flow, NodeId};
 use tipc::program::{Action, Operand, Program, StepId};
 
-/// The most turns that are counted. At 20 ms they take more than five hours.
+/// Maximum number of turns that are counted. At 20 ms they take more than five hours.
 const MAX_TURNS: u64 = 1_000_000;
 
 /// Maximum nesting depth of counted loops. Those inside count as loops without a bound.

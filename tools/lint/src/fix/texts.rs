@@ -186,7 +186,7 @@ fn glued(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::certain(Fixing::Show, edits))
 }
 
-/// Returns the spans before and after a text in quotes: the quotes, parentheses around them, and a ` ` at the end of
+/// Returns the spans before and after a text in quotes: the quotes, parentheses around them, and a `\n` at the end of
 /// the text. Returns `None` unless there is just one text.
 fn quotes(site: &Site<'_>, location: Span) -> Option<[Span; 2]> {
     let location = trimmed(site, location);
@@ -233,7 +233,7 @@ fn trimmed(site: &Site<'_>, location: Span) -> Span {
     Span::new(end - kept.trim_start_matches(DELIMITERS).len(), end)
 }
 
-/// Returns the fix that removes ` ` at the end of a text, where the line ends anyway.
+/// Returns the fix that removes `\n` at the end of a text, where the line ends anyway.
 fn last_break(site: &Site<'_>) -> Option<Fix> {
     let StatementKind::Message { text } = &site.statement()?.kind else {
         return None;

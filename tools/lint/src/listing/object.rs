@@ -47,7 +47,7 @@ struct Listing<'a> {
 }
 
 impl Listing<'_> {
-    /// Returns the record of a step, whose line of FORMAL.TMP says how it was written.
+    /// Returns the record of a step. `formal` is its line of FORMAL.TMP, with the spelling of its operands.
     fn record(&mut self, formal: &str, action: &Action) -> Record {
         let mut fields = formal.split('\t');
         let word = fields.next().unwrap_or_default();
