@@ -21,7 +21,7 @@ use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
 
-/// The most legs, and the most joints on a leg, that the language can name (`F1…F9`, `J11…J99`).
+/// Maximum number of legs, and of joints on a leg, that the language can name (`F1…F9`, `J11…J99`).
 pub const MAX: usize = 9;
 
 /// `R`: the value after it is relative to the current state.

@@ -3,10 +3,10 @@
 //! A control cycle calls [`sense`](Controller::sense), then at most one [`command`](Core::command), then
 //! [`advance`](Core::advance), and sends the [`outputs`](Controller::outputs). All other methods are queries.
 //!
-//! Moves head straight for their targets under V_MAX and A_MAX, or OMEGA_MAX and OMEGA_DOT_MAX,
-//! and keep their velocity when a command changes their goal. Velocity and angular-velocity
-//! control obey the limits of acceleration only. Where a leg cannot go on it stops at once: an
-//! emergency under EMG_ON; under EMG_OFF it stays there until it is sent elsewhere.
+//! Moves head straight for their targets under V_MAX and A_MAX, or OMEGA_MAX and OMEGA_DOT_MAX, and keep their velocity
+//! when a command changes their goal. Velocity and angular-velocity control obey the limits of acceleration only. Where
+//! a leg cannot go on it stops immediately: an emergency under EMG_ON; under EMG_OFF it stays there until it is sent
+//! elsewhere.
 //!
 //! Modes are kept per leg and joint. Nothing is controlled at the start: the servos hold the
 //! initial posture.

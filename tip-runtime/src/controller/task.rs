@@ -40,7 +40,7 @@ pub(super) enum Stand {
 pub(super) enum FloorSearch {
     /// One leg after the other goes down.
     DownInTurn,
-    /// All legs go down at once.
+    /// All legs go down together.
     DownTogether,
     /// All legs go up: the body sinks.
     Up,

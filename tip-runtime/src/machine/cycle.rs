@@ -304,7 +304,7 @@ impl<const J: usize> ControlCycle<'_, J> {
         period
     }
 
-    /// Hands a row of TITAN.LOG to the console if this cycle is to be sampled.
+    /// Passes a row of TITAN.LOG to the console if this cycle is sampled.
     fn log(&mut self) {
         let io = &mut self.state.io;
         if core::mem::take(&mut io.samples_once) || io.samples {

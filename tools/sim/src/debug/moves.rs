@@ -108,7 +108,7 @@ impl Debugger {
             .any(|it| program.line(it.step) == line)
     }
 
-    /// Continues the movement for at most so many cycles. During a backward search the position does not change.
+    /// Continues the movement for at most `cycles` cycles. During a backward search the position does not change.
     pub fn work(&mut self, cycles: u64) -> Work {
         let Some(mut pending) = self.pending.take() else {
             return Work::Stopped(self.stop.clone());

@@ -326,7 +326,7 @@ pub enum PlantError {
     TooLong { to: Head },
     /// An answer is not UTF-8.
     NotText { to: Head },
-    /// An answer that is not as the protocol says.
+    /// An answer breaks the protocol.
     Wrong {
         to: Head,
         line: String,

@@ -6,7 +6,7 @@ import { countUpTo, lastUpTo } from './search.js';
 import { shown } from './source.js';
 import { label, whenSpoken, word } from './words.js';
 
-/** How long a key stays lit, and a fall is announced: ms. */
+/** Times for which a key stays lit and a fall is announced, ms. */
 const PRESSED = 600;
 const ANNOUNCED = 2000;
 
